@@ -1,0 +1,49 @@
+// Errors of the library: typed, and each names what caused it.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace minksum {
+
+/// What kind of failure an Error reports. The program's exit codes follow these.
+enum class ErrorCode {
+  kBadInput,       ///< an operand is not a valid region, or a number is not finite
+  kLimitExceeded,  ///< a stated limit (see Limits) would be exceeded
+  kCancelled,      ///< the caller's cancel token or progress callback said stop
+  kInternal,       ///< an invariant of the library broke; Error::stage names the place
+};
+
+/// Which operand of a binary operation.
+enum class Operand : unsigned char { kFirst = 0, kSecond = 1 };
+
+/// The place in an operand that an error is about. Indices count from 0; `kNone` = not known.
+struct Culprit {
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  int operand = -1;             ///< 0 = first, 1 = second, -1 = not about an operand
+  std::size_t polygon = kNone;  ///< index of the polygon in its region
+  std::size_t ring = kNone;     ///< index of the ring in its polygon: 0 = outer, 1.. = holes
+  std::size_t vertex = kNone;   ///< index of the vertex in its ring
+};
+
+/// The one exception type that the library throws.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {})
+      : std::runtime_error(message), code_(code), culprit_(culprit), stage_(std::move(stage)) {}
+
+  [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+  [[nodiscard]] const Culprit& culprit() const noexcept { return culprit_; }
+  /// The pipeline stage, for internal errors; empty otherwise.
+  [[nodiscard]] const std::string& stage() const noexcept { return stage_; }
+
+ private:
+  ErrorCode code_;
+  Culprit culprit_;
+  std::string stage_;
+};
+
+}  // namespace minksum

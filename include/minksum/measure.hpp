@@ -1,0 +1,26 @@
+// Measures of a region.
+#pragma once
+
+#include <optional>
+
+#include "minksum/region.hpp"
+
+namespace minksum {
+
+/// An axis-parallel box with exact sides.
+struct Box {
+  Point min;
+  Point max;
+};
+
+/// The exact area: outer rings count positive, holes negative, whatever their orientation. O(n).
+[[nodiscard]] Rational area(const Region& region);
+/// The same as a double, correct to a few units in the last place unless it cancels; much faster.
+[[nodiscard]] double approximate_area(const Region& region);
+/// The bounding box; nothing for an empty region. O(n).
+[[nodiscard]] std::optional<Box> bounding_box(const Region& region);
+/// How many bits the coordinates need once scaled to integers by their least common denominator
+/// and moved to the origin: the number that picks the arithmetic (docs/guarantees.md). O(n).
+[[nodiscard]] std::size_t coordinate_bits(const Region& region);
+
+}  // namespace minksum

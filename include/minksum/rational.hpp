@@ -1,0 +1,77 @@
+// Exact numbers at the library's boundary.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace minksum {
+
+/// An exact decimal: mantissa · 10^exponent. What a number in a text file usually is.
+struct Decimal {
+  std::int64_t mantissa = 0;
+  int exponent = 0;
+};
+
+/// An exact rational number of any size, always in lowest terms with a positive denominator.
+///
+/// A value type: copying is cheap (the digits are shared and never change), so concurrent use of
+/// copies is safe. It is meant for reading results and feeding exact operands, not for bulk
+/// arithmetic.
+class Rational {
+ public:
+  Rational();                                           ///< zero
+  Rational(std::int64_t value);                         // NOLINT(google-explicit-constructor)
+  Rational(int value) : Rational(std::int64_t{value}) {}  // NOLINT(google-explicit-constructor)
+  /// numerator / denominator. Throws Error(kBadInput) if the denominator is 0.
+  Rational(std::int64_t numerator, std::int64_t denominator);
+  explicit Rational(Decimal value);
+  /// Exactly this double. Throws Error(kBadInput) for NaN and infinities.
+  explicit Rational(double value);
+
+  /// Reads `[+-]digits[.digits][e[+-]digits]` or `p/q` (integers) as the number that it says,
+  /// exactly. Returns nothing if `text` is not such a number, if a denominator is 0, or if it has
+  /// more than `kMaxDigits` digits or a decimal exponent beyond ±`kMaxExponent`.
+  static std::optional<Rational> parse(std::string_view text);
+  static constexpr int kMaxDigits = 4096;
+  static constexpr int kMaxExponent = 4096;
+
+  /// The quotient of two integers given as little-endian 64-bit limbs; the numerator's sign apart.
+  static Rational from_limbs(bool negative, const std::uint64_t* numerator,
+                             std::size_t numerator_limbs, const std::uint64_t* denominator,
+                             std::size_t denominator_limbs);
+
+  [[nodiscard]] int sign() const;  ///< -1, 0 or 1
+  [[nodiscard]] bool is_integer() const;
+  [[nodiscard]] Rational numerator() const;
+  [[nodiscard]] Rational denominator() const;
+  /// Bits of the larger of |numerator| and denominator.
+  [[nodiscard]] std::size_t bits() const;
+  /// The nearest double, ties to even; infinity if out of range.
+  [[nodiscard]] double to_double() const;
+  /// "p" or "p/q", in lowest terms.
+  [[nodiscard]] std::string to_string() const;
+  /// With exactly `digits` digits after the point, to the nearest, ties to even.
+  [[nodiscard]] std::string to_decimal(int digits) const;
+
+  friend Rational operator+(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a, const Rational& b);
+  friend Rational operator*(const Rational& a, const Rational& b);
+  /// Throws Error(kBadInput) if b is 0.
+  friend Rational operator/(const Rational& a, const Rational& b);
+  friend Rational operator-(const Rational& a);
+  friend bool operator==(const Rational& a, const Rational& b);
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+  friend std::ostream& operator<<(std::ostream& out, const Rational& value);
+
+ private:
+  struct Value;
+  explicit Rational(std::shared_ptr<const Value> value);
+  std::shared_ptr<const Value> value_;  // null = zero
+};
+
+}  // namespace minksum

@@ -1,0 +1,159 @@
+// Regions: what goes into a Minkowski sum, and what comes out.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "minksum/error.hpp"
+#include "minksum/rational.hpp"
+
+namespace minksum {
+
+/// A point with exact coordinates.
+struct Point {
+  Rational x;
+  Rational y;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// A closed ring; the first vertex is not repeated at the end. Its orientation has no meaning.
+using Ring = std::vector<Point>;
+
+/// A polygon: the closed area inside `outer` less the open areas inside `holes`.
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+  friend bool operator==(const Polygon&, const Polygon&) = default;
+};
+
+/// What made an edge of a sum: edge `edge` of one operand, moved by vertex `vertex` of the other.
+///
+/// Both are vertex indices of the operands as they were given (`Region::vertices_of`); an edge has
+/// the index of its first vertex. Where an operand has several edges in one straight line, the
+/// first of them (in the ring's order) is named.
+struct EdgeOrigin {
+  Operand edge_operand = Operand::kFirst;  ///< whose edge it is; the vertex is the other's
+  std::uint32_t edge = 0;
+  std::uint32_t vertex = 0;
+  friend bool operator==(const EdgeOrigin&, const EdgeOrigin&) = default;
+};
+
+/// A half-open range of indices, to loop over.
+class IndexRange {
+ public:
+  class Iterator {
+   public:
+    explicit Iterator(std::size_t index) : index_(index) {}
+    std::size_t operator*() const { return index_; }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+
+   private:
+    std::size_t index_;
+  };
+  IndexRange(std::size_t first, std::size_t last) : first_(first), last_(last) {}
+  [[nodiscard]] Iterator begin() const { return Iterator(first_); }
+  [[nodiscard]] Iterator end() const { return Iterator(last_); }
+  [[nodiscard]] std::size_t front() const { return first_; }
+  [[nodiscard]] std::size_t size() const { return last_ - first_; }
+  [[nodiscard]] bool empty() const { return first_ == last_; }
+
+ private:
+  std::size_t first_;
+  std::size_t last_;
+};
+
+/// One coordinate as a region stores it: an exact number in compact form.
+///
+/// Value = N / D · 2^exp2 · 10^exp10. With no denominator limbs, N is `payload` and D is 1;
+/// otherwise `payload` is the offset of N's limbs and then D's limbs in the region's pool.
+struct StoredCoordinate {
+  std::int64_t payload = 0;
+  std::int16_t exp2 = 0;
+  std::int16_t exp10 = 0;
+  std::uint16_t numerator_limbs = 0;  ///< top bit: negative; 0 limbs with a denominator = zero
+  std::uint16_t denominator_limbs = 0;
+};
+
+/// A set of polygons with holes, with exact coordinates: operand and result of every operation.
+///
+/// Flat and compact: vertices lie ring after ring, rings polygon after polygon (outer ring first).
+/// A Region as such promises nothing about validity: see `validate` (validity.hpp). Results of
+/// operations are valid and in canonical form: outer rings counter-clockwise, holes clockwise, each
+/// ring starts at its lexicographically smallest vertex, no vertex lies in the middle of a straight
+/// edge, rings and polygons are ordered by their first vertices; so equal sets compare equal.
+class Region {
+ public:
+  Region() = default;
+  explicit Region(const Polygon& polygon);
+  explicit Region(std::span<const Polygon> polygons);
+
+  // -- Building. Numbers are taken exactly. --------------------------------------------------
+  void clear();
+  /// Starts a polygon; the next ring is its outer ring, further ones are holes.
+  void begin_polygon();
+  void begin_ring();
+  void add_vertex(const Rational& x, const Rational& y);
+  void add_vertex(Decimal x, Decimal y);
+  /// Doubles mean exactly themselves. Throws Error(kBadInput) naming the vertex for NaN, infinity.
+  void add_vertex(double x, double y);
+  void add_vertex(std::int64_t x, std::int64_t y);
+  void add_vertex(int x, int y) { add_vertex(std::int64_t{x}, std::int64_t{y}); }
+
+  // -- Structure ----------------------------------------------------------------------------
+  [[nodiscard]] bool empty() const { return vertices_.empty(); }
+  [[nodiscard]] std::size_t polygon_count() const { return polygon_first_ring_.size(); }
+  [[nodiscard]] std::size_t ring_count() const { return ring_first_vertex_.size(); }
+  [[nodiscard]] std::size_t hole_count() const { return ring_count() - polygon_count_with_rings(); }
+  [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
+  [[nodiscard]] IndexRange polygons() const { return {0, polygon_count()}; }
+  /// The rings of a polygon: the outer one first, then its holes.
+  [[nodiscard]] IndexRange rings_of(std::size_t polygon) const;
+  [[nodiscard]] IndexRange vertices_of(std::size_t ring) const;
+
+  // -- Coordinates --------------------------------------------------------------------------
+  /// The double nearest to the exact coordinate (ties to even).
+  [[nodiscard]] double x(std::size_t vertex) const { return nearest(vertices_[vertex].x); }
+  [[nodiscard]] double y(std::size_t vertex) const { return nearest(vertices_[vertex].y); }
+  [[nodiscard]] Rational exact_x(std::size_t vertex) const { return exact(vertices_[vertex].x); }
+  [[nodiscard]] Rational exact_y(std::size_t vertex) const { return exact(vertices_[vertex].y); }
+  [[nodiscard]] Point point(std::size_t vertex) const { return {exact_x(vertex), exact_y(vertex)}; }
+  [[nodiscard]] Polygon polygon(std::size_t index) const;
+
+  // -- Provenance ---------------------------------------------------------------------------
+  /// Whether every edge knows what made it (true for results of minkowski_sum).
+  [[nodiscard]] bool has_origins() const {
+    return !vertices_.empty() && origins_.size() == vertices_.size();
+  }
+  /// What made the edge that starts at this vertex.
+  [[nodiscard]] const EdgeOrigin& origin(std::size_t vertex) const { return origins_[vertex]; }
+
+  /// Equal as stored: the same rings in the same order with exactly equal vertices.
+  friend bool operator==(const Region& a, const Region& b);
+
+ private:
+  friend class RegionAccess;
+  struct StoredPoint {
+    StoredCoordinate x;
+    StoredCoordinate y;
+  };
+  [[nodiscard]] std::size_t polygon_count_with_rings() const;
+  [[nodiscard]] double nearest(const StoredCoordinate& coordinate) const;
+  [[nodiscard]] Rational exact(const StoredCoordinate& coordinate) const;
+  StoredCoordinate store(const Rational& value);
+  StoredCoordinate store(double value);
+
+  std::vector<std::size_t> polygon_first_ring_;
+  std::vector<std::size_t> ring_first_vertex_;
+  std::vector<StoredPoint> vertices_;
+  std::vector<std::uint64_t> limbs_;
+  std::vector<EdgeOrigin> origins_;
+};
+
+}  // namespace minksum
