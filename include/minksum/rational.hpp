@@ -69,6 +69,7 @@ class Rational {
   friend std::ostream& operator<<(std::ostream& out, const Rational& value);
 
  private:
+  friend class RationalAccess;
   struct Value;
   explicit Rational(std::shared_ptr<const Value> value);
   std::shared_ptr<const Value> value_;  // null = zero

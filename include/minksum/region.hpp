@@ -144,6 +144,7 @@ class Region {
     StoredCoordinate y;
   };
   [[nodiscard]] std::size_t polygon_count_with_rings() const;
+  void require_open_ring() const;
   [[nodiscard]] double nearest(const StoredCoordinate& coordinate) const;
   [[nodiscard]] Rational exact(const StoredCoordinate& coordinate) const;
   StoredCoordinate store(const Rational& value);

@@ -1,0 +1,30 @@
+// A region's coordinates on one integer grid, for its measures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "minksum/rational.hpp"
+#include "minksum/region.hpp"
+
+namespace minksum {
+
+struct ScaledPoint {
+  std::int64_t x;
+  std::int64_t y;
+};
+
+/// Coordinates in units of `unit`, a product of powers of two and ten. One for each vertex.
+struct CommonScale {
+  Rational unit;
+  std::vector<ScaledPoint> points;
+};
+
+/// Whether every coordinate is an integer below 2^61 in absolute value on one such grid; then
+/// `scale` holds them.
+bool find_common_scale(const Region& region, CommonScale& scale);
+
+/// The smallest positive integer that makes every coordinate an integer.
+Rational least_common_denominator(const Region& region);
+
+}  // namespace minksum

@@ -1,0 +1,283 @@
+#include "minksum/rational.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <utility>
+
+#include "minksum/error.hpp"
+#include "region/rational_access.hpp"
+
+namespace minksum {
+
+namespace mp = boost::multiprecision;
+
+namespace {
+
+// Beyond this a decimal exponent asks for megabytes of digits, not for a coordinate.
+constexpr int kDecimalExponentLimit = 500'000;
+
+const BigInt& zero() {
+  static const BigInt value(0);
+  return value;
+}
+
+const BigInt& one() {
+  static const BigInt value(1);
+  return value;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::size_t digit_run(std::string_view text, std::size_t from) {
+  std::size_t end = from;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return end - from;
+}
+
+// Leading zeros go first: the parser of big integers would read them as a mark of octal.
+BigInt integer_from_digits(std::string_view digits) {
+  const std::size_t first = digits.find_first_not_of('0');
+  if (first == std::string_view::npos) return 0;
+  return BigInt(std::string(digits.substr(first)));
+}
+
+// `[+-]digits` to the end of `text`; nothing if it is not that or too large.
+std::optional<int> parse_exponent(std::string_view text) {
+  std::size_t position = 0;
+  const bool negative = !text.empty() && text[0] == '-';
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) position = 1;
+  if (position == text.size()) return std::nullopt;
+  int value = 0;
+  for (; position < text.size(); ++position) {
+    if (!is_digit(text[position])) return std::nullopt;
+    value = std::min(value * 10 + (text[position] - '0'), Rational::kMaxExponent + 1);
+  }
+  if (value > Rational::kMaxExponent) return std::nullopt;
+  return negative ? -value : value;
+}
+
+Rational scaled_by_ten(BigInt mantissa, int exponent) {
+  if (exponent >= 0) {
+    return RationalAccess::make_reduced(mantissa * power_of_ten(static_cast<unsigned>(exponent)),
+                                        1);
+  }
+  return RationalAccess::make(std::move(mantissa), power_of_ten(static_cast<unsigned>(-exponent)));
+}
+
+}  // namespace
+
+Rational RationalAccess::make(BigInt numerator, BigInt denominator) {
+  if (denominator.sign() < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  if (denominator != 1) {
+    const BigInt divisor = mp::gcd(numerator, denominator);
+    if (divisor != 1) {
+      numerator /= divisor;
+      denominator /= divisor;
+    }
+  }
+  return make_reduced(std::move(numerator), std::move(denominator));
+}
+
+Rational RationalAccess::make_reduced(BigInt numerator, BigInt denominator) {
+  if (numerator.is_zero()) return {};
+  return Rational(std::make_shared<const Rational::Value>(
+      Rational::Value{std::move(numerator), std::move(denominator)}));
+}
+
+const BigInt& RationalAccess::numerator(const Rational& value) {
+  return value.value_ ? value.value_->numerator : zero();
+}
+
+const BigInt& RationalAccess::denominator(const Rational& value) {
+  return value.value_ ? value.value_->denominator : one();
+}
+
+Rational::Rational() = default;
+
+Rational::Rational(std::shared_ptr<const Value> value) : value_(std::move(value)) {}
+
+Rational::Rational(std::int64_t value) : Rational(RationalAccess::make_reduced(value, 1)) {}
+
+Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
+  if (denominator == 0) throw Error(ErrorCode::kBadInput, "a rational number with denominator 0");
+  *this = RationalAccess::make(numerator, denominator);
+}
+
+Rational::Rational(Decimal value) {
+  if (value.mantissa == 0) return;
+  if (value.exponent > kDecimalExponentLimit || value.exponent < -kDecimalExponentLimit) {
+    throw Error(ErrorCode::kLimitExceeded, "a decimal exponent beyond ±500000");
+  }
+  *this = scaled_by_ten(value.mantissa, value.exponent);
+}
+
+Rational::Rational(double value) {
+  if (!std::isfinite(value)) {
+    throw Error(ErrorCode::kBadInput,
+                std::isnan(value) ? "a number is not a number (NaN)" : "a number is infinite");
+  }
+  if (value == 0) return;
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+  exponent -= 53;
+  while ((mantissa & 1) == 0) {
+    mantissa /= 2;
+    ++exponent;
+  }
+  const BigInt power = BigInt(1) << static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
+  *this = exponent >= 0 ? RationalAccess::make_reduced(power * mantissa, 1)
+                        : RationalAccess::make_reduced(mantissa, power);
+}
+
+std::optional<Rational> Rational::parse(std::string_view text) {
+  const bool negative = !text.empty() && text[0] == '-';
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
+  const auto sign = [negative](BigInt value) { return negative ? BigInt(-value) : value; };
+
+  const std::size_t whole = digit_run(text, 0);
+  if (whole == 0 || whole > kMaxDigits) return std::nullopt;
+  if (whole < text.size() && text[whole] == '/') {
+    const std::string_view below = text.substr(whole + 1);
+    if (below.empty() || below.size() > kMaxDigits) return std::nullopt;
+    if (digit_run(below, 0) != below.size()) return std::nullopt;
+    BigInt denominator = integer_from_digits(below);
+    if (denominator.is_zero()) return std::nullopt;
+    return RationalAccess::make(sign(integer_from_digits(text.substr(0, whole))),
+                                std::move(denominator));
+  }
+  std::size_t position = whole;
+  std::string digits(text.substr(0, whole));
+  int exponent = 0;
+  if (position < text.size() && text[position] == '.') {
+    const std::size_t fraction = digit_run(text, position + 1);
+    if (fraction == 0 || whole + fraction > kMaxDigits) return std::nullopt;
+    digits += text.substr(position + 1, fraction);
+    exponent = -static_cast<int>(fraction);
+    position += 1 + fraction;
+  }
+  if (position < text.size()) {
+    if (text[position] != 'e' && text[position] != 'E') return std::nullopt;
+    const std::optional<int> power = parse_exponent(text.substr(position + 1));
+    if (!power) return std::nullopt;
+    exponent += *power;
+  }
+  return scaled_by_ten(sign(integer_from_digits(digits)), exponent);
+}
+
+Rational Rational::from_limbs(bool negative, const std::uint64_t* numerator,
+                              std::size_t numerator_limbs, const std::uint64_t* denominator,
+                              std::size_t denominator_limbs) {
+  BigInt above = minksum::from_limbs({numerator, numerator_limbs});
+  BigInt below = minksum::from_limbs({denominator, denominator_limbs});
+  if (below.is_zero()) throw Error(ErrorCode::kBadInput, "a rational number with denominator 0");
+  if (negative) above = -above;
+  return RationalAccess::make(std::move(above), std::move(below));
+}
+
+int Rational::sign() const { return value_ ? value_->numerator.sign() : 0; }
+
+bool Rational::is_integer() const { return !value_ || value_->denominator == 1; }
+
+Rational Rational::numerator() const {
+  return RationalAccess::make_reduced(RationalAccess::numerator(*this), 1);
+}
+
+Rational Rational::denominator() const {
+  return RationalAccess::make_reduced(RationalAccess::denominator(*this), 1);
+}
+
+std::size_t Rational::bits() const {
+  return std::max(bit_length(RationalAccess::numerator(*this)),
+                  bit_length(RationalAccess::denominator(*this)));
+}
+
+double Rational::to_double() const {
+  if (!value_) return 0;
+  return nearest_double(sign() < 0, mp::abs(value_->numerator), value_->denominator);
+}
+
+std::string Rational::to_string() const {
+  if (!value_) return "0";
+  const auto text = [](const BigInt& value) {
+    if (bit_length(value) < 64) return std::to_string(static_cast<std::int64_t>(value));
+    return value.str();
+  };
+  std::string result = text(value_->numerator);
+  if (value_->denominator != 1) result += '/' + text(value_->denominator);
+  return result;
+}
+
+std::string Rational::to_decimal(int digits) const {
+  if (digits < 0) throw Error(ErrorCode::kBadInput, "a negative number of digits");
+  const BigInt& divisor = RationalAccess::denominator(*this);
+  BigInt quotient;
+  BigInt remainder;
+  mp::divide_qr(BigInt(mp::abs(RationalAccess::numerator(*this)) *
+                       power_of_ten(static_cast<unsigned>(digits))),
+                divisor, quotient, remainder);
+  const int half = BigInt(remainder * 2).compare(divisor);
+  if (half > 0 || (half == 0 && mp::bit_test(quotient, 0))) ++quotient;
+  std::string text = quotient.str();
+  const auto places = static_cast<std::size_t>(digits);
+  if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+  if (places > 0) text.insert(text.size() - places, 1, '.');
+  if (sign() < 0 && !quotient.is_zero()) text.insert(0, 1, '-');
+  return text;
+}
+
+Rational operator+(const Rational& a, const Rational& b) {
+  if (!a.value_) return b;
+  if (!b.value_) return a;
+  const auto& [an, ad] = *a.value_;
+  const auto& [bn, bd] = *b.value_;
+  if (ad == bd) return RationalAccess::make(an + bn, ad);
+  return RationalAccess::make(an * bd + bn * ad, ad * bd);
+}
+
+Rational operator-(const Rational& a) {
+  if (!a.value_) return a;
+  return RationalAccess::make_reduced(-a.value_->numerator, a.value_->denominator);
+}
+
+Rational operator-(const Rational& a, const Rational& b) { return a + (-b); }
+
+Rational operator*(const Rational& a, const Rational& b) {
+  if (!a.value_ || !b.value_) return {};
+  return RationalAccess::make(a.value_->numerator * b.value_->numerator,
+                              a.value_->denominator * b.value_->denominator);
+}
+
+Rational operator/(const Rational& a, const Rational& b) {
+  if (!b.value_) throw Error(ErrorCode::kBadInput, "division by 0");
+  if (!a.value_) return {};
+  return RationalAccess::make(a.value_->numerator * b.value_->denominator,
+                              a.value_->denominator * b.value_->numerator);
+}
+
+bool operator==(const Rational& a, const Rational& b) {
+  if (a.value_ == b.value_) return true;
+  if (!a.value_ || !b.value_) return false;
+  return a.value_->numerator == b.value_->numerator &&
+         a.value_->denominator == b.value_->denominator;
+}
+
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+  const int signs = a.sign() - b.sign();
+  if (signs != 0) return signs <=> 0;
+  if (a.value_ == b.value_) return std::strong_ordering::equal;
+  const auto& [an, ad] = *a.value_;
+  const auto& [bn, bd] = *b.value_;
+  if (ad == bd) return an.compare(bn) <=> 0;
+  return BigInt(an * bd).compare(BigInt(bn * ad)) <=> 0;
+}
+
+std::ostream& operator<<(std::ostream& out, const Rational& value) {
+  return out << value.to_string();
+}
+
+}  // namespace minksum

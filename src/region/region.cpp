@@ -1,0 +1,156 @@
+#include "minksum/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "region/region_access.hpp"
+
+namespace minksum {
+
+namespace {
+
+// Where add_vertex would put the next vertex.
+Culprit next_vertex(std::size_t polygon, std::size_t ring, std::size_t vertex) {
+  Culprit place;
+  place.polygon = polygon;
+  place.ring = ring;
+  place.vertex = vertex;
+  return place;
+}
+
+// The last range whose start is at most `index`. Starts are sorted but may repeat.
+std::size_t range_of(const std::vector<std::size_t>& starts, std::size_t index) {
+  const auto after = std::upper_bound(starts.begin(), starts.end(), index);
+  return static_cast<std::size_t>(after - starts.begin()) - 1;
+}
+
+}  // namespace
+
+Region::Region(const Polygon& polygon) : Region(std::span<const Polygon>(&polygon, 1)) {}
+
+Region::Region(std::span<const Polygon> polygons) {
+  const auto add_ring = [this](const Ring& ring) {
+    begin_ring();
+    for (const Point& point : ring) add_vertex(point.x, point.y);
+  };
+  for (const Polygon& polygon : polygons) {
+    begin_polygon();
+    add_ring(polygon.outer);
+    for (const Ring& hole : polygon.holes) add_ring(hole);
+  }
+}
+
+void Region::clear() {
+  polygon_first_ring_.clear();
+  ring_first_vertex_.clear();
+  vertices_.clear();
+  limbs_.clear();
+  origins_.clear();
+}
+
+void Region::begin_polygon() { polygon_first_ring_.push_back(ring_first_vertex_.size()); }
+
+void Region::begin_ring() {
+  if (polygon_first_ring_.empty()) {
+    throw Error(ErrorCode::kBadInput, "begin_ring before any begin_polygon");
+  }
+  ring_first_vertex_.push_back(vertices_.size());
+}
+
+void Region::require_open_ring() const {
+  if (polygon_first_ring_.empty() || polygon_first_ring_.back() == ring_first_vertex_.size()) {
+    throw Error(ErrorCode::kBadInput, "add_vertex before any begin_ring in this polygon");
+  }
+}
+
+void Region::add_vertex(const Rational& x, const Rational& y) {
+  require_open_ring();
+  const StoredCoordinate stored_x = store(x);
+  vertices_.push_back({stored_x, store(y)});
+}
+
+void Region::add_vertex(Decimal x, Decimal y) {
+  require_open_ring();
+  const auto fits = [](Decimal value) {
+    return value.exponent >= INT16_MIN && value.exponent <= INT16_MAX;
+  };
+  if (!fits(x) || !fits(y)) {
+    add_vertex(Rational(x), Rational(y));
+    return;
+  }
+  const auto compact = [](Decimal value) {
+    return StoredCoordinate{value.mantissa, 0, static_cast<std::int16_t>(value.exponent), 0, 0};
+  };
+  vertices_.push_back({compact(x), compact(y)});
+}
+
+void Region::add_vertex(double x, double y) {
+  require_open_ring();
+  if (!std::isfinite(x) || !std::isfinite(y)) {
+    const bool not_a_number = std::isnan(x) || std::isnan(y);
+    throw Error(ErrorCode::kBadInput,
+                not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
+                next_vertex(polygon_first_ring_.size() - 1,
+                            ring_first_vertex_.size() - 1 - polygon_first_ring_.back(),
+                            vertices_.size() - ring_first_vertex_.back()));
+  }
+  vertices_.push_back({store(x), store(y)});
+}
+
+void Region::add_vertex(std::int64_t x, std::int64_t y) {
+  require_open_ring();
+  vertices_.push_back({StoredCoordinate{x, 0, 0, 0, 0}, StoredCoordinate{y, 0, 0, 0, 0}});
+}
+
+IndexRange Region::rings_of(std::size_t polygon) const {
+  return {RegionAccess::polygon_first_ring(*this, polygon),
+          RegionAccess::polygon_first_ring(*this, polygon + 1)};
+}
+
+IndexRange Region::vertices_of(std::size_t ring) const {
+  return {RegionAccess::ring_first(*this, ring), RegionAccess::ring_first(*this, ring + 1)};
+}
+
+Polygon Region::polygon(std::size_t index) const {
+  Polygon result;
+  bool first = true;
+  for (const std::size_t ring : rings_of(index)) {
+    Ring points;
+    points.reserve(vertices_of(ring).size());
+    for (const std::size_t vertex : vertices_of(ring)) points.push_back(point(vertex));
+    if (first) {
+      result.outer = std::move(points);
+    } else {
+      result.holes.push_back(std::move(points));
+    }
+    first = false;
+  }
+  return result;
+}
+
+std::size_t Region::polygon_count_with_rings() const {
+  std::size_t count = 0;
+  for (const std::size_t polygon : polygons()) {
+    if (!rings_of(polygon).empty()) ++count;
+  }
+  return count;
+}
+
+std::size_t RegionAccess::ring_of(const Region& region, std::size_t vertex) {
+  return range_of(region.ring_first_vertex_, vertex);
+}
+
+std::size_t RegionAccess::polygon_of(const Region& region, std::size_t ring) {
+  return range_of(region.polygon_first_ring_, ring);
+}
+
+Culprit RegionAccess::culprit(const Region& region, std::size_t vertex, int operand) {
+  const std::size_t ring = ring_of(region, vertex);
+  const std::size_t polygon = polygon_of(region, ring);
+  Culprit place = next_vertex(polygon, ring - region.polygon_first_ring_[polygon],
+                              vertex - region.ring_first_vertex_[ring]);
+  place.operand = operand;
+  return place;
+}
+
+}  // namespace minksum

@@ -1,0 +1,65 @@
+// The inside of Region for the library's own code: coordinates as stored, and results as made.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "minksum/region.hpp"
+
+namespace minksum {
+
+/// StoredCoordinate::numerator_limbs: the sign and the count.
+inline constexpr std::uint16_t kNegativeLimbs = 0x8000;
+inline constexpr std::uint16_t kLimbCountMask = 0x7fff;
+
+class RegionAccess {
+ public:
+  static const StoredCoordinate& x(const Region& region, std::size_t vertex) {
+    return region.vertices_[vertex].x;
+  }
+  static const StoredCoordinate& y(const Region& region, std::size_t vertex) {
+    return region.vertices_[vertex].y;
+  }
+  /// The pool that holds the digits of coordinates that have a denominator.
+  static std::span<const std::uint64_t> limbs(const Region& region) { return region.limbs_; }
+  static std::vector<std::uint64_t>& mutable_limbs(Region& region) { return region.limbs_; }
+
+  /// Appends a vertex of a result, with what made the edge that starts there.
+  static void add_vertex(Region& region, const StoredCoordinate& x, const StoredCoordinate& y,
+                         const EdgeOrigin& origin) {
+    region.vertices_.push_back({x, y});
+    region.origins_.push_back(origin);
+  }
+  static void reserve(Region& region, std::size_t vertices) {
+    region.vertices_.reserve(vertices);
+    region.origins_.reserve(vertices);
+  }
+
+  /// The double nearest to a coordinate of this region.
+  static double nearest(const Region& region, const StoredCoordinate& coordinate) {
+    return region.nearest(coordinate);
+  }
+  static Rational exact(const Region& region, const StoredCoordinate& coordinate) {
+    return region.exact(coordinate);
+  }
+
+  /// Index of the first vertex of a ring; `ring` may be the count of rings.
+  static std::size_t ring_first(const Region& region, std::size_t ring) {
+    return ring < region.ring_first_vertex_.size() ? region.ring_first_vertex_[ring]
+                                                   : region.vertices_.size();
+  }
+  /// Index of the first ring of a polygon; `polygon` may be the count of polygons.
+  static std::size_t polygon_first_ring(const Region& region, std::size_t polygon) {
+    return polygon < region.polygon_first_ring_.size() ? region.polygon_first_ring_[polygon]
+                                                       : region.ring_first_vertex_.size();
+  }
+  /// The ring that holds a vertex, and the polygon that holds a ring. O(log n).
+  static std::size_t ring_of(const Region& region, std::size_t vertex);
+  static std::size_t polygon_of(const Region& region, std::size_t ring);
+  /// The place of a vertex, for an Error.
+  static Culprit culprit(const Region& region, std::size_t vertex, int operand = -1);
+};
+
+}  // namespace minksum

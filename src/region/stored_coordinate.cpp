@@ -1,0 +1,192 @@
+// Region's coordinates in their stored form: to it, from it, comparing it.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "region/rational_access.hpp"
+#include "region/region_access.hpp"
+
+namespace minksum {
+
+namespace mp = boost::multiprecision;
+
+namespace {
+
+constexpr std::int64_t kExactDoubleLimit = std::int64_t{1} << 53;
+
+StoredCoordinate compact(std::int64_t payload, int exp2, int exp10) {
+  return {payload, static_cast<std::int16_t>(exp2), static_cast<std::int16_t>(exp10), 0, 0};
+}
+
+bool fits_int64(const BigInt& value) { return bit_length(value) < 64; }
+
+// A numerator over a denominator 2^a·5^b that fits m·10^-k with m of 63 bits. Tried only for
+// denominators of one limb: larger ones are not what people write as decimals.
+bool store_as_decimal(const BigInt& numerator, const BigInt& denominator, StoredCoordinate& out) {
+  if (bit_length(denominator) > 63 || !fits_int64(numerator)) return false;
+  auto rest = static_cast<std::uint64_t>(denominator);
+  const int twos = std::countr_zero(rest);
+  rest >>= twos;
+  int fives = 0;
+  for (; rest % 5 == 0; ++fives) rest /= 5;
+  if (rest != 1) return false;
+  const BigInt payload =
+      numerator * (twos < fives ? BigInt(BigInt(1) << static_cast<unsigned>(fives - twos))
+                                : mp::pow(BigInt(5), static_cast<unsigned>(twos - fives)));
+  if (!fits_int64(payload)) return false;
+  out = compact(static_cast<std::int64_t>(payload), 0, -std::max(twos, fives));
+  return true;
+}
+
+// An odd number of 63 bits times a power of two.
+bool store_as_binary(const BigInt& numerator, const BigInt& denominator, StoredCoordinate& out) {
+  const auto up = static_cast<std::int64_t>(mp::lsb(mp::abs(numerator)));
+  const auto down = static_cast<std::int64_t>(mp::lsb(denominator));
+  if (bit_length(denominator) != static_cast<std::size_t>(down) + 1) return false;
+  if (up > INT16_MAX || down > INT16_MAX) return false;
+  const BigInt odd = mp::abs(numerator) >> static_cast<unsigned>(up);
+  if (!fits_int64(odd)) return false;
+  const auto payload = static_cast<std::int64_t>(odd);
+  out = compact(numerator.sign() < 0 ? -payload : payload, static_cast<int>(up - down), 0);
+  return true;
+}
+
+// m · 10^exp10 by the standard library's correctly rounding reader, where there is one.
+bool nearest_by_text([[maybe_unused]] const StoredCoordinate& c, [[maybe_unused]] double& result) {
+#if defined(__cpp_lib_to_chars)
+  std::array<char, 32> text{};
+  char* end = std::to_chars(text.data(), text.data() + 21, c.payload).ptr;
+  *end++ = 'e';
+  end = std::to_chars(end, text.data() + text.size(), c.exp10).ptr;
+  return std::from_chars(text.data(), end, result).ec == std::errc();
+#else
+  return false;
+#endif
+}
+
+// The quick and exact cases of m · 2^exp2 · 10^exp10; the others are for big integers.
+bool nearest_quick(const StoredCoordinate& c, double& result) {
+  constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  const bool exact_mantissa = c.payload <= kExactDoubleLimit && c.payload >= -kExactDoubleLimit;
+  if (c.exp10 == 0) {
+    // int64 to double rounds to nearest even; with an exponent the rounding must happen once.
+    result = static_cast<double>(c.payload);
+    if (c.exp2 == 0) return true;
+    if (!exact_mantissa) return false;
+    result = std::ldexp(result, c.exp2);  // rounds (denormals) or overflows correctly
+    if (result == 0) result = 0.0;        // never -0
+    return true;
+  }
+  if (c.exp2 != 0) return false;
+  if (exact_mantissa && c.exp10 >= -22 && c.exp10 <= 22) {  // one rounding of exact operands
+    const auto mantissa = static_cast<double>(c.payload);
+    result = c.exp10 < 0 ? mantissa / kPowersOfTen[static_cast<std::size_t>(-c.exp10)]
+                         : mantissa * kPowersOfTen[static_cast<std::size_t>(c.exp10)];
+    return true;
+  }
+  return nearest_by_text(c, result);
+}
+
+}  // namespace
+
+StoredCoordinate Region::store(const Rational& value) {
+  const BigInt& numerator = RationalAccess::numerator(value);
+  const BigInt& denominator = RationalAccess::denominator(value);
+  if (numerator.is_zero()) return {};
+  StoredCoordinate result;
+  if (denominator == 1 && fits_int64(numerator)) {
+    return compact(static_cast<std::int64_t>(numerator), 0, 0);
+  }
+  if (store_as_binary(numerator, denominator, result)) return result;
+  if (store_as_decimal(numerator, denominator, result)) return result;
+  const std::size_t offset = limbs_.size();
+  const std::size_t above = append_limbs(numerator, limbs_);
+  const std::size_t below = append_limbs(denominator, limbs_);
+  if (above > kLimbCountMask || below > UINT16_MAX) {
+    limbs_.resize(offset);
+    throw Error(ErrorCode::kLimitExceeded, "a coordinate of more than 2 million bits");
+  }
+  result.payload = static_cast<std::int64_t>(offset);
+  result.numerator_limbs =
+      static_cast<std::uint16_t>(above | (numerator.sign() < 0 ? kNegativeLimbs : 0U));
+  result.denominator_limbs = static_cast<std::uint16_t>(below);
+  return result;
+}
+
+StoredCoordinate Region::store(double value) {
+  if (value == 0) return {};
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+  exponent -= 53;
+  // An integer stays one; anything else becomes odd times a power of two.
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+  mantissa /= std::int64_t{1} << zeros;
+  exponent += zeros;
+  if (exponent > 0 && exponent + 53 - zeros < 63) {
+    return compact(mantissa * (std::int64_t{1} << exponent), 0, 0);
+  }
+  return compact(mantissa, exponent, 0);
+}
+
+Rational Region::exact(const StoredCoordinate& c) const {
+  BigInt numerator;
+  BigInt denominator = 1;
+  if (c.denominator_limbs == 0) {
+    if (c.exp2 == 0 && c.exp10 == 0) return Rational(c.payload);
+    numerator = c.payload;
+  } else {
+    const std::uint64_t* digits = limbs_.data() + c.payload;
+    const std::size_t above = c.numerator_limbs & kLimbCountMask;
+    numerator = from_limbs({digits, above});
+    denominator = from_limbs({digits + above, c.denominator_limbs});
+    if ((c.numerator_limbs & kNegativeLimbs) != 0) numerator = -numerator;
+  }
+  if (c.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(c.exp10));
+  if (c.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-c.exp10));
+  if (c.exp2 > 0) numerator <<= static_cast<unsigned>(c.exp2);
+  if (c.exp2 < 0) denominator <<= static_cast<unsigned>(-c.exp2);
+  return RationalAccess::make(std::move(numerator), std::move(denominator));
+}
+
+double Region::nearest(const StoredCoordinate& c) const {
+  if (c.denominator_limbs == 0) {
+    double result = 0;
+    if (c.payload == 0 || nearest_quick(c, result)) return result;
+    if (c.exp10 == 0) {
+      const auto magnitude = BigInt(c.payload);
+      return nearest_double(c.payload < 0, mp::abs(magnitude), 1, c.exp2);
+    }
+    return exact(c).to_double();
+  }
+  if (c.exp10 != 0) return exact(c).to_double();
+  const std::uint64_t* digits = limbs_.data() + c.payload;
+  const std::size_t above = c.numerator_limbs & kLimbCountMask;
+  return nearest_double((c.numerator_limbs & kNegativeLimbs) != 0, from_limbs({digits, above}),
+                        from_limbs({digits + above, c.denominator_limbs}), c.exp2);
+}
+
+bool operator==(const Region& a, const Region& b) {
+  if (a.polygon_first_ring_ != b.polygon_first_ring_) return false;
+  if (a.ring_first_vertex_ != b.ring_first_vertex_) return false;
+  if (a.vertices_.size() != b.vertices_.size()) return false;
+  const auto equal = [&](const StoredCoordinate& p, const StoredCoordinate& q) {
+    if (p.denominator_limbs == 0 && q.denominator_limbs == 0 && p.exp2 == q.exp2 &&
+        p.exp10 == q.exp10) {
+      return p.payload == q.payload;
+    }
+    return a.exact(p) == b.exact(q);
+  };
+  for (std::size_t i = 0; i < a.vertices_.size(); ++i) {
+    if (!equal(a.vertices_[i].x, b.vertices_[i].x)) return false;
+    if (!equal(a.vertices_[i].y, b.vertices_[i].y)) return false;
+  }
+  return true;
+}
+
+}  // namespace minksum
