@@ -1,0 +1,94 @@
+// Signed integers of a fixed number of 64-bit limbs, for exact predicates beyond 128 bits.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+
+namespace minksum {
+
+__extension__ typedef __int128 Int128;
+__extension__ typedef unsigned __int128 Uint128;
+
+/// Two's complement, little-endian limbs, wrapping like the built-in unsigned types do: whoever
+/// uses it proves that values stay within 64·N − 1 bits (see predicate/bit_budget.hpp).
+template <std::size_t N>
+class WideInt {
+ public:
+  static constexpr int kBits = static_cast<int>(64 * N);
+
+  constexpr WideInt() : limbs_{} {}
+  constexpr explicit WideInt(int value) : WideInt(static_cast<std::int64_t>(value)) {}
+  constexpr explicit WideInt(std::int64_t value) {
+    limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
+    limbs_[0] = static_cast<std::uint64_t>(value);
+  }
+  constexpr explicit WideInt(Int128 value) {
+    static_assert(N >= 2);
+    limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
+    limbs_[0] = static_cast<std::uint64_t>(value);
+    limbs_[1] = static_cast<std::uint64_t>(static_cast<Uint128>(value) >> 64);
+  }
+  template <std::size_t M>
+    requires(M < N)
+  constexpr explicit WideInt(const WideInt<M>& value) {
+    limbs_.fill(value.negative() ? ~std::uint64_t{0} : 0);
+    for (std::size_t i = 0; i < M; ++i) limbs_[i] = value.limb(i);
+  }
+
+  [[nodiscard]] constexpr std::uint64_t limb(std::size_t i) const { return limbs_[i]; }
+  [[nodiscard]] constexpr bool negative() const { return (limbs_[N - 1] >> 63) != 0; }
+
+  friend constexpr WideInt operator+(const WideInt& a, const WideInt& b) {
+    WideInt sum;
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Uint128 t = static_cast<Uint128>(a.limbs_[i]) + b.limbs_[i] + carry;
+      sum.limbs_[i] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64);
+    }
+    return sum;
+  }
+  friend constexpr WideInt operator-(const WideInt& a) {
+    WideInt negated;
+    std::uint64_t carry = 1;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Uint128 t = static_cast<Uint128>(~a.limbs_[i]) + carry;
+      negated.limbs_[i] = static_cast<std::uint64_t>(t);
+      carry = static_cast<std::uint64_t>(t >> 64);
+    }
+    return negated;
+  }
+  friend constexpr WideInt operator-(const WideInt& a, const WideInt& b) { return a + (-b); }
+  // Modulo 2^(64·N) the product of two's complement numbers is that of their unsigned forms.
+  friend constexpr WideInt operator*(const WideInt& a, const WideInt& b) {
+    WideInt product;
+    for (std::size_t i = 0; i < N; ++i) {
+      std::uint64_t carry = 0;
+      for (std::size_t j = 0; i + j < N; ++j) {
+        const Uint128 t = static_cast<Uint128>(a.limbs_[i]) * b.limbs_[j] +
+                          product.limbs_[i + j] + carry;
+        product.limbs_[i + j] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+    }
+    return product;
+  }
+  friend constexpr bool operator==(const WideInt&, const WideInt&) = default;
+  friend constexpr std::strong_ordering operator<=>(const WideInt& a, const WideInt& b) {
+    if (a.negative() != b.negative()) {
+      return a.negative() ? std::strong_ordering::less : std::strong_ordering::greater;
+    }
+    for (std::size_t i = N; i-- > 0;) {
+      if (a.limbs_[i] != b.limbs_[i]) return a.limbs_[i] <=> b.limbs_[i];
+    }
+    return std::strong_ordering::equal;
+  }
+  [[nodiscard]] constexpr WideInt magnitude() const { return negative() ? -*this : *this; }
+
+ private:
+  std::array<std::uint64_t, N> limbs_;
+};
+
+}  // namespace minksum

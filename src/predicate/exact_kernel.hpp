@@ -1,0 +1,109 @@
+// Exact answers to every question that the pipeline asks about its operands' geometry.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "minksum/minkowski_sum.hpp"
+#include "number/big.hpp"
+#include "number/sign.hpp"
+#include "number/wide_int.hpp"
+#include "predicate/formulas.hpp"
+#include "predicate/sum_geometry.hpp"
+
+namespace minksum {
+
+/// A coordinate of a node: numerator / denominator · 2^exp2 · 10^exp10, as little-endian limbs.
+struct ExactCoordinate {
+  bool negative = false;
+  std::vector<std::uint64_t> numerator;    ///< magnitude, without leading zero limbs
+  std::vector<std::uint64_t> denominator;  ///< the same
+};
+
+/// Holds the exact coordinates of both operands' sites and decides by them.
+///
+/// There is one implementation of each formula (kernel_of.hpp) and one instance of it for each rung
+/// of the ladder: 30, 61 and 125 bits of coordinate in fixed-width integers, and rationals of any
+/// size. `Predicates` asks it where the floating-point filter cannot tell.
+///
+/// Laws: orientation is antisymmetric in direction and cyclic in its three points; comparisons are
+/// total orders. Tests hold them on every permutation.
+class ExactKernel {
+ public:
+  virtual ~ExactKernel() = default;
+  [[nodiscard]] virtual Arithmetic rung() const = 0;
+
+  // -- One operand's sites ------------------------------------------------------------------
+  /// Positive if c lies to the left of the line from a to b; the three are of one operand.
+  [[nodiscard]] virtual Sign orientation(SiteId a, SiteId b, SiteId c) const = 0;
+  /// Sign of (b − a) · (d − c); each difference within one operand.
+  [[nodiscard]] virtual Sign dot(SiteId a, SiteId b, SiteId c, SiteId d) const = 0;
+  /// Sign of a − b along an axis.
+  [[nodiscard]] virtual Sign compare(SiteId a, SiteId b, Axis axis) const = 0;
+
+  // -- Edges (after `arrange`) --------------------------------------------------------------
+  [[nodiscard]] virtual Sign cross(SiteId edge, SiteId other_edge) const = 0;
+  [[nodiscard]] virtual Sign dot(SiteId edge, SiteId other_edge) const = 0;
+
+  // -- Sum vertices and segments ------------------------------------------------------------
+  /// Positive if v lies to the left of s.
+  [[nodiscard]] virtual Sign orientation(const Segment& s, const SumVertex& v) const = 0;
+  [[nodiscard]] virtual Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) const = 0;
+  /// Order of two points along s.
+  [[nodiscard]] virtual Sign compare_along(const Segment& s, const PointOnSegment& a,
+                                           const PointOnSegment& b) const = 0;
+  /// The point's position along s, 0 = start, 1 = end, within a relative error of 2^-48.
+  [[nodiscard]] virtual double parameter(const Segment& s, const PointOnSegment& point) const = 0;
+
+  // -- Nodes of the arrangement -------------------------------------------------------------
+  [[nodiscard]] virtual Sign compare(const NodePoint& a, const NodePoint& b, Axis axis) const = 0;
+  [[nodiscard]] virtual Sign orientation(const Segment& s, const NodePoint& node) const = 0;
+
+  // -- Probes: the point on the segment itself; `Predicates` breaks ties symbolically ---------
+  /// Positive if the probe lies to the left of the line through v in the direction of `edge`.
+  [[nodiscard]] virtual Sign probe_orientation(SiteId edge, const SumVertex& v,
+                                               const Probe& probe) const = 0;
+  /// Sign of probe − v along an axis.
+  [[nodiscard]] virtual Sign probe_compare(const Probe& probe, const SumVertex& v,
+                                           Axis axis) const = 0;
+
+  /// The exact position of a node along a segment that it lies on.
+  [[nodiscard]] virtual BigRational exact_parameter(const Segment& s,
+                                                    const NodePoint& node) const = 0;
+
+  // -- Coordinates --------------------------------------------------------------------------
+  /// The exact coordinate of a node, in the operands' own units.
+  virtual void coordinate(const NodePoint& node, Axis axis, ExactCoordinate& out) const = 0;
+  /// Exponents that go with `coordinate` (see there).
+  [[nodiscard]] virtual int exp2() const = 0;
+  [[nodiscard]] virtual int exp10() const = 0;
+  /// The nearest doubles (moved and, on the arbitrary rung, scaled: see `Operands`).
+  [[nodiscard]] virtual Vec<double> approximate(SiteId site) const = 0;
+  [[nodiscard]] virtual Vec<double> approximate_difference(SiteId from, SiteId to) const = 0;
+
+  /// Keeps the sites in `order` only, renumbered in that order; `next` (in new ids) makes edges.
+  virtual void arrange(std::span<const SiteId> order, std::span<const SiteId> next) = 0;
+};
+
+/// The operands' coordinates on a common integer grid: value = (integer + offset) · 2^exp2 · 10^exp10.
+struct GridCoordinates {
+  std::vector<Vec<Int128>> sites;  ///< both operands', each moved so that its box starts at 0
+  Vec<Int128> offset;              ///< the sum of both moves
+  int exp2 = 0;
+  int exp10 = 0;
+  int bits = 0;                    ///< B: every coordinate is in [0, 2^B)
+};
+
+/// A kernel for coordinates on a grid, on the given rung (kNarrow, kMedium or kWide; not narrower
+/// than `bits` needs). Reuses `old` if it is of the same rung.
+void make_grid_kernel(Arithmetic rung, const GridCoordinates& grid,
+                      std::unique_ptr<ExactKernel>& old);
+/// A kernel for any rational coordinates; `origin_first`, `origin_second` and `exponent` say how
+/// `approximate` moves and scales them: (coordinate − origin of its operand) · 2^exponent.
+void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
+                          const Vec<BigRational>& origin_first,
+                          const Vec<BigRational>& origin_second, int exponent,
+                          std::unique_ptr<ExactKernel>& old);
+
+}  // namespace minksum
