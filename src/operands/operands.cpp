@@ -1,0 +1,108 @@
+// The stage's driver, and `validate`, which is its first half.
+#include "operands/operands.hpp"
+
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+/// Turns vertex indices of a region into indices within their rings, and finds their coordinates.
+void localise(const Region& region, std::vector<Fault>& faults, std::size_t first) {
+  for (std::size_t i = first; i < faults.size(); ++i) {
+    Fault& fault = faults[i];
+    const std::size_t v = fault.place.vertex;
+    fault.place = RegionAccess::culprit(region, v);
+    fault.x = region.x(v);
+    fault.y = region.y(v);
+  }
+}
+
+void find_all_faults(const Region& p, const Region& q, Operands& operands,
+                     std::size_t max_faults, std::array<std::vector<Fault>, 2>& faults) {
+  clean_rings(p, q, operands, faults);
+  for (const std::size_t operand : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t first = faults[operand].size();
+    if (first >= max_faults) continue;
+    find_faults(operands, static_cast<int>(operand), max_faults, faults[operand]);
+    localise(operand == 0 ? p : q, faults[operand], first);
+  }
+}
+
+void throw_first(const std::array<std::vector<Fault>, 2>& faults) {
+  for (const int operand : {0, 1}) {
+    const auto& found = faults[static_cast<std::size_t>(operand)];
+    if (found.empty()) continue;
+    Culprit culprit = found[0].place;
+    culprit.operand = operand;
+    throw Error(ErrorCode::kBadInput, found[0].message, culprit);
+  }
+}
+
+}  // namespace
+
+void prepare_operands(const Region& p, const Region& q, const Options& options,
+                      Operands& operands) {
+  constexpr std::size_t kMaxVertices = std::size_t{1} << 30;
+  if (p.vertex_count() > kMaxVertices || q.vertex_count() > kMaxVertices) {
+    throw Error(ErrorCode::kLimitExceeded, "an operand has more than 2^30 vertices");
+  }
+  load_sites(p, q, options, operands);
+  std::array<std::vector<Fault>, 2> faults;
+  find_all_faults(p, q, operands, 1, faults);
+  throw_first(faults);
+  fill_holes(operands);
+  rank_directions(operands);
+  operands.connected = p.polygon_count() == 1 && q.polygon_count() == 1;
+}
+
+std::vector<Fault> validate(const Region& region, std::size_t max_faults) {
+  if (region.empty()) return {};
+  // The second operand is a point that stands still.
+  Region still;
+  still.begin_polygon();
+  still.begin_ring();
+  still.add_vertex(0, 0);
+  still.add_vertex(1, 0);
+  still.add_vertex(0, 1);
+  Operands operands;
+  load_sites(region, still, Options{}, operands);
+  std::array<std::vector<Fault>, 2> faults;
+  find_all_faults(region, still, operands, max_faults, faults);
+  if (faults[0].size() > max_faults) faults[0].resize(max_faults);
+  return std::move(faults[0]);
+}
+
+std::optional<std::string> check(const Operands& o) {
+  const SiteId n = o.size();
+  if (o.split > n) return "the first operand has more sites than there are";
+  if (o.rank.size() != n || o.convex.size() != n || o.by_direction.size() != n) {
+    return "an array has the wrong size";
+  }
+  SiteId expected = 0;
+  for (std::size_t r = 0; r < o.rings.size(); ++r) {
+    const OperandRing& ring = o.rings[r];
+    if (ring.begin != expected || ring.end < ring.begin + 3) return "rings do not tile the sites";
+    if (r + 1 == o.first_rings && ring.end != o.split) return "the operands are not split at a ring";
+    expected = ring.end;
+  }
+  if (expected != n) return "rings do not tile the sites";
+  for (SiteId v = 0; v < n; ++v) {
+    if (o.previous[o.sites.next[v]] != v) return "next and previous disagree";
+    const Sign turn = o.kernel->cross(o.previous[v], v);
+    if (turn == kZero) return "a vertex lies on a straight line";
+    if ((turn == kPositive) != (o.convex[v] != 0)) return "a convexity flag is wrong";
+  }
+  for (SiteId i = 1; i < n; ++i) {
+    const SiteId a = o.by_direction[i - 1];
+    const SiteId b = o.by_direction[i];
+    const bool parallel = o.kernel->cross(a, b) == kZero && o.kernel->dot(a, b) == kPositive;
+    if (o.rank[b] != o.rank[a] + (parallel ? 0 : 1)) return "directions are not sorted";
+  }
+  for (SiteId e = 0; e < n; ++e) {
+    const std::uint32_t place = o.opposite[o.rank[e]];
+    if (place >= 2 * o.rank_count) return "an opposite direction is out of range";
+  }
+  return std::nullopt;
+}
+
+}  // namespace minksum
