@@ -1,0 +1,126 @@
+#include "convolution/convolution.hpp"
+
+#include <algorithm>
+
+namespace minksum {
+namespace {
+
+/// The edges of one operand by direction: those of rank r are [first[r], first[r + 1]).
+struct EdgesByRank {
+  std::vector<SiteId> edges;
+  std::vector<std::uint32_t> first;
+};
+
+EdgesByRank edges_by_rank(const Operands& o, int operand, bool with_holes) {
+  EdgesByRank by_rank;
+  by_rank.first.assign(o.rank_count + 1, 0);
+  for (const SiteId edge : o.by_direction) {
+    if (o.operand_of(edge) != operand || (!with_holes && o.on_hole[edge] != 0)) continue;
+    by_rank.edges.push_back(edge);
+    ++by_rank.first[o.rank[edge] + 1];
+  }
+  for (DirectionRank r = 0; r < o.rank_count; ++r) by_rank.first[r + 1] += by_rank.first[r];
+  return by_rank;
+}
+
+class Lister {
+ public:
+  Lister(const Operands& o, const Limits& limits, bool full, Convolution& convolution)
+      : o_(o), limits_(limits), full_(full), segments_(convolution.segments) {
+    segments_.clear();
+  }
+
+  /// Edges of the other operand at each vertex of this one.
+  void list(int vertex_operand) {
+    const bool first = vertex_operand == 0;
+    const EdgesByRank all = edges_by_rank(o_, first ? 1 : 0, true);
+    const bool holes = all.edges.size() != edges_by_rank(o_, first ? 1 : 0, false).edges.size();
+    const EdgesByRank outer = holes ? edges_by_rank(o_, first ? 1 : 0, false) : all;
+    const SiteId begin = first ? 0 : o_.split;
+    const SiteId end = first ? o_.split : o_.size();
+    for (SiteId v = begin; v < end; ++v) {
+      if (o_.convex[v] == 0 && !full_) continue;
+      const DirectionRank in = o_.rank[o_.previous[v]];
+      const DirectionRank out = o_.rank[v];
+      const EdgesByRank& edges = o_.on_hole[v] != 0 ? outer : all;
+      // [in, out) for the first operand, (in, out] for the second.
+      const DirectionRank from = first ? in : in + 1;
+      const DirectionRank to = first ? out : out + 1;
+      if (in < out) {
+        append(edges, from, to, v);
+      } else {
+        append(edges, from, o_.rank_count, v);
+        append(edges, 0, to, v);
+      }
+    }
+  }
+
+ private:
+  void append(const EdgesByRank& edges, DirectionRank from, DirectionRank to, SiteId v) {
+    const std::uint32_t first = edges.first[from];
+    const std::uint32_t last = edges.first[to];
+    if (segments_.size() + (last - first) > limits_.max_segments) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "the convolution has more than " + std::to_string(limits_.max_segments) +
+                      " segments (Limits::max_segments)");
+    }
+    for (std::uint32_t i = first; i < last; ++i) segments_.push_back({edges.edges[i], v});
+  }
+
+  const Operands& o_;
+  const Limits& limits_;
+  bool full_;
+  std::vector<Segment>& segments_;
+};
+
+/// Counter-clockwise from `in`, is `d` in [in, out) (or (in, out])?
+bool in_range(const Operands& o, SiteId v, SiteId edge) {
+  const DirectionRank in = o.rank[o.previous[v]];
+  const DirectionRank out = o.rank[v];
+  const DirectionRank d = o.rank[edge];
+  if (o.operand_of(v) == 0 ? d == out : d == in) return false;
+  if (o.operand_of(v) == 0 ? d == in : d == out) return true;
+  return in < out ? in < d && d < out : d > in || d < out;
+}
+
+}  // namespace
+
+void reduced_convolution(const Operands& operands, const Limits& limits,
+                         Convolution& convolution) {
+  Lister lister(operands, limits, false, convolution);
+  lister.list(0);
+  lister.list(1);
+}
+
+void full_convolution(const Operands& operands, const Limits& limits, Convolution& convolution) {
+  Lister lister(operands, limits, true, convolution);
+  lister.list(0);
+  lister.list(1);
+}
+
+std::optional<std::string> check(const Convolution& convolution, const Operands& o, bool full) {
+  std::vector<Segment> sorted = convolution.segments;
+  const auto less = [](const Segment& a, const Segment& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
+  };
+  std::sort(sorted.begin(), sorted.end(), less);
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+    return "a segment is listed twice";
+  }
+  std::size_t expected = 0;
+  for (SiteId v = 0; v < o.size(); ++v) {
+    if (o.convex[v] == 0 && !full) continue;
+    for (SiteId e = 0; e < o.size(); ++e) {
+      if (o.operand_of(e) == o.operand_of(v) || (o.on_hole[e] != 0 && o.on_hole[v] != 0)) continue;
+      if (!in_range(o, v, e)) continue;
+      ++expected;
+      if (!std::binary_search(sorted.begin(), sorted.end(), Segment{e, v}, less)) {
+        return "a segment is missing";
+      }
+    }
+  }
+  if (expected != sorted.size()) return "a segment does not belong";
+  return std::nullopt;
+}
+
+}  // namespace minksum
