@@ -1,0 +1,84 @@
+// Stage 3: cells of a grid that are certainly inside the sum.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grid/uniform_grid.hpp"
+#include "operands/operands.hpp"
+
+namespace minksum {
+
+/// Rows of bits, 64 to a word.
+class Bitmap {
+ public:
+  void reset(std::int32_t columns, std::int32_t rows) {
+    columns_ = columns;
+    rows_ = rows;
+    words_ = (static_cast<std::size_t>(columns) + 63) / 64;
+    bits_.assign(words_ * static_cast<std::size_t>(rows), 0);
+  }
+  [[nodiscard]] std::int32_t columns() const { return columns_; }
+  [[nodiscard]] std::int32_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t words_per_row() const { return words_; }
+  [[nodiscard]] std::uint64_t* row(std::int32_t j) {
+    return bits_.data() + words_ * static_cast<std::size_t>(j);
+  }
+  [[nodiscard]] const std::uint64_t* row(std::int32_t j) const {
+    return bits_.data() + words_ * static_cast<std::size_t>(j);
+  }
+  [[nodiscard]] bool get(std::int32_t i, std::int32_t j) const {
+    return ((row(j)[i >> 6] >> (i & 63)) & 1) != 0;
+  }
+  void set(std::int32_t i, std::int32_t j) { row(j)[i >> 6] |= std::uint64_t{1} << (i & 63); }
+  void clear(std::int32_t i, std::int32_t j) {
+    row(j)[i >> 6] &= ~(std::uint64_t{1} << (i & 63));
+  }
+
+ private:
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
+  std::size_t words_ = 0;
+  std::vector<std::uint64_t> bits_;
+};
+
+/// The grid over the sum's box and what is known of its cells.
+///
+/// Of a covered cell every point, and every point within 3 · UniformGrid::kMargin cells of it, is
+/// in the interior of the sum. Nothing is known of the others.
+struct Cover {
+  UniformGrid grid;
+  bool active = false;  ///< false: no cell is covered
+  Bitmap covered;       ///< of the grid's size if active
+
+  [[nodiscard]] std::uint64_t covered_count() const;
+  [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
+    return active && covered.get(column, row);
+  }
+};
+
+/// Memory for the stage.
+struct CoverScratch {
+  Bitmap inside[2];    ///< cells of an operand that lie inside it, with a margin
+  Bitmap boundary;     ///< cells that its boundary may touch
+  Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours
+  Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
+};
+
+/// Chooses the grid by the number of segments (or as `options.grid` says) and marks cells.
+///
+/// If a cell C, moved by −q for a point q of Q, lies in the interior of P, then C = (C − q) + q lies
+/// in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same size,
+/// move that by one point of Q for each cell that Q's boundary touches, unite; the same with P and Q
+/// exchanged. O(cells / 64 · boundary cells).
+void cover_interior(const Operands& operands, std::size_t segments, const Options& options,
+                    CoverScratch& scratch, Cover& cover);
+
+/// Whether the cover fits its grid and leaves out all cells at the border of the sum's box, where
+/// the sum's boundary must be; what is wrong, if not. (That covered cells are inside the sum is
+/// tested from outside, by exact membership.)
+[[nodiscard]] std::optional<std::string> check(const Cover& cover, const Operands& operands);
+
+}  // namespace minksum
