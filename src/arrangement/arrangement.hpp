@@ -1,0 +1,126 @@
+// Stage 4: the arrangement of the convolution segments, outside the cover only.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "convolution/convolution.hpp"
+#include "cover/cover.hpp"
+
+namespace minksum {
+
+using KeptId = std::uint32_t;  ///< index of a kept segment
+using NodeId = std::uint32_t;
+using PieceId = std::uint32_t;
+
+/// A segment that touches an uncovered cell, with its approximate place.
+struct KeptSegment {
+  Vec<double> a;
+  Vec<double> b;
+  Vec<double> d;
+  Segment segment;
+};
+
+/// A point where pieces end: exactly `point`, within `error` per component of `at`.
+struct Node {
+  NodePoint point;
+  Vec<double> at;
+  double error;
+};
+
+/// A part of a kept segment between two nodes, directed as the segment is.
+struct Piece {
+  NodeId from;
+  NodeId to;
+  KeptId segment;
+};
+
+/// Kept segments split at their nodes.
+///
+/// Complete where it matters: every point of the sum's boundary at which two kept segments meet is
+/// one node, found on both. (Crossings inside the cover may be missing: pieces that run through it
+/// are not boundary, and the filters reject loops made of them.) No two pieces have the same ends:
+/// of equal ones one stays; opposite ones have the sum on both sides and are dropped.
+struct Arrangement {
+  std::vector<KeptSegment> kept;
+  std::vector<Node> nodes;
+  std::vector<Piece> pieces;
+  std::uint64_t crossings = 0;  ///< proper crossings of kept segments
+};
+
+/// A point on a kept segment where another one meets it.
+struct Event {
+  double lambda;  ///< position along the segment, within `error`
+  double error;
+  KeptId segment;
+  std::uint32_t point;  ///< see ArrangementScratch
+};
+
+/// A proper crossing of two kept segments, at `lambda` along the first.
+struct Crossing {
+  KeptId first;
+  KeptId second;
+  double lambda;
+  double error;
+};
+
+/// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
+/// come the crossings. Equal points are united in a forest whose roots are their smallest members.
+struct ArrangementScratch {
+  std::vector<std::uint32_t> cell_begin;   ///< by cell: where its kept segments are
+  std::vector<KeptId> in_cells;
+  std::vector<std::pair<std::uint32_t, KeptId>> cell_entries;
+  std::vector<KeptId> hash_table;
+  std::vector<std::vector<KeptId>> stack;  ///< segments of a cell, level by level of its division
+  std::vector<Crossing> crossings;
+  std::vector<Event> events;
+  std::vector<Event> sorted_events;
+  std::vector<std::uint32_t> event_begin;  ///< by kept segment
+  std::vector<std::uint32_t> parent;
+  std::vector<NodeId> node_of_point;
+  std::vector<std::uint32_t> piece_begin;  ///< by node: its outgoing pieces
+  std::vector<PieceId> out_pieces;
+  std::vector<std::uint8_t> dead;
+};
+
+/// Builds it. `stop` is asked now and then and throws to stop.
+/// O(k · cells per segment + pairs within uncovered cells + c log c).
+void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
+             const Options& options, const std::function<void()>& stop, Predicates& predicates,
+             ArrangementScratch& scratch, Arrangement& arrangement);
+
+// -- Steps ------------------------------------------------------------------------------------
+/// Fills `kept` and the cells' lists.
+void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
+                  ArrangementScratch& scratch, Arrangement& arrangement);
+/// Fills crossings and events, unites points that pairs of segments share.
+void find_crossings(const Operands& operands, const Cover& cover, const Options& options,
+                    const std::function<void()>& stop, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement);
+/// Orders events along each segment, unites equal ones, makes nodes and pieces.
+void split_segments(const Operands& operands, const Cover& cover, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement);
+
+/// The root of a point.
+inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {
+  while (parent[point] != point) {
+    parent[point] = parent[parent[point]];
+    point = parent[point];
+  }
+  return point;
+}
+inline void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+  a = find_root(parent, a);
+  b = find_root(parent, b);
+  if (a < b) parent[b] = a;
+  if (b < a) parent[a] = b;
+}
+
+/// Whether pieces and nodes fit together, exactly; what is wrong, if not.
+[[nodiscard]] std::optional<std::string> check(const Arrangement& arrangement,
+                                               const Operands& operands);
+
+}  // namespace minksum

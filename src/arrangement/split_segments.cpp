@@ -1,0 +1,182 @@
+// Events along segments to nodes and pieces.
+#include <algorithm>
+#include <cmath>
+
+#include "arrangement/arrangement.hpp"
+
+namespace minksum {
+namespace {
+
+constexpr NodeId kNoNode = 0xFFFFFFFFU;
+
+class Splitter {
+ public:
+  Splitter(const Operands& o, const Cover& cover, Predicates& predicates,
+           ArrangementScratch& scratch, Arrangement& arrangement)
+      : o_(o), cover_(cover), predicates_(predicates), scratch_(scratch), result_(arrangement),
+        ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())) {}
+
+  void run() {
+    group_events();
+    for (KeptId s = 0; s < result_.kept.size(); ++s) order_events(s);
+    result_.nodes.clear();
+    result_.pieces.clear();
+    scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
+    for (KeptId s = 0; s < result_.kept.size(); ++s) cut(s);
+    drop_doubles();
+  }
+
+ private:
+  void group_events() {
+    auto& begin = scratch_.event_begin;
+    begin.assign(result_.kept.size() + 2, 0);
+    for (const Event& event : scratch_.events) ++begin[event.segment + 2];
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    scratch_.sorted_events.resize(scratch_.events.size());
+    for (const Event& event : scratch_.events) {
+      scratch_.sorted_events[begin[event.segment + 1]++] = event;
+    }
+    begin.pop_back();
+  }
+
+  [[nodiscard]] std::span<Event> events_of(KeptId s) {
+    return std::span(scratch_.sorted_events)
+        .subspan(scratch_.event_begin[s], scratch_.event_begin[s + 1] - scratch_.event_begin[s]);
+  }
+
+  [[nodiscard]] SumVertex vertex_of(std::uint32_t end_point) const {
+    const Segment& segment = result_.kept[end_point / 2].segment;
+    return end_point % 2 == 0 ? Predicates::start_vertex(segment) : predicates_.end_vertex(segment);
+  }
+  [[nodiscard]] PointOnSegment point_on(KeptId s, std::uint32_t point) const {
+    if (point < ends_) return {false, {}, vertex_of(point)};
+    const Crossing& crossing = scratch_.crossings[point - ends_];
+    const KeptId other = crossing.first == s ? crossing.second : crossing.first;
+    return {true, result_.kept[other].segment, {}};
+  }
+
+  Sign compare(KeptId s, const Event& a, const Event& b) {
+    if (std::abs(a.lambda - b.lambda) > a.error + b.error) return sign_of(a.lambda - b.lambda);
+    if (find_root(scratch_.parent, a.point) == find_root(scratch_.parent, b.point)) return kZero;
+    return predicates_.compare_along(result_.kept[s].segment, a.lambda, a.error,
+                                     point_on(s, a.point), b.lambda, b.error,
+                                     point_on(s, b.point));
+  }
+
+  void order_events(KeptId s) {
+    const std::span<Event> events = events_of(s);
+    if (events.size() < 2) return;
+    std::sort(events.begin(), events.end(), [&](const Event& a, const Event& b) {
+      return compare(s, a, b) == kNegative;
+    });
+    for (std::size_t i = 1; i < events.size(); ++i) {
+      if (compare(s, events[i - 1], events[i]) == kZero) {
+        unite(scratch_.parent, events[i - 1].point, events[i].point);
+      }
+    }
+  }
+
+  NodeId node_of(std::uint32_t point) {
+    const std::uint32_t root = find_root(scratch_.parent, point);
+    NodeId& id = scratch_.node_of_point[root];
+    if (id == kNoNode) {
+      id = static_cast<NodeId>(result_.nodes.size());
+      result_.nodes.push_back(make_node(root));
+    }
+    return id;
+  }
+  [[nodiscard]] Node make_node(std::uint32_t root) const {
+    if (root < ends_) {
+      const SumVertex vertex = vertex_of(root);
+      return {{false, {}, {}, vertex}, predicates_.position(vertex),
+              predicates_.bounds().difference};
+    }
+    const Crossing& c = scratch_.crossings[root - ends_];
+    const KeptSegment& s = result_.kept[c.first];
+    const double reach = std::max(std::abs(s.d.x), std::abs(s.d.y));
+    return {{true, s.segment, result_.kept[c.second].segment, {}},
+            {s.a.x + c.lambda * s.d.x, s.a.y + c.lambda * s.d.y},
+            c.error * reach + predicates_.bounds().position};
+  }
+
+  /// Pieces of one segment, but for those that run through covered cells: they are not boundary.
+  void cut(KeptId s) {
+    std::uint32_t from = find_root(scratch_.parent, 2 * s);
+    Vec<double> from_at = result_.kept[s].a;
+    const auto add = [&](std::uint32_t to, const Vec<double>& to_at) {
+      if (to == from) return;
+      if (!is_covered(from_at, to_at)) result_.pieces.push_back({node_of(from), node_of(to), s});
+      from = to;
+      from_at = to_at;
+    };
+    const KeptSegment& k = result_.kept[s];
+    for (const Event& event : events_of(s)) {
+      add(find_root(scratch_.parent, event.point),
+          {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
+    }
+    add(find_root(scratch_.parent, 2 * s + 1), k.b);
+  }
+
+  [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {
+    if (!cover_.active) return false;
+    bool covered = false;
+    // Cells within kMargin of the piece are covered with three times that margin, so a walk that
+    // meets one has met a point of the piece inside the sum (up to rounding, which is far less).
+    cover_.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {
+      covered = cover_.is_covered(i, j);
+      return !covered;
+    });
+    return covered;
+  }
+
+  /// Of pieces with the same ends one is kept; of opposite ones none.
+  void drop_doubles() {
+    auto& pieces = result_.pieces;
+    auto& begin = scratch_.piece_begin;
+    begin.assign(result_.nodes.size() + 2, 0);
+    const auto low = [](const Piece& p) { return std::min(p.from, p.to); };
+    for (const Piece& piece : pieces) ++begin[low(piece) + 2];
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    scratch_.out_pieces.resize(pieces.size());
+    for (PieceId p = 0; p < pieces.size(); ++p) scratch_.out_pieces[begin[low(pieces[p]) + 1]++] = p;
+    begin.pop_back();
+    scratch_.dead.assign(pieces.size(), 0);
+    for (std::size_t node = 0; node + 1 < begin.size(); ++node) {
+      for (std::uint32_t i = begin[node]; i < begin[node + 1]; ++i) {
+        for (std::uint32_t j = begin[node]; j < i; ++j) {
+          compare_ends(scratch_.out_pieces[j], scratch_.out_pieces[i]);
+        }
+      }
+    }
+    std::size_t kept = 0;
+    for (PieceId p = 0; p < pieces.size(); ++p) {
+      if (scratch_.dead[p] == 0) pieces[kept++] = pieces[p];
+    }
+    pieces.resize(kept);
+  }
+  void compare_ends(PieceId p, PieceId q) {
+    const Piece& a = result_.pieces[p];
+    const Piece& b = result_.pieces[q];
+    if (a.from == b.from && a.to == b.to) {
+      scratch_.dead[q] = 1;
+    } else if (a.from == b.to && a.to == b.from) {
+      scratch_.dead[p] = scratch_.dead[q] = 1;
+    }
+  }
+
+  const Operands& o_;
+  const Cover& cover_;
+  Predicates& predicates_;
+  ArrangementScratch& scratch_;
+  Arrangement& result_;
+  std::uint32_t ends_;  ///< points below are ends of segments
+};
+
+}  // namespace
+
+void split_segments(const Operands& operands, const Cover& cover, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement) {
+  Splitter(operands, cover, predicates, scratch, arrangement).run();
+}
+
+}  // namespace minksum
