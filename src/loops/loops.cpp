@@ -1,0 +1,92 @@
+#include "loops/loops.hpp"
+
+namespace minksum {
+namespace {
+
+/// The piece that follows `piece` around the face on its right, if that is an outgoing one.
+///
+/// Seen from the node, that face lies counter-clockwise of where the chain came from, up to the
+/// first piece found there. An incoming one there has the face on its left: no loop.
+PieceId successor(PieceId piece, const Arrangement& arrangement, const DirectionCircle& circle,
+                  const Incidence& incidence) {
+  const std::uint32_t back = circle.reverse(circle.rank(piece));
+  std::uint32_t best_turn = circle.size();
+  std::uint32_t best = kNoPiece;
+  bool tie = false;
+  for (const std::uint32_t item : incidence.at(arrangement.pieces[piece].to)) {
+    const PieceId other = item / 2;
+    const bool incoming = item % 2 != 0;
+    if (incoming && other == piece) continue;
+    const DirectionRank rank = circle.rank(other);
+    const std::uint32_t place = incoming ? circle.reverse(rank) : circle.place(rank);
+    const std::uint32_t turn = circle.turn(back, place);
+    tie = turn == best_turn || (tie && turn > best_turn);
+    if (turn < best_turn) {
+      best_turn = turn;
+      best = item;
+    }
+  }
+  // Turn 0 is a piece that runs back over this one; a tie, two pieces over each other. Neither
+  // happens where all crossings are known, that is, on the boundary.
+  if (best == kNoPiece || tie || best_turn == 0 || best % 2 != 0) return kNoPiece;
+  return best / 2;
+}
+
+}  // namespace
+
+void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
+                Loops& loops) {
+  const DirectionCircle circle(operands, arrangement);
+  list_incidence(arrangement, [](PieceId) { return true; }, scratch.incidence);
+  const std::size_t n = arrangement.pieces.size();
+  scratch.next.resize(n);
+  for (PieceId p = 0; p < n; ++p) {
+    scratch.next[p] = successor(p, arrangement, circle, scratch.incidence);
+  }
+  loops.pieces.clear();
+  loops.begin.assign(1, 0);
+  loops.positive.clear();
+  // Successors are unique both ways, so chains are paths or cycles. States: 0 new, 1 on the chain
+  // being walked, 2 done.
+  scratch.visited.assign(n, 0);
+  for (PieceId first = 0; first < n; ++first) {
+    PieceId p = first;
+    while (p != kNoPiece && scratch.visited[p] == 0) {
+      scratch.visited[p] = 1;
+      p = scratch.next[p];
+    }
+    if (p != kNoPiece && scratch.visited[p] == 1) {
+      int rotation = 0;
+      const PieceId start = p;
+      do {
+        loops.pieces.push_back(p);
+        rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
+        p = scratch.next[p];
+      } while (p != start);
+      loops.begin.push_back(static_cast<std::uint32_t>(loops.pieces.size()));
+      loops.positive.push_back(rotation > 0 ? 1 : 0);
+    }
+    for (p = first; p != kNoPiece && scratch.visited[p] == 1; p = scratch.next[p]) {
+      scratch.visited[p] = 2;
+    }
+  }
+}
+
+std::optional<std::string> check(const Loops& loops, const Arrangement& arrangement) {
+  if (loops.positive.size() != loops.size()) return "an array has the wrong size";
+  std::vector<std::uint8_t> used(arrangement.pieces.size(), 0);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto loop = loops.loop(i);
+    if (loop.size() < 3) return "a loop has fewer than three pieces";
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      if (loop[k] >= used.size()) return "a loop refers to a piece that is not there";
+      if (used[loop[k]]++ != 0) return "a piece is in two loops";
+      const Piece& piece = arrangement.pieces[loop[k]];
+      const Piece& next = arrangement.pieces[loop[(k + 1) % loop.size()]];
+      if (piece.to != next.from) return "a loop does not close";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace minksum

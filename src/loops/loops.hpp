@@ -1,0 +1,108 @@
+// Stage 5: orientable loops: the only closed chains that can bound a free face.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "arrangement/arrangement.hpp"
+
+namespace minksum {
+
+inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
+
+/// Closed chains of pieces, each with one and the same face of the arrangement on its right.
+///
+/// A face is free only if it lies on the right of all its edges; so a chain that meets an edge from
+/// the wrong side ends there and is no loop (Behar and Lien, section IV-C; Lemma 4.5 makes each loop
+/// wholly boundary of the sum or wholly not).
+struct Loops {
+  std::vector<PieceId> pieces;       ///< loop after loop, in order
+  std::vector<std::uint32_t> begin;  ///< by loop, and one more
+  std::vector<std::uint8_t> positive; ///< by loop: it runs counter-clockwise around its inside
+
+  [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
+  [[nodiscard]] std::span<const PieceId> loop(std::size_t i) const {
+    return std::span(pieces).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
+/// Pieces around nodes: item lists by node. An item is 2·piece for an outgoing, 2·piece + 1 for an
+/// incoming piece.
+struct Incidence {
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> items;
+  [[nodiscard]] std::span<const std::uint32_t> at(NodeId node) const {
+    return std::span(items).subspan(begin[node], begin[node + 1] - begin[node]);
+  }
+};
+/// Lists the pieces for which `take(piece)` holds.
+template <class Take>
+void list_incidence(const Arrangement& arrangement, Take take, Incidence& incidence) {
+  auto& begin = incidence.begin;
+  const auto& pieces = arrangement.pieces;
+  begin.assign(arrangement.nodes.size() + 2, 0);
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    if (!take(p)) continue;
+    ++begin[pieces[p].from + 2];
+    ++begin[pieces[p].to + 2];
+  }
+  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  incidence.items.resize(begin.back());
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    if (!take(p)) continue;
+    incidence.items[begin[pieces[p].from + 1]++] = 2 * p;
+    incidence.items[begin[pieces[p].to + 1]++] = 2 * p + 1;
+  }
+  begin.pop_back();
+}
+
+/// Directions by rank, all integers.
+class DirectionCircle {
+ public:
+  explicit DirectionCircle(const Operands& operands, const Arrangement& arrangement)
+      : operands_(&operands), arrangement_(&arrangement) {}
+  [[nodiscard]] DirectionRank rank(PieceId piece) const {
+    const KeptId segment = arrangement_->pieces[piece].segment;
+    return operands_->rank[arrangement_->kept[segment].segment.edge];
+  }
+  /// Place of a direction, or of its reverse, on a circle of `size()` places.
+  [[nodiscard]] std::uint32_t place(DirectionRank rank) const { return 2 * rank; }
+  [[nodiscard]] std::uint32_t reverse(DirectionRank rank) const {
+    return operands_->opposite[rank];
+  }
+  [[nodiscard]] std::uint32_t size() const { return 2 * operands_->rank_count; }
+  /// Steps counter-clockwise from one place to another.
+  [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
+    return to >= from ? to - from : to + size() - from;
+  }
+  /// How often a turn by less than half a circle passes the positive x axis: -1, 0 or 1.
+  [[nodiscard]] int wraps(DirectionRank from, DirectionRank to) const {
+    if (from == to) return 0;
+    const bool left = turn(place(from), place(to)) < turn(place(from), reverse(from));
+    if (left) return to < from ? 1 : 0;
+    return to > from ? -1 : 0;
+  }
+
+ private:
+  const Operands* operands_;
+  const Arrangement* arrangement_;
+};
+
+struct LoopScratch {
+  Incidence incidence;
+  std::vector<PieceId> next;
+  std::vector<std::uint8_t> visited;
+};
+
+/// Finds all orientable loops. At each node the chain turns clockwise as far as it can; O(pieces ·
+/// degree).
+void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
+                Loops& loops);
+
+/// Whether loops close and no piece is in two; what is wrong, if not.
+[[nodiscard]] std::optional<std::string> check(const Loops& loops, const Arrangement& arrangement);
+
+}  // namespace minksum
