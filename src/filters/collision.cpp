@@ -1,0 +1,168 @@
+#include "filters/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace minksum {
+
+void BoxTree::build(const Operands& o, int operand) {
+  begin_ = operand == 0 ? 0 : o.split;
+  end_ = operand == 0 ? o.split : o.size();
+  boxes_.clear();
+  first_.assign(1, 0);
+  const auto& [x, y, dx, dy, next] = o.sites;
+  for (SiteId e = begin_; e < end_; e += std::min(kLeafEdges, end_ - e)) {
+    Box box{x[e], y[e], x[e], y[e]};
+    for (SiteId i = e; i < std::min(end_, e + kLeafEdges); ++i) {
+      for (const SiteId v : {i, next[i]}) {
+        box = {std::min(box.x0, x[v]), std::min(box.y0, y[v]), std::max(box.x1, x[v]),
+               std::max(box.y1, y[v])};
+      }
+    }
+    boxes_.push_back(box);
+  }
+  first_.push_back(boxes_.size());
+  for (levels_ = 1; first_[levels_] - first_[levels_ - 1] > 1; ++levels_) {
+    for (std::size_t i = first_[levels_ - 1]; i < first_[levels_]; i += 2) {
+      Box box = boxes_[i];
+      if (i + 1 < first_[levels_]) {
+        const Box& b = boxes_[i + 1];
+        box = {std::min(box.x0, b.x0), std::min(box.y0, b.y0), std::max(box.x1, b.x1),
+               std::max(box.y1, b.y1)};
+      }
+      boxes_.push_back(box);
+    }
+    first_.push_back(boxes_.size());
+  }
+}
+
+bool CollisionTest::meets(const Probe& probe) {
+  probe_ = probe;
+  at_ = predicates_.position(probe);
+  const RoundingBounds& bounds = predicates_.bounds();
+  doubt_ = 4 * (bounds.position + bounds.magnitude * 0x1p-49);
+  return boundaries_cross() || one_inside_other();
+}
+
+bool CollisionTest::overlap(const BoxTree::Box& p, const BoxTree::Box& q) const {
+  return p.x1 + doubt_ >= at_.x - q.x1 && at_.x - q.x0 + doubt_ >= p.x0 &&
+         p.y1 + doubt_ >= at_.y - q.y1 && at_.y - q.y0 + doubt_ >= p.y0;
+}
+
+bool CollisionTest::boundaries_cross() {
+  const BoxTree& p = trees_.tree[0];
+  const BoxTree& q = trees_.tree[1];
+  const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
+  stack_.assign(1, {top(p), 0, top(q), 0});
+  while (!stack_.empty()) {
+    const Pair pair = stack_.back();
+    stack_.pop_back();
+    if (!overlap(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q))) continue;
+    if (pair.level_p == 0 && pair.level_q == 0) {
+      if (leaves_cross(pair.node_p, pair.node_q)) return true;
+      continue;
+    }
+    const bool split_p = pair.level_p >= pair.level_q;
+    const BoxTree& tree = split_p ? p : q;
+    const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
+    const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
+    for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, tree.nodes(level));
+         ++node) {
+      stack_.push_back(split_p ? Pair{level, node, pair.level_q, pair.node_q}
+                               : Pair{pair.level_p, pair.node_p, level, node});
+    }
+  }
+  return false;
+}
+
+bool CollisionTest::leaves_cross(std::size_t leaf_p, std::size_t leaf_q) {
+  const BoxTree& p = trees_.tree[0];
+  const BoxTree& q = trees_.tree[1];
+  for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
+    for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
+      if (edges_cross(e, f)) return true;
+    }
+  }
+  return false;
+}
+
+/// x in the open parallelogram e ⊕ f: between the two lines along e, and between those along f.
+bool CollisionTest::edges_cross(SiteId e, SiteId f) {
+  const auto& next = o_.sites.next;
+  const auto side = [&](SiteId edge, SiteId a, SiteId b) {
+    return predicates_.orientation(edge, sum_vertex(a, b), probe_, at_);
+  };
+  return side(e, e, f) != side(e, e, next[f]) && side(f, e, f) != side(f, next[e], f);
+}
+
+bool CollisionTest::one_inside_other() {
+  const auto any_ring = [&](std::size_t first, std::size_t last, std::size_t other_first,
+                            std::size_t other_last) {
+    for (std::size_t r = first; r < last; ++r) {
+      if (!o_.rings[r].is_hole() &&
+          inside_polygon(o_.rings[r].begin, other_first, other_last)) {
+        return true;
+      }
+    }
+    return false;
+  };
+  const std::size_t middle = o_.first_rings;
+  const std::size_t end = o_.rings.size();
+  return any_ring(0, middle, middle, end) || any_ring(middle, end, 0, middle);
+}
+
+/// Whether x − `other` lies in one of the other operand's polygons, whose rings these are: parity
+/// along a ray to the right, polygon by polygon (filled holes may contain further polygons).
+bool CollisionTest::inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring) {
+  bool inside = false;
+  for (std::size_t r = first_ring; r < last_ring; ++r) {
+    const OperandRing& ring = o_.rings[r];
+    if (!ring.is_hole()) {
+      if (inside) return true;
+      inside = false;
+    }
+    const auto above = [&](SiteId v) {
+      return predicates_.compare_y(probe_, at_, sum_vertex(v, other)) == kNegative;
+    };
+    bool e_above = above(ring.begin);
+    for (SiteId e = ring.begin; e < ring.end; ++e) {
+      const bool f_above = above(o_.sites.next[e]);
+      // An edge going up has the point on its left if it passes right of it.
+      if (e_above != f_above &&
+          (predicates_.orientation(e, sum_vertex(e, other), probe_, at_) == kPositive) == f_above) {
+        inside = !inside;
+      }
+      e_above = f_above;
+    }
+  }
+  return inside;
+}
+
+Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<double>& from_at,
+                    double from_error, const NodePoint& to, const Vec<double>& to_at,
+                    double to_error, const Predicates& predicates, BigRational& exact) {
+  const Vec<double> a = predicates.start(segment);
+  const Vec<double> d = predicates.direction(segment.edge);
+  const bool by_x = std::abs(d.x) >= std::abs(d.y);
+  const auto lambda = [&](const Vec<double>& p) {
+    return by_x ? (p.x - a.x) / d.x : (p.y - a.y) / d.y;
+  };
+  const double length = std::abs(by_x ? d.x : d.y);
+  const RoundingBounds& bounds = predicates.bounds();
+  const double doubt = (bounds.position + 4 * bounds.direction) / length + 0x1p-50;
+  const double low = std::max(0.0, lambda(from_at)) + from_error / length + doubt;
+  const double high = std::min(1.0, lambda(to_at)) - to_error / length - doubt;
+  // The fewest bits that put a point well between.
+  if (high - low > 0x1p-50) {
+    const double middle = low + (high - low) / 2;
+    const int shift = std::max(1, 2 - std::ilogb(high - low));
+    const auto numerator = static_cast<std::int64_t>(std::ldexp(middle, shift));
+    const double rounded = std::ldexp(static_cast<double>(numerator), -shift);
+    if (rounded > low && rounded < high) return {segment, numerator, shift};
+  }
+  const ExactKernel& kernel = predicates.kernel();
+  exact = (kernel.exact_parameter(segment, from) + kernel.exact_parameter(segment, to)) / 2;
+  return {segment, 0, 0, &exact};
+}
+
+}  // namespace minksum

@@ -1,0 +1,83 @@
+// The exact collision test: does P meet x − Q?
+#pragma once
+
+#include <vector>
+
+#include "predicate/predicates.hpp"
+#include "operands/operands.hpp"
+
+namespace minksum {
+
+/// A binary tree of boxes over one operand's edges in ring order, level by level from the leaves.
+class BoxTree {
+ public:
+  struct Box {
+    double x0, y0, x1, y1;
+  };
+  static constexpr SiteId kLeafEdges = 4;
+
+  void build(const Operands& operands, int operand);
+  [[nodiscard]] std::size_t levels() const { return levels_; }
+  [[nodiscard]] std::size_t nodes(std::size_t level) const { return first_[level + 1] - first_[level]; }
+  [[nodiscard]] const Box& box(std::size_t level, std::size_t node) const {
+    return boxes_[first_[level] + node];
+  }
+  /// The edges of a leaf (level 0).
+  [[nodiscard]] SiteId first_edge(std::size_t leaf) const {
+    return begin_ + static_cast<SiteId>(leaf) * kLeafEdges;
+  }
+  [[nodiscard]] SiteId last_edge(std::size_t leaf) const {
+    return std::min(end_, first_edge(leaf) + kLeafEdges);
+  }
+
+ private:
+  std::vector<Box> boxes_;
+  std::vector<std::size_t> first_;
+  std::size_t levels_ = 0;
+  SiteId begin_ = 0;
+  SiteId end_ = 0;
+};
+
+struct BoxTrees {
+  BoxTree tree[2];
+};
+
+/// Decides for probes x whether P meets x − Q, exactly.
+///
+/// A probe is in general position, so the two sets meet if and only if two edges cross, or a polygon
+/// of one lies inside the other. Edge e of P crosses edge f of x − Q if and only if x lies in the
+/// parallelogram e ⊕ f: four sides of convolution lines to x.
+class CollisionTest {
+ public:
+  CollisionTest(const Operands& operands, const BoxTrees& trees, Predicates& predicates)
+      : o_(operands), trees_(trees), predicates_(predicates) {}
+  [[nodiscard]] bool meets(const Probe& probe);
+
+ private:
+  struct Pair {
+    std::uint32_t level_p, node_p, level_q, node_q;
+  };
+  [[nodiscard]] bool boundaries_cross();
+  [[nodiscard]] bool overlap(const BoxTree::Box& p, const BoxTree::Box& q) const;
+  [[nodiscard]] bool leaves_cross(std::size_t leaf_p, std::size_t leaf_q);
+  [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
+  [[nodiscard]] bool one_inside_other();
+  [[nodiscard]] bool inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring);
+
+  const Operands& o_;
+  const BoxTrees& trees_;
+  Predicates& predicates_;
+  Probe probe_{};
+  Vec<double> at_{};
+  double doubt_ = 0;
+  std::vector<Pair> stack_;
+};
+
+/// A probe just right of the middle of the part of `segment` between two nodes on it. `exact` is
+/// where its position is kept if it needs more bits than a Probe has.
+[[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<double>& from_at,
+                                  double from_error, const NodePoint& to, const Vec<double>& to_at,
+                                  double to_error, const Predicates& predicates,
+                                  BigRational& exact);
+
+}  // namespace minksum
