@@ -1,0 +1,146 @@
+// Accepted pieces to simple rings.
+#include <algorithm>
+
+#include "output/node_order.hpp"
+#include "output/output.hpp"
+
+namespace minksum {
+namespace {
+
+constexpr std::uint32_t kNotOnStack = 0xFFFFFFFFU;
+
+[[noreturn]] void broken(const char* what) {
+  throw Error(ErrorCode::kInternal, what, {}, "output");
+}
+
+class RingExtractor {
+ public:
+  RingExtractor(const Operands& operands, const Arrangement& arrangement, Predicates& predicates,
+                OutputScratch& scratch, Boundary& boundary)
+      : arrangement_(arrangement), circle_(operands, arrangement),
+        order_(arrangement, predicates), scratch_(scratch), boundary_(boundary) {}
+
+  void run(const Loops& loops, const FilteredLoops& filtered) {
+    accept(loops, filtered);
+    list_incidence(arrangement_, [&](PieceId p) { return scratch_.accepted[p] != 0; },
+                   scratch_.incidence);
+    scratch_.stack_place.assign(arrangement_.nodes.size(), kNotOnStack);
+    std::uint32_t walk = 0;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      if (filtered.state[i] != LoopState::kAccepted) continue;
+      for (const PieceId p : loops.loop(i)) {
+        if (scratch_.accepted[p] == kAccepted) follow(p, walk++);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint8_t kAccepted = 1;
+  static constexpr std::uint8_t kFollowed = 2;
+
+  void accept(const Loops& loops, const FilteredLoops& filtered) {
+    scratch_.accepted.assign(arrangement_.pieces.size(), 0);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      if (filtered.state[i] != LoopState::kAccepted) continue;
+      for (const PieceId p : loops.loop(i)) scratch_.accepted[p] = kAccepted;
+    }
+  }
+
+  /// The piece after `piece` around the sum's interior on its left: the first one clockwise from
+  /// where it came.
+  [[nodiscard]] PieceId successor(PieceId piece) const {
+    const auto items = scratch_.incidence.at(arrangement_.pieces[piece].to);
+    const std::uint32_t back = circle_.reverse(circle_.rank(piece));
+    std::uint32_t best_turn = circle_.size();
+    std::uint32_t best = kNoPiece;
+    for (const std::uint32_t item : items) {
+      const PieceId other = item / 2;
+      const bool incoming = item % 2 != 0;
+      if (incoming && other == piece) continue;
+      const DirectionRank rank = circle_.rank(other);
+      const std::uint32_t place = incoming ? circle_.reverse(rank) : circle_.place(rank);
+      const std::uint32_t turn = circle_.turn(place, back);
+      if (turn < best_turn) {
+        best_turn = turn;
+        best = item;
+      }
+    }
+    if (best == kNoPiece || best % 2 != 0) broken("the boundary does not go on at a node");
+    return best / 2;
+  }
+
+  /// Walks along the interior from `first` until it closes; cuts off a ring at each return to a
+  /// node.
+  void follow(PieceId first, std::uint32_t walk) {
+    auto& stack = scratch_.stack;
+    auto& place = scratch_.stack_place;
+    stack.clear();
+    PieceId p = first;
+    do {
+      if (scratch_.accepted[p] != kAccepted) broken("two walks share a piece");
+      scratch_.accepted[p] = kFollowed;
+      const NodeId from = arrangement_.pieces[p].from;
+      if (place[from] != kNotOnStack) cut(place[from], walk);
+      place[from] = static_cast<std::uint32_t>(stack.size());
+      stack.push_back(p);
+      p = successor(p);
+    } while (p != first);
+    cut(0, walk);
+  }
+
+  /// The pieces on the stack from `begin` on are a ring.
+  void cut(std::uint32_t begin, std::uint32_t walk) {
+    auto& stack = scratch_.stack;
+    const std::span<const PieceId> ring = std::span(stack).subspan(begin);
+    BoundaryRing result;
+    result.begin = static_cast<std::uint32_t>(boundary_.vertices.size());
+    result.walk = walk;
+    int rotation = 0;
+    DirectionRank previous = circle_.rank(ring.back());
+    for (const PieceId p : ring) {
+      const NodeId from = arrangement_.pieces[p].from;
+      scratch_.stack_place[from] = kNotOnStack;
+      const DirectionRank rank = circle_.rank(p);
+      if (rank != previous) boundary_.vertices.push_back({from, p});
+      rotation += circle_.wraps(previous, rank);
+      previous = rank;
+    }
+    result.end = static_cast<std::uint32_t>(boundary_.vertices.size());
+    result.positive = rotation > 0;
+    if ((rotation != 1 && rotation != -1) || result.end < result.begin + 3) {
+      broken("a boundary ring is not simple");
+    }
+    start_at_smallest(result);
+    boundary_.rings.push_back(result);
+    stack.resize(begin);
+  }
+
+  void start_at_smallest(const BoundaryRing& ring) {
+    const auto begin = boundary_.vertices.begin() + ring.begin;
+    const auto end = boundary_.vertices.begin() + ring.end;
+    auto smallest = begin;
+    for (auto v = begin + 1; v != end; ++v) {
+      if (order_.compare(v->node, smallest->node) == kNegative) smallest = v;
+    }
+    std::rotate(begin, smallest, end);
+  }
+
+  const Arrangement& arrangement_;
+  DirectionCircle circle_;
+  NodeOrder order_;
+  OutputScratch& scratch_;
+  Boundary& boundary_;
+};
+
+}  // namespace
+
+void extract_rings(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
+                   const FilteredLoops& filtered, Predicates& predicates, OutputScratch& scratch,
+                   Boundary& boundary) {
+  boundary.vertices.clear();
+  boundary.rings.clear();
+  RingExtractor(operands, arrangement, predicates, scratch, boundary).run(loops, filtered);
+  order_rings(arrangement, predicates, scratch, boundary);
+}
+
+}  // namespace minksum

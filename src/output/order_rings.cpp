@@ -1,0 +1,142 @@
+// Rings to polygons, in canonical order.
+#include <algorithm>
+
+#include "output/node_order.hpp"
+#include "output/output.hpp"
+
+namespace minksum {
+namespace {
+
+constexpr std::uint32_t kNoRing = 0xFFFFFFFFU;
+
+class PolygonBuilder {
+ public:
+  PolygonBuilder(const Arrangement& arrangement, Predicates& predicates, OutputScratch& scratch,
+                 Boundary& boundary)
+      : arrangement_(arrangement), order_(arrangement, predicates), scratch_(scratch),
+        b_(boundary) {}
+
+  void run() {
+    assign_holes();
+    auto& order = b_.ring_order;
+    order.resize(b_.rings.size());
+    for (std::uint32_t r = 0; r < order.size(); ++r) order[r] = r;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const std::uint32_t outer_a = scratch_.outer_of[a];
+      const std::uint32_t outer_b = scratch_.outer_of[b];
+      if (outer_a != outer_b) return ring_before(outer_a, outer_b);
+      if (a == outer_a || b == outer_b) return a == outer_a && b != outer_b;
+      return ring_before(a, b);
+    });
+    b_.polygon_begin.clear();
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      if (b_.rings[order[i]].positive) b_.polygon_begin.push_back(i);
+    }
+    b_.polygon_begin.push_back(static_cast<std::uint32_t>(order.size()));
+  }
+
+ private:
+  [[nodiscard]] NodeId node(std::uint32_t ring, std::uint32_t k) const {
+    return b_.vertices[b_.rings[ring].begin + k].node;
+  }
+  /// Rings differ in their first vertex, or at least in the one after it.
+  [[nodiscard]] bool ring_before(std::uint32_t a, std::uint32_t b) const {
+    const Sign first = order_.compare(node(a, 0), node(b, 0));
+    return (first != kZero ? first : order_.compare(node(a, 1), node(b, 1))) == kNegative;
+  }
+
+  void assign_holes() {
+    const auto rings = static_cast<std::uint32_t>(b_.rings.size());
+    scratch_.outer_of.assign(rings, kNoRing);
+    std::uint32_t outers = 0;
+    std::uint32_t some_outer = kNoRing;
+    for (std::uint32_t r = 0; r < rings; ++r) {
+      if (!b_.rings[r].positive) continue;
+      scratch_.outer_of[r] = r;
+      some_outer = r;
+      ++outers;
+    }
+    if (outers == 1) {
+      std::fill(scratch_.outer_of.begin(), scratch_.outer_of.end(), some_outer);
+      return;
+    }
+    // Rings of one walk lie next to each other in the list.
+    for (std::uint32_t first = 0; first < rings;) {
+      std::uint32_t last = first;
+      while (last < rings && b_.rings[last].walk == b_.rings[first].walk) ++last;
+      assign_walk(first, last);
+      first = last;
+    }
+  }
+  void assign_walk(std::uint32_t first, std::uint32_t last) {
+    std::uint32_t outer = kNoRing;
+    std::uint32_t leftmost = first;
+    for (std::uint32_t r = first; r < last; ++r) {
+      if (b_.rings[r].positive) {
+        if (outer != kNoRing) {
+          throw Error(ErrorCode::kInternal, "a walk has two outer rings", {}, "output");
+        }
+        outer = r;
+      }
+      if (order_.compare(node(r, 0), node(leftmost, 0)) == kNegative) leftmost = r;
+    }
+    if (outer == kNoRing) outer = surrounding(node(leftmost, 0));
+    for (std::uint32_t r = first; r < last; ++r) scratch_.outer_of[r] = outer;
+  }
+
+  /// The innermost outer ring around the point just left of (and less below) a node that is the
+  /// smallest of its hole: that point is inside the sum.
+  std::uint32_t surrounding(NodeId at) {
+    std::uint32_t best = kNoRing;
+    std::uint32_t best_depth = 0;
+    for (std::uint32_t r = 0; r < b_.rings.size(); ++r) {
+      if (!b_.rings[r].positive || !contains(r, at)) continue;
+      std::uint32_t depth = 1;
+      for (std::uint32_t other = 0; other < b_.rings.size(); ++other) {
+        if (other != r && b_.rings[other].positive && contains(other, node(r, 0))) ++depth;
+      }
+      if (depth > best_depth) {
+        best = r;
+        best_depth = depth;
+      }
+    }
+    if (best == kNoRing) {
+      throw Error(ErrorCode::kInternal, "a hole lies in no outer ring", {}, "output");
+    }
+    return best;
+  }
+
+  /// Whether the point (−ε, −ε²) off a node is inside a ring: parity along a ray to the right.
+  bool contains(std::uint32_t ring, NodeId at) {
+    const BoundaryRing& r = b_.rings[ring];
+    bool inside = false;
+    for (std::uint32_t i = r.begin; i < r.end; ++i) {
+      const BoundaryVertex& v = b_.vertices[i];
+      const BoundaryVertex& w = b_.vertices[i + 1 == r.end ? r.begin : i + 1];
+      // A node at the same height is above the point.
+      const bool v_above = order_.compare(v.node, at, Axis::kY) != kNegative;
+      const bool w_above = order_.compare(w.node, at, Axis::kY) != kNegative;
+      if (v_above == w_above) continue;
+      // On the line of the edge: off to the left, which is the left side of a rising edge.
+      Sign side = order_.orientation(
+          arrangement_.kept[arrangement_.pieces[v.piece].segment].segment, at);
+      if (side == kZero) side = w_above ? kPositive : kNegative;
+      if ((side == kPositive) == w_above) inside = !inside;
+    }
+    return inside;
+  }
+
+  const Arrangement& arrangement_;
+  NodeOrder order_;
+  OutputScratch& scratch_;
+  Boundary& b_;
+};
+
+}  // namespace
+
+void order_rings(const Arrangement& arrangement, Predicates& predicates, OutputScratch& scratch,
+                 Boundary& boundary) {
+  PolygonBuilder(arrangement, predicates, scratch, boundary).run();
+}
+
+}  // namespace minksum

@@ -1,0 +1,107 @@
+// Nodes to exact coordinates.
+#include "output/node_order.hpp"
+#include "output/output.hpp"
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+/// As a compact number if it is an integer of 63 bits on the operands' grid, else as limbs.
+StoredCoordinate store(const ExactCoordinate& c, const ExactKernel& kernel, Region& region) {
+  StoredCoordinate stored;
+  stored.exp2 = static_cast<std::int16_t>(kernel.exp2());
+  stored.exp10 = static_cast<std::int16_t>(kernel.exp10());
+  const bool integer = c.denominator.size() == 1 && c.denominator[0] == 1;
+  if (c.numerator.empty()) return StoredCoordinate{};
+  if (integer && c.numerator.size() == 1 && (c.numerator[0] >> 63) == 0) {
+    const auto magnitude = static_cast<std::int64_t>(c.numerator[0]);
+    stored.payload = c.negative ? -magnitude : magnitude;
+    return stored;
+  }
+  if (c.numerator.size() > kLimbCountMask || c.denominator.size() > kLimbCountMask) {
+    throw Error(ErrorCode::kLimitExceeded, "a coordinate of the result needs more than 2^21 bits");
+  }
+  auto& limbs = RegionAccess::mutable_limbs(region);
+  stored.payload = static_cast<std::int64_t>(limbs.size());
+  stored.numerator_limbs = static_cast<std::uint16_t>(c.numerator.size());
+  stored.denominator_limbs = static_cast<std::uint16_t>(c.denominator.size());
+  if (c.negative) stored.numerator_limbs |= kNegativeLimbs;
+  limbs.insert(limbs.end(), c.numerator.begin(), c.numerator.end());
+  limbs.insert(limbs.end(), c.denominator.begin(), c.denominator.end());
+  return stored;
+}
+
+EdgeOrigin origin_of(const Operands& o, const Segment& segment) {
+  EdgeOrigin origin;
+  origin.edge_operand = o.operand_of(segment.edge) == 0 ? Operand::kFirst : Operand::kSecond;
+  origin.edge = o.edge_source[segment.edge];
+  origin.vertex = o.vertex_source[segment.vertex];
+  return origin;
+}
+
+}  // namespace
+
+void write_region(const Operands& operands, const Arrangement& arrangement,
+                  const Boundary& boundary, OutputScratch& scratch, Region& region) {
+  const ExactKernel& kernel = *operands.kernel;
+  region.clear();
+  RegionAccess::reserve(region, boundary.vertices.size());
+  for (std::uint32_t i = 0; i < boundary.ring_order.size(); ++i) {
+    const BoundaryRing& ring = boundary.rings[boundary.ring_order[i]];
+    if (ring.positive) region.begin_polygon();
+    region.begin_ring();
+    for (std::uint32_t k = ring.begin; k < ring.end; ++k) {
+      const BoundaryVertex& v = boundary.vertices[k];
+      const NodePoint& point = arrangement.nodes[v.node].point;
+      kernel.coordinate(point, Axis::kX, scratch.coordinate);
+      const StoredCoordinate x = store(scratch.coordinate, kernel, region);
+      kernel.coordinate(point, Axis::kY, scratch.coordinate);
+      const StoredCoordinate y = store(scratch.coordinate, kernel, region);
+      const Segment& made_by = arrangement.kept[arrangement.pieces[v.piece].segment].segment;
+      RegionAccess::add_vertex(region, x, y, origin_of(operands, made_by));
+    }
+  }
+}
+
+std::optional<std::string> check(const Boundary& b, const Arrangement& arrangement,
+                                 const Operands& operands) {
+  Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+  const NodeOrder order(arrangement, predicates);
+  if (b.ring_order.size() != b.rings.size()) return "a ring is in no polygon";
+  for (const BoundaryRing& ring : b.rings) {
+    if (ring.end < ring.begin + 3) return "a ring has fewer than three vertices";
+    std::vector<NodeId> nodes;
+    for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
+      const BoundaryVertex& v = b.vertices[i];
+      const BoundaryVertex& w = b.vertices[i + 1 == ring.end ? ring.begin : i + 1];
+      const auto direction = [&](const BoundaryVertex& at) {
+        return arrangement.kept[arrangement.pieces[at.piece].segment].segment;
+      };
+      if (order.orientation(direction(v), w.node) != kZero) return "an edge leaves its line";
+      if (operands.rank[direction(v).edge] == operands.rank[direction(w).edge]) {
+        return "a vertex lies in the middle of a straight edge";
+      }
+      if (order.compare(v.node, b.vertices[ring.begin].node) == kNegative) {
+        return "a ring does not start at its smallest vertex";
+      }
+      nodes.push_back(v.node);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end()) {
+      return "a ring visits a node twice";
+    }
+    const Segment first = arrangement.kept[arrangement.pieces[b.vertices[ring.begin].piece].segment].segment;
+    const Segment last = arrangement.kept[arrangement.pieces[b.vertices[ring.end - 1].piece].segment].segment;
+    const Sign turn = operands.kernel->cross(last.edge, first.edge);
+    if ((turn == kPositive) != ring.positive) return "a ring's orientation is wrong";
+  }
+  for (std::size_t p = 0; p + 1 < b.polygon_begin.size(); ++p) {
+    for (std::uint32_t i = b.polygon_begin[p]; i < b.polygon_begin[p + 1]; ++i) {
+      const bool outer = i == b.polygon_begin[p];
+      if (b.rings[b.ring_order[i]].positive != outer) return "a polygon has no outer ring first";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace minksum

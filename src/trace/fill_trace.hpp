@@ -1,0 +1,13 @@
+// What the stages made, in doubles, for the public Trace.
+#pragma once
+
+#include "filters/filters.hpp"
+#include "minksum/trace.hpp"
+
+namespace minksum {
+
+void fill_trace(const Operands& operands, const Convolution& convolution, const Cover& cover,
+                const Arrangement& arrangement, const Loops& loops, const FilteredLoops& filtered,
+                Trace& trace);
+
+}  // namespace minksum
