@@ -1,0 +1,111 @@
+#include "signed_convolution/signed_convolution.hpp"
+
+#include <chrono>
+
+#include "signed_convolution/arrangement.hpp"
+#include "signed_convolution/broken.hpp"
+#include "signed_convolution/operands.hpp"
+#include "signed_convolution/rings.hpp"
+#include "signed_convolution/segments.hpp"
+#include "signed_convolution/winding.hpp"
+
+namespace minksum {
+namespace signed_sum {
+namespace {
+
+// Adds the time since the last call to a stage.
+class StageTimer {
+ public:
+  explicit StageTimer(Statistics& statistics) : statistics_(statistics) {}
+  void charge(Stage stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - last_;
+    statistics_.stage_seconds[static_cast<int>(stage)] += passed.count();
+    last_ = now;
+  }
+
+ private:
+  Statistics& statistics_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+struct Input {
+  const IntegerOperands& operands;
+  std::span<const Layer> layers;
+  std::span<const SignedSegment> segments;
+};
+
+template <class N>
+void solve(const Input& input, const Options& options, Statistics& statistics, StageTimer& timer,
+           Region& result) {
+  stop_if_asked(options, Stage::kArrangement);
+  Geometry<N> geometry(input.operands.bits);
+  const Arrangement arrangement =
+      ArrangementBuilder<N>(geometry, options, statistics).run(input.layers, input.segments);
+  if (options.check && !is_balanced(arrangement)) {
+    broken("the pieces of the arrangement do not form cycles");
+  }
+  timer.charge(Stage::kArrangement);
+  stop_if_asked(options, Stage::kLoops);
+  const InsideFlags inside = WindingWalk<N>(geometry, arrangement, input.layers, options).run();
+  const BoundaryRings boundary = RingBuilder<N>(geometry, arrangement, inside).run();
+  const auto polygons = PolygonBuilder<N>(geometry, arrangement, boundary).run();
+  statistics.loops = boundary.rings.size();
+  timer.charge(Stage::kLoops);
+  stop_if_asked(options, Stage::kOutput);
+  write_region(geometry, arrangement, boundary, polygons, input.operands, result);
+  timer.charge(Stage::kOutput);
+}
+
+// The narrowest set of numbers that holds the sum, or a wider one on request.
+Arithmetic pick(unsigned bits, Arithmetic least) {
+  const bool wider = least == Arithmetic::kWide || least == Arithmetic::kArbitrary;
+  if (wider || bits > MediumNumbers::kBits) return Arithmetic::kArbitrary;
+  if (least == Arithmetic::kMedium || bits > SmallNumbers::kBits) return Arithmetic::kMedium;
+  return Arithmetic::kNarrow;
+}
+
+void compute(const Region& p, const Region& q, const Options& options, Statistics& statistics,
+             Region& result) {
+  StageTimer timer(statistics);
+  stop_if_asked(options, Stage::kOperands);
+  const IntegerOperands operands = make_operands(p, q);
+  if (options.check) check(operands);
+  statistics.coordinate_bits = operands.operand_bits;
+  timer.charge(Stage::kOperands);
+  stop_if_asked(options, Stage::kConvolution);
+  const std::vector<Layer> layers = make_layers(operands);
+  const std::vector<SignedSegment> segments = signed_segments(operands, layers, options);
+  // Always: it costs little, and everything after it rests on it.
+  if (!is_closed(layers, segments)) broken("the signed convolution is not closed");
+  statistics.convolution_segments = segments.size();
+  statistics.segments_kept = segments.size();
+  timer.charge(Stage::kConvolution);
+  const Input input{operands, layers, segments};
+  statistics.arithmetic = pick(operands.bits, options.arithmetic);
+  switch (statistics.arithmetic) {
+    case Arithmetic::kNarrow:
+      return solve<SmallNumbers>(input, options, statistics, timer, result);
+    case Arithmetic::kMedium:
+      return solve<MediumNumbers>(input, options, statistics, timer, result);
+    default:
+      return solve<ArbitraryNumbers>(input, options, statistics, timer, result);
+  }
+}
+
+}  // namespace
+}  // namespace signed_sum
+
+void signed_convolution_sum(const Region& p, const Region& q, const Options& options,
+                            Statistics& statistics, Region& result) {
+  result.clear();
+  if (p.empty() || q.empty()) return;
+  try {
+    signed_sum::compute(p, q, options, statistics, result);
+  } catch (...) {
+    result.clear();
+    throw;
+  }
+}
+
+}  // namespace minksum
