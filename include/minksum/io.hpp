@@ -1,4 +1,4 @@
-// Reading and writing regions as text. Target minksum::io; header-only JSON parser inside.
+// Reading and writing regions as text. Target minksum::io.
 #pragma once
 
 #include <cstddef>

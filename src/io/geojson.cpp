@@ -1,0 +1,250 @@
+// GeoJSON (RFC 7946): polygons, multipolygons and what contains them.
+#include <optional>
+#include <utility>
+
+#include "io/formats.hpp"
+#include "io/json_cursor.hpp"
+#include "io/number.hpp"
+#include "io/writer.hpp"
+
+namespace minksum::io {
+
+namespace {
+
+// A name from the text for a message: one short line of ASCII.
+std::string quoted(std::string_view name) {
+  std::string result = "\"";
+  for (const char c : name.substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + '"';
+}
+
+constexpr std::size_t kAbsent = std::string_view::npos;
+
+class GeoJsonReader {
+ public:
+  GeoJsonReader(std::string_view text, const ReadLimits& limits)
+      : json_(text, limits.max_depth), builder_(region_) {}
+
+  Region read() {
+    if (json_.peek() == '[') {
+      json_.text().fail("expected a GeoJSON object with a member \"type\", found an array");
+    }
+    object(Expected::kAnything);
+    json_.skip_space();
+    if (!json_.text().at_end()) json_.text().fail_expected("the end of the text");
+    return std::move(region_);
+  }
+
+ private:
+  enum class Expected { kAnything, kGeometry, kFeature };
+
+  // Where the members of one object are that matter; they may come in any order.
+  struct Members {
+    std::size_t start = 0;
+    std::optional<std::string> type;
+    std::size_t type_at = kAbsent;
+    std::size_t coordinates = kAbsent;
+    std::size_t geometries = kAbsent;
+    std::size_t features = kAbsent;
+    std::size_t geometry = kAbsent;
+    bool content_read = false;
+  };
+
+  // Reads the content where it stands if "type" came first, else goes back for it at the end: an
+  // object whose type comes last is passed over twice.
+  void object(Expected expected) {
+    Members members;
+    members.start = json_.text().position();
+    json_.object("'{'", [&](const std::string& name) { member(name, members, expected); });
+    const std::size_t end = json_.text().position();
+    if (!members.type) fail_at(members.start, "an object has no member \"type\"");
+    check_type(members, expected);
+    if (members.content_read) return;
+    const std::size_t content = *content_of(members);
+    if (content == kAbsent) {
+      fail_at(members.start,
+              "a " + *members.type + " has no member \"" + content_name(*members.type) + '"');
+    }
+    json_.text().move_to(content);
+    read_content(*members.type);
+    json_.text().move_to(end);
+  }
+
+  void member(const std::string& name, Members& members, Expected expected) {
+    if (name == "type") {
+      if (members.type) json_.text().fail("a second member \"type\"");
+      if (json_.peek() != '"') json_.text().fail_expected("the type in quotes");
+      members.type_at = json_.text().position();
+      members.type = json_.take_string();
+      return;
+    }
+    std::size_t* place = member_place(name, members);
+    if (place == nullptr) return json_.skip_value();
+    if (*place != kAbsent) json_.text().fail("a second member \"" + name + '"');
+    *place = json_.text().position();
+    if (members.type && name == content_name(*members.type)) {
+      check_type(members, expected);
+      read_content(*members.type);
+      members.content_read = true;
+    } else {
+      json_.skip_value();
+    }
+  }
+
+  static std::size_t* member_place(const std::string& name, Members& members) {
+    if (name == "coordinates") return &members.coordinates;
+    if (name == "geometries") return &members.geometries;
+    if (name == "features") return &members.features;
+    if (name == "geometry") return &members.geometry;
+    return nullptr;
+  }
+
+  static std::string content_name(const std::string& type) {
+    if (type == "GeometryCollection") return "geometries";
+    if (type == "FeatureCollection") return "features";
+    if (type == "Feature") return "geometry";
+    return "coordinates";
+  }
+
+  static const std::size_t* content_of(Members& members) {
+    return member_place(content_name(*members.type), members);
+  }
+
+  void check_type(const Members& members, Expected expected) {
+    const std::string& type = *members.type;
+    if (type == "Feature" || type == "FeatureCollection") {
+      const bool fits =
+          expected == Expected::kAnything || (expected == Expected::kFeature && type == "Feature");
+      if (!fits) fail_at(members.type_at, "a " + type + " may not stand here");
+      return;
+    }
+    if (expected == Expected::kFeature) {
+      fail_at(members.type_at, "expected a Feature, found the type " + quoted(type));
+    }
+    if (type == "Polygon" || type == "MultiPolygon" || type == "GeometryCollection") return;
+    for (const char* other : {"Point", "MultiPoint", "LineString", "MultiLineString"}) {
+      if (type != other) continue;
+      fail_at(members.type_at,
+              "a region needs polygons: " + type + " operands are not supported yet");
+    }
+    fail_at(members.type_at, "unknown type " + quoted(type));
+  }
+
+  void read_content(const std::string& type) {
+    if (json_.peek() == 'n') fail_null(type);
+    if (type == "Polygon") {
+      polygon();
+    } else if (type == "MultiPolygon") {
+      json_.array("an array of polygons", [this] { polygon(); });
+    } else if (type == "Feature") {
+      object(Expected::kGeometry);
+    } else if (type == "FeatureCollection") {
+      json_.array("an array of features", [this] { object(Expected::kFeature); });
+    } else {
+      json_.array("an array of geometries", [this] { object(Expected::kGeometry); });
+    }
+  }
+
+  [[noreturn]] void fail_null(const std::string& type) {
+    if (!json_.text().rest().starts_with("null")) json_.text().fail_expected("a JSON value");
+    json_.text().fail("the " + content_name(type) + " of a " + type + " is null");
+  }
+
+  void polygon() {
+    bool any = false;
+    json_.array("an array of rings", [&] {
+      if (!any) builder_.begin_polygon();
+      any = true;
+      ring();
+    });
+  }
+
+  void ring() {
+    builder_.begin_ring(json_.text());
+    json_.array("an array of positions", [this] { position(); });
+    builder_.end_ring(json_.text());
+  }
+
+  void position() {
+    json_.expect('[', "a position [x, y]");
+    Number x = coordinate();
+    json_.expect(',', "',' and the second coordinate");
+    Number y = coordinate();
+    if (json_.peek() == ',') {
+      json_.text().fail("a position has three coordinates; only two are supported");
+    }
+    json_.expect(']', "']'");
+    builder_.add(std::move(x), std::move(y));
+  }
+
+  // A JSON number, or any number in quotes: "1/3".
+  Number coordinate() {
+    if (json_.peek() != '"') {
+      const char c = json_.text().peek();
+      if (c == '[') json_.text().fail("expected a number, found '[': arrays are nested too deep");
+      return scan_number(json_.text(), NumberSyntax::kJson);
+    }
+    json_.text().advance();
+    Number number = scan_number(json_.text(), NumberSyntax::kLenient);
+    if (!json_.text().accept('"')) json_.text().fail_expected("'\"' after the number");
+    return number;
+  }
+
+  [[noreturn]] void fail_at(std::size_t position, const std::string& message) {
+    json_.text().fail(ErrorCode::kBadInput, message, position);
+  }
+
+  JsonCursor json_;
+  Region region_;
+  ClosedRingBuilder builder_;
+};
+
+void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
+  writer.text('[');
+  bool first_ring = true;
+  for (const std::size_t ring : region.rings_of(polygon)) {
+    writer.text(first_ring ? "[" : ", [");
+    first_ring = false;
+    const IndexRange vertices = region.vertices_of(ring);
+    for (const std::size_t vertex : vertices) {
+      writer.text('[');
+      writer.point(region, vertex, ',');
+      writer.text("], ");
+    }
+    if (!vertices.empty()) {
+      writer.text('[');
+      writer.point(region, vertices.front(), ',');
+      writer.text(']');
+    }
+    writer.text(']');
+  }
+  writer.text(']');
+}
+
+}  // namespace
+
+Region read_geojson(std::string_view text, const ReadLimits& limits) {
+  return GeoJsonReader(text, limits).read();
+}
+
+void write_geojson(std::ostream& out, const Region& region, const Coordinates& style) {
+  Writer writer(out, style);
+  writer.quote_quotients();
+  if (region.empty()) {
+    writer.text(R"({"type": "Polygon", "coordinates": []})");
+  } else if (region.polygon_count() == 1) {
+    writer.text(R"({"type": "Polygon", "coordinates": )");
+    append_polygon(writer, region, 0);
+    writer.text('}');
+  } else {
+    writer.text(R"({"type": "MultiPolygon", "coordinates": [)");
+    for (const std::size_t polygon : region.polygons()) {
+      if (polygon > 0) writer.text(", ");
+      append_polygon(writer, region, polygon);
+    }
+    writer.text("]}");
+  }
+  writer.flush();
+}
+
+}  // namespace minksum::io

@@ -1,0 +1,108 @@
+#include "io/writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace minksum::io {
+
+namespace {
+
+// How often `factor` divides `value`; divided out.
+template <typename Integer>
+int divide_out(Integer& value, int factor);
+
+template <>
+int divide_out(std::uint64_t& value, int factor) {
+  int times = 0;
+  for (const auto by = static_cast<std::uint64_t>(factor); value % by == 0; value /= by) ++times;
+  return times;
+}
+
+template <>
+int divide_out(Rational& value, int factor) {
+  int times = 0;
+  for (Rational next = value / Rational(factor); next.is_integer();
+       next = value / Rational(factor)) {
+    value = next;
+    ++times;
+  }
+  return times;
+}
+
+template <typename Integer>
+std::optional<int> finite_decimal_digits_of(Integer denominator) {
+  const int twos = divide_out(denominator, 2);
+  const int fives = divide_out(denominator, 5);
+  if (!(denominator == Integer(1))) return {};
+  return std::max(twos, fives);
+}
+
+// Digits after the point that write `value` exactly; nothing if no number of digits does, or only
+// more than a reader would take.
+std::optional<int> finite_decimal_digits(const Rational& value) {
+  const Rational denominator = value.denominator();
+  const std::size_t bits = denominator.bits();
+  if (bits <= 53) {  // a double holds it
+    return finite_decimal_digits_of(static_cast<std::uint64_t>(denominator.to_double()));
+  }
+  const auto limit = static_cast<std::size_t>(Rational::kMaxDigits);
+  const std::optional<int> digits =
+      bits <= limit ? finite_decimal_digits_of(denominator) : std::nullopt;
+  // Before the point there are at most as many digits as the numerator has bits, and one.
+  if (digits && static_cast<std::size_t>(*digits) + value.numerator().bits() / 3 + 1 > limit) {
+    return {};
+  }
+  return digits;
+}
+
+}  // namespace
+
+Writer::Writer(std::ostream& out, const Coordinates& style) : out_(out), style_(style) {
+  buffer_.reserve(kChunk + 4096);
+}
+
+void Writer::count(std::size_t value) { text(std::to_string(value)); }
+
+void Writer::real(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
+}
+
+void Writer::exact(const Rational& value) {
+  if (!json_ || value.is_integer()) return text(value.to_string());
+  if (const std::optional<int> digits = finite_decimal_digits(value)) {
+    return text(value.to_decimal(*digits));
+  }
+  text('"' + value.to_string() + '"');
+}
+
+void Writer::coordinate(const Region& region, std::size_t vertex, bool is_x) {
+  if (style_.style == Coordinates::Style::kDouble) {
+    const double value = is_x ? region.x(vertex) : region.y(vertex);
+    if (!std::isfinite(value)) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "a coordinate is beyond the range of doubles; exact coordinates can be written");
+    }
+    return real(value);
+  }
+  const Rational value = is_x ? region.exact_x(vertex) : region.exact_y(vertex);
+  if (style_.style == Coordinates::Style::kExact) return exact(value);
+  text(value.to_decimal(style_.digits));
+}
+
+void Writer::point(const Region& region, std::size_t vertex, char separator) {
+  coordinate(region, vertex, true);
+  text(separator);
+  coordinate(region, vertex, false);
+}
+
+void Writer::flush() {
+  out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  buffer_.clear();
+}
+
+}  // namespace minksum::io

@@ -1,0 +1,46 @@
+// Buffered output of coordinates in the style asked for.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "minksum/io.hpp"
+
+namespace minksum::io {
+
+class Writer {
+ public:
+  Writer(std::ostream& out, const Coordinates& style);
+  ~Writer() = default;
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void text(std::string_view part) {
+    buffer_ += part;
+    if (buffer_.size() >= kChunk) flush();
+  }
+  void text(char c) { buffer_ += c; }
+  void count(std::size_t value);
+  /// x, separator, y.
+  void point(const Region& region, std::size_t vertex, char separator);
+  /// For JSON: numbers that are no finite decimals become strings.
+  void quote_quotients() { json_ = true; }
+  /// A double in its shortest form.
+  void real(double value);
+  /// Hands the buffer on. A writer that is not flushed at its end writes nothing more.
+  void flush();
+
+ private:
+  static constexpr std::size_t kChunk = std::size_t{1} << 16;
+
+  void exact(const Rational& value);
+  void coordinate(const Region& region, std::size_t vertex, bool is_x);
+
+  std::ostream& out_;
+  Coordinates style_;
+  bool json_ = false;
+  std::string buffer_;
+};
+
+}  // namespace minksum::io
