@@ -1,1 +1,57 @@
+# What `cmake --install` puts where: the libraries, their headers, the program, and the files by
+# which CMake (find_package) and pkg-config find them.
 include(CMakePackageConfigHelpers)
+
+set(MINKSUM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/minksum)
+set(MINKSUM_COMPONENTS minksum)
+if(TARGET minksum_io)
+  list(APPEND MINKSUM_COMPONENTS minksum_io)
+endif()
+
+install(TARGETS ${MINKSUM_COMPONENTS} EXPORT minksumTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT minksumTargets NAMESPACE minksum:: DESTINATION ${MINKSUM_CMAKE_DIR})
+
+# io.hpp promises what only minksum_io keeps.
+if(TARGET minksum_io)
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+else()
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
+    PATTERN "io.hpp" EXCLUDE)
+endif()
+if(TARGET minksum_program)
+  install(TARGETS minksum_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(cmake/minksumConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/package/minksumConfig.cmake
+  INSTALL_DESTINATION ${MINKSUM_CMAKE_DIR} NO_SET_AND_CHECK_MACRO)
+# Below 1.0 a minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/minksumConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/package/minksumConfig.cmake
+  ${PROJECT_BINARY_DIR}/package/minksumConfigVersion.cmake
+  DESTINATION ${MINKSUM_CMAKE_DIR})
+
+# pkg-config wants paths relative to the prefix, so that an installation can be moved.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(MINKSUM_PC_LIBDIR "${CMAKE_INSTALL_LIBDIR}")
+else()
+  set(MINKSUM_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+endif()
+if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+  set(MINKSUM_PC_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}")
+else()
+  set(MINKSUM_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+set(MINKSUM_PC_LIBRARIES "-lminksum")
+if(TARGET minksum_io)
+  set(MINKSUM_PC_LIBRARIES "-lminksum_io -lminksum")
+endif()
+configure_file(cmake/minksum.pc.in ${PROJECT_BINARY_DIR}/package/minksum.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/minksum.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
