@@ -13,6 +13,7 @@ namespace minksum {
 /// Every stage's result and scratch memory.
 struct Workspace::State {
   Operands operands;
+  ConvolutionScratch convolution_scratch;
   Convolution convolution;
   CoverScratch cover_scratch;
   Cover cover;
@@ -70,12 +71,10 @@ class StageRunner {
   Stage stage_ = Stage::kOperands;
 };
 
-void convolve(const Workspace::State& w, const Options& options, Convolution& convolution) {
-  if (options.method == Method::kFull) {
-    full_convolution(w.operands, options.limits, convolution);
-  } else {
-    reduced_convolution(w.operands, options.limits, convolution);
-  }
+void convolve(Workspace::State& w, const Options& options) {
+  const bool full = options.method == Method::kFull;
+  (full ? full_convolution : reduced_convolution)(w.operands, options.limits,
+                                                  w.convolution_scratch, w.convolution);
 }
 
 void count(const Workspace::State& w, const Predicates& predicates, Statistics& statistics) {
@@ -101,20 +100,17 @@ void run_pipeline(const Region& p, const Region& q, const Options& options,
                   Workspace::State& w, Statistics& statistics, Region& result) {
   StageRunner runner(options, statistics);
   const std::function<void()> stop = [&] { runner.stop_if_asked(); };
-  Options cover_options = options;
-  if (options.method == Method::kFull) cover_options.cover = false;
 
   runner.run(Stage::kOperands, [&] { prepare_operands(p, q, options, w.operands); });
   if (options.check) runner.require(check(w.operands));
   Predicates predicates(w.operands.sites, *w.operands.kernel, w.operands.bounds);
 
-  runner.run(Stage::kConvolution, [&] { convolve(w, options, w.convolution); });
+  runner.run(Stage::kConvolution, [&] { convolve(w, options); });
   if (options.check) {
     runner.require(check(w.convolution, w.operands, options.method == Method::kFull));
   }
   runner.run(Stage::kCover, [&] {
-    cover_interior(w.operands, w.convolution.segments.size(), cover_options, w.cover_scratch,
-                   w.cover);
+    cover_interior(w.operands, w.convolution.segments.size(), options, w.cover_scratch, w.cover);
   });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {

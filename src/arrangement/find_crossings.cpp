@@ -132,7 +132,7 @@ class CrossingFinder {
     if (trust_ && apart(ks, kt)) return;
     const DirectionRank rs = o_.rank[ks.segment.edge];
     const DirectionRank rt = o_.rank[kt.segment.edge];
-    if (rs == rt || o_.opposite[rs] == 2 * rt) return meet_parallel(s, t);
+    if (rs == rt || o_.reverse_place[rs] == o_.place[rt]) return meet_parallel(s, t);
     const Orientations of_t = orientations(s, t);  // of t's ends to s
     if (of_t.start == of_t.end && of_t.start != kZero) return;
     const Orientations of_s = orientations(t, s);

@@ -5,14 +5,8 @@
 namespace minksum {
 namespace {
 
-/// The edges of one operand by direction: those of rank r are [first[r], first[r + 1]).
-struct EdgesByRank {
-  std::vector<SiteId> edges;
-  std::vector<std::uint32_t> first;
-};
-
-EdgesByRank edges_by_rank(const Operands& o, int operand, bool with_holes) {
-  EdgesByRank by_rank;
+void list_by_rank(const Operands& o, int operand, bool with_holes, EdgesByRank& by_rank) {
+  by_rank.edges.clear();
   by_rank.first.assign(o.rank_count + 1, 0);
   for (const SiteId edge : o.by_direction) {
     if (o.operand_of(edge) != operand || (!with_holes && o.on_hole[edge] != 0)) continue;
@@ -20,29 +14,28 @@ EdgesByRank edges_by_rank(const Operands& o, int operand, bool with_holes) {
     ++by_rank.first[o.rank[edge] + 1];
   }
   for (DirectionRank r = 0; r < o.rank_count; ++r) by_rank.first[r + 1] += by_rank.first[r];
-  return by_rank;
 }
 
 class Lister {
  public:
-  Lister(const Operands& o, const Limits& limits, bool full, Convolution& convolution)
-      : o_(o), limits_(limits), full_(full), segments_(convolution.segments) {
+  Lister(const Operands& o, const Limits& limits, bool full, ConvolutionScratch& scratch,
+         Convolution& convolution)
+      : o_(o), limits_(limits), full_(full), scratch_(scratch), segments_(convolution.segments) {
     segments_.clear();
   }
 
   /// Edges of the other operand at each vertex of this one.
   void list(int vertex_operand) {
     const bool first = vertex_operand == 0;
-    const EdgesByRank all = edges_by_rank(o_, first ? 1 : 0, true);
-    const bool holes = all.edges.size() != edges_by_rank(o_, first ? 1 : 0, false).edges.size();
-    const EdgesByRank outer = holes ? edges_by_rank(o_, first ? 1 : 0, false) : all;
+    list_by_rank(o_, first ? 1 : 0, true, scratch_.all);
+    list_by_rank(o_, first ? 1 : 0, false, scratch_.outer);
     const SiteId begin = first ? 0 : o_.split;
     const SiteId end = first ? o_.split : o_.size();
     for (SiteId v = begin; v < end; ++v) {
       if (o_.convex[v] == 0 && !full_) continue;
       const DirectionRank in = o_.rank[o_.previous[v]];
       const DirectionRank out = o_.rank[v];
-      const EdgesByRank& edges = o_.on_hole[v] != 0 ? outer : all;
+      const EdgesByRank& edges = o_.on_hole[v] != 0 ? scratch_.outer : scratch_.all;
       // [in, out) for the first operand, (in, out] for the second.
       const DirectionRank from = first ? in : in + 1;
       const DirectionRank to = first ? out : out + 1;
@@ -70,6 +63,7 @@ class Lister {
   const Operands& o_;
   const Limits& limits_;
   bool full_;
+  ConvolutionScratch& scratch_;
   std::vector<Segment>& segments_;
 };
 
@@ -86,14 +80,15 @@ bool in_range(const Operands& o, SiteId v, SiteId edge) {
 }  // namespace
 
 void reduced_convolution(const Operands& operands, const Limits& limits,
-                         Convolution& convolution) {
-  Lister lister(operands, limits, false, convolution);
+                         ConvolutionScratch& scratch, Convolution& convolution) {
+  Lister lister(operands, limits, false, scratch, convolution);
   lister.list(0);
   lister.list(1);
 }
 
-void full_convolution(const Operands& operands, const Limits& limits, Convolution& convolution) {
-  Lister lister(operands, limits, true, convolution);
+void full_convolution(const Operands& operands, const Limits& limits,
+                      ConvolutionScratch& scratch, Convolution& convolution) {
+  Lister lister(operands, limits, true, scratch, convolution);
   lister.list(0);
   lister.list(1);
 }

@@ -15,16 +15,30 @@ struct Convolution {
   std::vector<Segment> segments;
 };
 
+/// The edges of one operand by direction: those of rank r are [first[r], first[r + 1]).
+struct EdgesByRank {
+  std::vector<SiteId> edges;
+  std::vector<std::uint32_t> first;
+};
+
+/// Memory for the stage.
+struct ConvolutionScratch {
+  EdgesByRank all;
+  EdgesByRank outer;  ///< without those of holes
+};
+
 /// The reduced convolution (Behar and Lien, section IV-A): each convex vertex with the edges of the
 /// other operand whose directions lie between those of its two edges. Vertices of the first operand
 /// own the half-open range [in, out), those of the second (in, out]: then of two parallel edges
 /// each is moved by one end of the other, and nothing is lost or doubled. A hole never meets a
 /// hole. O(n + m + k).
-void reduced_convolution(const Operands& operands, const Limits& limits, Convolution& convolution);
+void reduced_convolution(const Operands& operands, const Limits& limits,
+                         ConvolutionScratch& scratch, Convolution& convolution);
 
 /// The full convolution (Wein 2006, as CGAL has it): reflex vertices too, each with all directions
 /// counter-clockwise from that of its incoming to that of its outgoing edge. O(n·m).
-void full_convolution(const Operands& operands, const Limits& limits, Convolution& convolution);
+void full_convolution(const Operands& operands, const Limits& limits,
+                      ConvolutionScratch& scratch, Convolution& convolution);
 
 /// Whether each segment is one that the reduced rule makes (exactly once), or with `full` the full
 /// one; what is wrong, if not.

@@ -205,7 +205,9 @@ void cover_interior(const Operands& operands, std::size_t segments, const Option
   const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
                            operands.extent[0].y + operands.extent[1].y};
   cover.grid = UniformGrid::over(extent.x, extent.y, choose_side(segments, options));
-  cover.active = options.cover && (options.grid > 0 || segments >= kSegmentsWorthACover);
+  // The full convolution is there to be compared: its whole arrangement is built.
+  cover.active = options.cover && options.method != Method::kFull &&
+                 (options.grid > 0 || segments >= kSegmentsWorthACover);
   if (!cover.active) return;
   cover.covered.reset(cover.grid.columns, cover.grid.rows);
   for (const int operand : {0, 1}) {
@@ -217,7 +219,7 @@ void cover_interior(const Operands& operands, std::size_t segments, const Option
 std::uint64_t Cover::covered_count() const {
   std::uint64_t count = 0;
   for (std::int32_t j = 0; j < grid.rows; ++j) {
-    for (std::int32_t i = 0; i < grid.columns; ++i) count += is_covered(i, j) ? 1 : 0;
+    for (std::int32_t i = 0; i < grid.columns; ++i) count += is_covered(i, j) ? 1U : 0U;
   }
   return count;
 }

@@ -53,10 +53,11 @@ bool CollisionTest::boundaries_cross() {
   const BoxTree& p = trees_.tree[0];
   const BoxTree& q = trees_.tree[1];
   const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
-  stack_.assign(1, {top(p), 0, top(q), 0});
-  while (!stack_.empty()) {
-    const Pair pair = stack_.back();
-    stack_.pop_back();
+  auto& stack = trees_.stack;
+  stack.assign(1, {top(p), 0, top(q), 0});
+  while (!stack.empty()) {
+    const BoxPair pair = stack.back();
+    stack.pop_back();
     if (!overlap(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q))) continue;
     if (pair.level_p == 0 && pair.level_q == 0) {
       if (leaves_cross(pair.node_p, pair.node_q)) return true;
@@ -68,8 +69,8 @@ bool CollisionTest::boundaries_cross() {
     const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
     for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, tree.nodes(level));
          ++node) {
-      stack_.push_back(split_p ? Pair{level, node, pair.level_q, pair.node_q}
-                               : Pair{pair.level_p, pair.node_p, level, node});
+      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
+                               : BoxPair{pair.level_p, pair.node_p, level, node});
     }
   }
   return false;

@@ -38,8 +38,15 @@ class BoxTree {
   SiteId end_ = 0;
 };
 
+/// A node of the first operand's tree and one of the second's.
+struct BoxPair {
+  std::uint32_t level_p, node_p, level_q, node_q;
+};
+
+/// Both operands' trees, and the memory to go through pairs of their nodes.
 struct BoxTrees {
   BoxTree tree[2];
+  std::vector<BoxPair> stack;
 };
 
 /// Decides for probes x whether P meets x − Q, exactly.
@@ -49,14 +56,11 @@ struct BoxTrees {
 /// parallelogram e ⊕ f: four sides of convolution lines to x.
 class CollisionTest {
  public:
-  CollisionTest(const Operands& operands, const BoxTrees& trees, Predicates& predicates)
+  CollisionTest(const Operands& operands, BoxTrees& trees, Predicates& predicates)
       : o_(operands), trees_(trees), predicates_(predicates) {}
   [[nodiscard]] bool meets(const Probe& probe);
 
  private:
-  struct Pair {
-    std::uint32_t level_p, node_p, level_q, node_q;
-  };
   [[nodiscard]] bool boundaries_cross();
   [[nodiscard]] bool overlap(const BoxTree::Box& p, const BoxTree::Box& q) const;
   [[nodiscard]] bool leaves_cross(std::size_t leaf_p, std::size_t leaf_q);
@@ -65,12 +69,11 @@ class CollisionTest {
   [[nodiscard]] bool inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
   const Operands& o_;
-  const BoxTrees& trees_;
+  BoxTrees& trees_;
   Predicates& predicates_;
   Probe probe_{};
   Vec<double> at_{};
   double doubt_ = 0;
-  std::vector<Pair> stack_;
 };
 
 /// A probe just right of the middle of the part of `segment` between two nodes on it. `exact` is

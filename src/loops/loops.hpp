@@ -69,11 +69,11 @@ class DirectionCircle {
     return operands_->rank[arrangement_->kept[segment].segment.edge];
   }
   /// Place of a direction, or of its reverse, on a circle of `size()` places.
-  [[nodiscard]] std::uint32_t place(DirectionRank rank) const { return 2 * rank; }
+  [[nodiscard]] std::uint32_t place(DirectionRank rank) const { return operands_->place[rank]; }
   [[nodiscard]] std::uint32_t reverse(DirectionRank rank) const {
-    return operands_->opposite[rank];
+    return operands_->reverse_place[rank];
   }
-  [[nodiscard]] std::uint32_t size() const { return 2 * operands_->rank_count; }
+  [[nodiscard]] std::uint32_t size() const { return operands_->place_count; }
   /// Steps counter-clockwise from one place to another.
   [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + size() - from;

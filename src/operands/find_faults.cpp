@@ -12,9 +12,13 @@ namespace {
 /// Edges of one operand and the questions about pairs of them.
 class ContactFinder {
  public:
-  ContactFinder(const Operands& operands, int operand, std::size_t max_faults,
+  ContactFinder(Operands& operands, int operand, std::size_t max_faults,
                 std::vector<Fault>& faults)
-      : o_(operands),
+      : ring_of_(operands.scratch.ring_of),
+        cell_begin_(operands.scratch.cell_begin),
+        in_cells_(operands.scratch.in_cells),
+        boxes_(operands.scratch.boxes),
+        o_(operands),
         predicates_(operands.sites, *operands.kernel, operands.bounds),
         operand_(operand),
         max_faults_(max_faults),
@@ -60,9 +64,6 @@ class ContactFinder {
   }
 
  private:
-  struct RingBox {
-    double x0, x1, y0, y1;
-  };
   enum class Place { kInside, kOutside, kOnBoundary };
 
   [[nodiscard]] bool full() const { return faults_.size() >= max_faults_; }
@@ -124,10 +125,10 @@ class ContactFinder {
       return report("edges cross", e);
     }
     // They touch at a point that is a vertex of one of them.
-    if (fs == kZero && between(e, e1, f)) touch(e, f, es, et);
-    if (ft == kZero && between(e, e1, f1)) touch(e, f1, es, et);
-    if (es == kZero && between(f, f1, e)) touch(f, e, fs, ft);
-    if (et == kZero && between(f, f1, e1)) touch(f, e1, fs, ft);
+    if (fs == kZero && between(e, e1, f)) touch(e, f);
+    if (ft == kZero && between(e, e1, f1)) touch(e, f1);
+    if (es == kZero && between(f, f1, e)) touch(f, e);
+    if (et == kZero && between(f, f1, e1)) touch(f, e1);
   }
 
   /// v, on the line through a and b, lies on the closed segment.
@@ -164,7 +165,7 @@ class ContactFinder {
   }
 
   /// v of another edge lies on the closed edge e.
-  void touch(SiteId e, SiteId v, Sign, Sign) {
+  void touch(SiteId e, SiteId v) {
     const SiteId e1 = o_.sites.next[e];
     if (equal(e, v)) return touch_at_vertices(e, v);
     if (equal(e1, v)) return touch_at_vertices(e1, v);
@@ -198,6 +199,7 @@ class ContactFinder {
   void boxes() {
     const auto& x = o_.sites.x;
     const auto& y = o_.sites.y;
+    boxes_.clear();
     for (std::size_t r = first_ring_; r < last_ring_; ++r) {
       const OperandRing& ring = o_.rings[r];
       const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
@@ -278,6 +280,10 @@ class ContactFinder {
     }
   }
 
+  std::vector<std::size_t>& ring_of_;
+  std::vector<std::size_t>& cell_begin_;
+  std::vector<SiteId>& in_cells_;
+  std::vector<RingBox>& boxes_;
   const Operands& o_;
   Predicates predicates_;
   int operand_;
@@ -287,16 +293,12 @@ class ContactFinder {
   std::size_t last_ring_ = 0;
   SiteId begin_ = 0;
   SiteId end_ = 0;
-  std::vector<std::size_t> ring_of_;
-  std::vector<std::size_t> cell_begin_;
-  std::vector<SiteId> in_cells_;
-  std::vector<RingBox> boxes_;
   std::set<std::pair<SiteId, std::string>> reported_;
 };
 
 }  // namespace
 
-void find_faults(const Operands& operands, int operand, std::size_t max_faults,
+void find_faults(Operands& operands, int operand, std::size_t max_faults,
                  std::vector<Fault>& faults) {
   ContactFinder finder(operands, operand, max_faults, faults);
   finder.find_contacts();

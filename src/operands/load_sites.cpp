@@ -100,7 +100,7 @@ void move_to_origin(std::span<Vec<Int128>> sites, Vec<Int128>& offset, int& bits
 
 void load_grid(const Region& p, const Region& q, const Exponents& common, const Options& options,
                Operands& operands) {
-  GridCoordinates& grid = operands.grid;
+  GridCoordinates& grid = operands.scratch.grid;
   grid.sites.clear();
   for (const Region* region : {&p, &q}) {
     for (std::size_t v = 0; v < region->vertex_count(); ++v) {

@@ -72,6 +72,37 @@ std::vector<Fault> validate(const Region& region, std::size_t max_faults) {
   return std::move(faults[0]);
 }
 
+namespace {
+
+/// Whether places go round once, counter-clockwise: each step from a direction or reverse to the
+/// next is a turn by less than half a circle, and directions come in the order of their ranks.
+std::optional<std::string> check_places(const Operands& o) {
+  struct Ray {
+    SiteId edge;
+    Sign sense;
+  };
+  std::vector<Ray> at(o.place_count, {kNoSite, kZero});
+  for (const SiteId e : o.by_direction) {
+    const std::uint32_t place = o.place[o.rank[e]];
+    const std::uint32_t reverse = o.reverse_place[o.rank[e]];
+    if (place >= at.size() || reverse >= at.size()) return "a place is out of range";
+    if (o.rank[e] > 0 && o.place[o.rank[e] - 1] >= place) return "places are not sorted";
+    at[place] = {e, kPositive};
+    if (at[reverse].edge == kNoSite) at[reverse] = {e, kNegative};
+  }
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const Ray& a = at[i];
+    const Ray& b = at[(i + 1) % at.size()];
+    if (a.edge == kNoSite) return "a place is empty";
+    if (o.kernel->cross(a.edge, b.edge) * a.sense * b.sense != kPositive) {
+      return "places do not go round";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> check(const Operands& o) {
   const SiteId n = o.size();
   if (o.split > n) return "the first operand has more sites than there are";
@@ -98,11 +129,7 @@ std::optional<std::string> check(const Operands& o) {
     const bool parallel = o.kernel->cross(a, b) == kZero && o.kernel->dot(a, b) == kPositive;
     if (o.rank[b] != o.rank[a] + (parallel ? 0 : 1)) return "directions are not sorted";
   }
-  for (SiteId e = 0; e < n; ++e) {
-    const std::uint32_t place = o.opposite[o.rank[e]];
-    if (place >= 2 * o.rank_count) return "an opposite direction is out of range";
-  }
-  return std::nullopt;
+  return check_places(o);
 }
 
 }  // namespace minksum

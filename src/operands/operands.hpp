@@ -27,6 +27,36 @@ struct OperandRing {
 /// the positive x axis; parallel edges of equal sense share a rank.
 using DirectionRank = std::uint32_t;
 
+/// An edge with a rounded, monotone function of its direction.
+struct KeyedEdge {
+  double key;
+  SiteId edge;
+};
+
+/// A ring's box, rounded.
+struct RingBox {
+  double x0, x1, y0, y1;
+};
+
+/// Memory that the stage needs in passing, kept from call to call.
+struct OperandsScratch {
+  GridCoordinates grid;
+  std::vector<SiteId> order;
+  std::vector<SiteId> distinct;
+  std::vector<SiteId> kept;
+  std::vector<OperandRing> rings;
+  std::vector<std::uint32_t> edge_source;
+  std::vector<std::uint32_t> picked_indices;
+  std::vector<double> picked_coordinates;
+  std::vector<KeyedEdge> keyed;
+  std::vector<SiteId> of_rank;
+  std::array<std::vector<Vec<double>>, 2> sizes;
+  std::vector<std::size_t> ring_of;
+  std::vector<std::size_t> cell_begin;
+  std::vector<SiteId> in_cells;
+  std::vector<RingBox> boxes;
+};
+
 /// What the rest of the pipeline works on. Sites of the first operand are [0, split).
 ///
 /// The approximate coordinates start at (0, 0) for each operand's box. Holes that nothing of the
@@ -42,8 +72,11 @@ struct Operands {
 
   std::vector<DirectionRank> rank;     ///< by edge
   std::vector<SiteId> by_direction;    ///< all edges, sorted by rank
-  std::vector<std::uint32_t> opposite; ///< by rank: place of the reversed direction among ranks,
-                                       ///< doubled: 2r = exactly rank r, 2r + 1 = between r, r + 1
+  /// By rank: where the direction and its reverse stand, counter-clockwise, on a circle of all
+  /// directions and all reverses; a reverse that is itself a direction shares its place.
+  std::vector<std::uint32_t> place;
+  std::vector<std::uint32_t> reverse_place;
+  std::uint32_t place_count = 0;
   DirectionRank rank_count = 0;
 
   std::vector<std::uint32_t> vertex_source;  ///< by site: vertex index in its region
@@ -56,6 +89,7 @@ struct Operands {
   Vec<double> trace_origin{};           ///< trace coordinate = approximate · unit + origin
   double trace_unit = 1;
   std::unique_ptr<ExactKernel> kernel;
+  OperandsScratch scratch;
   GridCoordinates grid;                 ///< scratch, kept for its memory
 
   [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
@@ -79,14 +113,14 @@ void load_sites(const Region& p, const Region& q, const Options& options, Operan
 void clean_rings(const Region& p, const Region& q, Operands& operands,
                  std::array<std::vector<Fault>, 2>& faults);
 /// Faults between edges and rings of one operand (0 or 1).
-void find_faults(const Operands& operands, int operand, std::size_t max_faults,
+void find_faults(Operands& operands, int operand, std::size_t max_faults,
                  std::vector<Fault>& faults);
 /// Drops the rings of holes into which no polygon of the other operand fits.
 void fill_holes(Operands& operands);
-/// Sorts directions; sets rank, by_direction, opposite, convex.
+/// Sorts directions; sets rank, by_direction, the places and convex.
 void rank_directions(Operands& operands);
-/// Keeps the given sites only, in this order, and renumbers all arrays; `rings` are in new ids.
-void select_sites(std::span<const SiteId> order, std::vector<OperandRing> rings,
-                  std::size_t first_rings, Operands& operands);
+/// Keeps the sites in `scratch.order` only, in this order, and renumbers all arrays;
+/// `scratch.rings`, in new ids, become the rings.
+void select_sites(std::size_t first_rings, Operands& operands);
 
 }  // namespace minksum

@@ -33,14 +33,10 @@ double angle_key(double dx, double dy) {
   return dy >= 0 ? 1 - t : 3 + t;
 }
 
-struct KeyedEdge {
-  double key;
-  SiteId edge;
-};
-
 /// Sorts by rounded keys, then mends exactly whatever the keys cannot tell apart.
 void sort_by_keys(Operands& operands, Predicates& predicates) {
-  std::vector<KeyedEdge> keyed(operands.size());
+  auto& keyed = operands.scratch.keyed;
+  keyed.resize(operands.size());
   for (SiteId e = 0; e < operands.size(); ++e) {
     keyed[e] = {angle_key(operands.sites.dx[e], operands.sites.dy[e]), e};
   }
@@ -83,20 +79,49 @@ void assign_ranks(Operands& operands, Predicates& predicates, std::vector<SiteId
   operands.rank_count = static_cast<DirectionRank>(of_rank.size());
 }
 
-/// For each rank the place of the reversed direction, by one sweep with two pointers.
-void find_opposites(Operands& operands, Predicates& predicates,
-                    const std::vector<SiteId>& of_rank) {
+/// For each rank, where its reverse stands among the ranks: 2r = exactly at rank r, 2r + 1 = between
+/// r and the next. One sweep with two pointers.
+void find_reverses(Operands& operands, Predicates& predicates,
+                   const std::vector<SiteId>& of_rank) {
   const std::size_t n = of_rank.size();
-  operands.opposite.resize(n);
+  operands.reverse_place.resize(n);
   std::size_t ahead = 1;  // first rank after r, not wrapped, that is at or beyond the reversed r
   for (std::size_t r = 0; r < n; ++r) {
     ahead = std::max(ahead, r + 1);
     while (predicates.cross(of_rank[r], of_rank[ahead % n]) == kPositive) ++ahead;
     const bool exact = predicates.cross(of_rank[r], of_rank[ahead % n]) == kZero;
     const auto place = 2 * (ahead % n);
-    operands.opposite[r] =
+    operands.reverse_place[r] =
         static_cast<std::uint32_t>(exact ? place : (place + 2 * n - 1) % (2 * n));
   }
+}
+
+/// Reverses between the same two ranks get places of their own, in their order: as r goes round
+/// once, so does its reverse.
+void number_places(Operands& operands) {
+  const std::size_t n = operands.rank_count;
+  auto& reverse = operands.reverse_place;
+  std::size_t first = 0;  // whose reverse is the first at or after rank 0
+  for (std::size_t r = 1; r < n; ++r) {
+    if (reverse[r] < reverse[r - 1]) first = r;
+  }
+  operands.place.resize(n);
+  std::uint32_t next_place = 0;
+  std::size_t taken = 0;
+  for (std::size_t rank = 0; rank < n; ++rank) {
+    operands.place[rank] = next_place;
+    const auto take = [&](std::size_t coarse) {
+      const std::size_t r = (first + taken) % n;
+      if (taken == n || reverse[r] != coarse) return false;
+      reverse[r] = next_place;
+      ++taken;
+      return true;
+    };
+    take(2 * rank);
+    ++next_place;
+    while (take(2 * rank + 1)) ++next_place;
+  }
+  operands.place_count = next_place;
 }
 
 }  // namespace
@@ -115,9 +140,10 @@ void rank_directions(Operands& operands) {
       return before(predicates, a, b) || (!before(predicates, b, a) && a < b);
     });
   }
-  std::vector<SiteId> of_rank;
+  std::vector<SiteId>& of_rank = operands.scratch.of_rank;
   assign_ranks(operands, predicates, of_rank);
-  find_opposites(operands, predicates, of_rank);
+  find_reverses(operands, predicates, of_rank);
+  number_places(operands);
   for (SiteId v = 0; v < n; ++v) {
     operands.convex[v] = predicates.cross(operands.previous[v], v) == kPositive ? 1 : 0;
   }

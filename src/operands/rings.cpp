@@ -10,8 +10,10 @@ namespace {
 /// One ring on its way: sites as loaded, in the ring's own order.
 class RingCleaner {
  public:
-  RingCleaner(const Region& region, Predicates& predicates, SiteId first_site)
-      : region_(region), predicates_(predicates), first_site_(first_site) {}
+  RingCleaner(const Region& region, Predicates& predicates, SiteId first_site,
+              OperandsScratch& scratch)
+      : region_(region), predicates_(predicates), first_site_(first_site),
+        distinct_(scratch.distinct), kept_(scratch.kept) {}
 
   /// The ring's sites without repeated and straight vertices, oriented; empty after a fault.
   const std::vector<SiteId>& clean(std::size_t ring, Culprit place, std::vector<Fault>& faults) {
@@ -102,8 +104,8 @@ class RingCleaner {
   Culprit place_;
   std::size_t ring_begin_ = 0;
   bool reversed_ = false;
-  std::vector<SiteId> distinct_;
-  std::vector<SiteId> kept_;
+  std::vector<SiteId>& distinct_;
+  std::vector<SiteId>& kept_;
 };
 
 /// The edge that starts at order[i], by the index that it has in its region: of a reversed ring it
@@ -122,14 +124,16 @@ void append_ring(const std::vector<SiteId>& ring, bool reversed, SiteId first_si
 void clean_rings(const Region& p, const Region& q, Operands& operands,
                  std::array<std::vector<Fault>, 2>& faults) {
   Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
-  std::vector<SiteId> order;
-  std::vector<std::uint32_t> edge_source;
-  std::vector<OperandRing> rings;
+  OperandsScratch& scratch = operands.scratch;
+  scratch.order.clear();
+  scratch.edge_source.clear();
+  scratch.rings.clear();
+  operands.edge_source.clear();
   std::size_t first_rings = 0;
   for (const int operand : {0, 1}) {
     const Region& region = operand == 0 ? p : q;
     const SiteId first_site = operand == 0 ? 0 : operands.split;
-    RingCleaner cleaner(region, predicates, first_site);
+    RingCleaner cleaner(region, predicates, first_site, scratch);
     for (const std::size_t polygon : region.polygons()) {
       std::uint32_t ring_in_polygon = 0;
       for (const std::size_t ring : region.rings_of(polygon)) {
@@ -137,42 +141,41 @@ void clean_rings(const Region& p, const Region& q, Operands& operands,
         const auto& cleaned =
             cleaner.clean(ring, place, faults[static_cast<std::size_t>(operand)]);
         if (!cleaned.empty()) {
-          const auto begin = static_cast<SiteId>(order.size());
-          append_ring(cleaned, cleaner.reversed(), first_site, order, edge_source);
-          rings.push_back({begin, static_cast<SiteId>(order.size()),
-                           static_cast<std::uint32_t>(polygon), ring_in_polygon});
+          const auto begin = static_cast<SiteId>(scratch.order.size());
+          append_ring(cleaned, cleaner.reversed(), first_site, scratch.order, scratch.edge_source);
+          scratch.rings.push_back({begin, static_cast<SiteId>(scratch.order.size()),
+                                   static_cast<std::uint32_t>(polygon), ring_in_polygon});
         }
         ++ring_in_polygon;
       }
     }
-    if (operand == 0) first_rings = rings.size();
+    if (operand == 0) first_rings = scratch.rings.size();
   }
   operands.vertex_source.resize(operands.sites.x.size());
   for (std::size_t i = 0; i < operands.vertex_source.size(); ++i) {
     operands.vertex_source[i] =
         static_cast<std::uint32_t>(i < operands.split ? i : i - operands.split);
   }
-  select_sites(order, std::move(rings), first_rings, operands);
-  operands.edge_source = std::move(edge_source);
+  select_sites(first_rings, operands);
+  std::swap(operands.edge_source, scratch.edge_source);
 }
 
-void select_sites(std::span<const SiteId> order, std::vector<OperandRing> rings,
-                  std::size_t first_rings, Operands& operands) {
-  const auto pick = [&](auto& values) {
+void select_sites(std::size_t first_rings, Operands& operands) {
+  const std::vector<SiteId>& order = operands.scratch.order;
+  const auto pick = [&](auto& values, auto& picked) {
     if (values.empty()) return;
-    auto picked = values;
     picked.clear();
     for (const SiteId site : order) picked.push_back(values[site]);
-    values = std::move(picked);
+    std::swap(values, picked);
   };
   SiteId split = 0;
   for (const SiteId site : order) split += site < operands.split ? 1 : 0;
-  pick(operands.sites.x);
-  pick(operands.sites.y);
-  pick(operands.vertex_source);
-  pick(operands.edge_source);
+  pick(operands.sites.x, operands.scratch.picked_coordinates);
+  pick(operands.sites.y, operands.scratch.picked_coordinates);
+  pick(operands.vertex_source, operands.scratch.picked_indices);
+  pick(operands.edge_source, operands.scratch.picked_indices);
   operands.split = split;
-  operands.rings = std::move(rings);
+  std::swap(operands.rings, operands.scratch.rings);
   operands.first_rings = first_rings;
   const std::size_t n = order.size();
   operands.sites.next.resize(n);
@@ -197,7 +200,8 @@ void select_sites(std::span<const SiteId> order, std::vector<OperandRing> rings,
 
 void fill_holes(Operands& operands) {
   // For each operand the boxes of its polygons, as widths and heights.
-  std::array<std::vector<Vec<double>>, 2> sizes;
+  auto& sizes = operands.scratch.sizes;
+  for (auto& of_operand : sizes) of_operand.clear();
   const auto size_of = [&](const OperandRing& ring) {
     const auto& x = operands.sites.x;
     const auto& y = operands.sites.y;
@@ -216,8 +220,10 @@ void fill_holes(Operands& operands) {
   // A hole is open and the other operand closed: equal width does not fit. Where rounding leaves a
   // doubt the hole stays, which costs time and nothing else.
   const double doubt = operands.bounds.difference;
-  std::vector<SiteId> order;
-  std::vector<OperandRing> rings;
+  auto& order = operands.scratch.order;
+  auto& rings = operands.scratch.rings;
+  order.clear();
+  rings.clear();
   std::size_t first_rings = 0;
   for (std::size_t i = 0; i < operands.rings.size(); ++i) {
     const bool first = i < operands.first_rings;
@@ -238,7 +244,7 @@ void fill_holes(Operands& operands) {
     if (first) first_rings = rings.size();
   }
   if (rings.size() == operands.rings.size()) return;
-  select_sites(order, std::move(rings), first_rings, operands);
+  select_sites(first_rings, operands);
 }
 
 }  // namespace minksum
