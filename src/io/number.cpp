@@ -211,8 +211,9 @@ void ClosedRingBuilder::end_ring(const TextCursor& cursor) {
 }
 
 std::string ClosedRingBuilder::name() const {
-  return "polygon " + std::to_string(region_.polygon_count() - 1) + ", ring " +
-         std::to_string(ring_);
+  // Words for people count from 1, as lines and columns do.
+  return "polygon " + std::to_string(region_.polygon_count()) + ", ring " +
+         std::to_string(ring_ + 1);
 }
 
 }  // namespace minksum::io

@@ -95,7 +95,7 @@ class PolyReader {
     }
   }
 
-  [[nodiscard]] std::string name() const { return "chain " + std::to_string(chain_); }
+  [[nodiscard]] std::string name() const { return "chain " + std::to_string(chain_ + 1); }
 
   TextCursor cursor_;
   Region region_;
