@@ -37,17 +37,10 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/minksumConfigVersion.cmake
   DESTINATION ${MINKSUM_CMAKE_DIR})
 
-# pkg-config wants paths relative to the prefix, so that an installation can be moved.
-if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
-  set(MINKSUM_PC_LIBDIR "${CMAKE_INSTALL_LIBDIR}")
-else()
-  set(MINKSUM_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
-endif()
-if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
-  set(MINKSUM_PC_INCLUDEDIR "${CMAKE_INSTALL_INCLUDEDIR}")
-else()
-  set(MINKSUM_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
-endif()
+# The .pc file says where things are from where it is itself, so an installation can be moved.
+set(pkgconfig_dir ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH MINKSUM_PC_LIBDIR ${pkgconfig_dir} ${CMAKE_INSTALL_FULL_LIBDIR})
+file(RELATIVE_PATH MINKSUM_PC_INCLUDEDIR ${pkgconfig_dir} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
 set(MINKSUM_PC_LIBRARIES "-lminksum")
 if(TARGET minksum_io)
   set(MINKSUM_PC_LIBRARIES "-lminksum_io -lminksum")

@@ -1,0 +1,45 @@
+# What people type. Everything else is CMake: CMakeLists.txt, CMakePresets.json.
+BUILD ?= build
+JOBS ?= $(shell nproc)
+CMAKE_ARGS ?=
+# An outer make -j must not reach into the build: CMake is told how many jobs to run.
+CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
+CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
+
+.DEFAULT_GOAL := help
+.PHONY: help deps build demo test oracle bench asan clean
+
+help: ## say what there is
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+
+deps: ## install the Debian packages that are missing (as root), or name them
+	@scripts/install_packages.sh
+
+build: deps ## build library and program: build/minksum
+	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_program
+
+demo: build ## compute two sums from examples/ and draw them into demo-output/
+	@examples/demo.sh $(BUILD)/minksum demo-output
+
+test: deps ## build everything and run every test
+	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS)
+	$(CTEST) --test-dir $(BUILD) -j $(JOBS)
+
+oracle: deps ## compare with CGAL on everything there is (long)
+	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target oracle_run
+	$(CMAKE) --build $(BUILD) --target oracle
+
+bench: deps ## measure, against the peers where they are there
+	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=ON $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target bench
+
+asan: deps ## build and run every test under AddressSanitizer and UndefinedBehaviorSanitizer
+	$(CMAKE) --preset asan $(CMAKE_ARGS)
+	$(CMAKE) --build build-asan -j $(JOBS)
+	$(CTEST) --test-dir build-asan -j $(JOBS)
+
+clean: ## remove what was built
+	rm -rf $(BUILD) build-dev build-asan build-fuzz demo-output

@@ -1,0 +1,44 @@
+// The subcommands, and what their arguments say.
+#pragma once
+
+#include <string>
+
+#include "minksum/io.hpp"
+#include "minksum/minkowski_sum.hpp"
+
+namespace minksum::cli {
+
+/// What the program returns to its caller; `docs/cli.md` and `--help` say the same.
+enum ExitCode : int {
+  kFine = 0,
+  kWrongUsage = 1,
+  kBadInput = 2,       ///< also: an output that cannot be written
+  kLimitExceeded = 3,  ///< a stated limit, or memory
+  kInternal = 4,
+};
+
+/// `minksum sum P Q ...`
+struct SumArguments {
+  std::string operands[2];  ///< file names; "-" = standard input
+  std::string output;       ///< empty = standard output
+  io::Format format = io::Format::kWkt;
+  io::Coordinates coordinates;
+  std::string stats;    ///< empty = none
+  std::string picture;  ///< empty = none
+  std::string trace;    ///< a folder; empty = none
+  int repeat = 1;
+  bool verbose = false;
+  Options options;
+};
+
+/// `minksum info FILE`
+struct InfoArguments {
+  std::string file;
+  bool json = false;
+};
+
+/// Both return an exit code, and throw what `report_failure` (failure.hpp) can name.
+int run_sum(const SumArguments& arguments);
+int run_info(const InfoArguments& arguments);
+
+}  // namespace minksum::cli

@@ -1,0 +1,34 @@
+// Failures in one line: which file, where in it, what.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "commands.hpp"
+#include "minksum/error.hpp"
+
+namespace minksum::cli {
+
+/// A failure that is ready to be told: the line and the exit code.
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitCode code, const std::string& line) : std::runtime_error(line), code_(code) {}
+  [[nodiscard]] ExitCode code() const noexcept { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+/// "polygon 1, ring 2, vertex 3", as far as it is known; all count from 1, ring 1 is the outer one.
+[[nodiscard]] std::string describe(const Culprit& place);
+
+/// The failure that `error` is, if it came about while reading or using `file`.
+[[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
+
+/// Reads an operand; what goes wrong is thrown as a Failure that names the file.
+[[nodiscard]] Region read_operand(const std::string& file);
+
+/// Tells the exception being handled on standard error, in one line; returns the exit code.
+int report_failure() noexcept;
+
+}  // namespace minksum::cli

@@ -1,0 +1,111 @@
+#include "sum_picture.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "svg_picture.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr double kWidth = 960;
+constexpr double kMaxHeight = 900;
+constexpr double kMargin = 24;
+constexpr double kGap = 40;
+constexpr double kCaption = 44;  // two lines of text above each region
+
+Extent extent_of(const Region& region) {
+  Extent extent;
+  extent.include(region);
+  return extent;
+}
+
+// A caption may be wider than a small region below it.
+constexpr double kMinColumn = 190;
+
+struct Layout {
+  Extent extents[3];  // P, Q, sum
+  double scale = 1;
+  double left_column = 0;
+
+  [[nodiscard]] double width(int i) const { return extents[i].width() * scale; }
+  [[nodiscard]] double height(int i) const { return extents[i].height() * scale; }
+  [[nodiscard]] double total_height() const {
+    return 2 * kMargin +
+           std::max(2 * kCaption + kGap + height(0) + height(1), kCaption + height(2));
+  }
+};
+
+// The largest scale at which both columns fit the width, and the higher one fits the height.
+Layout lay_out(const Region& p, const Region& q, const Region* sum) {
+  Layout layout;
+  layout.extents[0] = extent_of(p);
+  layout.extents[1] = extent_of(q);
+  if (sum != nullptr) layout.extents[2] = extent_of(*sum);
+  const Extent* const e = layout.extents;
+  const double left = std::max(e[0].width(), e[1].width());
+  const double room = kWidth - 2 * kMargin;
+  Extent right = e[2];
+  double scale = fitting_scale(right, room - kGap - kMinColumn, kMaxHeight - kCaption);
+  if (sum == nullptr || sum->empty()) scale = std::numeric_limits<double>::infinity();
+  if (const double both = left + right.width(); both > 0) {
+    scale = std::min(scale, (room - (right.empty ? 0 : kGap)) / both);
+  }
+  if (const double stacked = e[0].height() + e[1].height(); stacked > 0) {
+    scale = std::min(scale, (kMaxHeight - 2 * kCaption - kGap) / stacked);
+  }
+  layout.scale = e[0].empty && e[1].empty && right.empty ? 1 : scale;
+  layout.left_column = std::max(kMinColumn, left * layout.scale);
+  return layout;
+}
+
+void draw(SvgPicture& picture, const Region& region, const Extent& extent, double left, double top,
+          double scale, const char* name, const char* style) {
+  picture.text(left, top + 14, "title", name);
+  picture.text(left, top + 32, "note", summary(region));
+  if (region.empty()) return;
+  picture.region(region, Placement(extent, left, top + kCaption, scale), style);
+}
+
+std::string picture_of(const Region& p, const Region& q, const Region* sum) {
+  const Layout layout = lay_out(p, q, sum);
+  SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? "P ⊕ Q" : "P and Q");
+  draw(picture, p, layout.extents[0], kMargin, kMargin, layout.scale, "P", "first");
+  draw(picture, q, layout.extents[1], kMargin, kMargin + kCaption + layout.height(0) + kGap,
+       layout.scale, "Q", "second");
+  if (sum != nullptr) {
+    draw(picture, *sum, layout.extents[2], kMargin + layout.left_column + kGap, kMargin,
+         layout.scale, "P ⊕ Q", "sum");
+  }
+  return std::move(picture).finish();
+}
+
+std::string counted(std::size_t number, const char* one, const char* many) {
+  return grouped(number) + " " + (number == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string sum_picture(const Region& p, const Region& q, const Region& sum) {
+  return picture_of(p, q, &sum);
+}
+
+std::string operands_picture(const Region& p, const Region& q) { return picture_of(p, q, nullptr); }
+
+std::string summary(const Region& region) {
+  if (region.empty()) return "empty";
+  std::string text = counted(region.vertex_count(), "vertex", "vertices");
+  if (region.hole_count() > 0) text += ", " + counted(region.hole_count(), "hole", "holes");
+  if (region.polygon_count() > 1) {
+    text += ", " + counted(region.polygon_count(), "part", "parts");
+  }
+  return text;
+}
+
+std::string grouped(std::uint64_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");
+  return digits;
+}
+
+}  // namespace minksum::cli

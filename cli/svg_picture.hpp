@@ -1,0 +1,99 @@
+// Drawings as SVG: quiet, thin, legible on light and dark ground and to the colour-blind.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "minksum/region.hpp"
+#include "minksum/trace.hpp"
+
+namespace minksum::cli {
+
+/// A box of the plane in doubles; grows around what it is given.
+struct Extent {
+  double min_x = 0;
+  double min_y = 0;
+  double max_x = 0;
+  double max_y = 0;
+  bool empty = true;
+
+  void include(double x, double y);
+  void include(const Extent& other);
+  void include(const Region& region);
+  [[nodiscard]] double width() const { return max_x - min_x; }
+  [[nodiscard]] double height() const { return max_y - min_y; }
+};
+
+/// Where the plane lies in the picture: x right, y up, the same scale both ways.
+class Placement {
+ public:
+  /// The extent's upper left corner comes to (left, top), `scale` picture units to one of its own.
+  /// Throws Error(kLimitExceeded) if doubles cannot hold that.
+  Placement(const Extent& extent, double left, double top, double scale);
+  [[nodiscard]] double x(double world) const { return left_ + (world - min_x_) * scale_; }
+  [[nodiscard]] double y(double world) const { return top_ + (max_y_ - world) * scale_; }
+  [[nodiscard]] double length(double world) const { return world * scale_; }
+
+ private:
+  double min_x_;
+  double max_y_;
+  double left_;
+  double top_;
+  double scale_;
+};
+
+/// The scale by which `extent` fills at most width × height.
+[[nodiscard]] double fitting_scale(const Extent& extent, double width, double height);
+
+/// A picture under construction. `style` is one of the classes in svg_picture.cpp:
+/// first, second, sum, outline, edge-first, edge-second, tick-..., dropped, covered, node, hole...
+class SvgPicture {
+ public:
+  SvgPicture(double width, double height, std::string_view title);
+
+  void region(const Region& region, const Placement& placement, std::string_view style);
+  void ring(std::span<const Trace::Vertex> vertices, const Placement& placement,
+            std::string_view style);
+  /// All segments that `chosen` accepts, as one path.
+  template <typename Chosen>
+  void segments(std::span<const Trace::Segment> segments, const Placement& placement,
+                std::string_view style, Chosen chosen) {
+    begin_path(style);
+    for (const Trace::Segment& segment : segments) {
+      if (chosen(segment)) add_segment(segment, placement);
+    }
+    end_path();
+  }
+  /// A tick to the right of each segment's middle: its outer side.
+  template <typename Chosen>
+  void ticks(std::span<const Trace::Segment> segments, const Placement& placement,
+             std::string_view style, Chosen chosen) {
+    begin_path(style);
+    for (const Trace::Segment& segment : segments) {
+      if (chosen(segment)) add_tick(segment, placement);
+    }
+    end_path();
+  }
+  void dots(std::span<const Trace::Vertex> points, const Placement& placement, double radius,
+            std::string_view style);
+  /// Runs of marked cells of a grid, merged row by row.
+  void cells(const Trace::Grid& grid, const Placement& placement, std::string_view style);
+  void text(double x, double y, std::string_view style, std::string_view words);
+
+  /// The picture, complete.
+  [[nodiscard]] std::string finish() &&;
+
+ private:
+  void begin_path(std::string_view style);
+  void end_path();
+  void move_to(double x, double y);
+  void line_to(double x, double y);
+  void add_segment(const Trace::Segment& segment, const Placement& placement);
+  void add_tick(const Trace::Segment& segment, const Placement& placement);
+  void number(double value);
+
+  std::string text_;
+};
+
+}  // namespace minksum::cli

@@ -1,0 +1,171 @@
+"""Malformed and unsupported input: each ends with its exit code and one line that says where.
+
+No crash, no hang, no memory beyond the limit: support.run sees to that.
+"""
+import json
+
+from support import SQUARE, ProgramTest, main, run
+
+
+def geojson(kind, coordinates):
+    return json.dumps({"type": kind, "coordinates": coordinates})
+
+
+RING = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
+LONG = "1" * 10_000
+
+# Name, content, exit code, fragment of the message. Lines and columns count from 1, as do polygons,
+# rings and vertices.
+TABLE = [
+    # -- no text at all ---------------------------------------------------------------------
+    ("empty file", "", 2, "empty"),
+    ("blanks only", " \n\t\n", 2, "empty"),
+    ("a byte order mark only", b"\xef\xbb\xbf", 2, "empty"),
+    ("zero bytes", b"\0" * 100, 2, ":1:1:"),
+    ("binary rubbish", bytes(range(128, 256)) * 10, 2, ":1:1:"),
+    ("an ELF header", b"\x7fELF\x02\x01\x01\0\0\0", 2, ":1:1:"),
+    ("UTF-16", SQUARE.encode("utf-16"), 2, "UTF-16"),
+    ("words", "this is no region\n", 2, ":1:1:"),
+    # -- WKT ----------------------------------------------------------------------------------
+    ("WKT cut in the keyword", "POLYG", 2, ":1:1:"),
+    ("WKT without coordinates", "POLYGON", 2, ":1:8:"),
+    ("WKT cut in a ring", "POLYGON ((0 0, 1 0,", 2, ":1:"),
+    ("WKT cut after a ring", "POLYGON ((0 0, 1 0, 1 1, 0 0)", 2, ":1:30:"),
+    ("WKT cut in a number", "POLYGON ((0 0, 1 0, 1 1, 0 0.", 2, ":1:"),
+    ("WKT with text after it", SQUARE + " and more", 2, ":1:"),
+    ("two WKT geometries", SQUARE + "\n" + SQUARE, 2, ":2:1:"),
+    ("WKT with NaN", "POLYGON ((0 0, nan 0, 1 1, 0 0))", 2, ":1:16:"),
+    ("WKT with an infinity", "POLYGON ((0 0, 1 0, 1 inf, 0 0))", 2, ":1:"),
+    ("WKT with a lone coordinate", "POLYGON ((0 0, 1, 1 1, 0 0))", 2, ":1:"),
+    ("WKT with three coordinates", "POLYGON ((0 0 0, 1 0 0, 1 1 0, 0 0 0))", 2, ":1:"),
+    ("WKT Z", "POLYGON Z ((0 0 0, 1 0 0, 1 1 0, 0 0 0))", 2, "POLYGON Z"),
+    ("WKT denominator zero", "POLYGON ((0 0, 1/0 0, 1 1, 0 0))", 2, ":1:16:"),
+    ("WKT hexadecimal", "POLYGON ((0 0, 0x10 0, 1 1, 0 0))", 2, ":1:"),
+    ("WKT comma for a point", "POLYGON ((0 0, 1,5 0, 1 1, 0 0))", 2, ":1:"),
+    ("WKT open ring", "POLYGON ((0 0, 1 0, 1 1, 0 1))", 2, "polygon 1, ring 1"),
+    ("WKT open hole", "POLYGON ((0 0, 9 0, 9 9, 0 0), (4 1, 5 1, 5 2))", 2, "polygon 1, ring 2"),
+    ("WKT ring of one point", "POLYGON ((0 0))", 2, "point"),
+    ("WKT ring of two points", "POLYGON ((0 0, 1 1, 0 0))", 2, "points"),
+    ("WKT empty ring", "POLYGON (())", 2, ":1:11:"),
+    ("WKT point", "POINT (1 2)", 2, "POINT"),
+    ("WKT line", "LINESTRING (0 0, 1 1)", 2, "LINESTRING"),
+    ("WKT curve", "CURVEPOLYGON ((0 0, 1 0, 1 1, 0 0))", 2, "CURVEPOLYGON"),
+    ("WKT collection with a point", f"GEOMETRYCOLLECTION ({SQUARE}, POINT (0 0))", 2, "POINT"),
+    ("10 MB of opening parentheses", lambda: b"(" * 10_000_000, 3, "32"),
+    ("10 MB of nested WKT", lambda: b"POLYGON " + b"(" * 10_000_000, 3, "32"),
+    ("deep collections", lambda: b"GEOMETRYCOLLECTION (" * 100_000, 3, "32"),
+    ("a number of 10,000 digits", f"POLYGON ((0 0, {LONG} 0, 1 1, 0 0))", 3, "4096"),
+    ("10,000 digits after the point", f"POLYGON ((0 0, 1.{LONG} 0, 1 1, 0 0))", 3, "4096"),
+    ("exponent 1e9", "POLYGON ((0 0, 1e1000000000 0, 1 1, 0 0))", 3, "4096"),
+    ("exponent -1e9", "POLYGON ((0 0, 1e-1000000000 0, 1 1, 0 0))", 3, "4096"),
+    ("exponent beyond 64 bits", "POLYGON ((0 0, 1e99999999999999999999 0, 1 1, 0 0))", 3, "4096"),
+    # -- GeoJSON ------------------------------------------------------------------------------
+    ("JSON cut", '{"type": "Polygon", "coordinates": [[[0, 0], [1, 0]', 2, ":1:"),
+    ("JSON of no type", '{"coordinates": []}', 2, "type"),
+    ("JSON array", "[[0, 0], [1, 0], [1, 1]]", 2, "type"),
+    ("JSON of an unknown type", geojson("Blob", []), 2, "Blob"),
+    ("JSON with a trailing comma", '{"type": "Polygon", "coordinates": [],}', 2, ":1:"),
+    ("JSON with text after it", geojson("Polygon", [RING]) + "}", 2, ":1:"),
+    ("GeoJSON nested too little", geojson("Polygon", RING), 2, ":1:"),
+    ("GeoJSON nested too much", geojson("Polygon", [[RING]]), 2, ":1:"),
+    ("GeoJSON multipolygon as polygon", geojson("MultiPolygon", [RING]), 2, ":1:"),
+    ("GeoJSON position of one number", geojson("Polygon", [[[0], [1, 0], [1, 1], [0]]]), 2, ":1:"),
+    ("GeoJSON with heights", geojson("Polygon", [[p + [7] for p in RING]]), 2, "coordinates"),
+    ("GeoJSON string for a number", geojson("Polygon", [[["a", 0], [1, 0], [1, 1], ["a", 0]]]), 2,
+     ":1:"),
+    ("GeoJSON null for a number", geojson("Polygon", [[[None, 0], [1, 0], [1, 1], [0, 0]]]), 2,
+     ":1:"),
+    ("GeoJSON NaN", '{"type":"Polygon","coordinates":[[[NaN,0],[1,0],[1,1],[NaN,0]]]}', 2, ":1:"),
+    ("GeoJSON open ring", geojson("Polygon", [RING[:-1]]), 2, "polygon 1, ring 1"),
+    ("GeoJSON ring of three points", geojson("Polygon", [[[0, 0], [1, 0], [0, 0]]]), 2, "points"),
+    ("GeoJSON point", geojson("Point", [0, 0]), 2, "Point"),
+    ("GeoJSON feature without geometry", '{"type":"Feature","properties":{},"geometry":null}', 2,
+     "geometry"),
+    ("GeoJSON number 1e400000", '{"type":"Polygon","coordinates":[[[1e400000,0],[1,0],[1,1],[0,0]]]}',
+     3, "4096"),
+    ("10 MB of brackets", lambda: b'{"type":"Polygon","coordinates":' + b"[" * 10_000_000, 2,
+     "too deep"),
+    ("deep objects", lambda: b'{"a":' * 1_000_000, 3, "32"),
+    # -- .poly and .dat -------------------------------------------------------------------------
+    (".poly cut", "1\n4 out\n0 0\n1 0\n", 2, ":"),
+    (".poly of an unknown kind", "1\n3 about\n0 0\n1 0\n0 1\n1 2 3\n", 2, ":2:"),
+    (".poly with a wrong order", "1\n3 out\n0 0\n1 0\n0 1\n1 1 3\n", 2, ":6:"),
+    (".poly hole without outer", "1\n3 in\n0 0\n1 0\n0 1\n1 2 3\n", 2, ":2:"),
+    (".poly with a negative count", "1\n-3 out\n0 0\n1 0\n0 1\n1 2 3\n", 2, ":"),
+    (".poly with a huge count", "1\n999999999999 out\n0 0\n", 2, ":"),
+    (".dat cut", "4 0 0 1 0 1 1", 2, ":"),
+    (".dat with a word", "3 0 0 1 zero 1 1", 2, ":1:"),
+    (".dat with a huge count", "99999999999999999999 0 0", 3, "digits"),
+    # -- no valid region --------------------------------------------------------------------------
+    ("bow-tie", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", 2, "polygon 1, ring 1, vertex"),
+    ("ring without area", "POLYGON ((0 0, 1 1, 2 2, 0 0))", 2, "polygon 1, ring 1"),
+    ("one point four times", "POLYGON ((1 1, 1 1, 1 1, 1 1))", 2, "polygon 1, ring 1"),
+    ("spike", "POLYGON ((0 0, 4 0, 4 4, 4 9, 4 4, 0 4, 0 0))", 2, "polygon 1, ring 1, vertex"),
+    ("figure of eight that touches itself", "POLYGON ((0 0, 2 2, 4 0, 4 4, 2 2, 0 4, 0 0))", 2,
+     "polygon 1, ring 1, vertex"),
+    ("hole outside", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (6 6, 7 6, 7 7, 6 6))", 2,
+     "polygon 1, ring 2"),
+    ("hole across the rim", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (2 2, 6 2, 6 3, 2 2))", 2,
+     "polygon 1, ring"),
+    ("hole that is the polygon", "POLYGON ((0 0, 4 0, 4 4, 0 0), (0 0, 4 0, 4 4, 0 0))", 2,
+     "polygon 1, ring"),
+    ("hole in a hole", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1), "
+     "(2 2, 3 2, 3 3, 2 2))", 2, "polygon 1, ring"),
+    ("crossing holes", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 5 1, 5 5, 1 5, 1 1), "
+     "(4 4, 8 4, 8 8, 4 8, 4 4))", 2, "polygon 1, ring"),
+    ("overlapping parts", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), ((2 2, 6 2, 6 6, 2 6, 2 2)))",
+     2, "polygon"),
+    ("equal parts", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)), ((0 0, 4 0, 4 4, 0 0)))", 2, "polygon"),
+    ("a part within a part", "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((2 2, 3 2, 3 3, 2 2)))", 2,
+     "polygon"),
+    ("parts that share an edge", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), "
+     "((4 1, 8 1, 8 3, 4 3, 4 1)))", 2, "polygon"),
+]
+
+
+class BadInput(ProgramTest):
+    def content(self, content):
+        content = content() if callable(content) else content
+        return content.encode() if isinstance(content, str) else content
+
+    def test_first_operand(self):
+        square = self.file("square.wkt", SQUARE)
+        for name, content, code, fragment in TABLE:
+            with self.subTest(name):
+                bad = self.file("bad.txt", self.content(content))
+                out = self.folder / "out.wkt"
+                result = self.fails(code, fragment, "sum", bad, square, "-o", out)
+                self.assertIn(str(bad), result.stderr.decode())
+                self.assertEqual(result.stdout, b"")
+                self.assertFalse(out.exists())
+
+    def test_second_operand_from_standard_input(self):
+        square = self.file("square.wkt", SQUARE)
+        for name, content, code, fragment in TABLE:
+            with self.subTest(name):
+                result = self.fails(code, fragment, "sum", square, "-",
+                                    stdin=self.content(content))
+                self.assertIn(b"standard input", result.stderr)
+                self.assertNotIn(b"square.wkt", result.stderr)
+
+    def test_info_finds_the_same(self):
+        for name, content, code, fragment in TABLE:
+            with self.subTest(name):
+                result = run("info", self.file("bad.txt", self.content(content)))
+                self.assertEqual(result.returncode, code)
+                self.assertIn(fragment, result.stderr.decode(errors="replace"))
+
+    def test_what_is_no_file(self):
+        square = self.file("square.wkt", SQUARE)
+        self.fails(2, "Is a directory", "sum", self.folder, square)
+        self.fails(2, "No such file", "sum", square, self.folder / "none.wkt")
+        self.fails(2, "No such file", "sum", square, "")
+        self.fails(2, "empty", "sum", square, "/dev/null")
+
+    def test_the_table_is_long_enough(self):
+        self.assertGreaterEqual(len(TABLE), 40)
+        self.assertEqual(len({name for name, *_ in TABLE}), len(TABLE))
+
+
+if __name__ == "__main__":
+    main()

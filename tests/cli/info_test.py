@@ -1,0 +1,57 @@
+"""minksum info: what it says about a region."""
+import json
+
+from support import FRAME, SQUARE, ProgramTest, main, run
+
+
+class Info(ProgramTest):
+    def test_text(self):
+        text = self.fine("info", self.file("frame.wkt", FRAME))
+        rows = dict(line.split(None, 1) for line in text.splitlines())
+        self.assertEqual(rows["parts"], "1")
+        self.assertEqual(rows["holes"], "1")
+        self.assertEqual(rows["vertices"], "8")
+        self.assertEqual(rows["x"], "from 0 to 9")
+        self.assertEqual(rows["area"], "72")
+        self.assertEqual(rows["bits"], "4")
+        self.assertEqual(rows["valid"], "yes")
+
+    def test_exact_numbers(self):
+        text = self.fine("info", self.file("p.wkt", "POLYGON ((0 0, 0.1 0, 0.1 1/3, 0 0))"))
+        self.assertIn("x         from 0 to 0.1\n", text)
+        self.assertIn("y         from 0 to 1/3 (about 0.33333333333333", text)
+        self.assertIn("area      1/60 (about ", text)
+
+    def test_json(self):
+        found = json.loads(self.fine("info", "--json", self.file("frame.wkt", FRAME)))
+        self.assertEqual((found["parts"], found["holes"], found["vertices"]), (1, 1, 8))
+        self.assertEqual(found["box"], {"min": ["0", "0"], "max": ["9", "9"]})
+        self.assertEqual((found["area"], found["area_exact"]), (72, "72"))
+        self.assertIs(found["valid"], True)
+        self.assertEqual(found["faults"], [])
+
+    def test_every_fault_has_a_place(self):
+        bad = self.file("bad.wkt", "MULTIPOLYGON (((0 0, 2 2, 2 0, 0 2, 0 0)), "
+                                   "((10 0, 12 2, 12 0, 10 2, 10 0)))")
+        result = run("info", "--json", bad)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(b"not valid", result.stderr)
+        found = json.loads(result.stdout)
+        self.assertIs(found["valid"], False)
+        self.assertEqual({fault["polygon"] for fault in found["faults"]}, {1, 2})
+        for fault in found["faults"]:
+            self.assertEqual(fault["ring"], 1)
+            self.assertIn(fault["near"][1], (0, 1, 2))
+        text = run("info", bad).stdout.decode()
+        self.assertIn("valid     no\n", text)
+        self.assertIn("fault     polygon 2, ring 1", text)
+
+    def test_empty_region_and_standard_input(self):
+        text = self.fine("info", "-", stdin="POLYGON EMPTY")
+        self.assertIn("parts     0\n", text)
+        self.assertIn("box       none", text)
+        self.assertIn("vertices  4\n", self.fine("info", "-", stdin=SQUARE))
+
+
+if __name__ == "__main__":
+    main()

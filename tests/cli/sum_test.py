@@ -1,0 +1,195 @@
+"""minksum sum: results, formats, statistics, and files that are never lost."""
+import json
+import os
+import re
+import stat
+import xml.etree.ElementTree
+
+from support import FRAME, SQUARE, TRIANGLE, ProgramTest, main, run
+
+SQUARES = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n"
+EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "..", "examples")
+
+
+class Results(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.square = self.file("square.wkt", SQUARE)
+        self.triangle = self.file("triangle.wkt", TRIANGLE)
+        self.frame = self.file("frame.wkt", FRAME)
+
+    def test_squares(self):
+        self.assertEqual(self.fine("sum", self.square, self.square), SQUARES)
+
+    def test_holes_shrink_and_close(self):
+        small = self.file("small.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))")
+        self.assertEqual(self.fine("sum", self.frame, small),
+                         "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (4 4, 4 6, 6 6, 6 4, 4 4))\n")
+        tight = self.file("tight.wkt", "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))")
+        self.assertEqual(self.fine("sum", self.frame, tight),
+                         "POLYGON ((0 0, 12 0, 12 12, 0 12, 0 0))\n")
+
+    def test_methods_agree(self):
+        for name in ("coral", "star"):
+            p = os.path.join(EXAMPLES, f"{name}.wkt")
+            q = os.path.join(EXAMPLES, "disc32.wkt" if name == "coral" else "star_turned.wkt")
+            reduced = self.fine("sum", p, q, "--coords", "exact")
+            self.assertEqual(self.fine("sum", p, q, "--coords", "exact", "--method", "signed"),
+                             reduced)
+            for extra in (["--no-cover"], ["--grid", "1"], ["--grid", "64"], ["--no-filter"],
+                          ["--arithmetic", "medium"], ["--arithmetic", "wide"],
+                          ["--arithmetic", "arbitrary"], ["--check"], ["--repeat", "3"]):
+                self.assertEqual(self.fine("sum", p, q, "--coords", "exact", *extra), reduced, extra)
+
+    def test_full_method_agrees(self):
+        p = os.path.join(EXAMPLES, "star.wkt")
+        q = os.path.join(EXAMPLES, "star_turned.wkt")
+        self.assertEqual(self.fine("sum", p, q, "--coords", "exact", "--method", "full"),
+                         self.fine("sum", p, q, "--coords", "exact"))
+
+    def test_numbers_are_exact(self):
+        p = self.file("p.wkt", "POLYGON ((0.1 0, 1 0, 1 1/3, 0.1 0))")
+        q = self.file("q.wkt", "POLYGON ((0.2 0, 0.3 0, 0.3 0.1, 0.2 0.1, 0.2 0))")
+        exact = self.fine("sum", p, q, "--coords", "exact")
+        self.assertIn("(3/10 0, 13/10 0, 13/10 13/30,", exact)
+        self.assertIn("0.3 0, 1.3 0,", self.fine("sum", p, q))
+        self.assertIn("0.30 0.00, 1.30 0.00, 1.30 0.43,",
+                      self.fine("sum", p, q, "--coords", "decimal:2"))
+
+    def test_formats(self):
+        text = self.fine("sum", self.frame, self.square, "--format", "geojson")
+        self.assertEqual(json.loads(text)["type"], "Polygon")
+        svg = self.fine("sum", self.frame, self.square, "--format", "svg")
+        self.assertTrue(xml.etree.ElementTree.fromstring(svg).tag.endswith("svg"))
+        wkt = self.fine("sum", self.frame, self.square)
+        for form in ("geojson", "poly", "wkt"):
+            copy = self.folder / f"copy.{form}"
+            self.fine("sum", self.frame, self.square, "-o", copy)  # the name says the format
+            point = self.file("dot.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))")
+            self.assertEqual(self.fine("sum", copy, point),
+                             self.fine("sum", self.file("copy.txt", wkt), point))
+
+    def test_empty_operand(self):
+        empty = self.file("empty.wkt", "POLYGON EMPTY")
+        self.assertEqual(self.fine("sum", empty, self.square), "POLYGON EMPTY\n")
+
+    def test_standard_input(self):
+        self.assertEqual(self.fine("sum", "-", self.square, stdin=SQUARE), SQUARES)
+        self.assertEqual(self.fine("sum", self.square, "-", stdin=SQUARE), SQUARES)
+
+
+class Statistics(ProgramTest):
+    def test_keys(self):
+        p, q = self.file("p.wkt", FRAME), self.file("q.wkt", TRIANGLE)
+        stats = self.folder / "stats.json"
+        self.fine("sum", p, q, "--stats", stats, "--repeat", "3")
+        found = json.loads(stats.read_text())
+        self.assertEqual([set(o) >= {"vertices", "holes", "parts"} for o in found["operands"]],
+                         [True, True])
+        self.assertEqual(found["operands"][0]["vertices"], 8)
+        self.assertEqual(found["operands"][0]["holes"], 1)
+        self.assertEqual(found["operands"][1]["parts"], 1)
+        self.assertEqual(set(found["result"]) & {"vertices", "holes", "parts", "area"},
+                         {"vertices", "holes", "parts", "area"})
+        self.assertEqual(list(found["seconds"]), ["read", "sum", "write", "stages"])
+        self.assertEqual(list(found["seconds"]["stages"]),
+                         ["operands", "convolution", "cover", "arrangement", "loops", "filters",
+                          "output"])
+        self.assertGreater(found["seconds"]["sum"], 0)
+        self.assertLessEqual({"convolution_segments", "segments_kept", "crossings", "loops",
+                              "rejected_by_nesting", "rejected_by_collision"}, set(found["counts"]))
+        self.assertLessEqual({"coordinate_bits", "by_filter", "by_fixed_width", "by_arbitrary"},
+                             set(found["arithmetic"]))
+
+    def test_area(self):
+        p = self.file("p.wkt", SQUARE)
+        out = self.folder / "sum.wkt"
+        text = self.fine("sum", p, p, "--stats", "-", "-o", out, "--coords", "exact")
+        self.assertEqual(json.loads(text)["result"]["area"], 16)
+        self.assertEqual(json.loads(text)["result"]["area_exact"], "16")
+
+    def test_verbose_speaks_on_standard_error(self):
+        p = self.file("p.wkt", SQUARE)
+        result = run("sum", p, p, "--verbose")
+        self.assertEqual(result.stdout.decode(), SQUARES)
+        self.assertIn("4 vertices", result.stderr.decode())
+
+
+class Files(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.p = self.file("p.wkt", SQUARE)
+
+    def test_output_replaces_the_operand(self):
+        self.fine("sum", self.p, self.p, "-o", self.p)
+        self.assertEqual(self.p.read_text(), SQUARES)
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["p.wkt"])
+
+    def test_failure_keeps_the_old_file(self):
+        out = self.file("out.wkt", "precious")
+        bad = self.file("bad.wkt", "POLYGON ((0 0")
+        self.fails(2, "bad.wkt:1:", "sum", bad, self.p, "-o", out)
+        self.assertEqual(out.read_text(), "precious")
+        self.assertEqual(len(list(self.folder.iterdir())), 3)
+
+    def test_rights_and_links_stay(self):
+        out = self.file("out.wkt", "old")
+        out.chmod(0o640)
+        link = self.folder / "link.wkt"
+        link.symlink_to(out)
+        self.fine("sum", self.p, self.p, "-o", link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(out.read_text(), SQUARES)
+        self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o640)
+
+    def test_no_place_to_write(self):
+        self.fails(2, "there is no folder", "sum", self.p, self.p, "-o", self.folder / "no" / "x")
+        self.fails(2, "Is a directory", "sum", self.p, self.p, "-o", self.folder)
+        self.fails(2, "No space left", "sum", self.p, self.p, "-o", "/dev/full")
+        self.fails(2, "there is no folder", "sum", self.p, self.p, "--stats",
+                   self.folder / "no" / "x")
+        self.fails(2, "", "sum", self.p, self.p, "--trace", self.p)
+        with open("/dev/full", "wb") as full:
+            import subprocess
+            from support import PROGRAM
+            done = subprocess.run([PROGRAM, "sum", self.p, self.p], stdout=full,
+                                  stderr=subprocess.PIPE, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"No space left", done.stderr)
+
+    def test_picture(self):
+        picture = self.folder / "picture.svg"
+        self.fine("sum", self.p, self.p, "-o", self.folder / "s.wkt", "--svg", picture)
+        root = xml.etree.ElementTree.parse(picture).getroot()
+        self.assertTrue(root.tag.endswith("svg"))
+        self.assertEqual(len(root.findall("{http://www.w3.org/2000/svg}path")), 3)
+
+
+class Usage(ProgramTest):
+    def test_wrong_usage(self):
+        p = self.file("p.wkt", SQUARE)
+        for arguments in ([], ["sum"], ["sum", p], ["sum", p, p, p], ["sum", "-", "-"],
+                          ["add", p, p], ["sum", p, p, "--blue"], ["sum", p, p, "-o"],
+                          ["sum", p, p, "--format", "dxf"], ["sum", p, p, "--method", "magic"],
+                          ["sum", p, p, "--coords", "decimal"], ["sum", p, p, "--coords", "exactly"],
+                          ["sum", p, p, "--coords", "decimal:-1"],
+                          ["sum", p, p, "--coords", "decimal:99999"],
+                          ["sum", p, p, "--repeat", "0"], ["sum", p, p, "--repeat", "x"],
+                          ["sum", p, p, "--stats", "-"], ["sum", p, p, "--svg", "-"],
+                          ["sum", p, p, "--arithmetic", "float"], ["info"], ["info", p, p],
+                          ["sum", p, p, "--grid", "-1"],
+                          ["sum", p, p, "--trace", self.folder / "t", "--method", "signed"]):
+            with self.subTest(str(arguments)):
+                self.fails(1, "", *arguments)
+
+    def test_help_and_version(self):
+        self.assertRegex(self.fine("--version"), r"^minksum \d+\.\d+\.\d+\n$")
+        for arguments in (["--help"], ["sum", "--help"], ["info", "--help"]):
+            text = self.fine(*arguments)
+            self.assertRegex(text, re.compile("exit codes: 0 fine, 1 wrong usage", re.I))
+        for option in ("--coords", "--method", "--stats", "--svg", "--trace", "--repeat", "--format"):
+            self.assertIn(option, self.fine("sum", "--help"))
+
+
+if __name__ == "__main__":
+    main()
