@@ -1,0 +1,26 @@
+// Which pairs the oracle is asked about.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace minksum::oracle {
+
+struct PairName {
+  std::string set;  ///< "paper", "cgal", "nesting"
+  std::string a;    ///< file below the data folder
+  std::string b;
+};
+
+/// Every unordered pair, with repetition, of the valid single polygons of paper/ with at most
+/// `max_vertices` vertices each.
+[[nodiscard]] std::vector<PairName> paper_pairs(const std::filesystem::path& data,
+                                                std::size_t max_vertices);
+/// The pairs of cgal/pairs.tsv whose files are there.
+[[nodiscard]] std::vector<PairName> cgal_pairs(const std::filesystem::path& data);
+/// `count` different pairs of valid parts of nesting/, the same ones each time.
+[[nodiscard]] std::vector<PairName> nesting_pairs(const std::filesystem::path& data,
+                                                  std::size_t count);
+
+}  // namespace minksum::oracle

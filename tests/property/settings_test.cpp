@@ -1,0 +1,122 @@
+// Settings change how a sum is computed, never what comes out: the same bytes.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "property/provenance.hpp"
+#include "property/sums.hpp"
+#include "support/data.hpp"
+#include "support/polygon_kinds.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+struct Setting {
+  std::string name;
+  Options options;
+};
+
+std::vector<Setting> settings() {
+  std::vector<Setting> all;
+  const auto add = [&all](std::string name, auto&& change) {
+    Setting setting{std::move(name), {}};
+    change(setting.options);
+    all.push_back(std::move(setting));
+  };
+  add("cover off", [](Options& o) { o.cover = false; });
+  for (const int grid : {1, 2, 3, 4, 8, 16, 64, 256}) {
+    add("grid " + std::to_string(grid), [grid](Options& o) { o.grid = grid; });
+  }
+  add("filter off", [](Options& o) { o.filter = false; });
+  add("filter and cover off", [](Options& o) { o.filter = o.cover = false; });
+  add("medium", [](Options& o) { o.arithmetic = Arithmetic::kMedium; });
+  add("wide", [](Options& o) { o.arithmetic = Arithmetic::kWide; });
+  add("wide without filter", [](Options& o) {
+    o.arithmetic = Arithmetic::kWide;
+    o.filter = false;
+  });
+  add("arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; });
+  add("arbitrary without filter", [](Options& o) {
+    o.arithmetic = Arithmetic::kArbitrary;
+    o.filter = false;
+  });
+  add("narrow", [](Options& o) { o.arithmetic = Arithmetic::kNarrow; });
+  add("narrow without filter", [](Options& o) {
+    o.arithmetic = Arithmetic::kNarrow;
+    o.filter = false;
+  });
+  add("checked", [](Options& o) { o.check = true; });
+  add("signed", [](Options& o) { o.method = Method::kSigned; });
+  add("full", [](Options& o) { o.method = Method::kFull; });
+  return all;
+}
+
+void expect_same_everywhere(const Region& p, const Region& q, const std::string& about) {
+  const Region expected = minkowski_sum(p, q);
+  const std::string text = to_text(expected);
+  for (Setting& setting : settings()) {
+    Statistics statistics;
+    setting.options.statistics = &statistics;
+    const Region result = minkowski_sum(p, q, setting.options);
+    EXPECT_EQ(result, expected) << setting.name << ", " << about;
+    EXPECT_EQ(to_text(result), text) << setting.name << ", " << about;
+    if (setting.options.method != Method::kSigned) {  // which gives no origins
+      EXPECT_EQ(provenance_fault(p, q, result), "") << setting.name << ", " << about;
+    }
+    if (setting.options.arithmetic != Arithmetic::kAutomatic) {
+      EXPECT_EQ(statistics.arithmetic, setting.options.arithmetic) << setting.name;
+    }
+    if (!setting.options.filter) {
+      EXPECT_EQ(statistics.by_filter, 0U) << setting.name;
+    }
+  }
+}
+
+TEST(Settings, SmallRandomPairs) {
+  for (std::uint64_t seed = 1; seed <= 250 && !HasFailure(); ++seed) {
+    Random random(seed * 104729);
+    const Pair pair = random_pair(random);
+    expect_same_everywhere(pair.p, pair.q, note(seed * 104729, pair));
+  }
+}
+
+TEST(Settings, LargerShapes) {
+  Random random(11);
+  const Region star_a = spiky_star(random, 16, 100000);
+  const Region star_b = spiky_star(random, 16, 100000);
+  expect_same_everywhere(star_a, star_b, "spiky stars");
+  expect_same_everywhere(star_a, star_a, "a spiky star and itself");
+  expect_same_everywhere(spiral(5), comb(6, 1, 5), "spiral and comb");
+  expect_same_everywhere(comb(8, 2, 11), turned(comb(8, 2, 11)), "two combs");
+  expect_same_everywhere(spiral(4), rectangle(0, 0, 1, 1), "a spiral closed by a square");
+  expect_same_everywhere(round_polygon(60, 5000), round_polygon(45, 700), "round");
+  expect_same_everywhere(random_two_opt(random, 60, 500), random_two_opt(random, 50, 300), "2-opt");
+  expect_same_everywhere(random_with_holes(random, 60, 12), rectangle(0, 0, 2, 1), "holes");
+  expect_same_everywhere(random_cells(random, 9, 9, true, false),
+                         random_cells(random, 5, 5, true, false), "cells");
+}
+
+TEST(Settings, WorkspaceAndRepetition) {
+  Workspace workspace;
+  Region result;
+  for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
+    Random random(seed);
+    const Pair pair = random_pair(random);
+    const Outcome outcome = minkowski_sum(pair.p, pair.q, {}, workspace, result);
+    ASSERT_TRUE(outcome.ok()) << outcome.error->what() << note(seed, pair);
+    EXPECT_EQ(result, minkowski_sum(pair.p, pair.q)) << note(seed, pair);
+  }
+}
+
+TEST(Settings, RealShapes) {
+  const auto data = data_path();
+  if (!data) GTEST_SKIP() << "no folder of shapes";
+  const auto read = [&data](const char* name) { return read_wkt(*data / name); };
+  expect_same_everywhere(read("paper/bird.wkt"), read("nesting/albano_3.wkt"), "bird, albano_3");
+  expect_same_everywhere(read("cgal/rooms_part1.wkt"), read("cgal/rooms_part2.wkt"), "rooms");
+  expect_same_everywhere(read("cgal/pwh1.wkt"), read("cgal/pwh2.wkt"), "pwh1, pwh2");
+}
+
+}  // namespace

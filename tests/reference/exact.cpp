@@ -1,0 +1,118 @@
+#include "reference/exact.hpp"
+
+#include <algorithm>
+
+namespace minksum::reference {
+
+Number to_number(const Rational& value) { return Number(value.to_string()); }
+
+Rational to_rational(const Number& value) {
+  // Parsing has a limit on digits that exact results may exceed, so go by limbs.
+  const Integer numerator = abs(boost::multiprecision::numerator(value));
+  const Integer denominator = boost::multiprecision::denominator(value);
+  std::vector<std::uint64_t> n;
+  std::vector<std::uint64_t> d;
+  export_bits(numerator, std::back_inserter(n), 64, false);
+  export_bits(denominator, std::back_inserter(d), 64, false);
+  return Rational::from_limbs(value < 0, n.data(), n.size(), d.data(), d.size());
+}
+
+Pt to_pt(const Point& point) { return {to_number(point.x), to_number(point.y)}; }
+
+std::vector<Loops> to_loops(const Region& region) {
+  std::vector<Loops> polygons;
+  for (const std::size_t polygon : region.polygons()) {
+    Loops loops;
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      Loop loop;
+      for (const std::size_t v : region.vertices_of(ring)) loop.push_back(to_pt(region.point(v)));
+      loops.push_back(std::move(loop));
+    }
+    polygons.push_back(std::move(loops));
+  }
+  return polygons;
+}
+
+Region to_region(const std::vector<Loops>& polygons) {
+  Region region;
+  for (const Loops& loops : polygons) {
+    region.begin_polygon();
+    for (const Loop& loop : loops) {
+      region.begin_ring();
+      for (const Pt& p : loop) region.add_vertex(to_rational(p.x), to_rational(p.y));
+    }
+  }
+  return region;
+}
+
+int cross_sign(const Pt& a, const Pt& b, const Pt& c, const Pt& d) {
+  const Number left = (b.x - a.x) * (d.y - c.y);
+  const Number right = (b.y - a.y) * (d.x - c.x);
+  return left.compare(right) < 0 ? -1 : left.compare(right) > 0 ? 1 : 0;
+}
+
+int turn(const Pt& a, const Pt& b, const Pt& c) { return cross_sign(a, b, a, c); }
+
+bool on_segment(const Pt& p, const Pt& a, const Pt& b) {
+  const auto between = [](const Number& v, const Number& s, const Number& t) {
+    return (s <= v && v <= t) || (t <= v && v <= s);
+  };
+  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && turn(a, b, p) == 0;
+}
+
+bool cross_properly(const Pt& a, const Pt& b, const Pt& c, const Pt& d) {
+  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
+
+bool segments_meet(const Pt& a, const Pt& b, const Pt& c, const Pt& d) {
+  return on_segment(a, c, d) || on_segment(b, c, d) || on_segment(c, a, b) || on_segment(d, a, b) ||
+         cross_properly(a, b, c, d);
+}
+
+Pt midpoint(const Pt& a, const Pt& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
+
+Number doubled_area(const Loop& loop) {
+  Number sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Pt& a = loop[i];
+    const Pt& b = loop[(i + 1) % loop.size()];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return sum;
+}
+
+Side locate(const Pt& p, const Loop& loop) {
+  bool inside = false;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Pt& a = loop[i];
+    const Pt& b = loop[(i + 1) % loop.size()];
+    if (on_segment(p, a, b)) return Side::kBoundary;
+    // A ray to the right of p; an edge owns its lower end only.
+    if ((a.y <= p.y) == (b.y <= p.y)) continue;
+    const int side = turn(a, b, p);
+    if (a.y <= p.y ? side > 0 : side < 0) inside = !inside;
+  }
+  return inside ? Side::kInside : Side::kOutside;
+}
+
+namespace {
+
+// 0: just clockwise of `back`, less than half a turn; 1: half a turn; 2: more; 3: a full turn.
+int clockwise_class(const Pt& node, const Pt& back, const Pt& p) {
+  const int side = turn(node, back, p);
+  if (side < 0) return 0;
+  if (side > 0) return 2;
+  const Number dot = (back.x - node.x) * (p.x - node.x) + (back.y - node.y) * (p.y - node.y);
+  return dot < 0 ? 1 : 3;
+}
+
+}  // namespace
+
+bool clockwise_before(const Pt& node, const Pt& back, const Pt& a, const Pt& b) {
+  const int class_a = clockwise_class(node, back, a);
+  const int class_b = clockwise_class(node, back, b);
+  if (class_a != class_b) return class_a < class_b;
+  return turn(node, a, b) < 0;
+}
+
+}  // namespace minksum::reference

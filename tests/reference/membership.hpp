@@ -1,0 +1,21 @@
+// Membership by the definition, without any sum being computed.
+#pragma once
+
+#include "reference/exact.hpp"
+
+namespace minksum::reference {
+
+/// Where a point is with respect to a legal region.
+[[nodiscard]] Side locate(const Pt& p, const Region& region);
+
+/// Is x in P ⊕ Q (closed)? It is iff P meets x - Q. Every edge against every edge.
+[[nodiscard]] bool contains_sum(const Region& p, const Region& q, const Pt& x);
+
+/// A point strictly inside the area of the simple ring, the ring's other parts included. Any vertex
+/// ring in any orientation.
+[[nodiscard]] Pt point_strictly_inside(const Loop& ring);
+
+/// Points close to the boundary of a region, on both sides of each edge's midpoint, and on it.
+[[nodiscard]] std::vector<Pt> points_near_edges(const Region& region, const Number& distance);
+
+}  // namespace minksum::reference

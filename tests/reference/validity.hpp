@@ -1,0 +1,17 @@
+// Is a region legal, is it canonical: decided exactly, by testing every edge against every edge.
+#pragma once
+
+#include <string>
+
+#include "minksum/region.hpp"
+
+namespace minksum::reference {
+
+/// Why `region` is no legal operand (see minksum::validate); empty if it is.
+[[nodiscard]] std::string legal_fault(const Region& region);
+
+/// Why `region` is no canonical result (see minksum::Region); empty if it is. Slow for more than
+/// some thousand vertices.
+[[nodiscard]] std::string canonical_fault(const Region& region);
+
+}  // namespace minksum::reference

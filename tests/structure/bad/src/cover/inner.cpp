@@ -1,0 +1,2 @@
+#include "operands/operands.hpp"
+#include "operands/inner.hpp"

@@ -1,0 +1,1 @@
+#include "predicate/formulas.hpp"

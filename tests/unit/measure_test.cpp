@@ -1,0 +1,130 @@
+// Area, box and bits, on every kind of stored number.
+#include "minksum/measure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "support/random.hpp"
+
+namespace minksum {
+namespace {
+
+void add_ring(Region& region, std::initializer_list<std::pair<Rational, Rational>> points) {
+  region.begin_ring();
+  for (const auto& [x, y] : points) region.add_vertex(x, y);
+}
+
+Region square_with_hole(const Rational& unit, const Rational& offset) {
+  const auto at = [&](int value) { return Rational(value) * unit + offset; };
+  Region region;
+  region.begin_polygon();
+  add_ring(region, {{at(0), at(0)}, {at(4), at(0)}, {at(4), at(4)}, {at(0), at(4)}});
+  add_ring(region, {{at(1), at(1)}, {at(2), at(1)}, {at(2), at(2)}});  // as counter-clockwise
+  return region;
+}
+
+TEST(Measure, AreaIsExactForEveryKindOfNumber) {
+  const Rational expected(31, 2);
+  for (const Rational& unit :
+       {Rational(1), Rational(1, 10), Rational(1, 3), Rational(0.1), Rational(Decimal{1, 30}),
+        Rational(Decimal{7, -25}), Rational(std::ldexp(1.0, 70))}) {
+    for (const Rational& offset : {Rational(0), Rational(-5), Rational(1, 7)}) {
+      const Region region = square_with_hole(unit, offset);
+      EXPECT_EQ(area(region), expected * unit * unit) << unit << ' ' << offset;
+    }
+  }
+  EXPECT_EQ(area(Region()), Rational(0));
+}
+
+TEST(Measure, AreaIgnoresOrientation) {
+  Region region;
+  region.begin_polygon();
+  add_ring(region, {{0, 0}, {0, 4}, {4, 4}, {4, 0}});
+  add_ring(region, {{1, 1}, {2, 1}, {2, 2}});
+  EXPECT_EQ(area(region), Rational(31, 2));
+}
+
+// Fan of a star around a centre far away: the sum of triangles is the slow and obvious area.
+TEST(Measure, AreaOfLargeNumbersDoesNotOverflow) {
+  constexpr std::int64_t kFar = (std::int64_t{1} << 61) - 1;
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  region.add_vertex(-kFar, -kFar);
+  region.add_vertex(kFar, -kFar);
+  region.add_vertex(kFar, kFar);
+  region.add_vertex(-kFar, kFar);
+  const Rational side = Rational(kFar) * Rational(2);
+  EXPECT_EQ(area(region), side * side);
+  EXPECT_EQ(approximate_area(region), (side * side).to_double());
+}
+
+TEST(Measure, BothWaysToTheAreaAgree) {
+  test::Random random(21);
+  for (int round = 0; round < 200; ++round) {
+    Region integers;
+    Region thirds;
+    for (Region* region : {&integers, &thirds}) {
+      region->begin_polygon();
+      region->begin_ring();
+    }
+    const int count = random.between(3, 12);
+    for (int i = 0; i < count; ++i) {
+      const int x = random.between(-1000, 1000);
+      const int y = random.between(-1000, 1000);
+      integers.add_vertex(x, y);
+      thirds.add_vertex(Rational(x, 3), Rational(y, 3));
+    }
+    EXPECT_EQ(area(integers), area(thirds) * Rational(9));
+    EXPECT_NEAR(approximate_area(integers), area(integers).to_double(), 1e-6);
+  }
+}
+
+TEST(Measure, ApproximateAreaSurvivesExtremes) {
+  for (const double unit : {1e-160, 5e-324, 1e160, 1e300}) {
+    const Region region = square_with_hole(Rational(unit), Rational(0));
+    const double expected = (Rational(31, 2) * Rational(unit) * Rational(unit)).to_double();
+    EXPECT_EQ(approximate_area(region), expected) << unit;
+  }
+}
+
+TEST(Measure, BoxIsExact) {
+  EXPECT_FALSE(bounding_box(Region()).has_value());
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  const Rational tiny = *Rational::parse("1e-40");  // no double sees it beside 1
+  region.add_vertex(Rational(1), Rational(1, 3));
+  region.add_vertex(Rational(1) + tiny, Rational(1, 3) - tiny);
+  region.add_vertex(Rational(1) - tiny, Rational(1, 3) + tiny);
+  region.add_vertex(Decimal{10, -1}, Decimal{1, -1});
+  const std::optional<Box> box = bounding_box(region);
+  ASSERT_TRUE(box.has_value());
+  EXPECT_EQ(box->min.x, Rational(1) - tiny);
+  EXPECT_EQ(box->max.x, Rational(1) + tiny);
+  EXPECT_EQ(box->min.y, Rational(1, 10));
+  EXPECT_EQ(box->max.y, Rational(1, 3) + tiny);
+}
+
+TEST(Measure, BitsAreThoseOfTheGridAtTheOrigin) {
+  EXPECT_EQ(coordinate_bits(Region()), 0U);
+  EXPECT_EQ(coordinate_bits(square_with_hole(1, 0)), 3U);
+  EXPECT_EQ(coordinate_bits(square_with_hole(1, 1000000)), 3U);
+  EXPECT_EQ(coordinate_bits(square_with_hole(Rational(1, 10), 0)), 3U);  // 0, 2, 4, ... of 1/10
+  EXPECT_EQ(coordinate_bits(square_with_hole(Rational(1, 10), Rational(1, 4))), 4U);  // 8/20
+  EXPECT_EQ(coordinate_bits(square_with_hole(Rational(1, 3), Rational(1, 7))), 5U);   // 28/21
+  EXPECT_EQ(coordinate_bits(square_with_hole(1, Rational(Decimal{5, -1}))), 4U);      // 8/2
+  Region decimals;
+  decimals.begin_polygon();
+  decimals.begin_ring();
+  decimals.add_vertex(Decimal{0, 0}, Decimal{50, -2});
+  decimals.add_vertex(Decimal{2500, -3}, Decimal{0, 0});
+  decimals.add_vertex(0.5, 1.5);
+  EXPECT_EQ(coordinate_bits(decimals), 3U);  // halves: 5 of them
+}
+
+}  // namespace
+}  // namespace minksum
