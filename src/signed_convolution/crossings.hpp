@@ -28,11 +28,16 @@ struct CellRange {
 /// point is in exactly one cell.
 class Grid {
  public:
-  Grid(Key min, Key max, std::size_t segments) : min_(min) {
-    const double wanted = 2.0 * std::sqrt(static_cast<double>(segments));
-    const auto cells = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, 2048.0));
-    shift_x_ = shift_for(max.x - min.x, cells);
-    shift_y_ = shift_for(max.y - min.y, cells);
+  /// `mean_x` and `mean_y` are how far the segments reach on average, in keys. The cells get that
+  /// shape, and are a few for each segment.
+  Grid(Key min, Key max, std::size_t segments, double mean_x, double mean_y) : min_(min) {
+    const double reach_x = std::max(mean_x / (static_cast<double>(max.x - min.x) + 1), 1e-5);
+    const double reach_y = std::max(mean_y / (static_cast<double>(max.y - min.y) + 1), 1e-5);
+    const double cells = 4.0 * static_cast<double>(segments);
+    const double columns = std::clamp(std::sqrt(cells * reach_y / reach_x), 1.0, kMaxSide);
+    const double rows = std::clamp(cells / columns, 1.0, kMaxSide);
+    shift_x_ = shift_for(max.x - min.x, static_cast<std::uint64_t>(columns));
+    shift_y_ = shift_for(max.y - min.y, static_cast<std::uint64_t>(rows));
     columns_ = column(max) + 1;
     rows_ = row(max) + 1;
   }
@@ -61,12 +66,13 @@ class Grid {
   }
 
  private:
-  // At most 2048 cells a side, and at least 2^20 keys a cell, where the float path is used. Then,
-  // in units of cells, an end point as computed is within e = 2^-20 (its key is rounded down) +
-  // 2^-41 (conversion to double) of the exact one, hence every point of the segment is within e of
-  // the computed segment's point with the same parameter. The computed segment runs through more
-  // than one column (else `small`), so that its slope is below 2^12, and evaluating it loses less
-  // than 2^-36 more. kMargin on each side of the column and of the result covers both amply.
+  // At most 2^16 cells a side, and at least 2^20 keys a cell where the float path is used. Then, in
+  // units of cells, an end point as computed is within e = 2^-20 (its key is rounded down) + 2^-37
+  // (conversion to double) of the exact one, hence every point of the segment is within e of the
+  // computed segment's point with the same parameter. The computed segment is more than a column
+  // wide (else `small`), so that evaluating it within its ends loses less than 2^-32 more. kMargin
+  // on each side of the column and of the result covers both amply: it is as long in y as in x.
+  static constexpr double kMaxSide = 65536;
   static constexpr int kMinShift = 20;
   static constexpr double kMargin = 1.0 / 1024;
 
@@ -120,7 +126,7 @@ class CrossingFinder {
       min = {std::min(min.x, key.x), std::min(min.y, key.y)};
       max = {std::max(max.x, key.x), std::max(max.y, key.y)};
     }
-    const Grid grid(min, max, geometry_.segment_count());
+    const Grid grid = make_grid(min, max);
     fill(grid);
     StopClock clock(options_, Stage::kArrangement);
     for (std::size_t cell = 0; cell + 1 < cell_first_.size(); ++cell)
@@ -138,6 +144,19 @@ class CrossingFinder {
   };
   [[nodiscard]] static bool overlap(const KeyBox& a, const KeyBox& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+  }
+
+  [[nodiscard]] Grid make_grid(const Key& min, const Key& max) const {
+    double sum_x = 0;
+    double sum_y = 0;
+    for (SegmentId id = 0; id < geometry_.segment_count(); ++id) {
+      const Key& a = geometry_.key(geometry_.segment(id).from);
+      const Key& b = geometry_.key(geometry_.segment(id).to);
+      sum_x += std::fabs(static_cast<double>(a.x - b.x));
+      sum_y += std::fabs(static_cast<double>(a.y - b.y));
+    }
+    const auto count = static_cast<double>(geometry_.segment_count());
+    return {min, max, geometry_.segment_count(), sum_x / count, sum_y / count};
   }
 
   void fill(const Grid& grid) {
