@@ -161,13 +161,22 @@ class CrossingFinder {
         predicates_.count_filtered(1);
         return sign_of(value);
       }
-      predicates_.count_kernel(1);
       result.bound = HUGE_VAL;
-      return predicates_.kernel().orientation(ks.segment, vertex());
+      const SumVertex v_exact = vertex();
+      if (coincide(p, v_exact, ks.a, start(s)) || coincide(p, v_exact, ks.b, end(s))) return kZero;
+      predicates_.count_kernel(1);
+      return predicates_.kernel().orientation(ks.segment, v_exact);
     };
     result.start = side(kt.a, result.start_value, [&] { return start(t); });
     result.end = side(kt.b, result.end_value, [&] { return end(t); });
     return result;
+  }
+
+  /// Whether two sum vertices are certainly equal: the common case of neighbours in the convolution.
+  [[nodiscard]] bool coincide(const Vec<double>& p, const SumVertex& v, const Vec<double>& q,
+                              const SumVertex& w) const {
+    const bool exact_doubles = predicates_.bounds().difference == 0;
+    return v == w || (exact_doubles && p.x == q.x && p.y == q.y);
   }
 
   /// An end of another segment lies on the line of s; `of_s` are the ends of s to that segment, so
