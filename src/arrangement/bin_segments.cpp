@@ -62,6 +62,7 @@ void bin_segments(const Operands& o, const Convolution& convolution, const Cover
     const SiteId v = segment.vertex;
     const Vec<double> a{x[e] + x[v], y[e] + y[v]};
     const Vec<double> b{x[f] + x[v], y[f] + y[v]};
+    if (cover.hides(a, b)) continue;
     const auto id = static_cast<KeptId>(kept.size());
     const std::size_t first_entry = entries.size();
     grid.walk(a, b, UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {

@@ -1,6 +1,7 @@
 #include "cover/cover.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace minksum {
@@ -8,12 +9,14 @@ namespace {
 
 /// Below this many segments a cover costs more than it saves.
 constexpr std::size_t kSegmentsWorthACover = 400;
+constexpr int kMaxSide = 2048;
+static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-/// Cells along the longer side: about as many cells in all as a third of the segments.
+/// Cells along the longer side to begin with: about as many cells in all as a third of the segments.
 int choose_side(std::size_t segments, const Options& options) {
-  if (options.grid > 0) return std::min(options.grid, 2048);
+  if (options.grid > 0) return std::min(options.grid, kMaxSide);
   const double side = 0.6 * std::sqrt(static_cast<double>(segments));
-  return std::clamp(static_cast<int>(side), 1, 2048);
+  return std::clamp(static_cast<int>(side), 1, kMaxSide / 4);
 }
 
 /// A site's place in its operand's own raster.
@@ -39,19 +42,20 @@ void fill_between_toggles(Bitmap& bitmap) {
 /// the boundary, and the parity at its centre tells which: rounding moves edges by far less.
 class Rasteriser {
  public:
-  Rasteriser(const Operands& o, int operand, double cell, CoverScratch& scratch)
+  Rasteriser(const Operands& o, int operand, const Cover& cover, CoverScratch& scratch)
       : o_(o), begin_(operand == 0 ? 0 : o.split), end_(operand == 0 ? o.split : o.size()),
         inside_(scratch.inside[operand]), boundary_(scratch.boundary) {
     const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
-    grid_.cell = cell;
-    grid_.inverse = 1 / cell;
+    grid_.cell = cover.grid.cell;
+    grid_.inverse = cover.grid.inverse;
     grid_.columns = static_cast<std::int32_t>(extent.x * grid_.inverse) + 2;
     grid_.rows = static_cast<std::int32_t>(extent.y * grid_.inverse) + 2;
+    words_ = cover.covered.words_per_row();
   }
 
   void run() {
-    inside_.reset(grid_.columns, grid_.rows);
-    boundary_.reset(grid_.columns, grid_.rows);
+    inside_.reset(grid_.columns, grid_.rows, words_);
+    boundary_.reset(grid_.columns, grid_.rows, words_);
     for (SiteId e = begin_; e < end_; ++e) {
       const Vec<double> a = at(o_, e);
       const Vec<double> b = at(o_, o_.sites.next[e]);
@@ -62,10 +66,8 @@ class Rasteriser {
       toggle(a, b);
     }
     fill_between_toggles(inside_);
-    for (std::int32_t j = 0; j < inside_.rows(); ++j) {
-      for (std::size_t w = 0; w < inside_.words_per_row(); ++w) {
-        inside_.row(j)[w] &= ~boundary_.row(j)[w];
-      }
+    for (std::size_t w = 0; w < inside_.words().size(); ++w) {
+      inside_.words()[w] &= ~boundary_.words()[w];
     }
   }
 
@@ -90,34 +92,52 @@ class Rasteriser {
   SiteId begin_;
   SiteId end_;
   UniformGrid grid_;
+  std::size_t words_;
   Bitmap& inside_;
   Bitmap& boundary_;
 };
 
-/// target |= source moved by (columns, rows).
-void unite_moved(const Bitmap& source, std::int32_t columns, std::int32_t rows, Bitmap& target) {
-  const std::int32_t first = std::max(0, -rows);
-  const std::int32_t last = std::min(source.rows(), target.rows() - rows);
-  const auto words = static_cast<std::size_t>(columns >> 6);
+/// The rows in which a bitmap has anything.
+struct RowRange {
+  std::int32_t first = 0;
+  std::int32_t last = 0;
+};
+RowRange occupied_rows(const Bitmap& bitmap) {
+  const auto empty = [&](std::int32_t j) {
+    return std::all_of(bitmap.row(j), bitmap.row(j) + bitmap.words_per_row(),
+                       [](std::uint64_t word) { return word == 0; });
+  };
+  RowRange rows{0, bitmap.rows()};
+  while (rows.first < rows.last && empty(rows.first)) ++rows.first;
+  while (rows.first < rows.last && empty(rows.last - 1)) --rows.last;
+  return rows;
+}
+
+/// target |= source moved by (columns, rows), neither negative. Both have rows of equal length, and
+/// what is set in the source stays within the target's columns: so rows need not be told apart.
+void unite_moved(const Bitmap& source, const RowRange& occupied, std::int32_t columns,
+                 std::int32_t rows, Bitmap& target) {
+  const std::size_t words = source.words_per_row();
+  const auto first = static_cast<std::size_t>(occupied.first) * words;
+  const auto last = static_cast<std::size_t>(occupied.last) * words;
+  const std::size_t offset = static_cast<std::size_t>(rows) * words + static_cast<std::size_t>(columns >> 6);
+  if (first == last || first + offset >= target.words().size()) return;
+  const std::size_t count = std::min(last - first, target.words().size() - offset - first);
+  const std::uint64_t* __restrict from = source.words().data() + first;
+  std::uint64_t* __restrict to = target.words().data() + first + offset;
   const int bits = columns & 63;
-  const std::size_t count =
-      std::min(source.words_per_row(), target.words_per_row() - std::min(words, target.words_per_row()));
-  for (std::int32_t j = first; j < last; ++j) {
-    const std::uint64_t* from = source.row(j);
-    std::uint64_t* to = target.row(j + rows) + words;
-    if (bits == 0) {
-      for (std::size_t w = 0; w < count; ++w) to[w] |= from[w];
-      continue;
-    }
-    for (std::size_t w = 0; w < count; ++w) to[w] |= from[w] << bits;
-    const std::size_t spill = std::min(count, target.words_per_row() - words - 1);
-    for (std::size_t w = 0; w < spill; ++w) to[w + 1] |= from[w] >> (64 - bits);
+  if (bits == 0) {
+    for (std::size_t w = 0; w < count; ++w) to[w] |= from[w];
+    return;
   }
+  to[0] |= from[0] << bits;
+  for (std::size_t w = 1; w < count; ++w) to[w] |= (from[w] << bits) | (from[w - 1] >> (64 - bits));
+  if (first + offset + count < target.words().size()) to[count] |= from[count - 1] >> (64 - bits);
 }
 
 /// Cells that are inside together with their right, upper and upper right neighbours.
 void make_blocks(const Bitmap& inside, Bitmap& block) {
-  block.reset(inside.columns(), inside.rows());
+  block.reset(inside.columns(), inside.rows(), inside.words_per_row());
   const std::size_t words = inside.words_per_row();
   const auto across = [&](std::int32_t j, std::size_t w) {
     const std::uint64_t* row = inside.row(j);
@@ -138,6 +158,8 @@ class Spreader {
         sampled_(scratch.sampled), cover_(cover) {}
 
   void run() {
+    occupied_ = occupied_rows(inside_);
+    if (occupied_.first == occupied_.last) return;
     make_blocks(inside_, block_);
     by_lattice_points();
     by_boundary_points();
@@ -150,7 +172,7 @@ class Spreader {
     for (std::int32_t j = 0; j <= other_inside_.rows(); ++j) {
       for (std::int32_t i = 0; i <= other_inside_.columns(); ++i) {
         const int around = cell(i - 1, j - 1) + cell(i, j - 1) + cell(i - 1, j) + cell(i, j);
-        if (around > 0 && around < 4) unite_moved(inside_, i, j, cover_.covered);
+        if (around > 0 && around < 4) unite_moved(inside_, occupied_, i, j, cover_.covered);
       }
     }
   }
@@ -186,7 +208,7 @@ class Spreader {
       return;
     }
     sampled_.set(i, j);
-    unite_moved(block_, i + 1, j + 1, cover_.covered);
+    unite_moved(block_, occupied_, i + 1, j + 1, cover_.covered);
   }
 
   const Operands& o_;
@@ -196,30 +218,88 @@ class Spreader {
   Bitmap& block_;
   Bitmap& sampled_;
   Cover& cover_;
+  RowRange occupied_;
 };
+
+void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Cover& cover) {
+  const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
+                           operands.extent[0].y + operands.extent[1].y};
+  cover.grid = UniformGrid::over(extent.x, extent.y, side);
+  if (!cover.active) return;
+  cover.covered.reset(cover.grid.columns, cover.grid.rows);
+  for (const int operand : {0, 1}) Rasteriser(operands, operand, cover, scratch).run();
+  for (const int moved : {0, 1}) Spreader(operands, moved, scratch, cover).run();
+  make_blocks(cover.covered, cover.block);
+}
+
+/// Of a sample of the segments, the share that touches an uncovered cell.
+double visible_share(const Operands& o, std::span<const Segment> segments, const Cover& cover) {
+  const std::size_t step = segments.size() / 256 + 1;
+  std::size_t visible = 0;
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < segments.size(); i += step) {
+    const auto [e, v] = segments[i];
+    const Vec<double> a = at(o, e);
+    const Vec<double> b = at(o, o.sites.next[e]);
+    const Vec<double> q = at(o, v);
+    bool hidden = true;
+    cover.grid.walk({a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}, UniformGrid::kMargin,
+                    [&](std::int32_t column, std::int32_t row) {
+                      hidden = cover.is_covered(column, row);
+                      return hidden;
+                    });
+    visible += hidden ? 0U : 1U;
+    ++looked_at;
+  }
+  return static_cast<double>(visible) / static_cast<double>(looked_at);
+}
+
+/// About how many words a cover of this many cells along a side moves, per segment.
+double words_per_segment(int side, std::size_t segments) {
+  const double words_per_move = static_cast<double>(side) * side / 128;
+  const double moves = 6.0 * side;
+  return words_per_move * moves / static_cast<double>(segments);
+}
 
 }  // namespace
 
-void cover_interior(const Operands& operands, std::size_t segments, const Options& options,
-                    CoverScratch& scratch, Cover& cover) {
-  const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
-                           operands.extent[0].y + operands.extent[1].y};
-  cover.grid = UniformGrid::over(extent.x, extent.y, choose_side(segments, options));
+void cover_interior(const Operands& operands, std::span<const Segment> segments,
+                    const Options& options, CoverScratch& scratch, Cover& cover) {
   // The full convolution is there to be compared: its whole arrangement is built.
   cover.active = options.cover && options.method != Method::kFull &&
-                 (options.grid > 0 || segments >= kSegmentsWorthACover);
-  if (!cover.active) return;
-  cover.covered.reset(cover.grid.columns, cover.grid.rows);
-  for (const int operand : {0, 1}) {
-    Rasteriser(operands, operand, cover.grid.cell, scratch).run();
+                 (options.grid > 0 || segments.size() >= kSegmentsWorthACover);
+  int side = choose_side(segments.size(), options);
+  cover_on_grid(operands, side, scratch, cover);
+  if (!cover.active || options.grid > 0) return;
+  // Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
+  // segments would otherwise stay, or crowd in few cells, as long as it does uncover less.
+  constexpr double kTooManyVisible = 0.4;
+  constexpr double kFewVisible = 0.1;
+  constexpr double kWorthIt = 0.8;
+  constexpr double kMaxWordsPerSegment = 400;
+  double share = visible_share(operands, segments, cover);
+  const auto crowded = [&] {
+    const auto uncovered = static_cast<double>(static_cast<std::uint64_t>(cover.grid.size()) -
+                                               cover.covered_count());
+    return share > kFewVisible && share * static_cast<double>(segments.size()) > uncovered;
+  };
+  while ((share > kTooManyVisible || crowded()) && side * 2 <= kMaxSide &&
+         words_per_segment(side * 2, segments.size()) <= kMaxWordsPerSegment) {
+    side *= 2;
+    cover_on_grid(operands, side, scratch, cover);
+    const double finer_share = visible_share(operands, segments, cover);
+    // A cover that hides nothing yet may hide much on the next grid.
+    if (finer_share > kWorthIt * share && share < 0.9) break;
+    share = finer_share;
   }
-  for (const int moved : {0, 1}) Spreader(operands, moved, scratch, cover).run();
 }
 
 std::uint64_t Cover::covered_count() const {
   std::uint64_t count = 0;
-  for (std::int32_t j = 0; j < grid.rows; ++j) {
-    for (std::int32_t i = 0; i < grid.columns; ++i) count += is_covered(i, j) ? 1U : 0U;
+  if (active) {
+    for (const std::uint64_t word : covered.words()) {
+      count += static_cast<std::uint64_t>(std::popcount(word));
+    }
   }
   return count;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,18 +12,21 @@
 
 namespace minksum {
 
-/// Rows of bits, 64 to a word.
+/// Rows of bits, 64 to a word. Columns past the last are never set.
 class Bitmap {
  public:
-  void reset(std::int32_t columns, std::int32_t rows) {
+  /// All clear. Rows may be longer than the columns need: bitmaps with equal `words` per row line up.
+  void reset(std::int32_t columns, std::int32_t rows, std::size_t words = 0) {
     columns_ = columns;
     rows_ = rows;
-    words_ = (static_cast<std::size_t>(columns) + 63) / 64;
+    words_ = std::max((static_cast<std::size_t>(columns) + 63) / 64, words);
     bits_.assign(words_ * static_cast<std::size_t>(rows), 0);
   }
   [[nodiscard]] std::int32_t columns() const { return columns_; }
   [[nodiscard]] std::int32_t rows() const { return rows_; }
   [[nodiscard]] std::size_t words_per_row() const { return words_; }
+  [[nodiscard]] std::span<std::uint64_t> words() { return bits_; }
+  [[nodiscard]] std::span<const std::uint64_t> words() const { return bits_; }
   [[nodiscard]] std::uint64_t* row(std::int32_t j) {
     return bits_.data() + words_ * static_cast<std::size_t>(j);
   }
@@ -33,9 +37,6 @@ class Bitmap {
     return ((row(j)[i >> 6] >> (i & 63)) & 1) != 0;
   }
   void set(std::int32_t i, std::int32_t j) { row(j)[i >> 6] |= std::uint64_t{1} << (i & 63); }
-  void clear(std::int32_t i, std::int32_t j) {
-    row(j)[i >> 6] &= ~(std::uint64_t{1} << (i & 63));
-  }
 
  private:
   std::int32_t columns_ = 0;
@@ -52,10 +53,25 @@ struct Cover {
   UniformGrid grid;
   bool active = false;  ///< false: no cell is covered
   Bitmap covered;       ///< of the grid's size if active
+  Bitmap block;         ///< cells covered with their right, upper and upper right neighbours
 
   [[nodiscard]] std::uint64_t covered_count() const;
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
     return active && covered.get(column, row);
+  }
+  /// Whether all cells near a segment are certainly covered: a quick test for short ones.
+  [[nodiscard]] bool hides(const Vec<double>& a, const Vec<double>& b) const {
+    if (!active) return false;
+    constexpr double kMargin = 2 * UniformGrid::kMargin;
+    const double x0 = std::min(a.x, b.x) * grid.inverse - kMargin;
+    const double x1 = std::max(a.x, b.x) * grid.inverse + kMargin;
+    const double y0 = std::min(a.y, b.y) * grid.inverse - kMargin;
+    const double y1 = std::max(a.y, b.y) * grid.inverse + kMargin;
+    if (x0 < 0 || y0 < 0 || x1 >= grid.columns || y1 >= grid.rows) return false;
+    const auto i = static_cast<std::int32_t>(x0);
+    const auto j = static_cast<std::int32_t>(y0);
+    return static_cast<std::int32_t>(x1) <= i + 1 && static_cast<std::int32_t>(y1) <= j + 1 &&
+           block.get(i, j);
   }
 };
 
@@ -67,14 +83,14 @@ struct CoverScratch {
   Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
 };
 
-/// Chooses the grid by the number of segments (or as `options.grid` says) and marks cells.
+/// Chooses the grid by the segments (or as `options.grid` says) and marks cells.
 ///
 /// If a cell C, moved by −q for a point q of Q, lies in the interior of P, then C = (C − q) + q lies
 /// in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same size,
 /// move that by one point of Q for each cell that Q's boundary touches, unite; the same with P and Q
 /// exchanged. O(cells / 64 · boundary cells).
-void cover_interior(const Operands& operands, std::size_t segments, const Options& options,
-                    CoverScratch& scratch, Cover& cover);
+void cover_interior(const Operands& operands, std::span<const Segment> segments,
+                    const Options& options, CoverScratch& scratch, Cover& cover);
 
 /// Whether the cover fits its grid and leaves out all cells at the border of the sum's box, where
 /// the sum's boundary must be; what is wrong, if not. (That covered cells are inside the sum is

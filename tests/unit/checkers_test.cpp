@@ -40,7 +40,7 @@ struct Stages {
     options.grid = 16;
     prepare_operands(comb, l_shape, options, operands);
     reduced_convolution(operands, options.limits, convolution_scratch, convolution);
-    cover_interior(operands, convolution.segments.size(), options, cover_scratch, cover);
+    cover_interior(operands, convolution.segments, options, cover_scratch, cover);
     Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
     arrange(operands, convolution, cover, options, go_on, predicates, arrangement_scratch,
             arrangement);
