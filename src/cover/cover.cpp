@@ -118,6 +118,9 @@ RowRange occupied_rows(const Bitmap& bitmap) {
 void unite_moved(const Bitmap& source, const RowRange& occupied, std::int32_t columns,
                  std::int32_t rows, Bitmap& target) {
   const std::size_t words = source.words_per_row();
+  if (words != target.words_per_row()) {
+    throw Error(ErrorCode::kInternal, "rows of different lengths", {}, "cover");
+  }
   const auto first = static_cast<std::size_t>(occupied.first) * words;
   const auto last = static_cast<std::size_t>(occupied.last) * words;
   const std::size_t offset = static_cast<std::size_t>(rows) * words + static_cast<std::size_t>(columns >> 6);
@@ -226,7 +229,9 @@ void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Co
                            operands.extent[0].y + operands.extent[1].y};
   cover.grid = UniformGrid::over(extent.x, extent.y, side);
   if (!cover.active) return;
-  cover.covered.reset(cover.grid.columns, cover.grid.rows);
+  // An operand's raster may have one column more than the sum's grid; rows must be equally long.
+  cover.covered.reset(cover.grid.columns, cover.grid.rows,
+                      (static_cast<std::size_t>(cover.grid.columns) + 1 + 63) / 64);
   for (const int operand : {0, 1}) Rasteriser(operands, operand, cover, scratch).run();
   for (const int moved : {0, 1}) Spreader(operands, moved, scratch, cover).run();
   make_blocks(cover.covered, cover.block);
