@@ -98,6 +98,13 @@ std::optional<std::string> check_places(const Operands& o) {
       return "places do not go round";
     }
   }
+  for (const SiteId e : o.by_direction) {
+    const Ray& ray = at[o.reverse_place[o.rank[e]]];
+    if (o.kernel->cross(e, ray.edge) != kZero ||
+        o.kernel->dot(e, ray.edge) * ray.sense != kNegative) {
+      return "a reverse is out of place";
+    }
+  }
   return std::nullopt;
 }
 

@@ -208,7 +208,7 @@ std::vector<Malformed> plain_table() {
       {"poly_extra_chain", "1\n3 out\n0 0\n1 0\n0 1\n1 2 3\n3 out\n", kBad,
        "the end of the text after 1 chains"},
       {"poly_missing_chain", "2\n3 out\n0 0\n1 0\n0 1\n1 2 3\n", kBad,
-       "the number of points of chain 1"},
+       "the number of points of chain 2"},
       {"poly_glued", "1\n3 out\n-6.64248.788605\n1 0\n0 1\n1 2 3\n", kBad,
        "expected a space, found '.788605'", 3, 9},
       {"poly_huge_count", "1\n999999999999999999 out\n0 0\n", kBad, "found the end of the text"},
