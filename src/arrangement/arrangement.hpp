@@ -101,8 +101,8 @@ void find_crossings(const Operands& operands, const Cover& cover, const Options&
                     const std::function<void()>& stop, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
-void split_segments(const Operands& operands, const Cover& cover, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement);
+void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
+                    Arrangement& arrangement);
 
 /// The root of a point.
 inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {

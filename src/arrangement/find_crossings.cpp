@@ -259,10 +259,11 @@ class CrossingFinder {
     if (!mine(p, on_s.error * reach(kept_[s]) + predicates_.bounds().position)) return;
     const Parameter on_t = crossing_parameter(t, of_t, s);
     const auto point = static_cast<std::uint32_t>(scratch_.parent.size());
-    if (scratch_.crossings.size() >= options_.limits.max_crossings) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 30;  // points have 32-bit numbers
+    const std::uint64_t most = std::min(options_.limits.max_crossings, kMost);
+    if (scratch_.crossings.size() >= most) {
       throw Error(ErrorCode::kLimitExceeded,
-                  "more than " + std::to_string(options_.limits.max_crossings) +
-                      " crossings (Limits::max_crossings)");
+                  "more than " + std::to_string(most) + " crossings (Limits::max_crossings)");
     }
     scratch_.parent.push_back(point);
     scratch_.crossings.push_back({s, t, on_s.lambda, doubted(on_s.error)});

@@ -11,9 +11,9 @@ constexpr NodeId kNoNode = 0xFFFFFFFFU;
 
 class Splitter {
  public:
-  Splitter(const Operands& o, const Cover& cover, Predicates& predicates,
-           ArrangementScratch& scratch, Arrangement& arrangement)
-      : o_(o), cover_(cover), predicates_(predicates), scratch_(scratch), result_(arrangement),
+  Splitter(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
+           Arrangement& arrangement)
+      : cover_(cover), predicates_(predicates), scratch_(scratch), result_(arrangement),
         ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())) {}
 
   void run() {
@@ -164,7 +164,6 @@ class Splitter {
     }
   }
 
-  const Operands& o_;
   const Cover& cover_;
   Predicates& predicates_;
   ArrangementScratch& scratch_;
@@ -174,9 +173,9 @@ class Splitter {
 
 }  // namespace
 
-void split_segments(const Operands& operands, const Cover& cover, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement) {
-  Splitter(operands, cover, predicates, scratch, arrangement).run();
+void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
+                    Arrangement& arrangement) {
+  Splitter(cover, predicates, scratch, arrangement).run();
 }
 
 }  // namespace minksum

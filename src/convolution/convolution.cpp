@@ -52,10 +52,13 @@ class Lister {
   void append(const EdgesByRank& edges, DirectionRank from, DirectionRank to, SiteId v) {
     const std::uint32_t first = edges.first[from];
     const std::uint32_t last = edges.first[to];
-    if (segments_.size() + (last - first) > limits_.max_segments) {
-      throw Error(ErrorCode::kLimitExceeded,
-                  "the convolution has more than " + std::to_string(limits_.max_segments) +
-                      " segments (Limits::max_segments)");
+    // Points of segments and crossings are numbered in 32 bits.
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+    const std::uint64_t most = std::min(limits_.max_segments, kMost);
+    if (segments_.size() + (last - first) > most) {
+      throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
+                                                 std::to_string(most) +
+                                                 " segments (Limits::max_segments)");
     }
     for (std::uint32_t i = first; i < last; ++i) segments_.push_back({edges.edges[i], v});
   }

@@ -8,9 +8,8 @@ namespace {
 
 class LoopFilter {
  public:
-  LoopFilter(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
-             Predicates& predicates)
-      : o_(operands), arrangement_(arrangement), loops_(loops), predicates_(predicates) {}
+  LoopFilter(const Arrangement& arrangement, const Loops& loops, Predicates& predicates)
+      : arrangement_(arrangement), loops_(loops), predicates_(predicates) {}
 
   /// The loop that is the sum's outer boundary if the operands are connected: the positive loop
   /// that has the lexicographically smallest node.
@@ -70,7 +69,6 @@ class LoopFilter {
     return best;
   }
 
-  const Operands& o_;
   const Arrangement& arrangement_;
   const Loops& loops_;
   Predicates& predicates_;
@@ -84,7 +82,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
   filtered.state.assign(loops.size(), LoopState::kAccepted);
   filtered.rejected_by_nesting = 0;
   filtered.rejected_by_collision = 0;
-  LoopFilter filter(operands, arrangement, loops, predicates);
+  LoopFilter filter(arrangement, loops, predicates);
   const std::size_t outermost = operands.connected ? filter.outermost() : loops.size();
   if (loops.size() > 1 || !operands.connected) {
     for (const int operand : {0, 1}) trees.tree[operand].build(operands, operand);
@@ -118,7 +116,7 @@ std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loo
     return "a count is wrong";
   }
   Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
-  LoopFilter filter(operands, arrangement, loops, predicates);
+  LoopFilter filter(arrangement, loops, predicates);
   BoxTrees trees;
   for (const int operand : {0, 1}) trees.tree[operand].build(operands, operand);
   CollisionTest collision(operands, trees, predicates);
