@@ -110,7 +110,7 @@ void run_pipeline(const Region& p, const Region& q, const Options& options,
     runner.require(check(w.convolution, w.operands, options.method == Method::kFull));
   }
   runner.run(Stage::kCover, [&] {
-    cover_interior(w.operands, w.convolution.segments, options, w.cover_scratch, w.cover);
+    cover_interior(w.operands, w.convolution, options, w.cover_scratch, w.cover);
   });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {

@@ -18,9 +18,10 @@ void list_by_rank(const Operands& o, int operand, bool with_holes, EdgesByRank& 
 
 class Lister {
  public:
-  Lister(const Operands& o, const Limits& limits, bool full, ConvolutionScratch& scratch,
+  enum class Vertices { kConvex, kAll, kReflexBackwards };
+  Lister(const Operands& o, const Limits& limits, Vertices which, ConvolutionScratch& scratch,
          Convolution& convolution)
-      : o_(o), limits_(limits), full_(full), scratch_(scratch), segments_(convolution.segments) {
+      : o_(o), limits_(limits), which_(which), scratch_(scratch), segments_(convolution.segments) {
     segments_.clear();
   }
 
@@ -32,9 +33,11 @@ class Lister {
     const SiteId begin = first ? 0 : o_.split;
     const SiteId end = first ? o_.split : o_.size();
     for (SiteId v = begin; v < end; ++v) {
-      if (o_.convex[v] == 0 && !full_) continue;
-      const DirectionRank in = o_.rank[o_.previous[v]];
-      const DirectionRank out = o_.rank[v];
+      const bool convex = o_.convex[v] != 0;
+      if (which_ != Vertices::kAll && convex != (which_ == Vertices::kConvex)) continue;
+      DirectionRank in = o_.rank[o_.previous[v]];
+      DirectionRank out = o_.rank[v];
+      if (which_ == Vertices::kReflexBackwards) std::swap(in, out);
       const EdgesByRank& edges = o_.on_hole[v] != 0 ? scratch_.outer : scratch_.all;
       // [in, out) for the first operand, (in, out] for the second.
       const DirectionRank from = first ? in : in + 1;
@@ -65,7 +68,7 @@ class Lister {
 
   const Operands& o_;
   const Limits& limits_;
-  bool full_;
+  Vertices which_;
   ConvolutionScratch& scratch_;
   std::vector<Segment>& segments_;
 };
@@ -84,14 +87,21 @@ bool in_range(const Operands& o, SiteId v, SiteId edge) {
 
 void reduced_convolution(const Operands& operands, const Limits& limits,
                          ConvolutionScratch& scratch, Convolution& convolution) {
-  Lister lister(operands, limits, false, scratch, convolution);
+  Lister lister(operands, limits, Lister::Vertices::kConvex, scratch, convolution);
   lister.list(0);
   lister.list(1);
 }
 
 void full_convolution(const Operands& operands, const Limits& limits,
                       ConvolutionScratch& scratch, Convolution& convolution) {
-  Lister lister(operands, limits, true, scratch, convolution);
+  Lister lister(operands, limits, Lister::Vertices::kAll, scratch, convolution);
+  lister.list(0);
+  lister.list(1);
+}
+
+void reflex_convolution(const Operands& operands, const Limits& limits,
+                        ConvolutionScratch& scratch, Convolution& convolution) {
+  Lister lister(operands, limits, Lister::Vertices::kReflexBackwards, scratch, convolution);
   lister.list(0);
   lister.list(1);
 }

@@ -40,6 +40,11 @@ void reduced_convolution(const Operands& operands, const Limits& limits,
 void full_convolution(const Operands& operands, const Limits& limits,
                       ConvolutionScratch& scratch, Convolution& convolution);
 
+/// What the signed convolution (Guibas, Ramshaw, Stolfi 1983) has beyond the reduced one: each reflex
+/// vertex with the edges in its small range, traversed backwards. Together they are closed.
+void reflex_convolution(const Operands& operands, const Limits& limits,
+                        ConvolutionScratch& scratch, Convolution& convolution);
+
 /// Whether each segment is one that the reduced rule makes (exactly once), or with `full` the full
 /// one; what is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Convolution& convolution,

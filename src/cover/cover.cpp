@@ -138,20 +138,6 @@ void unite_moved(const Bitmap& source, const RowRange& occupied, std::int32_t co
   if (first + offset + count < target.words().size()) to[count] |= from[count - 1] >> (64 - bits);
 }
 
-/// Cells that are inside together with their right, upper and upper right neighbours.
-void make_blocks(const Bitmap& inside, Bitmap& block) {
-  block.reset(inside.columns(), inside.rows(), inside.words_per_row());
-  const std::size_t words = inside.words_per_row();
-  const auto across = [&](std::int32_t j, std::size_t w) {
-    const std::uint64_t* row = inside.row(j);
-    const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
-    return row[w] & ((row[w] >> 1) | (next << 63));
-  };
-  for (std::int32_t j = 0; j + 1 < inside.rows(); ++j) {
-    for (std::size_t w = 0; w < words; ++w) block.row(j)[w] = across(j, w) & across(j + 1, w);
-  }
-}
-
 /// Marks what the interior of `moved` covers when it is moved by points of the other operand.
 class Spreader {
  public:
@@ -224,7 +210,7 @@ class Spreader {
   RowRange occupied_;
 };
 
-void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Cover& cover) {
+void lay_grid(const Operands& operands, int side, Cover& cover) {
   const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
                            operands.extent[0].y + operands.extent[1].y};
   cover.grid = UniformGrid::over(extent.x, extent.y, side);
@@ -232,31 +218,45 @@ void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Co
   // An operand's raster may have one column more than the sum's grid; rows must be equally long.
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       (static_cast<std::size_t>(cover.grid.columns) + 1 + 63) / 64);
+}
+
+void cover_by_translates(const Operands& operands, int side, CoverScratch& scratch,
+                         Cover& cover) {
+  lay_grid(operands, side, cover);
+  if (!cover.active) return;
   for (const int operand : {0, 1}) Rasteriser(operands, operand, cover, scratch).run();
   for (const int moved : {0, 1}) Spreader(operands, moved, scratch, cover).run();
   make_blocks(cover.covered, cover.block);
 }
 
-/// Of a sample of the segments, the share that touches an uncovered cell.
-double visible_share(const Operands& o, std::span<const Segment> segments, const Cover& cover) {
+/// How a sample of the segments fares under a cover.
+struct Visibility {
+  double share = 0;    ///< of segments that touch an uncovered cell
+  double crowding = 0; ///< segments to an uncovered cell, on average
+};
+Visibility look(const Operands& o, std::span<const Segment> segments, const Cover& cover) {
   const std::size_t step = segments.size() / 256 + 1;
   std::size_t visible = 0;
+  std::size_t cells = 0;
   std::size_t looked_at = 0;
   for (std::size_t i = 0; i < segments.size(); i += step) {
     const auto [e, v] = segments[i];
     const Vec<double> a = at(o, e);
     const Vec<double> b = at(o, o.sites.next[e]);
     const Vec<double> q = at(o, v);
-    bool hidden = true;
+    const std::size_t before = cells;
     cover.grid.walk({a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}, UniformGrid::kMargin,
                     [&](std::int32_t column, std::int32_t row) {
-                      hidden = cover.is_covered(column, row);
-                      return hidden;
+                      cells += cover.is_covered(column, row) ? 0U : 1U;
+                      return true;
                     });
-    visible += hidden ? 0U : 1U;
+    visible += cells > before ? 1U : 0U;
     ++looked_at;
   }
-  return static_cast<double>(visible) / static_cast<double>(looked_at);
+  const double uncovered = static_cast<double>(static_cast<std::uint64_t>(cover.grid.size()) -
+                                               cover.covered_count());
+  return {static_cast<double>(visible) / static_cast<double>(looked_at),
+          static_cast<double>(cells * step) / std::max(uncovered, 1.0)};
 }
 
 /// About how many words a cover of this many cells along a side moves, per segment.
@@ -268,34 +268,75 @@ double words_per_segment(int side, std::size_t segments) {
 
 }  // namespace
 
-void cover_interior(const Operands& operands, std::span<const Segment> segments,
+void make_blocks(const Bitmap& inside, Bitmap& block) {
+  block.reset(inside.columns(), inside.rows(), inside.words_per_row());
+  const std::size_t words = inside.words_per_row();
+  const auto across = [&](std::int32_t j, std::size_t w) {
+    const std::uint64_t* row = inside.row(j);
+    const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
+    return row[w] & ((row[w] >> 1) | (next << 63));
+  };
+  for (std::int32_t j = 0; j + 1 < inside.rows(); ++j) {
+    for (std::size_t w = 0; w < words; ++w) block.row(j)[w] = across(j, w) & across(j + 1, w);
+  }
+}
+
+namespace {
+
+// Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
+// segments would otherwise stay, or crowd in few cells, as long as it does uncover less.
+Visibility refine(const Operands& operands, std::span<const Segment> segments, int& side,
+                  CoverScratch& scratch, Cover& cover) {
+  constexpr double kTooManyVisible = 0.4;
+  constexpr double kFewVisible = 0.1;
+  constexpr double kCrowded = 4;
+  constexpr double kWorthIt = 0.8;
+  constexpr double kMaxWordsPerSegment = 400;
+  Visibility now = look(operands, segments, cover);
+  while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
+         side * 2 <= kMaxSide &&
+         words_per_segment(side * 2, segments.size()) <= kMaxWordsPerSegment) {
+    side *= 2;
+    cover_by_translates(operands, side, scratch, cover);
+    const Visibility finer = look(operands, segments, cover);
+    // A cover that hides nothing yet may hide much on the next grid.
+    const bool enough = finer.share > kWorthIt * now.share && now.share < 0.9;
+    now = finer;
+    if (enough) break;
+  }
+  return now;
+}
+
+bool has_holes(const Operands& operands) {
+  return std::any_of(operands.rings.begin(), operands.rings.end(),
+                     [](const OperandRing& ring) { return ring.is_hole(); });
+}
+
+}  // namespace
+
+void cover_interior(const Operands& operands, const Convolution& convolution,
                     const Options& options, CoverScratch& scratch, Cover& cover) {
+  const std::span<const Segment> segments = convolution.segments;
   // The full convolution is there to be compared: its whole arrangement is built.
   cover.active = options.cover && options.method != Method::kFull &&
                  (options.grid > 0 || segments.size() >= kSegmentsWorthACover);
   int side = choose_side(segments.size(), options);
-  cover_on_grid(operands, side, scratch, cover);
-  if (!cover.active || options.grid > 0) return;
-  // Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
-  // segments would otherwise stay, or crowd in few cells, as long as it does uncover less.
-  constexpr double kTooManyVisible = 0.4;
-  constexpr double kFewVisible = 0.1;
-  constexpr double kWorthIt = 0.8;
-  constexpr double kMaxWordsPerSegment = 400;
-  double share = visible_share(operands, segments, cover);
-  const auto crowded = [&] {
-    const auto uncovered = static_cast<double>(static_cast<std::uint64_t>(cover.grid.size()) -
-                                               cover.covered_count());
-    return share > kFewVisible && share * static_cast<double>(segments.size()) > uncovered;
-  };
-  while ((share > kTooManyVisible || crowded()) && side * 2 <= kMaxSide &&
-         words_per_segment(side * 2, segments.size()) <= kMaxWordsPerSegment) {
+  cover_by_translates(operands, side, scratch, cover);
+  if (!cover.active || segments.empty()) return;
+  const bool free_side = options.grid == 0;
+  Visibility seen = free_side ? refine(operands, segments, side, scratch, cover)
+                              : look(operands, segments, cover);
+  constexpr double kCrowdedForWinding = 5;
+  constexpr double kStillCrowded = 4;
+  if (seen.crowding <= kCrowdedForWinding || has_holes(operands)) return;
+  cover_by_winding(operands, convolution, options.limits, scratch, cover);
+  // Thin shapes gain nothing from moved cells; on finer grids the winding number stands alone.
+  for (seen = look(operands, segments, cover);
+       free_side && seen.crowding > kStillCrowded && side * 2 <= kMaxSide / 2;
+       seen = look(operands, segments, cover)) {
     side *= 2;
-    cover_on_grid(operands, side, scratch, cover);
-    const double finer_share = visible_share(operands, segments, cover);
-    // A cover that hides nothing yet may hide much on the next grid.
-    if (finer_share > kWorthIt * share && share < 0.9) break;
-    share = finer_share;
+    lay_grid(operands, side, cover);
+    cover_by_winding(operands, convolution, options.limits, scratch, cover);
   }
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "convolution/convolution.hpp"
 #include "grid/uniform_grid.hpp"
-#include "operands/operands.hpp"
 
 namespace minksum {
 
@@ -81,6 +81,10 @@ struct CoverScratch {
   Bitmap boundary;     ///< cells that its boundary may touch
   Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours
   Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
+  ConvolutionScratch convolution;
+  Convolution reflex;                  ///< the rest of the signed convolution
+  std::vector<std::int32_t> crossing;  ///< by cell: signed segments near it
+  std::vector<std::int32_t> winding;   ///< by cell: winding number at its centre
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells.
@@ -89,8 +93,25 @@ struct CoverScratch {
 /// in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same size,
 /// move that by one point of Q for each cell that Q's boundary touches, unite; the same with P and Q
 /// exchanged. O(cells / 64 · boundary cells).
-void cover_interior(const Operands& operands, std::span<const Segment> segments,
+///
+/// Where segments still crowd, because the sum is covered by many thin translates rather than few fat
+/// ones, cells are also marked by winding number (`cover_by_winding`).
+void cover_interior(const Operands& operands, const Convolution& convolution,
                     const Options& options, CoverScratch& scratch, Cover& cover);
+
+/// Marks the cells in which the winding number of the signed convolution cannot fall to zero.
+///
+/// Without holes the winding number at x is the number of components of P ∩ (x − Q): positive inside
+/// the sum. From a cell's centre to any point of the cell it changes by at most one for each segment
+/// that crosses the cell. The number at the centre is computed for segments rounded to doubles, which
+/// are closed chains as the true ones are; the rounding may move segments over the centre, but only
+/// such as cross the cell. So a number greater than twice the crossing segments is proof. Operands
+/// must have no (kept) holes. O(signed segments · cells per segment).
+void cover_by_winding(const Operands& operands, const Convolution& convolution,
+                      const Limits& limits, CoverScratch& scratch, Cover& cover);
+
+/// Cells that are set together with their right, upper and upper right neighbours.
+void make_blocks(const Bitmap& bitmap, Bitmap& block);
 
 /// Whether the cover fits its grid and leaves out all cells at the border of the sum's box, where
 /// the sum's boundary must be; what is wrong, if not. (That covered cells are inside the sum is
