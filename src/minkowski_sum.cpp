@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <new>
 
 #include "output/output.hpp"
 #include "signed_convolution/signed_convolution.hpp"
@@ -185,6 +186,9 @@ Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
   } catch (const Error& error) {
     result.clear();
     return {error};
+  } catch (const std::bad_alloc&) {
+    result.clear();
+    return {Error(ErrorCode::kLimitExceeded, "out of memory")};
   }
 }
 

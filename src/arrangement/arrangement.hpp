@@ -75,6 +75,7 @@ struct ArrangementScratch {
   std::vector<std::pair<std::uint32_t, KeptId>> cell_entries;
   std::vector<KeptId> hash_table;
   std::vector<std::vector<KeptId>> stack;  ///< segments of a cell, level by level of its division
+  std::vector<KeptId> sweep_order;
   std::vector<Crossing> crossings;
   std::vector<Event> events;
   std::vector<Event> sorted_events;

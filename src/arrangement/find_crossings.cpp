@@ -60,9 +60,26 @@ class CrossingFinder {
   void solve(const KeptId* items, std::uint32_t count, const Part& part, int depth) {
     if (count <= kFew || depth == kMaxDepth || !divide(items, count, part, depth)) {
       part_ = part;
+      if (count > kFew && trust_) return sweep(items, count);
       for (std::uint32_t i = 1; i < count; ++i) {
         for (std::uint32_t j = 0; j < i; ++j) meet(items[j], items[i]);
       }
+    }
+  }
+
+  /// All pairs whose x ranges overlap, from left to right: for parts that dividing did not thin out.
+  void sweep(const KeptId* items, std::uint32_t count) {
+    auto& order = scratch_.sweep_order;
+    order.assign(items, items + count);
+    const auto left = [&](KeptId s) { return std::min(kept_[s].a.x, kept_[s].b.x); };
+    std::sort(order.begin(), order.end(), [&](KeptId a, KeptId b) { return left(a) < left(b); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const KeptSegment& s = kept_[order[i]];
+      const double reach = std::max(s.a.x, s.b.x) + predicates_.bounds().difference;
+      for (std::size_t j = i + 1; j < order.size() && left(order[j]) <= reach; ++j) {
+        meet(std::min(order[i], order[j]), std::max(order[i], order[j]));
+      }
+      if ((i & 0xFFF) == 0xFFF) stop_();
     }
   }
 
@@ -86,6 +103,7 @@ class CrossingFinder {
       }
       total += inside.size();
     }
+    // Crowds that no division parts are left to the sweep.
     if (total >= std::size_t{3} * count) return false;
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const bool right = (quarter & 1) != 0;

@@ -36,6 +36,17 @@ void BoxTree::build(const Operands& o, int operand) {
   }
 }
 
+void BoxTrees::build(const Operands& o) {
+  for (const int operand : {0, 1}) tree[operand].build(o, operand);
+  ring_boxes.clear();
+  for (const OperandRing& ring : o.rings) {
+    const auto& [x, y, dx, dy, next] = o.sites;
+    const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
+    const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
+    ring_boxes.push_back({*x0, *y0, *x1, *y1});
+  }
+}
+
 bool CollisionTest::meets(const Probe& probe) {
   probe_ = probe;
   at_ = predicates_.position(probe);
@@ -112,6 +123,14 @@ bool CollisionTest::one_inside_other() {
   return any_ring(0, middle, middle, end) || any_ring(middle, end, 0, middle);
 }
 
+/// Whether x − `other` certainly lies outside a ring of the other operand.
+bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
+  const BoxTree::Box& box = trees_.ring_boxes[ring];
+  const double x = at_.x - o_.sites.x[other];
+  const double y = at_.y - o_.sites.y[other];
+  return x < box.x0 - doubt_ || x > box.x1 + doubt_ || y < box.y0 - doubt_ || y > box.y1 + doubt_;
+}
+
 /// Whether x − `other` lies in one of the other operand's polygons, whose rings these are: parity
 /// along a ray to the right, polygon by polygon (filled holes may contain further polygons).
 bool CollisionTest::inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring) {
@@ -120,8 +139,8 @@ bool CollisionTest::inside_polygon(SiteId other, std::size_t first_ring, std::si
     const OperandRing& ring = o_.rings[r];
     if (!ring.is_hole()) {
       if (inside) return true;
-      inside = false;
     }
+    if (outside_box(other, r)) continue;
     const auto above = [&](SiteId v) {
       return predicates_.compare_y(probe_, at_, sum_vertex(v, other)) == kNegative;
     };

@@ -46,6 +46,9 @@ struct BoxPair {
 /// Both operands' trees, and the memory to go through pairs of their nodes.
 struct BoxTrees {
   BoxTree tree[2];
+  std::vector<BoxTree::Box> ring_boxes;  ///< by ring of both operands
+
+  void build(const Operands& operands);
   std::vector<BoxPair> stack;
 };
 
@@ -66,6 +69,7 @@ class CollisionTest {
   [[nodiscard]] bool leaves_cross(std::size_t leaf_p, std::size_t leaf_q);
   [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
   [[nodiscard]] bool one_inside_other();
+  [[nodiscard]] bool outside_box(SiteId other, std::size_t ring) const;
   [[nodiscard]] bool inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
   const Operands& o_;

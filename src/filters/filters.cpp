@@ -85,7 +85,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
   LoopFilter filter(arrangement, loops, predicates);
   const std::size_t outermost = operands.connected ? filter.outermost() : loops.size();
   if (loops.size() > 1 || !operands.connected) {
-    for (const int operand : {0, 1}) trees.tree[operand].build(operands, operand);
+    trees.build(operands);
   }
   CollisionTest collision(operands, trees, predicates);
   BigRational exact;
@@ -101,6 +101,11 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
       ++filtered.rejected_by_collision;
     }
     if ((i & 0xFF) == 0) stop();
+  }
+  // The outer boundary of a sum that is not empty is always there.
+  if (std::find(filtered.state.begin(), filtered.state.end(), LoopState::kAccepted) ==
+      filtered.state.end()) {
+    throw Error(ErrorCode::kInternal, "no loop is left", {}, "filters");
   }
 }
 
@@ -118,7 +123,7 @@ std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loo
   Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
   LoopFilter filter(arrangement, loops, predicates);
   BoxTrees trees;
-  for (const int operand : {0, 1}) trees.tree[operand].build(operands, operand);
+  trees.build(operands);
   CollisionTest collision(operands, trees, predicates);
   BigRational exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {

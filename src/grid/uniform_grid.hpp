@@ -26,7 +26,8 @@ struct UniformGrid {
   static UniformGrid over(double width, double height, int cells_along_longer_side) {
     UniformGrid grid;
     const double longer = std::max(width, height);
-    grid.cell = longer > 0 ? longer / cells_along_longer_side : 1;
+    // A side so small that its inverse would overflow is all in one cell.
+    grid.cell = longer > 0x1p-900 ? longer / cells_along_longer_side : 1;
     grid.inverse = 1 / grid.cell;
     grid.columns = static_cast<std::int32_t>(width * grid.inverse) + 1;
     grid.rows = static_cast<std::int32_t>(height * grid.inverse) + 1;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "grid/uniform_grid.hpp"
 #include "operands/operands.hpp"
@@ -42,12 +43,10 @@ class ContactFinder {
     const UniformGrid grid = UniformGrid::over(extent.x, extent.y, side);
     bin(grid);
     for (std::size_t cell = 0; cell + 1 < cell_begin_.size(); ++cell) {
-      for (std::size_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
-        for (std::size_t j = i + 1; j < cell_begin_[cell + 1]; ++j) {
-          contact(in_cells_[i], in_cells_[j]);
-          if (full()) return;
-        }
-      }
+      const auto edges_in_cell = std::span(in_cells_).subspan(
+          cell_begin_[cell], cell_begin_[cell + 1] - cell_begin_[cell]);
+      find_contacts_in(edges_in_cell);
+      if (full()) return;
     }
   }
 
@@ -65,6 +64,26 @@ class ContactFinder {
 
  private:
   enum class Place { kInside, kOutside, kOnBoundary };
+
+  /// All pairs whose x ranges overlap, from left to right: cells may be crowded.
+  void find_contacts_in(std::span<SiteId> edges) {
+    const auto& x = o_.sites.x;
+    const auto& next = o_.sites.next;
+    const auto left = [&](SiteId e) { return std::min(x[e], x[next[e]]); };
+    const auto right = [&](SiteId e) { return std::max(x[e], x[next[e]]); };
+    constexpr std::size_t kFew = 8;
+    const bool sorted = edges.size() > kFew;
+    if (sorted) {
+      std::sort(edges.begin(), edges.end(), [&](SiteId a, SiteId b) { return left(a) < left(b); });
+    }
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const double reach = right(edges[i]) + o_.bounds.difference;
+      for (std::size_t j = i + 1; j < edges.size() && !full(); ++j) {
+        if (sorted && left(edges[j]) > reach) break;
+        contact(edges[i], edges[j]);
+      }
+    }
+  }
 
   [[nodiscard]] bool full() const { return faults_.size() >= max_faults_; }
   [[nodiscard]] const OperandRing& ring_of(SiteId v) const {
@@ -216,8 +235,8 @@ class ContactFinder {
            a.y1 > b.y1 + doubt;
   }
 
-  /// Any site of the other operand: it moves both the probe and the ring alike.
-  [[nodiscard]] SiteId fixed_site() const { return operand_ == 0 ? o_.split : 0; }
+  /// Probes and lines are made of sums: any one site moves both the probe and the ring alike.
+  [[nodiscard]] SiteId fixed_site() const { return begin_; }
 
   Place locate(const Probe& probe, const OperandRing& ring) {
     bool inside = false;

@@ -10,8 +10,9 @@
 namespace minksum {
 namespace {
 
-/// Above this a scaled coordinate no longer goes to fixed-width arithmetic.
-constexpr int kMaxGridBits = 125;
+/// Above this a scaled coordinate no longer goes to fixed-width arithmetic. Differences of two have one
+/// bit more.
+constexpr int kMaxGridBits = WideRung::kCoordinateBits - 1;
 
 struct Exponents {
   int exp2 = 0;

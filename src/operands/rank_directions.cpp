@@ -64,6 +64,10 @@ bool keys_are_safe(const Operands& operands) {
     const double dx = std::abs(operands.sites.dx[e]);
     const double dy = std::abs(operands.sites.dy[e]);
     if (std::max(dx, dy) < 0x1p-900 || (dy != 0 && dy < 0x1p-900)) return false;
+    // A height that vanished in doubles: its sign tells one end of the circle from the other.
+    if (dy == 0 && operands.kernel->compare(operands.sites.next[e], e, Axis::kY) != kZero) {
+      return false;
+    }
   }
   return true;
 }

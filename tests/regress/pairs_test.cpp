@@ -1,0 +1,98 @@
+// Each file of `pairs` holds two operands, a line each: their sum is the same by every method, at
+// every setting, and by brute force. README.md says what each was about.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "minksum/validity.hpp"
+#include "property/sums.hpp"
+#include "reference/brute_force.hpp"
+#include "reference/validity.hpp"
+#include "support/data.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+/// Beyond this many pairs of vertices brute force takes too long.
+constexpr std::size_t kBruteForceLimit = 2000;
+
+std::vector<std::string> pair_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(MINKSUM_REGRESS_PAIRS)) {
+    if (entry.path().extension() == ".wkt") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Pair read_pair(const std::string& name) {
+  std::ifstream in(std::filesystem::path(MINKSUM_REGRESS_PAIRS) / (name + ".wkt"));
+  std::string first;
+  std::string second;
+  if (!std::getline(in, first) || !std::getline(in, second)) {
+    throw std::runtime_error("two lines are expected in " + name);
+  }
+  return {parse_wkt(first), parse_wkt(second), name};
+}
+
+struct Setting {
+  std::string name;
+  Options options;
+};
+
+std::vector<Setting> settings() {
+  std::vector<Setting> all(1, {"plain", {}});
+  const auto add = [&all](std::string name, auto&& change) {
+    Setting setting{std::move(name), {}};
+    change(setting.options);
+    all.push_back(std::move(setting));
+  };
+  for (const int grid : {1, 2, 3, 4, 8, 16, 64}) {
+    add("grid " + std::to_string(grid), [grid](Options& o) { o.grid = grid; });
+  }
+  add("cover off", [](Options& o) { o.cover = false; });
+  add("filter off", [](Options& o) { o.filter = false; });
+  add("filter and cover off", [](Options& o) { o.filter = o.cover = false; });
+  add("medium", [](Options& o) { o.arithmetic = Arithmetic::kMedium; });
+  add("wide", [](Options& o) { o.arithmetic = Arithmetic::kWide; });
+  add("arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; });
+  add("checked", [](Options& o) { o.check = true; });
+  add("checked, grid 8", [](Options& o) {
+    o.check = true;
+    o.grid = 8;
+  });
+  add("signed", [](Options& o) { o.method = Method::kSigned; });
+  add("full", [](Options& o) { o.method = Method::kFull; });
+  return all;
+}
+
+class RegressPairs : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(RegressPairs, EveryWayGivesTheSame) {
+  const Pair pair = read_pair(GetParam());
+  ASSERT_EQ(reference::legal_fault(pair.p), "");
+  ASSERT_EQ(reference::legal_fault(pair.q), "");
+  EXPECT_TRUE(validate(pair.p).empty());
+  EXPECT_TRUE(validate(pair.q).empty());
+  const bool small = pair.p.vertex_count() * pair.q.vertex_count() <= kBruteForceLimit;
+  const Region expected = small ? reference::brute_force_sum(pair.p, pair.q)
+                                : sum_by(Method::kSigned, pair.p, pair.q);
+  EXPECT_EQ(reference::canonical_fault(expected), "");
+  for (const Setting& setting : settings()) {
+    SCOPED_TRACE(setting.name);
+    EXPECT_EQ(to_text(minkowski_sum(pair.p, pair.q, setting.options)), to_text(expected));
+    EXPECT_EQ(to_text(minkowski_sum(pair.q, pair.p, setting.options)), to_text(expected));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, RegressPairs, ::testing::ValuesIn(pair_names()),
+                         [](const auto& param) { return param.param; });
+
+}  // namespace
