@@ -1,0 +1,113 @@
+"""What docs/benchmarks.md is made of: numbers out of the records, and Markdown tables."""
+import math
+
+MODELS = ["g1", "g2", "g3", "g4", "airplane", "dog", "hand1", "hand2", "bird", "mammoth", "monkey",
+          "neuron"]
+STAGES = ["operands", "convolution", "cover", "arrangement", "loops", "filters", "output"]
+MIB = 1 << 20
+
+
+class Records:
+    """The records of one run of minksum_bench."""
+
+    def __init__(self, bench):
+        self.run = bench["run"]
+        self.all = bench["records"]
+        self.by_key = {(r["set"], r["name"]): r for r in self.all}
+
+    def of(self, *sets):
+        return [r for r in self.all if r["set"] in sets]
+
+    def get(self, set_name, name):
+        return self.by_key.get((set_name, name))
+
+
+def dig(record, *path):
+    """record[a][b]..., or None where there is none."""
+    for key in path:
+        if record is None or key not in record:
+            return None
+        record = record[key]
+    return record
+
+
+def own_seconds(record):
+    return dig(record, "minksum_alone", "median")
+
+
+def ratio(record, peer="cgal"):
+    return dig(record, peer, "ratio")
+
+
+def geometric_mean(values):
+    values = list(values)
+    return math.exp(sum(map(math.log, values)) / len(values)) if values else None
+
+
+def exponent(points):
+    """The slope of the best line through the logarithms of both, by least squares."""
+    points = [(math.log(x), math.log(y)) for x, y in points if x > 0 and y > 0]
+    if len(points) < 2:
+        return None
+    mean_x = sum(p[0] for p in points) / len(points)
+    mean_y = sum(p[1] for p in points) / len(points)
+    spread = sum((p[0] - mean_x) ** 2 for p in points)
+    return sum((x - mean_x) * (y - mean_y) for x, y in points) / spread if spread else None
+
+
+def seconds_text(seconds):
+    if seconds is None:
+        return "–"
+    if seconds < 1e-3:
+        return f"{seconds * 1e6:.0f} µs"
+    if seconds < 1:
+        return f"{seconds * 1e3:.3g} ms"
+    return f"{seconds:.3g} s"
+
+
+def times_text(value):
+    if value is None:
+        return "–"
+    return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def count_text(value):
+    return "–" if value is None else f"{value:,}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows])
+
+
+def matrix(names, cell):
+    """A triangle of pairs: cell(p, q) is a text."""
+    rows = []
+    for i, p in enumerate(names):
+        rows.append([f"**{p}**"] + ["" if j < i else cell(p, q) for j, q in enumerate(names)])
+    return table(["⊕"] + names, rows)
+
+
+def segments(record):
+    """Of the whole reduced convolution: minksum may have listed fewer itself."""
+    return dig(record, "counts_no_cover", "convolution_segments") or dig(
+        record, "listing", "segments") or dig(record, "counts", "convolution_segments")
+
+
+def family_rows(records):
+    """For each family: name, description, members in order of size."""
+    found = {}
+    for r in records.of("families"):
+        if own_seconds(r):
+            found.setdefault(r["family"], []).append(r)
+    return [(name, members[0]["description"], sorted(members, key=lambda r: r["n"]))
+            for name, members in found.items()]
+
+
+def upper_half(members):
+    """Growth is a matter of large n: the larger half of the sizes, four at least."""
+    return members[min(len(members) // 2, max(len(members) - 4, 0)):]
+
+
+def growth(members, value):
+    return exponent([(r["n"], value(r) or 0) for r in upper_half(members)])

@@ -1,0 +1,169 @@
+// minksum_bench: measures minksum and its peers on the same input in the same run, and writes JSON.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "machine.hpp"
+#include "peers/stopwatch.hpp"
+#include "sets.hpp"
+#include "support/data.hpp"
+
+namespace {
+
+using namespace minksum::bench;
+
+constexpr const char* kUsage =
+    "usage: minksum_bench [--set NAME[,NAME...]]... [--out FILE] [--quick] [--budget SECONDS]\n"
+    "  --set     what to measure (default: all): paper kin named figures spiky nesting gis doubles\n"
+    "            families\n"
+    "  --out     where the JSON goes (default: bench.json)\n"
+    "  --quick   a few pairs of each set, small members of the families\n"
+    "  --budget  longest time for one sum by a peer, or it is given up (default: 60; quick: 4)\n"
+    "The folder with the shapes is $MINKSUM_DATA, or ../shared/data beside the sources.\n";
+
+struct Arguments {
+  std::set<std::string> sets;
+  std::string out = "bench.json";
+  bool quick = false;
+  double budget = 0;
+};
+
+void add_sets(const std::string& text, std::set<std::string>& sets) {
+  const std::vector<std::string> known = set_names();
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw std::runtime_error("no set named '" + name + "'\n" + kUsage);
+    }
+    sets.insert(name);
+    begin = end + 1;
+  }
+}
+
+Arguments parse(const std::vector<std::string>& words) {
+  Arguments arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto value = [&] {
+      if (i + 1 == words.size()) throw std::runtime_error(words[i] + " needs a value\n" + kUsage);
+      return words[++i];
+    };
+    if (words[i] == "--quick") {
+      arguments.quick = true;
+    } else if (words[i] == "--set") {
+      add_sets(value(), arguments.sets);
+    } else if (words[i] == "--out") {
+      arguments.out = value();
+    } else if (words[i] == "--budget") {
+      arguments.budget = std::stod(value());
+    } else {
+      throw std::runtime_error(kUsage);
+    }
+  }
+  return arguments;
+}
+
+double member(const Json& record, const char* who, const char* what) {
+  return record.contains(who) && record[who].contains(what)
+             ? static_cast<double>(record[who][what])
+             : 0;
+}
+
+// One line for people who watch.
+void print(const Json& record) {
+  const std::string name = record["name"];
+  std::printf("  %-44s", name.c_str());
+  if (record.contains("minksum_alone")) {
+    std::printf(" %10.3f ms", member(record, "minksum_alone", "median") * 1e3);
+  }
+  for (const char* peer : {"cgal", "cgal_full", "clipper", "geos"}) {
+    if (record.contains(peer)) std::printf("  %s %.1f x", peer, member(record, peer, "ratio"));
+  }
+  if (record.contains("doubles")) {
+    std::printf(" doubles / decimals %.2f", static_cast<double>(record["ratio"]));
+  }
+  if (record.contains("sums_per_second")) {
+    std::printf(" %.0f sums a second", static_cast<double>(record["sums_per_second"]));
+  }
+  if (record.contains("equal_to_cgal") && record["equal_to_cgal"] == false) {
+    std::printf("  NOT EQUAL to CGAL's result, not timed");
+  }
+  if (record.contains("failures")) {
+    for (const auto& [who, why] : record["failures"].items()) {
+      std::printf("  %s: %s", who.c_str(), why.get<std::string>().c_str());
+    }
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+class Book {
+ public:
+  Book(const Arguments& arguments, const Effort& effort) : file_(arguments.out) {
+    json_["run"] = describe_run();
+    json_["run"]["peer_seconds"] = effort.peer_seconds;
+    json_["run"]["quick"] = arguments.quick;
+    json_["records"] = Json::array();
+  }
+  void take(const Json& record) {
+    print(record);
+    json_["records"].push_back(record);
+  }
+  // After each set, so that what there is survives an end before time.
+  void save() {
+    json_["run"]["seconds"] = watch_.seconds();
+    std::ofstream(file_) << json_.dump(1) << "\n";
+  }
+
+ private:
+  std::string file_;
+  Stopwatch watch_;
+  Json json_;
+};
+
+void run(const Arguments& arguments) {
+  const auto data = minksum::test::data_path();
+  Effort effort;
+  if (arguments.quick) {
+    effort.peer_seconds = 4;
+    effort.most_quadrangles = 20'000;
+    effort.least_seconds = 0.05;
+    effort.least_peer_seconds = 0.5;
+    effort.least_peer_runs = 2;
+  }
+  if (arguments.budget > 0) effort.peer_seconds = arguments.budget;
+  Book book(arguments, effort);
+  const auto take = [&](const Json& record) { book.take(record); };
+  for (const std::string& set : set_names()) {
+    if (!arguments.sets.empty() && !arguments.sets.contains(set)) continue;
+    std::printf("%s\n", set.c_str());
+    if (set == "families") {
+      measure_families(effort, arguments.quick ? 0.03 : 1.0, take);
+    } else if (!data) {
+      std::printf("  no folder of shapes: left out\n");
+    } else if (set == "doubles") {
+      measure_doubles(*data, effort, arguments.quick, take);
+    } else {
+      for (const Case& one : cases_of(set, *data, arguments.quick)) take(measure(one, effort));
+      if (set == "nesting") take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
+    }
+    book.save();
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run(parse({argv + 1, argv + argc}));
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "minksum_bench: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,145 @@
+#include "measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "list_convolution.hpp"
+#include "minksum/measure.hpp"
+
+namespace minksum::bench {
+namespace {
+
+const char* rung_name(Arithmetic arithmetic) {
+  constexpr const char* kNames[] = {"automatic", "narrow", "medium", "wide", "arbitrary"};
+  return kNames[static_cast<int>(arithmetic)];
+}
+
+Json size_json(const Region& region) {
+  return {{"vertices", region.vertex_count()},
+          {"holes", region.hole_count()},
+          {"parts", region.polygon_count()}};
+}
+
+Json counts_json(const Statistics& statistics) {
+  return {{"convolution_segments", statistics.convolution_segments},
+          {"segments_kept", statistics.segments_kept},
+          {"crossings", statistics.crossings},
+          {"loops", statistics.loops},
+          {"grid_cells", statistics.grid_cells},
+          {"covered_cells", statistics.covered_cells}};
+}
+
+// The first run in a process that did nothing else yet tells how much memory a sum takes.
+void measure_alone(const Case& one, const Effort& effort, const Report& report) {
+  const auto [p, q] = one.load();
+  MinksumRuns minksum;
+  const std::size_t before = restart_peak_memory();
+  minksum.run(p, q);
+  const std::size_t peak = peak_memory();
+  const Statistics first = minksum.statistics();
+  report({{"p", size_json(p)},
+          {"q", size_json(q)},
+          {"result", size_json(minksum.sum())},
+          {"bits", first.coordinate_bits},
+          {"rung", rung_name(first.arithmetic)},
+          {"counts", counts_json(first)},
+          {"first_seconds", first.seconds},
+          {"peak_bytes", peak},
+          {"peak_growth_bytes", peak - std::min(peak, before)}});
+  minksum.forget();
+  minksum.repeat(p, q, effort);
+  report({{"minksum_alone", minksum.json()}, {"result_area", approximate_area(minksum.sum())}});
+  if (one.listing) {
+    const Listing listing = list_convolution(p, q);
+    report({{"listing", {{"segments", listing.segments}, {"median", listing.seconds}}}});
+  }
+}
+
+void measure_counts(const Case& one, bool full, const Report& report) {
+  const auto [p, q] = one.load();
+  Options options;
+  options.cover = false;
+  if (full) options.method = Method::kFull;
+  MinksumRuns minksum(options);
+  minksum.run(p, q);
+  Json counts = counts_json(minksum.statistics());
+  counts["seconds"] = minksum.statistics().seconds;
+  report({{full ? "counts_full" : "counts_no_cover", counts}});
+}
+
+void run_part(const char* name, const ChildLimits& limits, Json& record,
+              const std::function<void(const Report&)>& work) {
+  ChildEnd end = run_in_child(limits, work);
+  record.update(end.members);
+  if (end.status != "ok") record["failures"][name] = end.status;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+Json summary(const std::vector<double>& seconds) {
+  return {{"runs", seconds.size()},
+          {"median", median(seconds)},
+          {"min", *std::min_element(seconds.begin(), seconds.end())},
+          {"max", *std::max_element(seconds.begin(), seconds.end())}};
+}
+
+MinksumRuns::MinksumRuns(Options options) : options_(std::move(options)) {
+  options_.statistics = &statistics_;
+}
+
+double MinksumRuns::run(const Region& p, const Region& q) {
+  statistics_ = {};
+  const Outcome outcome = minkowski_sum(p, q, options_, workspace_, sum_);
+  if (!outcome.ok()) throw Error(*outcome.error);
+  runs_.push_back(statistics_);
+  return statistics_.seconds;
+}
+
+void MinksumRuns::repeat(const Region& p, const Region& q, const Effort& effort) {
+  double total = 0;
+  for (int i = 0; i < effort.most_runs; ++i) {
+    if (i >= 3 && total >= effort.least_seconds) break;
+    total += run(p, q);
+  }
+}
+
+Json MinksumRuns::json() const {
+  std::vector<double> seconds;
+  for (const Statistics& run : runs_) seconds.push_back(run.seconds);
+  Json json = summary(seconds);
+  for (int stage = 0; stage < kStageCount; ++stage) {
+    std::vector<double> parts;
+    for (const Statistics& run : runs_) parts.push_back(run.stage_seconds[stage]);
+    json["stages"][to_string(static_cast<Stage>(stage))] = median(parts);
+  }
+  return json;
+}
+
+Json measure(const Case& one, const Effort& effort) {
+  Json record{{"set", one.set}, {"name", one.name}};
+  record.update(one.about);
+  ChildLimits limits;
+  run_part("minksum", limits, record,
+           [&](const Report& report) { measure_alone(one, effort, report); });
+  if (!record.contains("minksum_alone")) return record;
+  if (one.count_no_cover) {
+    run_part("counts_no_cover", limits, record,
+             [&](const Report& report) { measure_counts(one, false, report); });
+  }
+  if (one.count_full) {
+    limits.seconds_between_reports = effort.peer_seconds;
+    run_part("counts_full", limits, record,
+             [&](const Report& report) { measure_counts(one, true, report); });
+  }
+  add_peers(one, effort, record);
+  return record;
+}
+
+}  // namespace minksum::bench

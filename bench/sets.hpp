@@ -1,0 +1,28 @@
+// Which pairs are measured.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "measure.hpp"
+
+namespace minksum::bench {
+
+/// "paper", "figures", ...: what can be named on the command line, in the order they run.
+[[nodiscard]] std::vector<std::string> set_names();
+/// The pairs of a set of files of the data folder; a few of them with `quick`. Throws
+/// std::runtime_error for an unknown set.
+[[nodiscard]] std::vector<Case> cases_of(const std::string& set, const std::filesystem::path& data,
+                                         bool quick);
+
+/// The families, doubling until a sum takes `longest_seconds`; each record goes to `take` at once.
+void measure_families(const Effort& effort, double longest_seconds,
+                      const std::function<void(const Json&)>& take);
+/// Doubles against decimals of six digits, nearly the same shapes, in turn in one process.
+void measure_doubles(const std::filesystem::path& data, const Effort& effort, bool quick,
+                     const std::function<void(const Json&)>& take);
+/// How many sums a second of pairs of nesting parts of about 30 vertices.
+[[nodiscard]] Json measure_throughput(const std::filesystem::path& data, double seconds);
+
+}  // namespace minksum::bench
