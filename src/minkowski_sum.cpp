@@ -1,5 +1,6 @@
 // The driver: operands → convolution → cover → arrangement → loops → filters → output.
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/prepared_region.hpp"
 
 #include <array>
 #include <chrono>
@@ -13,6 +14,8 @@ namespace minksum {
 
 /// Every stage's result and scratch memory.
 struct Workspace::State {
+  OperandScratch operand_scratch;
+  std::array<PreparedOperand, 2> prepared;
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
@@ -32,6 +35,11 @@ Workspace::Workspace() : state_(std::make_unique<State>()) {}
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+struct PreparedRegion::State {
+  Region region;
+  PreparedOperand operand;  ///< of `region`; nothing if that is empty
+};
 
 const char* to_string(Stage stage) {
   constexpr std::array<const char*, kStageCount> kNames{
@@ -97,12 +105,37 @@ void count(const Workspace::State& w, const Predicates& predicates, Statistics& 
                                                    : statistics.by_fixed_width) = counts.by_kernel;
 }
 
-void run_pipeline(const Region& p, const Region& q, const Options& options,
-                  Workspace::State& w, Statistics& statistics, Region& result) {
+[[noreturn]] void reject(const Fault& fault, int operand) {
+  Culprit culprit = fault.place;
+  culprit.operand = operand;
+  throw Error(ErrorCode::kBadInput, fault.message, culprit);
+}
+
+/// One of the two that are to be summed: prepared before, or now.
+struct Given {
+  const Region& region;
+  const PreparedOperand* operand = nullptr;
+};
+
+void prepare(const Given& p, const Given& q, const Options& options, Workspace::State& w) {
+  std::array<const PreparedOperand*, 2> ready{p.operand, q.operand};
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    if (ready[i] != nullptr) continue;
+    std::vector<Fault> faults;
+    prepare_operand(i == 0 ? p.region : q.region, options, 1, w.operand_scratch, w.prepared[i],
+                    faults);
+    if (!faults.empty()) reject(faults[0], static_cast<int>(i));
+    ready[i] = &w.prepared[i];
+  }
+  combine_operands(*ready[0], *ready[1], options, w.operands);
+}
+
+void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
+                  Statistics& statistics, Region& result) {
   StageRunner runner(options, statistics);
   const std::function<void()> stop = [&] { runner.stop_if_asked(); };
 
-  runner.run(Stage::kOperands, [&] { prepare_operands(p, q, options, w.operands); });
+  runner.run(Stage::kOperands, [&] { prepare(p, q, options, w); });
   if (options.check) runner.require(check(w.operands));
   Predicates predicates(w.operands.sites, *w.operands.kernel, w.operands.bounds);
 
@@ -139,29 +172,28 @@ void run_pipeline(const Region& p, const Region& q, const Options& options,
   }
 }
 
-void require_legal(const Region& p, const Region& q) {
-  for (const int operand : {0, 1}) {
-    const auto faults = validate(operand == 0 ? p : q, 1);
-    if (faults.empty()) continue;
-    Culprit culprit = faults[0].place;
-    culprit.operand = operand;
-    throw Error(ErrorCode::kBadInput, faults[0].message, culprit);
+void require_legal(const Given& p, const Given& q) {
+  for (const int i : {0, 1}) {
+    const Given& given = i == 0 ? p : q;
+    if (given.operand != nullptr) continue;
+    const auto faults = validate(given.region, 1);
+    if (!faults.empty()) reject(faults[0], i);
   }
 }
 
-void run(const Region& p, const Region& q, const Options& options, Workspace::State& state,
+void run(const Given& p, const Given& q, const Options& options, Workspace::State& state,
          Region& result) {
   Statistics own;
   Statistics& statistics = options.statistics != nullptr ? *options.statistics : own;
   statistics = Statistics{};
   if (options.trace != nullptr) *options.trace = Trace{};
   const auto begin = std::chrono::steady_clock::now();
-  if (p.empty() || q.empty()) {
+  if (p.region.empty() || q.region.empty()) {
     require_legal(p, q);
     result.clear();
   } else if (options.method == Method::kSigned) {
     require_legal(p, q);
-    signed_convolution_sum(p, q, options, statistics, result);
+    signed_convolution_sum(p.region, q.region, options, statistics, result);
   } else {
     run_pipeline(p, q, options, state, statistics, result);
   }
@@ -171,15 +203,17 @@ void run(const Region& p, const Region& q, const Options& options, Workspace::St
 
 }  // namespace
 
-Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
+namespace {
+
+Region run(const Given& p, const Given& q, const Options& options) {
   Workspace workspace;
   Region result;
   run(p, q, options, workspace.state(), result);
   return result;
 }
 
-Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
-                      Workspace& workspace, Region& result) {
+Outcome run_without_exceptions(const Given& p, const Given& q, const Options& options,
+                               Workspace& workspace, Region& result) {
   try {
     run(p, q, options, workspace.state(), result);
     return {};
@@ -190,6 +224,41 @@ Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
     result.clear();
     return {Error(ErrorCode::kLimitExceeded, "out of memory")};
   }
+}
+
+Given given(const PreparedRegion& region) {
+  return {region.region(), &region.state().operand};
+}
+
+}  // namespace
+
+PreparedRegion::PreparedRegion(Region region) {
+  auto state = std::make_shared<State>();
+  state->region = std::move(region);
+  if (!state->region.empty()) {
+    OperandScratch scratch;
+    std::vector<Fault> faults;
+    prepare_operand(state->region, Options{}, 1, scratch, state->operand, faults);
+    if (!faults.empty()) reject(faults[0], -1);
+  }
+  state_ = std::move(state);
+}
+
+const Region& PreparedRegion::region() const { return state_->region; }
+
+Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
+  return run(Given{p}, Given{q}, options);
+}
+Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
+  return run(given(p), given(q), options);
+}
+Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
+                      Workspace& workspace, Region& result) {
+  return run_without_exceptions(Given{p}, Given{q}, options, workspace, result);
+}
+Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
+                      Workspace& workspace, Region& result) {
+  return run_without_exceptions(given(p), given(q), options, workspace, result);
 }
 
 }  // namespace minksum

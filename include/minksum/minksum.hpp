@@ -4,6 +4,7 @@
 #include "minksum/error.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/prepared_region.hpp"
 #include "minksum/rational.hpp"
 #include "minksum/region.hpp"
 #include "minksum/trace.hpp"

@@ -5,54 +5,39 @@
 #include <span>
 
 #include "grid/uniform_grid.hpp"
-#include "operands/operands.hpp"
+#include "operands/prepared_operand.hpp"
+#include "region/region_access.hpp"
 
 namespace minksum {
 namespace {
 
-/// Edges of one operand and the questions about pairs of them.
+/// Edges of an operand and the questions about pairs of them.
 class ContactFinder {
  public:
-  ContactFinder(Operands& operands, int operand, std::size_t max_faults,
+  ContactFinder(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
                 std::vector<Fault>& faults)
-      : ring_of_(operands.scratch.ring_of),
-        cell_begin_(operands.scratch.cell_begin),
-        in_cells_(operands.scratch.in_cells),
-        boxes_(operands.scratch.boxes),
-        o_(operands),
-        predicates_(operands.sites, *operands.kernel, operands.bounds),
-        operand_(operand),
-        max_faults_(max_faults),
-        faults_(faults) {
-    first_ring_ = operand == 0 ? 0 : operands.first_rings;
-    last_ring_ = operand == 0 ? operands.first_rings : operands.rings.size();
-    begin_ = operand == 0 ? 0 : operands.split;
-    end_ = operand == 0 ? operands.split : operands.size();
-    ring_of_.resize(end_ - begin_);
-    for (std::size_t r = first_ring_; r < last_ring_; ++r) {
-      for (SiteId v = operands.rings[r].begin; v < operands.rings[r].end; ++v) {
-        ring_of_[v - begin_] = r;
-      }
-    }
-  }
+      : scratch_(scratch), boxes_(scratch.boxes), o_(operand),
+        predicates_(operand.sites, *operand.kernel, operand.bounds), max_faults_(max_faults),
+        faults_(faults) {}
 
   void find_contacts() {
-    const Vec<double> extent = o_.extent[static_cast<std::size_t>(operand_)];
-    const double edges = end_ - begin_;
-    const int side = std::clamp(static_cast<int>(std::sqrt(edges)), 1, 2048);
-    const UniformGrid grid = UniformGrid::over(extent.x, extent.y, side);
-    bin(grid);
-    for (std::size_t cell = 0; cell + 1 < cell_begin_.size(); ++cell) {
-      const auto edges_in_cell = std::span(in_cells_).subspan(
-          cell_begin_[cell], cell_begin_[cell + 1] - cell_begin_[cell]);
-      find_contacts_in(edges_in_cell);
+    Vec<double> extent{};
+    for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
+    for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
+    const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(o_.size()))), 1, 2048);
+    bin(UniformGrid::over(extent.x, extent.y, side));
+    const auto& begin = scratch_.cell_begin;
+    for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
+      const std::uint32_t count = begin[cell + 1] - begin[cell];
+      if (count < 2) continue;
+      find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
       if (full()) return;
     }
   }
 
   void find_misplaced_rings() {
     boxes();
-    for (std::size_t r = first_ring_; r < last_ring_ && !full(); ++r) {
+    for (std::size_t r = 0; r < o_.rings.size() && !full(); ++r) {
       const OperandRing& ring = o_.rings[r];
       if (ring.is_hole()) {
         check_hole(r);
@@ -78,45 +63,49 @@ class ContactFinder {
     }
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const double reach = right(edges[i]) + o_.bounds.difference;
-      for (std::size_t j = i + 1; j < edges.size() && !full(); ++j) {
+      for (std::size_t j = i + 1; j < edges.size(); ++j) {
         if (sorted && left(edges[j]) > reach) break;
         contact(edges[i], edges[j]);
       }
+      if (full()) return;
     }
   }
 
   [[nodiscard]] bool full() const { return faults_.size() >= max_faults_; }
-  [[nodiscard]] const OperandRing& ring_of(SiteId v) const {
-    return o_.rings[ring_of_[v - begin_]];
+  [[nodiscard]] std::size_t ring_of(SiteId v) const {
+    const auto after = std::upper_bound(o_.rings.begin(), o_.rings.end(), v,
+                                        [](SiteId site, const OperandRing& r) { return site < r.begin; });
+    return static_cast<std::size_t>(after - o_.rings.begin()) - 1;
   }
 
   void report(const char* message, SiteId v) {
     if (full() || !reported_.insert({v, message}).second) return;
-    const OperandRing& ring = ring_of(v);
-    Fault fault{message, {-1, ring.polygon, ring.ring, Culprit::kNone}, 0, 0};
-    fault.place.vertex = o_.vertex_source[v];  // made relative to its ring by the caller
-    faults_.push_back(std::move(fault));
+    const std::size_t vertex = o_.vertex_source[v];
+    faults_.push_back({message, RegionAccess::culprit(*o_.region, vertex), o_.region->x(vertex),
+                       o_.region->y(vertex)});
   }
 
   void bin(const UniformGrid& grid) {
-    const auto visit_all = [&](auto visit) {
-      for (SiteId e = begin_; e < end_; ++e) {
-        const SiteId f = o_.sites.next[e];
-        grid.walk({o_.sites.x[e], o_.sites.y[e]}, {o_.sites.x[f], o_.sites.y[f]},
-                  UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
-                    visit(static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.columns) +
-                              static_cast<std::size_t>(i),
-                          e);
-                    return true;
-                  });
-      }
-    };
-    cell_begin_.assign(static_cast<std::size_t>(grid.size()) + 2, 0);
-    visit_all([&](std::size_t cell, SiteId) { ++cell_begin_[cell + 2]; });
-    for (std::size_t i = 2; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
-    in_cells_.resize(cell_begin_.back());
-    visit_all([&](std::size_t cell, SiteId e) { in_cells_[cell_begin_[cell + 1]++] = e; });
-    cell_begin_.pop_back();
+    auto& entries = scratch_.cell_entries;
+    auto& begin = scratch_.cell_begin;
+    entries.clear();
+    begin.assign(static_cast<std::size_t>(grid.size()) + 2, 0);
+    const auto columns = static_cast<std::uint32_t>(grid.columns);
+    for (SiteId e = 0; e < o_.size(); ++e) {
+      const SiteId f = o_.sites.next[e];
+      grid.walk({o_.sites.x[e], o_.sites.y[e]}, {o_.sites.x[f], o_.sites.y[f]},
+                UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
+                  const std::uint32_t cell =
+                      static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i);
+                  entries.emplace_back(cell, e);
+                  ++begin[cell + 2];
+                  return true;
+                });
+    }
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    scratch_.in_cells.resize(entries.size());
+    for (const auto& [cell, e] : entries) scratch_.in_cells[begin[cell + 1]++] = e;
+    begin.pop_back();
   }
 
   [[nodiscard]] bool boxes_apart(SiteId e, SiteId f) const {
@@ -188,7 +177,7 @@ class ContactFinder {
     const SiteId e1 = o_.sites.next[e];
     if (equal(e, v)) return touch_at_vertices(e, v);
     if (equal(e1, v)) return touch_at_vertices(e1, v);
-    if (ring_of_[e - begin_] == ring_of_[v - begin_]) return report("ring touches itself", v);
+    if (ring_of(e) == ring_of(v)) return report("ring touches itself", v);
     const Sign before = predicates_.orientation(e, e1, o_.previous[v]);
     const Sign after = predicates_.orientation(e, e1, o_.sites.next[v]);
     if (before * after == kNegative) report("rings cross", v);
@@ -196,7 +185,7 @@ class ContactFinder {
 
   void touch_at_vertices(SiteId v, SiteId w) {
     if (v == w) return;
-    if (ring_of_[v - begin_] == ring_of_[w - begin_]) {
+    if (ring_of(v) == ring_of(w)) {
       return report("ring touches itself", std::min(v, w));
     }
     // Both edges of w must leave into the same of the two sectors between the edges of v.
@@ -219,8 +208,7 @@ class ContactFinder {
     const auto& x = o_.sites.x;
     const auto& y = o_.sites.y;
     boxes_.clear();
-    for (std::size_t r = first_ring_; r < last_ring_; ++r) {
-      const OperandRing& ring = o_.rings[r];
+    for (const OperandRing& ring : o_.rings) {
       const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
       const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
       boxes_.push_back({*x0, *x1, *y0, *y1});
@@ -228,29 +216,32 @@ class ContactFinder {
   }
   /// Certainly not inside: the box of `inner` is not within that of `outer`.
   [[nodiscard]] bool box_outside(std::size_t inner, std::size_t outer) const {
-    const RingBox& a = boxes_[inner - first_ring_];
-    const RingBox& b = boxes_[outer - first_ring_];
+    const RingBox& a = boxes_[inner];
+    const RingBox& b = boxes_[outer];
     const double doubt = o_.bounds.difference;
     return a.x0 < b.x0 - doubt || a.x1 > b.x1 + doubt || a.y0 < b.y0 - doubt ||
            a.y1 > b.y1 + doubt;
   }
 
   /// Probes and lines are made of sums: any one site moves both the probe and the ring alike.
-  [[nodiscard]] SiteId fixed_site() const { return begin_; }
+  static constexpr SiteId kFixedSite = 0;
 
   Place locate(const Probe& probe, const OperandRing& ring) {
     bool inside = false;
-    const SiteId fixed = fixed_site();
+    const auto& y = o_.sites.y;
+    const double height = predicates_.position(probe).y - y[kFixedSite];
+    const double doubt = 2 * (o_.bounds.difference + 2 * o_.bounds.position);
     for (SiteId e = ring.begin; e < ring.end; ++e) {
       const SiteId f = o_.sites.next[e];
+      if (std::max(y[e], y[f]) < height - doubt || std::min(y[e], y[f]) > height + doubt) continue;
       const ExactKernel& kernel = *o_.kernel;
-      const Sign at_e = kernel.probe_compare(probe, sum_vertex(e, fixed), Axis::kY);
-      const Sign at_f = kernel.probe_compare(probe, sum_vertex(f, fixed), Axis::kY);
+      const Sign at_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kY);
+      const Sign at_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kY);
       if (at_e == at_f && at_e != kZero) continue;
-      const Sign side = kernel.probe_orientation(e, sum_vertex(e, fixed), probe);
+      const Sign side = kernel.probe_orientation(e, sum_vertex(e, kFixedSite), probe);
       if (side == kZero) {
-        const Sign x_e = kernel.probe_compare(probe, sum_vertex(e, fixed), Axis::kX);
-        const Sign x_f = kernel.probe_compare(probe, sum_vertex(f, fixed), Axis::kX);
+        const Sign x_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kX);
+        const Sign x_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kX);
         if (x_e * x_f != kPositive && at_e * at_f != kPositive) return Place::kOnBoundary;
         continue;
       }
@@ -265,7 +256,7 @@ class ContactFinder {
   /// Whether ring `inner`, which does not cross ring `outer`, lies inside it.
   bool lies_inside(std::size_t inner, std::size_t outer) {
     if (box_outside(inner, outer)) return false;
-    const Segment edge{o_.rings[inner].begin, fixed_site()};
+    const Segment edge{o_.rings[inner].begin, kFixedSite};
     // Only finitely many points of the edge lie on the other ring: some dyadic one does not.
     for (int shift = 1; shift < Probe::kMaxShift; ++shift) {
       for (std::int64_t k = 1; k < (std::int64_t{1} << std::min(shift, 12)); k += 2) {
@@ -277,7 +268,7 @@ class ContactFinder {
   }
 
   void check_hole(std::size_t hole) {
-    for (std::size_t r = first_ring_; r < last_ring_; ++r) {
+    for (std::size_t r = 0; r < o_.rings.size(); ++r) {
       if (r == hole || o_.rings[r].polygon != o_.rings[hole].polygon) continue;
       if (!o_.rings[r].is_hole()) {
         if (!lies_inside(hole, r)) report("hole lies outside its outer ring", o_.rings[hole].begin);
@@ -288,10 +279,10 @@ class ContactFinder {
   }
 
   void check_outer(std::size_t outer) {
-    for (std::size_t r = first_ring_; r < last_ring_; ++r) {
+    for (std::size_t r = 0; r < o_.rings.size(); ++r) {
       if (r == outer || o_.rings[r].is_hole() || !lies_inside(outer, r)) continue;
       bool in_hole = false;
-      for (std::size_t h = first_ring_; h < last_ring_ && !in_hole; ++h) {
+      for (std::size_t h = 0; h < o_.rings.size() && !in_hole; ++h) {
         in_hole = o_.rings[h].is_hole() && o_.rings[h].polygon == o_.rings[r].polygon &&
                   lies_inside(outer, h);
       }
@@ -299,30 +290,23 @@ class ContactFinder {
     }
   }
 
-  std::vector<std::size_t>& ring_of_;
-  std::vector<std::size_t>& cell_begin_;
-  std::vector<SiteId>& in_cells_;
+  OperandScratch& scratch_;
   std::vector<RingBox>& boxes_;
-  const Operands& o_;
+  const PreparedOperand& o_;
   Predicates predicates_;
-  int operand_;
   std::size_t max_faults_;
   std::vector<Fault>& faults_;
-  std::size_t first_ring_ = 0;
-  std::size_t last_ring_ = 0;
-  SiteId begin_ = 0;
-  SiteId end_ = 0;
   std::set<std::pair<SiteId, std::string>> reported_;
 };
 
 }  // namespace
 
-void find_faults(Operands& operands, int operand, std::size_t max_faults,
+void find_faults(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
                  std::vector<Fault>& faults) {
-  ContactFinder finder(operands, operand, max_faults, faults);
+  ContactFinder finder(max_faults, scratch, operand, faults);
   finder.find_contacts();
   // Whether a ring lies in its place means something only if no rings cross.
-  if (faults.empty() && operands.rings.size() > 1) finder.find_misplaced_rings();
+  if (faults.empty() && operand.rings.size() > 1) finder.find_misplaced_rings();
 }
 
 }  // namespace minksum

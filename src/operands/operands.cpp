@@ -1,69 +1,38 @@
-// The stage's driver, and `validate`, which is its first half.
+// What the stage promises, checked; and preparing one operand, whose first half is `validate`.
 #include "operands/operands.hpp"
-
-#include "region/region_access.hpp"
 
 namespace minksum {
 namespace {
 
-/// Turns vertex indices of a region into indices within their rings, and finds their coordinates.
-void localise(const Region& region, std::vector<Fault>& faults, std::size_t first) {
-  for (std::size_t i = first; i < faults.size(); ++i) {
-    Fault& fault = faults[i];
-    const std::size_t v = fault.place.vertex;
-    fault.place = RegionAccess::culprit(region, v);
-    fault.x = region.x(v);
-    fault.y = region.y(v);
-  }
-}
+constexpr std::size_t kMaxVertices = std::size_t{1} << 30;
 
-void find_all_faults(const Region& p, const Region& q, Operands& operands,
-                     std::size_t max_faults, std::array<std::vector<Fault>, 2>& faults) {
-  clean_rings(p, q, operands, faults);
-  for (const std::size_t operand : {std::size_t{0}, std::size_t{1}}) {
-    const std::size_t first = faults[operand].size();
-    if (first >= max_faults) continue;
-    find_faults(operands, static_cast<int>(operand), max_faults, faults[operand]);
-    localise(operand == 0 ? p : q, faults[operand], first);
+/// Everything but the directions.
+void load_and_validate(const Region& region, const Options& options, std::size_t max_faults,
+                       OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults) {
+  if (region.vertex_count() > kMaxVertices) {
+    throw Error(ErrorCode::kLimitExceeded, "an operand has more than 2^30 vertices");
   }
-}
-
-void throw_first(const std::array<std::vector<Fault>, 2>& faults) {
-  for (const int operand : {0, 1}) {
-    const auto& found = faults[static_cast<std::size_t>(operand)];
-    if (found.empty()) continue;
-    Culprit culprit = found[0].place;
-    culprit.operand = operand;
-    throw Error(ErrorCode::kBadInput, found[0].message, culprit);
-  }
+  load_sites(region, options, operand);
+  clean_rings(options, scratch, operand, faults);
+  if (faults.size() < max_faults) find_faults(max_faults, scratch, operand, faults);
 }
 
 }  // namespace
 
-void prepare_operands(const Region& p, const Region& q, const Options& options,
-                      Operands& operands) {
-  constexpr std::size_t kMaxVertices = std::size_t{1} << 30;
-  if (p.vertex_count() > kMaxVertices || q.vertex_count() > kMaxVertices) {
-    throw Error(ErrorCode::kLimitExceeded, "an operand has more than 2^30 vertices");
-  }
-  load_sites(p, q, options, operands);
-  std::array<std::vector<Fault>, 2> faults;
-  find_all_faults(p, q, operands, 1, faults);
-  throw_first(faults);
-  fill_holes(operands);
-  rank_directions(operands);
-  operands.connected = p.polygon_count() == 1 && q.polygon_count() == 1;
+void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
+                     OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults) {
+  load_and_validate(region, options, max_faults, scratch, operand, faults);
+  if (faults.empty()) sort_directions(scratch, operand);
 }
 
 std::vector<Fault> validate(const Region& region, std::size_t max_faults) {
-  if (region.empty()) return {};
-  Operands operands;
-  const Region nothing;
-  load_sites(region, nothing, Options{}, operands);
-  std::array<std::vector<Fault>, 2> faults;
-  find_all_faults(region, nothing, operands, max_faults, faults);
-  if (faults[0].size() > max_faults) faults[0].resize(max_faults);
-  return std::move(faults[0]);
+  std::vector<Fault> faults;
+  if (region.empty()) return faults;
+  OperandScratch scratch;
+  PreparedOperand operand;
+  load_and_validate(region, Options{}, max_faults, scratch, operand, faults);
+  if (faults.size() > max_faults) faults.resize(max_faults);
+  return faults;
 }
 
 namespace {

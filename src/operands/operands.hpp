@@ -1,60 +1,28 @@
-// Stage 1: both operands on one exact grid, clean, oriented, validated, their directions sorted.
+// Stage 1: both operands on one exact grid, clean, oriented, validated, their directions ranked.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "minksum/minkowski_sum.hpp"
-#include "minksum/validity.hpp"
-#include "predicate/predicates.hpp"
+#include "operands/prepared_operand.hpp"
 
 namespace minksum {
-
-/// A ring: the sites [begin, end), counter-clockwise if outer, clockwise if a hole. It has three or
-/// more vertices; none is repeated or lies in the middle of a straight edge.
-struct OperandRing {
-  SiteId begin = 0;
-  SiteId end = 0;
-  std::uint32_t polygon = 0;  ///< index in its region
-  std::uint32_t ring = 0;     ///< index in its polygon, 0 = outer
-  [[nodiscard]] bool is_hole() const { return ring != 0; }
-};
 
 /// The rank of an edge's direction among all directions of both operands, counter-clockwise from
 /// the positive x axis; parallel edges of equal sense share a rank.
 using DirectionRank = std::uint32_t;
 
-/// An edge with a rounded, monotone function of its direction.
-struct KeyedEdge {
-  double key;
-  SiteId edge;
-};
-
-/// A ring's box, rounded.
-struct RingBox {
-  double x0, x1, y0, y1;
-};
-
-/// Memory that the stage needs in passing, kept from call to call.
+/// Memory that combining needs in passing, kept from call to call.
 struct OperandsScratch {
-  GridCoordinates grid;
-  std::vector<SiteId> order;
-  std::vector<SiteId> distinct;
-  std::vector<SiteId> kept;
-  std::vector<OperandRing> rings;
-  std::vector<std::uint32_t> edge_source;
-  std::vector<std::uint32_t> picked_indices;
-  std::vector<double> picked_coordinates;
+  std::array<std::vector<SiteId>, 2> kept;  ///< sites of an operand that stay
+  std::vector<SiteId> renumbered;
   std::vector<KeyedEdge> keyed;
   std::vector<SiteId> of_rank;
   std::array<std::vector<Vec<double>>, 2> sizes;
-  std::vector<std::size_t> ring_of;
-  std::vector<std::size_t> cell_begin;
-  std::vector<SiteId> in_cells;
-  std::vector<RingBox> boxes;
 };
 
 /// What the rest of the pipeline works on. Sites of the first operand are [0, split).
@@ -90,37 +58,25 @@ struct Operands {
   double trace_unit = 1;
   std::unique_ptr<ExactKernel> kernel;
   OperandsScratch scratch;
-  GridCoordinates grid;                 ///< scratch, kept for its memory
 
   [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
   [[nodiscard]] int operand_of(SiteId site) const { return site < split ? 0 : 1; }
 };
 
-/// Fills `operands` from two regions. Throws Error(kBadInput) naming the first fault.
-/// O(n log n) for n vertices in all, plus close pairs of edges for the validation.
-void prepare_operands(const Region& p, const Region& q, const Options& options,
+/// Fills `operands` from two operands without faults. O(n + m) for n and m sites, if neither's
+/// coordinates are wide.
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
                       Operands& operands);
 
 /// Whether `operands` keeps its promises; what is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Operands& operands);
 
-// -- Steps of the stage, for their tests and for `validate` ------------------------------------
-
-/// Exact and approximate coordinates of all vertices as given: sites are p's vertices, then q's.
-void load_sites(const Region& p, const Region& q, const Options& options, Operands& operands);
-/// Drops repeated and straight vertices, orients the rings. Faults go to `faults`; their rings are
-/// left out.
-void clean_rings(const Region& p, const Region& q, Operands& operands,
-                 std::array<std::vector<Fault>, 2>& faults);
-/// Faults between edges and rings of one operand (0 or 1).
-void find_faults(Operands& operands, int operand, std::size_t max_faults,
-                 std::vector<Fault>& faults);
-/// Drops the rings of holes into which no polygon of the other operand fits.
-void fill_holes(Operands& operands);
-/// Sorts directions; sets rank, by_direction, the places and convex.
-void rank_directions(Operands& operands);
-/// Keeps the sites in `scratch.order` only, in this order, and renumbers all arrays;
-/// `scratch.rings`, in new ids, become the rings.
-void select_sites(std::size_t first_rings, Operands& operands);
+// -- Steps, in their order ---------------------------------------------------------------------
+/// Lists the sites that stay: not those of holes into which no polygon of the other operand fits.
+void fill_holes(const PreparedOperand& p, const PreparedOperand& q, Operands& operands);
+/// Both operands' exact coordinates on their common grid.
+void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options, Operands& operands);
+/// Merges directions; sets rank, by_direction and the places.
+void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Operands& operands);
 
 }  // namespace minksum

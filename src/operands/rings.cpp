@@ -1,43 +1,84 @@
 // Rings as given to rings as the pipeline wants them.
 #include <algorithm>
+#include <cmath>
 
-#include "operands/operands.hpp"
+#include "operands/prepared_operand.hpp"
+#include "operands/rational_sites.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
 namespace {
 
-/// One ring on its way: sites as loaded, in the ring's own order.
+/// A kernel, bounds and approximate sites for the coordinates as they are now.
+void approximate(const Options& options, std::span<const SiteId> all, PreparedOperand& operand) {
+  if (operand.rational) {
+    const RationalCoordinates& r = operand.rationals;
+    const int exponent = rational_exponent({&r.extent, 1});
+    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, exponent,
+                         operand.kernel);
+    operand.unit_exp2 = -exponent;
+    operand.unit_exp10 = 0;
+    operand.bounds =
+        RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
+  } else {
+    const GridCoordinates& grid = operand.grid;
+    const GridPart part{&grid, 1, all};
+    make_grid_kernel(rung_for(grid.bits, options.arithmetic), {&part, 1}, grid.exp2, grid.exp10,
+                     operand.kernel);
+    operand.unit_exp2 = grid.exp2;
+    operand.unit_exp10 = grid.exp10;
+    operand.bounds = RoundingBounds::of(std::ldexp(1.0, grid.bits), grid.bits <= kExactSumBits,
+                                        grid.bits <= kExactProductBits);
+  }
+  if (!options.filter) operand.bounds = RoundingBounds::distrustful(operand.bounds.magnitude);
+  operand.sites.x.resize(all.size());
+  operand.sites.y.resize(all.size());
+  operand.kernel->approximate_sites(operand.sites.x, operand.sites.y);
+}
+
+/// Sites as loaded, ring by ring in the rings' own order, to those that stay.
 class RingCleaner {
  public:
-  RingCleaner(const Region& region, Predicates& predicates, SiteId first_site,
-              OperandsScratch& scratch)
-      : region_(region), predicates_(predicates), first_site_(first_site),
-        distinct_(scratch.distinct), kept_(scratch.kept) {}
+  RingCleaner(OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults)
+      : operand_(operand), region_(*operand.region),
+        predicates_(operand.sites, *operand.kernel, operand.bounds), distinct_(scratch.distinct), order_(scratch.order), faults_(faults) {}
 
-  /// The ring's sites without repeated and straight vertices, oriented; empty after a fault.
-  const std::vector<SiteId>& clean(std::size_t ring, Culprit place, std::vector<Fault>& faults) {
-    drop_repeated(ring);
-    kept_.clear();
-    place_ = place;
-    ring_begin_ = region_.vertices_of(ring).front();
-    if (distinct_.size() < 3) {
-      fault("ring has fewer than three distinct vertices", distinct_.empty() ? kNoSite : distinct_[0],
-            faults);
-      return kept_;
+  /// Leaves the order of sites, their convexity, the edges' sources and rings.
+  void run() {
+    order_.clear();
+    operand_.rings.clear();
+    operand_.edge_source.clear();
+    operand_.convex.clear();
+    for (const std::size_t polygon : region_.polygons()) {
+      std::uint32_t ring_in_polygon = 0;
+      for (const std::size_t ring : region_.rings_of(polygon)) {
+        place_ = {-1, polygon, ring_in_polygon, Culprit::kNone};
+        clean(ring, static_cast<std::uint32_t>(polygon), ring_in_polygon++);
+      }
     }
-    if (!drop_straight(faults)) return kept_;
-    if (kept_.size() < 3) {
-      kept_.clear();
-      fault("ring has no area", distinct_[0], faults);
-      return kept_;
-    }
-    orient();
-    return kept_;
   }
-  [[nodiscard]] bool reversed() const { return reversed_; }
 
  private:
+  void clean(std::size_t ring, std::uint32_t polygon, std::uint32_t ring_in_polygon) {
+    begin_ = order_.size();
+    drop_repeated(ring);
+    if (distinct_.size() < 3) {
+      return fault("ring has fewer than three distinct vertices",
+                   distinct_.empty() ? kNoSite : distinct_[0]);
+    }
+    if (!drop_straight()) return;
+    if (order_.size() - begin_ < 3) return fault("ring has no area", distinct_[0]);
+    const bool reversed = orient(ring_in_polygon != 0);
+    const std::size_t n = order_.size() - begin_;
+    // The edge that starts at order[i] has an index in its region: of a reversed ring it is the one
+    // that started at order[i + 1].
+    for (std::size_t i = 0; i < n; ++i) {
+      operand_.edge_source.push_back(order_[begin_ + (reversed ? (i + 1 == n ? 0 : i + 1) : i)]);
+    }
+    operand_.rings.push_back({static_cast<SiteId>(begin_), static_cast<SiteId>(order_.size()),
+                              polygon, ring_in_polygon});
+  }
+
   bool equal(SiteId a, SiteId b) {
     return predicates_.compare(a, b, Axis::kX) == kZero &&
            predicates_.compare(a, b, Axis::kY) == kZero;
@@ -45,7 +86,7 @@ class RingCleaner {
   void drop_repeated(std::size_t ring) {
     distinct_.clear();
     for (const std::size_t v : region_.vertices_of(ring)) {
-      const SiteId site = first_site_ + static_cast<SiteId>(v);
+      const auto site = static_cast<SiteId>(v);
       // Of a run of equal vertices the last stays: the edge to the next vertex has its index.
       if (!distinct_.empty() && equal(distinct_.back(), site)) {
         distinct_.back() = site;
@@ -55,196 +96,126 @@ class RingCleaner {
     }
     while (distinct_.size() > 1 && equal(distinct_.front(), distinct_.back())) distinct_.pop_back();
   }
-  bool drop_straight(std::vector<Fault>& faults) {
+  bool drop_straight() {
     const std::size_t n = distinct_.size();
+    SiteId before = distinct_[n - 1];
     for (std::size_t i = 0; i < n; ++i) {
-      const SiteId before = distinct_[(i + n - 1) % n];
       const SiteId at = distinct_[i];
-      const SiteId after = distinct_[(i + 1) % n];
-      if (predicates_.orientation(before, at, after) != kZero) {
-        kept_.push_back(at);
+      const SiteId after = distinct_[i + 1 == n ? 0 : i + 1];
+      const Sign turn = predicates_.orientation(before, at, after);
+      if (turn != kZero) {
+        order_.push_back(at);
+        operand_.convex.push_back(turn == kPositive ? 1 : 0);
       } else if (predicates_.kernel().dot(before, at, at, after) != kPositive) {
-        kept_.clear();
-        fault("ring turns back on itself (a spike)", at, faults);
+        fault("ring turns back on itself (a spike)", at);
         return false;
       }
+      before = at;
     }
     return true;
   }
-  void orient() {
-    const std::size_t n = kept_.size();
-    std::size_t lowest = 0;
-    for (std::size_t i = 1; i < n; ++i) {
-      const Sign by_x = predicates_.compare(kept_[i], kept_[lowest], Axis::kX);
+  /// Reverses the ring if it runs the wrong way round.
+  bool orient(bool is_hole) {
+    const std::size_t n = order_.size();
+    std::size_t lowest = begin_;
+    for (std::size_t i = begin_ + 1; i < n; ++i) {
+      const Sign by_x = predicates_.compare(order_[i], order_[lowest], Axis::kX);
       if (by_x == kNegative ||
-          (by_x == kZero && predicates_.compare(kept_[i], kept_[lowest], Axis::kY) == kNegative)) {
+          (by_x == kZero &&
+           predicates_.compare(order_[i], order_[lowest], Axis::kY) == kNegative)) {
         lowest = i;
       }
     }
-    const Sign turn = predicates_.orientation(kept_[(lowest + n - 1) % n], kept_[lowest],
-                                              kept_[(lowest + 1) % n]);
-    const bool want_clockwise = place_.ring != 0;
-    reversed_ = (turn == kNegative) != want_clockwise;
-    if (reversed_) std::reverse(kept_.begin(), kept_.end());
+    const bool reversed = (operand_.convex[lowest] == 0) != is_hole;
+    if (reversed) {
+      const auto begin = static_cast<std::ptrdiff_t>(begin_);
+      std::reverse(order_.begin() + begin, order_.end());
+      std::reverse(operand_.convex.begin() + begin, operand_.convex.end());
+      for (std::size_t i = begin_; i < n; ++i) operand_.convex[i] ^= 1;
+    }
+    return reversed;
   }
-  void fault(const char* message, SiteId site, std::vector<Fault>& faults) {
+  /// Reports, and leaves the ring out.
+  void fault(const char* message, SiteId site) {
+    order_.resize(begin_);
+    operand_.convex.resize(begin_);
     Fault fault{message, place_, 0, 0};
     if (site != kNoSite) {
-      const std::size_t v = site - first_site_;
-      fault.place.vertex = v - ring_begin_;
-      fault.x = region_.x(v);
-      fault.y = region_.y(v);
+      fault.place = RegionAccess::culprit(region_, site);
+      fault.x = region_.x(site);
+      fault.y = region_.y(site);
     }
-    faults.push_back(std::move(fault));
+    faults_.push_back(std::move(fault));
   }
 
+  PreparedOperand& operand_;
   const Region& region_;
-  Predicates& predicates_;
-  SiteId first_site_;
-  Culprit place_;
-  std::size_t ring_begin_ = 0;
-  bool reversed_ = false;
+  Predicates predicates_;
   std::vector<SiteId>& distinct_;
-  std::vector<SiteId>& kept_;
+  std::vector<SiteId>& order_;
+  std::vector<Fault>& faults_;
+  Culprit place_;
+  std::size_t begin_ = 0;
 };
 
-/// The edge that starts at order[i], by the index that it has in its region: of a reversed ring it
-/// is the one that started at order[i + 1].
-void append_ring(const std::vector<SiteId>& ring, bool reversed, SiteId first_site,
-                 std::vector<SiteId>& order, std::vector<std::uint32_t>& edge_source) {
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    order.push_back(ring[i]);
-    edge_source.push_back((reversed ? ring[(i + 1) % n] : ring[i]) - first_site);
+/// Keeps the sites in `order` only, in this order.
+template <class Value>
+void pick(std::span<const SiteId> order, std::vector<Value>& values, std::vector<Value>& picked) {
+  picked.clear();
+  for (const SiteId site : order) picked.push_back(values[site]);
+  values.assign(picked.begin(), picked.end());
+}
+void pick_sites(OperandScratch& scratch, PreparedOperand& operand) {
+  if (operand.rational) {
+    pick(scratch.order, operand.rationals.sites, scratch.picked_rationals.sites);
+  } else if (operand.grid.small) {
+    pick(scratch.order, operand.grid.small_sites, scratch.picked_grid.small_sites);
+  } else {
+    pick(scratch.order, operand.grid.large_sites, scratch.picked_grid.large_sites);
   }
+}
+
+void connect(PreparedOperand& operand) {
+  const std::size_t n = operand.sites.x.size();
+  operand.sites.next.resize(n);
+  operand.previous.resize(n);
+  for (const OperandRing& ring : operand.rings) {
+    for (SiteId i = ring.begin; i < ring.end; ++i) {
+      operand.sites.next[i] = i + 1;
+      operand.previous[i] = i - 1;
+    }
+    operand.sites.next[ring.end - 1] = ring.begin;
+    operand.previous[ring.begin] = ring.end - 1;
+  }
+  operand.kernel->connect(operand.sites.next);
+  operand.sites.dx.resize(n);
+  operand.sites.dy.resize(n);
+  operand.kernel->approximate_edges(operand.sites.dx, operand.sites.dy);
+}
+
+bool is_identity(std::span<const SiteId> order, std::size_t size) {
+  if (order.size() != size) return false;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (order[i] != i) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-void clean_rings(const Region& p, const Region& q, Operands& operands,
-                 std::array<std::vector<Fault>, 2>& faults) {
-  Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
-  OperandsScratch& scratch = operands.scratch;
-  scratch.order.clear();
-  scratch.edge_source.clear();
-  scratch.rings.clear();
-  operands.edge_source.clear();
-  std::size_t first_rings = 0;
-  for (const int operand : {0, 1}) {
-    const Region& region = operand == 0 ? p : q;
-    const SiteId first_site = operand == 0 ? 0 : operands.split;
-    RingCleaner cleaner(region, predicates, first_site, scratch);
-    for (const std::size_t polygon : region.polygons()) {
-      std::uint32_t ring_in_polygon = 0;
-      for (const std::size_t ring : region.rings_of(polygon)) {
-        const Culprit place{-1, polygon, ring_in_polygon, Culprit::kNone};
-        const auto& cleaned =
-            cleaner.clean(ring, place, faults[static_cast<std::size_t>(operand)]);
-        if (!cleaned.empty()) {
-          const auto begin = static_cast<SiteId>(scratch.order.size());
-          append_ring(cleaned, cleaner.reversed(), first_site, scratch.order, scratch.edge_source);
-          scratch.rings.push_back({begin, static_cast<SiteId>(scratch.order.size()),
-                                   static_cast<std::uint32_t>(polygon), ring_in_polygon});
-        }
-        ++ring_in_polygon;
-      }
-    }
-    if (operand == 0) first_rings = scratch.rings.size();
+void clean_rings(const Options& options, OperandScratch& scratch, PreparedOperand& operand,
+                 std::vector<Fault>& faults) {
+  const std::size_t n = operand.region->vertex_count();
+  auto& all = scratch.all;
+  for (auto i = static_cast<SiteId>(all.size()); i < n; ++i) all.push_back(i);
+  approximate(options, std::span(all).first(n), operand);
+  RingCleaner(scratch, operand, faults).run();
+  operand.vertex_source.assign(scratch.order.begin(), scratch.order.end());
+  if (!is_identity(scratch.order, n)) {
+    pick_sites(scratch, operand);
+    approximate(options, std::span(all).first(scratch.order.size()), operand);
   }
-  operands.vertex_source.resize(operands.sites.x.size());
-  for (std::size_t i = 0; i < operands.vertex_source.size(); ++i) {
-    operands.vertex_source[i] =
-        static_cast<std::uint32_t>(i < operands.split ? i : i - operands.split);
-  }
-  select_sites(first_rings, operands);
-  std::swap(operands.edge_source, scratch.edge_source);
-}
-
-void select_sites(std::size_t first_rings, Operands& operands) {
-  const std::vector<SiteId>& order = operands.scratch.order;
-  const auto pick = [&](auto& values, auto& picked) {
-    if (values.empty()) return;
-    picked.clear();
-    for (const SiteId site : order) picked.push_back(values[site]);
-    std::swap(values, picked);
-  };
-  SiteId split = 0;
-  for (const SiteId site : order) split += site < operands.split ? 1 : 0;
-  pick(operands.sites.x, operands.scratch.picked_coordinates);
-  pick(operands.sites.y, operands.scratch.picked_coordinates);
-  pick(operands.vertex_source, operands.scratch.picked_indices);
-  pick(operands.edge_source, operands.scratch.picked_indices);
-  operands.split = split;
-  std::swap(operands.rings, operands.scratch.rings);
-  operands.first_rings = first_rings;
-  const std::size_t n = order.size();
-  operands.sites.next.resize(n);
-  operands.previous.resize(n);
-  operands.on_hole.resize(n);
-  for (const OperandRing& ring : operands.rings) {
-    for (SiteId i = ring.begin; i < ring.end; ++i) {
-      operands.sites.next[i] = i + 1 == ring.end ? ring.begin : i + 1;
-      operands.previous[i] = i == ring.begin ? ring.end - 1 : i - 1;
-      operands.on_hole[i] = ring.is_hole() ? 1 : 0;
-    }
-  }
-  operands.kernel->arrange(order, operands.sites.next);
-  operands.sites.dx.resize(n);
-  operands.sites.dy.resize(n);
-  for (SiteId i = 0; i < n; ++i) {
-    const Vec<double> d = operands.kernel->approximate_difference(i, operands.sites.next[i]);
-    operands.sites.dx[i] = d.x;
-    operands.sites.dy[i] = d.y;
-  }
-}
-
-void fill_holes(Operands& operands) {
-  // For each operand the boxes of its polygons, as widths and heights.
-  auto& sizes = operands.scratch.sizes;
-  for (auto& of_operand : sizes) of_operand.clear();
-  const auto size_of = [&](const OperandRing& ring) {
-    const auto& x = operands.sites.x;
-    const auto& y = operands.sites.y;
-    const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
-    const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
-    return Vec<double>{*x1 - *x0, *y1 - *y0};
-  };
-  bool any_hole = false;
-  for (std::size_t i = 0; i < operands.rings.size(); ++i) {
-    any_hole |= operands.rings[i].is_hole();
-    if (!operands.rings[i].is_hole()) {
-      sizes[i < operands.first_rings ? 0 : 1].push_back(size_of(operands.rings[i]));
-    }
-  }
-  if (!any_hole) return;
-  // A hole is open and the other operand closed: equal width does not fit. Where rounding leaves a
-  // doubt the hole stays, which costs time and nothing else.
-  const double doubt = operands.bounds.difference;
-  auto& order = operands.scratch.order;
-  auto& rings = operands.scratch.rings;
-  order.clear();
-  rings.clear();
-  std::size_t first_rings = 0;
-  for (std::size_t i = 0; i < operands.rings.size(); ++i) {
-    const bool first = i < operands.first_rings;
-    OperandRing ring = operands.rings[i];
-    if (ring.is_hole()) {
-      const Vec<double> hole = size_of(ring);
-      const auto& others = sizes[first ? 1 : 0];
-      const bool fits = std::any_of(others.begin(), others.end(), [&](const Vec<double>& other) {
-        return !(other.x >= hole.x + doubt || other.y >= hole.y + doubt);
-      });
-      if (!fits) continue;
-    }
-    const auto begin = static_cast<SiteId>(order.size());
-    for (SiteId site = ring.begin; site < ring.end; ++site) order.push_back(site);
-    ring.begin = begin;
-    ring.end = static_cast<SiteId>(order.size());
-    rings.push_back(ring);
-    if (first) first_rings = rings.size();
-  }
-  if (rings.size() == operands.rings.size()) return;
-  select_sites(first_rings, operands);
+  connect(operand);
 }
 
 }  // namespace minksum

@@ -27,15 +27,21 @@ class GridKernel final : public KernelOf<Rung> {
   using typename Base::Lexicographic;
 
  public:
-  void load(const GridCoordinates& grid) {
+  void load(std::span<const GridPart> parts, int exp2, int exp10) {
     this->sites_.clear();
-    for (const auto& site : grid.sites) {
-      this->sites_.push_back({static_cast<Coord>(site.x), static_cast<Coord>(site.y)});
+    offset_ = {0, 0};
+    for (const GridPart& part : parts) {
+      if (part.grid->small) {
+        append(part.grid->small_sites, part);
+      } else {
+        append(part.grid->large_sites, part);
+      }
+      offset_ = {offset_.x + part.grid->offset.x * part.factor,
+                 offset_.y + part.grid->offset.y * part.factor};
     }
     this->next_.clear();
-    offset_ = grid.offset;
-    exp2_ = grid.exp2;
-    exp10_ = grid.exp10;
+    exp2_ = exp2;
+    exp10_ = exp10;
   }
 
   Arithmetic rung() const override {
@@ -53,15 +59,30 @@ class GridKernel final : public KernelOf<Rung> {
   }
   int exp2() const override { return exp2_; }
   int exp10() const override { return exp10_; }
-  Vec<double> approximate(SiteId site) const override {
-    return {to_double(this->sites_[site].x), to_double(this->sites_[site].y)};
+  void approximate_sites(std::span<double> x, std::span<double> y) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] = to_double(this->sites_[i].x);
+      y[i] = to_double(this->sites_[i].y);
+    }
   }
-  Vec<double> approximate_difference(SiteId from, SiteId to) const override {
-    const auto d = this->difference(from, to);
-    return {to_double(d.x), to_double(d.y)};
+  void approximate_edges(std::span<double> dx, std::span<double> dy) const override {
+    for (std::size_t i = 0; i < dx.size(); ++i) {
+      const auto d = this->direction(static_cast<SiteId>(i));
+      dx[i] = to_double(d.x);
+      dy[i] = to_double(d.y);
+    }
   }
 
  private:
+  template <class Number>
+  void append(const std::vector<Vec<Number>>& sites, const GridPart& part) {
+    const auto factor = static_cast<Coord>(part.factor);
+    for (const SiteId site : part.sites) {
+      this->sites_.push_back({static_cast<Coord>(static_cast<Coord>(sites[site].x) * factor),
+                              static_cast<Coord>(static_cast<Coord>(sites[site].y) * factor)});
+    }
+  }
+
   Vec<Int128> offset_{};
   int exp2_ = 0;
   int exp10_ = 0;
@@ -90,18 +111,19 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   }
   int exp2() const override { return 0; }
   int exp10() const override { return 0; }
-  Vec<double> approximate(SiteId site) const override {
-    const auto& origin = origin_[site < split_ ? 0 : 1];
-    return scaled(minus(sites_[site], origin));
+  void approximate_sites(std::span<double> x, std::span<double> y) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Vec<double> at = scaled(minus(sites_[i], origin_[i < split_ ? 0 : 1]));
+      x[i] = at.x;
+      y[i] = at.y;
+    }
   }
-  Vec<double> approximate_difference(SiteId from, SiteId to) const override {
-    return scaled(difference(from, to));
-  }
-  void arrange(std::span<const SiteId> order, std::span<const SiteId> next) override {
-    SiteId split = 0;
-    for (const SiteId site : order) split += site < split_ ? 1 : 0;
-    KernelOf<ArbitraryRung>::arrange(order, next);
-    split_ = split;
+  void approximate_edges(std::span<double> dx, std::span<double> dy) const override {
+    for (std::size_t i = 0; i < dx.size(); ++i) {
+      const Vec<double> d = scaled(direction(static_cast<SiteId>(i)));
+      dx[i] = d.x;
+      dy[i] = d.y;
+    }
   }
 
  private:
@@ -126,15 +148,15 @@ Kernel& reuse_or_make(std::unique_ptr<ExactKernel>& old) {
 
 }  // namespace
 
-void make_grid_kernel(Arithmetic rung, const GridCoordinates& grid,
+void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, int exp2, int exp10,
                       std::unique_ptr<ExactKernel>& old) {
   switch (rung) {
     case Arithmetic::kNarrow:
-      return reuse_or_make<GridKernel<NarrowRung>>(old).load(grid);
+      return reuse_or_make<GridKernel<NarrowRung>>(old).load(parts, exp2, exp10);
     case Arithmetic::kMedium:
-      return reuse_or_make<GridKernel<MediumRung>>(old).load(grid);
+      return reuse_or_make<GridKernel<MediumRung>>(old).load(parts, exp2, exp10);
     default:
-      return reuse_or_make<GridKernel<WideRung>>(old).load(grid);
+      return reuse_or_make<GridKernel<WideRung>>(old).load(parts, exp2, exp10);
   }
 }
 

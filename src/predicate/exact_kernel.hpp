@@ -42,7 +42,7 @@ class ExactKernel {
   /// Sign of a − b along an axis.
   [[nodiscard]] virtual Sign compare(SiteId a, SiteId b, Axis axis) const = 0;
 
-  // -- Edges (after `arrange`) --------------------------------------------------------------
+  // -- Edges (once connected) ---------------------------------------------------------------
   [[nodiscard]] virtual Sign cross(SiteId edge, SiteId other_edge) const = 0;
   [[nodiscard]] virtual Sign dot(SiteId edge, SiteId other_edge) const = 0;
 
@@ -78,29 +78,51 @@ class ExactKernel {
   /// Exponents that go with `coordinate` (see there).
   [[nodiscard]] virtual int exp2() const = 0;
   [[nodiscard]] virtual int exp10() const = 0;
-  /// The nearest doubles (moved and, on the arbitrary rung, scaled: see `Operands`).
-  [[nodiscard]] virtual Vec<double> approximate(SiteId site) const = 0;
-  [[nodiscard]] virtual Vec<double> approximate_difference(SiteId from, SiteId to) const = 0;
+  /// The doubles nearest to all sites (moved and, on the arbitrary rung, scaled) and, once connected,
+  /// to all edge vectors.
+  virtual void approximate_sites(std::span<double> x, std::span<double> y) const = 0;
+  virtual void approximate_edges(std::span<double> dx, std::span<double> dy) const = 0;
 
-  /// Keeps the sites in `order` only, renumbered in that order; `next` (in new ids) makes edges.
-  virtual void arrange(std::span<const SiteId> order, std::span<const SiteId> next) = 0;
+  /// The edge that starts at each site ends at the site `next` names.
+  virtual void connect(std::span<const SiteId> next) = 0;
 };
 
-/// The operands' coordinates on a common integer grid: value = (integer + offset) · 2^exp2 · 10^exp10.
+/// Coordinates on an integer grid: value = (integer + offset) · 2^exp2 · 10^exp10, where the
+/// integers are in [0, 2^bits).
 struct GridCoordinates {
-  std::vector<Vec<Int128>> sites;  ///< both operands', each moved so that its box starts at 0
-  Vec<Int128> offset;              ///< the sum of both moves
+  static constexpr int kSmallBits = 62;
+  bool small = true;                           ///< which of the two holds the sites
+  std::vector<Vec<std::int64_t>> small_sites;  ///< up to kSmallBits bits
+  std::vector<Vec<Int128>> large_sites;
+  Vec<Int128> extent{};                        ///< the largest of the integers
+  Vec<Int128> offset{};
   int exp2 = 0;
   int exp10 = 0;
-  int bits = 0;                    ///< B: every coordinate is in [0, 2^B)
+  int bits = 0;
 };
 
-/// A kernel for coordinates on a grid, on the given rung (kNarrow, kMedium or kWide; not narrower
-/// than `bits` needs). Reuses `old` if it is of the same rung.
-void make_grid_kernel(Arithmetic rung, const GridCoordinates& grid,
+/// Any rational coordinates, in the operand's own units.
+struct RationalCoordinates {
+  std::vector<Vec<BigRational>> sites;
+  Vec<BigRational> low{};                      ///< the box's lower left corner
+  Vec<BigRational> extent{};
+  std::size_t bits = 0;                        ///< of the longest numerator or denominator
+};
+
+/// Some of an operand's sites, in their order, times a factor.
+struct GridPart {
+  const GridCoordinates* grid;
+  Int128 factor;
+  std::span<const SiteId> sites;
+};
+
+/// A kernel for integer coordinates: those of the parts, one after the other. They must fit the rung
+/// (kNarrow, kMedium or kWide), and the sum of their scaled offsets 127 bits. `exp2` and `exp10` are
+/// those of the common grid. Reuses `old` if it is of the same rung.
+void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, int exp2, int exp10,
                       std::unique_ptr<ExactKernel>& old);
 /// A kernel for any rational coordinates; `origin_first`, `origin_second` and `exponent` say how
-/// `approximate` moves and scales them: (coordinate − origin of its operand) · 2^exponent.
+/// they are approximated: (coordinate − origin of its operand) · 2^exponent.
 void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
                           const Vec<BigRational>& origin_first,
                           const Vec<BigRational>& origin_second, int exponent,

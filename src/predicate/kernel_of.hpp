@@ -124,12 +124,7 @@ class KernelOf : public ExactKernel {
     return d.x != 0 ? BigRational((at.x - a.x) / d.x) : BigRational((at.y - a.y) / d.y);
   }
 
-  void arrange(std::span<const SiteId> order, std::span<const SiteId> next) override {
-    kept_.clear();
-    for (const SiteId site : order) kept_.push_back(sites_[site]);
-    std::swap(sites_, kept_);
-    next_.assign(next.begin(), next.end());
-  }
+  void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
 
  protected:
   template <class To, class From>
@@ -197,7 +192,6 @@ class KernelOf : public ExactKernel {
   }
 
   std::vector<Vec<Coord>> sites_;
-  std::vector<Vec<Coord>> kept_;
   std::vector<SiteId> next_;
 };
 

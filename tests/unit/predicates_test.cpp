@@ -7,6 +7,7 @@
 #include "operands/operands.hpp"
 #include "predicate/kernel_of.hpp"
 #include "support/shapes.hpp"
+#include "unit/prepare_operands.hpp"
 
 namespace {
 

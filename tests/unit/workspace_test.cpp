@@ -8,20 +8,21 @@
 #include <thread>
 
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/prepared_region.hpp"
 #include "support/shapes.hpp"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-// Counts every allocation of this program.
-void* operator new(std::size_t size) {
+// Counts every allocation of this program. Not inlined: the compiler would see malloc meet delete.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -61,6 +62,18 @@ TEST(Workspace, RepeatedCallsDoNotAllocate) {
   EXPECT_EQ(allocations - before, 0U);
   EXPECT_TRUE(outcome.ok());
   EXPECT_EQ(sum, first);
+}
+
+TEST(Workspace, RepeatedCallsWithPreparedOperandsDoNotAllocate) {
+  const PreparedRegion p(ragged_frame(150, 400000, 1));
+  const PreparedRegion q(ragged_frame(60, 90000, 2));
+  Workspace workspace;
+  Region sum;
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, sum).ok());
+  const std::size_t before = allocations;
+  const Outcome outcome = minkowski_sum(p, q, {}, workspace, sum);
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_TRUE(outcome.ok());
 }
 
 TEST(Workspace, HoldsNothingOfOneCallForTheNext) {

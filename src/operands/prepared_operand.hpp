@@ -1,0 +1,107 @@
+// One operand, by itself: on an integer grid, clean, oriented, validated, its directions sorted.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "minksum/minkowski_sum.hpp"
+#include "minksum/validity.hpp"
+#include "predicate/predicates.hpp"
+
+namespace minksum {
+
+/// A ring: the sites [begin, end), counter-clockwise if outer, clockwise if a hole. It has three or
+/// more vertices; none is repeated or lies in the middle of a straight edge.
+struct OperandRing {
+  SiteId begin = 0;
+  SiteId end = 0;
+  std::uint32_t polygon = 0;  ///< index in its region
+  std::uint32_t ring = 0;     ///< index in its polygon, 0 = outer
+  [[nodiscard]] bool is_hole() const { return ring != 0; }
+};
+
+/// An edge with a rounded, monotone function of its direction in [0, 4), off by less than kKeyError.
+struct KeyedEdge {
+  double key;
+  SiteId edge;
+};
+inline constexpr double kKeyError = 0x1p-48;
+
+/// A ring's box, rounded.
+struct RingBox {
+  double x0, x1, y0, y1;
+};
+
+/// Memory that preparing needs in passing, kept from call to call.
+struct OperandScratch {
+  std::vector<SiteId> all;  ///< 0, 1, 2, ...
+  std::vector<SiteId> order;
+  std::vector<SiteId> distinct;
+  GridCoordinates picked_grid;
+  RationalCoordinates picked_rationals;
+  std::vector<KeyedEdge> keyed;
+  std::vector<std::uint32_t> counts;
+  std::vector<std::pair<std::uint32_t, SiteId>> cell_entries;
+  std::vector<std::uint32_t> cell_begin;
+  std::vector<SiteId> in_cells;
+  std::vector<RingBox> boxes;
+};
+
+/// All that can be known of an operand before the other one is.
+///
+/// `sites` and `bounds` are in units of the operand's own grid, its box at (0, 0).
+struct PreparedOperand {
+  const Region* region = nullptr;
+  bool rational = false;           ///< which of the two holds the coordinates
+  GridCoordinates grid;
+  RationalCoordinates rationals;
+
+  ApproximateSites sites;
+  std::vector<SiteId> previous;
+  std::vector<OperandRing> rings;
+  std::vector<std::uint8_t> convex;          ///< strictly left turn
+  std::vector<std::uint32_t> vertex_source;  ///< by site: vertex index in the region
+  std::vector<std::uint32_t> edge_source;    ///< by site: edge index in the region
+  /// Edges counter-clockwise by direction from the positive x axis, parallel ones by id.
+  std::vector<KeyedEdge> by_direction;
+  bool keys_tell = false;  ///< whether keys farther apart than 2 · kKeyError order directions
+
+  /// One step of `sites` is 2^unit_exp2 · 10^unit_exp10 of the region's units.
+  int unit_exp2 = 0;
+  int unit_exp10 = 0;
+  RoundingBounds bounds;
+  std::unique_ptr<ExactKernel> kernel;
+
+  [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
+};
+
+/// Fills `operand` from `region`, which must live as long. Of `options`, `arithmetic` and `filter`
+/// count. Without any fault the operand is complete; otherwise it may not be used.
+/// O(n log n) for n vertices, plus close pairs of edges for the validation.
+void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
+                     OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults);
+
+// -- Steps, in their order ---------------------------------------------------------------------
+/// Exact coordinates of all vertices as given.
+void load_sites(const Region& region, const Options& options, PreparedOperand& operand);
+/// Drops repeated and straight vertices, orients the rings, tells convex vertices. Rings with a
+/// fault are left out.
+void clean_rings(const Options& options, OperandScratch& scratch, PreparedOperand& operand,
+                 std::vector<Fault>& faults);
+/// Faults between edges and rings. Faults' vertices are indices in the region.
+void find_faults(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
+                 std::vector<Fault>& faults);
+/// Sorts edges by direction.
+void sort_directions(OperandScratch& scratch, PreparedOperand& operand);
+
+/// The narrowest rung for coordinates of so many bits, if none wider is asked for.
+[[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);
+/// A bound on the bits of 10^exponent.
+[[nodiscard]] constexpr int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
+/// More bits than this do not go to fixed-width arithmetic.
+inline constexpr int kMaxGridBits = WideRung::kCoordinateBits - 1;
+
+}  // namespace minksum

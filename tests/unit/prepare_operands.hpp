@@ -1,0 +1,21 @@
+// The first stage for two regions, for tests of what comes after it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "operands/operands.hpp"
+
+namespace minksum::test {
+
+inline void prepare_operands(const Region& p, const Region& q, const Options& options,
+                             Operands& operands) {
+  OperandScratch scratch;
+  std::array<PreparedOperand, 2> prepared;
+  std::vector<Fault> faults;
+  prepare_operand(p, options, 1, scratch, prepared[0], faults);
+  prepare_operand(q, options, 1, scratch, prepared[1], faults);
+  ASSERT_TRUE(faults.empty());
+  combine_operands(prepared[0], prepared[1], options, operands);
+}
+
+}  // namespace minksum::test

@@ -1,0 +1,95 @@
+// A prepared operand gives what the region itself gives, whatever it meets.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "minksum/prepared_region.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/shapes.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+/// Shapes whose coordinates need different scales and rungs, some with holes.
+std::vector<Region> mixed_shapes() {
+  Random random(7);
+  std::vector<Region> shapes{random_two_opt(random, 25, 100), random_with_holes(random, 60, 3),
+                             random_cells(random, 5, 5, true, false), comb(4, 2, 9),
+                             frame({{{0, 0}, {50, 0}, {50, 50}, {0, 50}}}, 5)};
+  const auto scaled = [](const Region& region, auto number) {
+    Region result;
+    for (const std::size_t polygon : region.polygons()) {
+      result.begin_polygon();
+      for (const std::size_t ring : region.rings_of(polygon)) {
+        result.begin_ring();
+        for (const std::size_t v : region.vertices_of(ring)) {
+          result.add_vertex(number(region.x(v)), number(region.y(v)));
+        }
+      }
+    }
+    return result;
+  };
+  const auto integer = [](double x) { return static_cast<std::int64_t>(x); };
+  shapes.push_back(scaled(shapes[0], [&](double x) { return Decimal{3 * integer(x) + 1, -5}; }));
+  shapes.push_back(scaled(shapes[1], [](double x) { return x * 0x1.8p-20; }));
+  shapes.push_back(scaled(shapes[3], [](double x) { return (x - 3) * 0x1.1p70; }));
+  shapes.push_back(
+      scaled(shapes[4], [&](double x) { return Rational(integer(x) - 7) / Rational(3); }));
+  return shapes;
+}
+
+TEST(PreparedRegion, GivesWhatTheRegionsGive) {
+  const std::vector<Region> shapes = mixed_shapes();
+  std::vector<PreparedRegion> prepared(shapes.begin(), shapes.end());
+  Workspace workspace;
+  Region sum;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      const Region expected = minkowski_sum(shapes[i], shapes[j]);
+      Options options;
+      options.check = true;
+      ASSERT_TRUE(minkowski_sum(prepared[i], prepared[j], options, workspace, sum).ok());
+      ASSERT_EQ(sum, expected) << i << " + " << j;
+      for (std::size_t v = 0; v < sum.vertex_count(); ++v) {
+        ASSERT_EQ(sum.origin(v).edge, expected.origin(v).edge);
+        ASSERT_EQ(sum.origin(v).vertex, expected.origin(v).vertex);
+      }
+      options.method = Method::kSigned;
+      ASSERT_EQ(minkowski_sum(prepared[i], prepared[j], options), expected);
+    }
+  }
+}
+
+TEST(PreparedRegion, ServesManyThreads) {
+  const PreparedRegion p(comb(9, 3, 40));
+  const PreparedRegion q(round_polygon(24, 50));
+  const Region expected = minkowski_sum(p.region(), q.region());
+  std::vector<Region> sums(4);
+  std::vector<std::thread> threads;
+  for (Region& sum : sums) {
+    threads.emplace_back([&, copy = p] { sum = minkowski_sum(copy, q); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Region& sum : sums) EXPECT_EQ(sum, expected);
+}
+
+TEST(PreparedRegion, TakesTheEmptyRegion) {
+  const PreparedRegion empty{Region()};
+  EXPECT_TRUE(minkowski_sum(empty, PreparedRegion(rectangle(0, 0, 1, 1))).empty());
+  EXPECT_TRUE(minkowski_sum(empty, empty).empty());
+}
+
+TEST(PreparedRegion, RefusesWhatIsNoOperand) {
+  try {
+    const PreparedRegion bow_tie(make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}}));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.culprit().operand, -1);
+    EXPECT_EQ(error.culprit().ring, 0U);
+  }
+}
+
+}  // namespace
