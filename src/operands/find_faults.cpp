@@ -91,16 +91,30 @@ class ContactFinder {
     entries.clear();
     begin.assign(static_cast<std::size_t>(grid.size()) + 2, 0);
     const auto columns = static_cast<std::uint32_t>(grid.columns);
+    const auto enter = [&](std::int32_t i, std::int32_t j, SiteId e) {
+      const std::uint32_t cell =
+          static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i);
+      entries.emplace_back(cell, e);
+      ++begin[cell + 2];
+      return true;
+    };
+    const auto& [x, y, dx, dy, next] = o_.sites;
+    const double margin = UniformGrid::kMargin * grid.cell;
     for (SiteId e = 0; e < o_.size(); ++e) {
-      const SiteId f = o_.sites.next[e];
-      grid.walk({o_.sites.x[e], o_.sites.y[e]}, {o_.sites.x[f], o_.sites.y[f]},
-                UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
-                  const std::uint32_t cell =
-                      static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i);
-                  entries.emplace_back(cell, e);
-                  ++begin[cell + 2];
-                  return true;
-                });
+      const SiteId f = next[e];
+      const std::int32_t left = grid.column(std::min(x[e], x[f]) - margin);
+      const std::int32_t right = grid.column(std::max(x[e], x[f]) + margin);
+      const std::int32_t bottom = grid.row(std::min(y[e], y[f]) - margin);
+      const std::int32_t top = grid.row(std::max(y[e], y[f]) + margin);
+      // Of a short edge's box hardly a cell is far from the edge.
+      if (right - left <= 1 && top - bottom <= 1) {
+        for (std::int32_t j = bottom; j <= top; ++j) {
+          for (std::int32_t i = left; i <= right; ++i) enter(i, j, e);
+        }
+      } else {
+        grid.walk({x[e], y[e]}, {x[f], y[f]}, UniformGrid::kMargin,
+                  [&](std::int32_t i, std::int32_t j) { return enter(i, j, e); });
+      }
     }
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     scratch_.in_cells.resize(entries.size());

@@ -40,7 +40,7 @@ struct OutputScratch {
   std::vector<std::uint32_t> stack_place;  ///< by node
   std::vector<PieceId> stack;
   std::vector<std::uint32_t> outer_of;     ///< by ring
-  ExactCoordinate coordinate;
+  Vec<ExactCoordinate> coordinates;
 };
 
 /// Links the pieces of accepted loops into rings and polygons. O(c log c), plus a search for the

@@ -6,30 +6,53 @@
 namespace minksum {
 namespace {
 
-/// As a compact number if it is an integer of 63 bits on the operands' grid, else as limbs.
-StoredCoordinate store(const ExactCoordinate& c, const ExactKernel& kernel, Region& region) {
-  StoredCoordinate stored;
-  stored.exp2 = static_cast<std::int16_t>(kernel.exp2());
-  stored.exp10 = static_cast<std::int16_t>(kernel.exp10());
-  const bool integer = c.denominator.size() == 1 && c.denominator[0] == 1;
-  if (c.numerator.empty()) return StoredCoordinate{};
-  if (integer && c.numerator.size() == 1 && (c.numerator[0] >> 63) == 0) {
-    const auto magnitude = static_cast<std::int64_t>(c.numerator[0]);
-    stored.payload = c.negative ? -magnitude : magnitude;
+class CoordinateWriter {
+ public:
+  CoordinateWriter(const ExactKernel& kernel, Vec<ExactCoordinate>& scratch, Region& region)
+      : kernel_(kernel), exp2_(static_cast<std::int16_t>(kernel.exp2())),
+        exp10_(static_cast<std::int16_t>(kernel.exp10())), scratch_(scratch), region_(region) {}
+
+  /// As compact numbers if they are integers of 63 bits on the operands' grid, else as limbs.
+  Vec<StoredCoordinate> store(const NodePoint& point) {
+    Vec<std::int64_t> at{};
+    if (!point.is_crossing && kernel_.integer_coordinates(point.vertex, at)) {
+      return {compact(at.x), compact(at.y)};
+    }
+    kernel_.coordinates(point, scratch_);
+    return {store(scratch_.x), store(scratch_.y)};
+  }
+
+ private:
+  [[nodiscard]] StoredCoordinate compact(std::int64_t value) const {
+    return value == 0 ? StoredCoordinate{} : StoredCoordinate{value, exp2_, exp10_, 0, 0};
+  }
+  StoredCoordinate store(const ExactCoordinate& c) {
+    if (c.numerator.empty()) return StoredCoordinate{};
+    const bool integer = c.denominator.size() == 1 && c.denominator[0] == 1;
+    if (integer && c.numerator.size() == 1 && (c.numerator[0] >> 63) == 0) {
+      const auto magnitude = static_cast<std::int64_t>(c.numerator[0]);
+      return compact(c.negative ? -magnitude : magnitude);
+    }
+    if (c.numerator.size() > kLimbCountMask || c.denominator.size() > kLimbCountMask) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "a coordinate of the result needs more than 2^21 bits");
+    }
+    auto& limbs = RegionAccess::mutable_limbs(region_);
+    StoredCoordinate stored{static_cast<std::int64_t>(limbs.size()), exp2_, exp10_,
+                            static_cast<std::uint16_t>(c.numerator.size()),
+                            static_cast<std::uint16_t>(c.denominator.size())};
+    if (c.negative) stored.numerator_limbs |= kNegativeLimbs;
+    limbs.insert(limbs.end(), c.numerator.begin(), c.numerator.end());
+    limbs.insert(limbs.end(), c.denominator.begin(), c.denominator.end());
     return stored;
   }
-  if (c.numerator.size() > kLimbCountMask || c.denominator.size() > kLimbCountMask) {
-    throw Error(ErrorCode::kLimitExceeded, "a coordinate of the result needs more than 2^21 bits");
-  }
-  auto& limbs = RegionAccess::mutable_limbs(region);
-  stored.payload = static_cast<std::int64_t>(limbs.size());
-  stored.numerator_limbs = static_cast<std::uint16_t>(c.numerator.size());
-  stored.denominator_limbs = static_cast<std::uint16_t>(c.denominator.size());
-  if (c.negative) stored.numerator_limbs |= kNegativeLimbs;
-  limbs.insert(limbs.end(), c.numerator.begin(), c.numerator.end());
-  limbs.insert(limbs.end(), c.denominator.begin(), c.denominator.end());
-  return stored;
-}
+
+  const ExactKernel& kernel_;
+  std::int16_t exp2_;
+  std::int16_t exp10_;
+  Vec<ExactCoordinate>& scratch_;
+  Region& region_;
+};
 
 EdgeOrigin origin_of(const Operands& o, const Segment& segment) {
   EdgeOrigin origin;
@@ -43,7 +66,7 @@ EdgeOrigin origin_of(const Operands& o, const Segment& segment) {
 
 void write_region(const Operands& operands, const Arrangement& arrangement,
                   const Boundary& boundary, OutputScratch& scratch, Region& region) {
-  const ExactKernel& kernel = *operands.kernel;
+  CoordinateWriter writer(*operands.kernel, scratch.coordinates, region);
   region.clear();
   RegionAccess::reserve(region, boundary.vertices.size());
   for (std::uint32_t i = 0; i < boundary.ring_order.size(); ++i) {
@@ -52,13 +75,9 @@ void write_region(const Operands& operands, const Arrangement& arrangement,
     region.begin_ring();
     for (std::uint32_t k = ring.begin; k < ring.end; ++k) {
       const BoundaryVertex& v = boundary.vertices[k];
-      const NodePoint& point = arrangement.nodes[v.node].point;
-      kernel.coordinate(point, Axis::kX, scratch.coordinate);
-      const StoredCoordinate x = store(scratch.coordinate, kernel, region);
-      kernel.coordinate(point, Axis::kY, scratch.coordinate);
-      const StoredCoordinate y = store(scratch.coordinate, kernel, region);
+      const Vec<StoredCoordinate> at = writer.store(arrangement.nodes[v.node].point);
       const Segment& made_by = arrangement.kept[arrangement.pieces[v.piece].segment].segment;
-      RegionAccess::add_vertex(region, x, y, origin_of(operands, made_by));
+      RegionAccess::add_vertex(region, at.x, at.y, origin_of(operands, made_by));
     }
   }
 }

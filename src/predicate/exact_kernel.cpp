@@ -1,5 +1,7 @@
 #include "predicate/exact_kernel.hpp"
 
+#include <limits>
+
 #include "predicate/kernel_of.hpp"
 
 namespace minksum {
@@ -49,13 +51,18 @@ class GridKernel final : public KernelOf<Rung> {
     if constexpr (std::is_same_v<Rung, MediumRung>) return Arithmetic::kMedium;
     return Arithmetic::kWide;
   }
-  void coordinate(const NodePoint& node, Axis axis, ExactCoordinate& out) const override {
-    const auto h = this->homogeneous(node, axis);
-    const Lexicographic moved =
-        h.numerator + Lexicographic(Base::along(offset_, axis)) * h.denominator;
-    out.negative = moved.negative() != h.denominator.negative() && sign_of(moved) != kZero;
-    set_limbs(moved.magnitude(), out.numerator);
-    set_limbs(h.denominator.magnitude(), out.denominator);
+  void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
+    const auto h = this->homogeneous(node);
+    set(h.x, h.denominator, offset_.x, out.x);
+    set(h.y, h.denominator, offset_.y, out.y);
+  }
+  bool integer_coordinates(const SumVertex& v, Vec<std::int64_t>& out) const override {
+    const auto at = this->position(v);
+    const Int128 x = at.x + offset_.x;
+    const Int128 y = at.y + offset_.y;
+    out = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
+    return out.x == x && out.y == y && out.x != std::numeric_limits<std::int64_t>::min() &&
+           out.y != std::numeric_limits<std::int64_t>::min();
   }
   int exp2() const override { return exp2_; }
   int exp10() const override { return exp10_; }
@@ -83,6 +90,14 @@ class GridKernel final : public KernelOf<Rung> {
     }
   }
 
+  static void set(const Lexicographic& numerator, const Lexicographic& denominator,
+                  const Int128& offset, ExactCoordinate& out) {
+    const Lexicographic moved = numerator + Lexicographic(offset) * denominator;
+    out.negative = moved.negative() != denominator.negative() && sign_of(moved) != kZero;
+    set_limbs(moved.magnitude(), out.numerator);
+    set_limbs(denominator.magnitude(), out.denominator);
+  }
+
   Vec<Int128> offset_{};
   int exp2_ = 0;
   int exp10_ = 0;
@@ -100,15 +115,12 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
     exponent_ = exponent;
   }
   Arithmetic rung() const override { return Arithmetic::kArbitrary; }
-  void coordinate(const NodePoint& node, Axis axis, ExactCoordinate& out) const override {
-    const auto h = homogeneous(node, axis);
-    const BigRational value = h.numerator / h.denominator;
-    const BigInteger numerator(boost::multiprecision::numerator(value));
-    const BigInteger denominator(boost::multiprecision::denominator(value));
-    out.negative = numerator < 0;
-    set_limbs(BigInteger(abs(numerator)), out.numerator);
-    set_limbs(denominator, out.denominator);
+  void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
+    const auto h = homogeneous(node);
+    set(BigRational(h.x / h.denominator), out.x);
+    set(BigRational(h.y / h.denominator), out.y);
   }
+  bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
   int exp2() const override { return 0; }
   int exp10() const override { return 0; }
   void approximate_sites(std::span<double> x, std::span<double> y) const override {
@@ -127,6 +139,12 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   }
 
  private:
+  static void set(const BigRational& value, ExactCoordinate& out) {
+    const BigInteger numerator(boost::multiprecision::numerator(value));
+    out.negative = numerator < 0;
+    set_limbs(BigInteger(abs(numerator)), out.numerator);
+    set_limbs(BigInteger(boost::multiprecision::denominator(value)), out.denominator);
+  }
   [[nodiscard]] Vec<double> scaled(const Vec<BigRational>& v) const {
     return {scaled(v.x), scaled(v.y)};
   }

@@ -73,9 +73,11 @@ class ExactKernel {
                                                     const NodePoint& node) const = 0;
 
   // -- Coordinates --------------------------------------------------------------------------
-  /// The exact coordinate of a node, in the operands' own units.
-  virtual void coordinate(const NodePoint& node, Axis axis, ExactCoordinate& out) const = 0;
-  /// Exponents that go with `coordinate` (see there).
+  /// The exact coordinates of a node, in the operands' own units.
+  virtual void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const = 0;
+  /// The exact coordinates of a sum vertex, if they are integers of 63 bits (as above).
+  virtual bool integer_coordinates(const SumVertex& v, Vec<std::int64_t>& out) const = 0;
+  /// Exponents that go with them (see ExactCoordinate).
   [[nodiscard]] virtual int exp2() const = 0;
   [[nodiscard]] virtual int exp10() const = 0;
   /// The doubles nearest to all sites (moved and, on the arbitrary rung, scaled) and, once connected,

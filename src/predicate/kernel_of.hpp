@@ -81,9 +81,11 @@ class KernelOf : public ExactKernel {
   }
 
   Sign compare(const NodePoint& a, const NodePoint& b, Axis axis) const override {
-    const auto p = homogeneous(a, axis);
-    const auto q = homogeneous(b, axis);
-    return sign_of(Lexicographic(p.numerator * q.denominator - q.numerator * p.denominator)) *
+    const Homogeneous p = homogeneous(a);
+    const Homogeneous q = homogeneous(b);
+    const bool x = axis == Axis::kX;
+    return sign_of(Lexicographic((x ? p.x : p.y) * q.denominator -
+                                 (x ? q.x : q.y) * p.denominator)) *
            sign_of(p.denominator) * sign_of(q.denominator);
   }
   Sign orientation(const Segment& s, const NodePoint& node) const override {
@@ -165,15 +167,22 @@ class KernelOf : public ExactKernel {
     return {CrossNumber(along(minus(position(point.vertex), start(s)), axis)),
             CrossNumber(along(d, axis))};
   }
-  [[nodiscard]] Quotient<Lexicographic> homogeneous(const NodePoint& node, Axis axis) const {
+  struct Homogeneous {
+    Lexicographic x;
+    Lexicographic y;
+    Lexicographic denominator;
+  };
+  [[nodiscard]] Homogeneous homogeneous(const NodePoint& node) const {
     if (!node.is_crossing) {
-      return {Lexicographic(along(position(node.vertex), axis)), Lexicographic(1)};
+      const Vec<Coord> at = position(node.vertex);
+      return {Lexicographic(at.x), Lexicographic(at.y), Lexicographic(1)};
     }
     const auto t = crossing_of(node.first, node.second);
+    const Vec<Lexicographic> at = as<Lexicographic>(start(node.first));
+    const Vec<Lexicographic> d = as<Lexicographic>(direction(node.first.edge));
     const Lexicographic denominator(t.denominator);
-    return {Lexicographic(along(start(node.first), axis)) * denominator +
-                Lexicographic(t.numerator) *
-                    Lexicographic(along(direction(node.first.edge), axis)),
+    const Lexicographic numerator(t.numerator);
+    return {at.x * denominator + numerator * d.x, at.y * denominator + numerator * d.y,
             denominator};
   }
   static Vec<BigRational> big(const Vec<Coord>& v) { return {to_big(v.x), to_big(v.y)}; }
