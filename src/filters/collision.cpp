@@ -131,6 +131,34 @@ bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
   return x < box.x0 - doubt_ || x > box.x1 + doubt_ || y < box.y0 - doubt_ || y > box.y1 + doubt_;
 }
 
+/// Whether a ray from x − `other` to the right passes an odd number of the ring's edges.
+bool CollisionTest::passes_odd_times(SiteId other, const OperandRing& ring) {
+  const BoxTree& tree = trees_.tree[o_.operand_of(ring.begin)];
+  const Vec<double> at{at_.x - o_.sites.x[other], at_.y - o_.sites.y[other]};
+  const auto misses = [&](const BoxTree::Box& box) {
+    return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
+  };
+  const auto above = [&](SiteId v) {
+    return predicates_.compare_y(probe_, at_, sum_vertex(v, other)) == kNegative;
+  };
+  bool odd = false;
+  for (SiteId e = tree.skip_edges(ring.begin, ring.end, misses); e < ring.end;
+       e = tree.skip_edges(e, ring.end, misses)) {
+    const SiteId leaf_end = std::min(ring.end, tree.last_edge(tree.leaf_of(e)));
+    bool e_above = above(e);
+    for (; e < leaf_end; ++e) {
+      const bool f_above = above(o_.sites.next[e]);
+      // An edge going up has the point on its left if it passes right of it.
+      if (e_above != f_above &&
+          (predicates_.orientation(e, sum_vertex(e, other), probe_, at_) == kPositive) == f_above) {
+        odd = !odd;
+      }
+      e_above = f_above;
+    }
+  }
+  return odd;
+}
+
 /// Whether x − `other` lies in one of the other operand's polygons, whose rings these are: parity
 /// along a ray to the right, polygon by polygon (filled holes may contain further polygons).
 bool CollisionTest::inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring) {
@@ -141,19 +169,7 @@ bool CollisionTest::inside_polygon(SiteId other, std::size_t first_ring, std::si
       if (inside) return true;
     }
     if (outside_box(other, r)) continue;
-    const auto above = [&](SiteId v) {
-      return predicates_.compare_y(probe_, at_, sum_vertex(v, other)) == kNegative;
-    };
-    bool e_above = above(ring.begin);
-    for (SiteId e = ring.begin; e < ring.end; ++e) {
-      const bool f_above = above(o_.sites.next[e]);
-      // An edge going up has the point on its left if it passes right of it.
-      if (e_above != f_above &&
-          (predicates_.orientation(e, sum_vertex(e, other), probe_, at_) == kPositive) == f_above) {
-        inside = !inside;
-      }
-      e_above = f_above;
-    }
+    inside ^= passes_odd_times(other, ring);
   }
   return inside;
 }

@@ -29,6 +29,23 @@ class BoxTree {
   [[nodiscard]] SiteId last_edge(std::size_t leaf) const {
     return std::min(end_, first_edge(leaf) + kLeafEdges);
   }
+  [[nodiscard]] std::size_t leaf_of(SiteId edge) const { return (edge - begin_) / kLeafEdges; }
+  /// The first edge from `e` on, or `end`, whose leaf is not certainly of no interest: all edges
+  /// before it are in boxes for which `skip(box)` holds. O(log n) for a long way.
+  template <class Skip>
+  [[nodiscard]] SiteId skip_edges(SiteId e, SiteId end, Skip skip) const {
+    while (e < end) {
+      std::size_t node = leaf_of(e);
+      if (!skip(box(0, node))) return e;
+      std::size_t level = 0;
+      while (node % 2 == 0 && level + 1 < levels_ && skip(box(level + 1, node / 2))) {
+        node /= 2;
+        ++level;
+      }
+      e = begin_ + static_cast<SiteId>((node + 1) << level) * kLeafEdges;
+    }
+    return end;
+  }
 
  private:
   std::vector<Box> boxes_;
@@ -70,6 +87,7 @@ class CollisionTest {
   [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
   [[nodiscard]] bool one_inside_other();
   [[nodiscard]] bool outside_box(SiteId other, std::size_t ring) const;
+  [[nodiscard]] bool passes_odd_times(SiteId other, const OperandRing& ring);
   [[nodiscard]] bool inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
   const Operands& o_;

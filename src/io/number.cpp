@@ -87,6 +87,15 @@ Parts take_parts(TextCursor& cursor, NumberSyntax syntax) {
   return parts;
 }
 
+std::size_t significant_digits(const Parts& parts) {
+  const auto zeros = [](std::string_view digits) {
+    return std::min(digits.find_first_not_of('0'), digits.size());
+  };
+  const std::size_t above = zeros(parts.whole);
+  const std::size_t below = above == parts.whole.size() ? zeros(parts.fraction) : 0;
+  return parts.whole.size() - above + parts.fraction.size() - below;
+}
+
 std::uint64_t accumulate(std::uint64_t value, std::string_view digits) {
   for (const char c : digits) value = value * 10 + static_cast<std::uint64_t>(c - '0');
   return value;
@@ -137,7 +146,7 @@ Number scan_number(TextCursor& cursor, NumberSyntax syntax) {
   if (plain_integer && cursor.peek() == '/' && syntax == NumberSyntax::kLenient) {
     return take_quotient(cursor, parts);
   }
-  if (parts.whole.size() + parts.fraction.size() <= kQuickDigits) {
+  if (significant_digits(parts) <= kQuickDigits) {
     const std::uint64_t magnitude = accumulate(accumulate(0, parts.whole), parts.fraction);
     if (magnitude == 0) return {};
     return {true,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "grid/uniform_grid.hpp"
 #include "operands/prepared_operand.hpp"
@@ -16,7 +17,7 @@ class ContactFinder {
  public:
   ContactFinder(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
                 std::vector<Fault>& faults)
-      : scratch_(scratch), boxes_(scratch.boxes), o_(operand),
+      : scratch_(scratch), o_(operand),
         predicates_(operand.sites, *operand.kernel, operand.bounds), max_faults_(max_faults),
         faults_(faults) {}
 
@@ -25,7 +26,8 @@ class ContactFinder {
     for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
     const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(o_.size()))), 1, 2048);
-    bin(UniformGrid::over(extent.x, extent.y, side));
+    grid_ = UniformGrid::over(extent.x, extent.y, side);
+    bin(grid_);
     const auto& begin = scratch_.cell_begin;
     for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
       const std::uint32_t count = begin[cell + 1] - begin[cell];
@@ -35,11 +37,12 @@ class ContactFinder {
     }
   }
 
+  /// Rings do not cross here, so a point of a ring that is not on the other ring decides.
   void find_misplaced_rings() {
-    boxes();
+    scratch_.stamp.assign(o_.size(), kNoSite);
     for (std::size_t r = 0; r < o_.rings.size() && !full(); ++r) {
-      const OperandRing& ring = o_.rings[r];
-      if (ring.is_hole()) {
+      list_rings_around(r);
+      if (o_.rings[r].is_hole()) {
         check_hole(r);
       } else {
         check_outer(r);
@@ -48,8 +51,6 @@ class ContactFinder {
   }
 
  private:
-  enum class Place { kInside, kOutside, kOnBoundary };
-
   /// All pairs whose x ranges overlap, from left to right: cells may be crowded.
   void find_contacts_in(std::span<SiteId> edges) {
     const auto& x = o_.sites.x;
@@ -216,97 +217,135 @@ class ContactFinder {
                                                  : left_of_out || left_of_in;
   }
 
-  // -- Rings in their places: rings do not cross here, so one point of a ring that is not on the
-  // -- other ring decides. -------------------------------------------------------------------
-  void boxes() {
-    const auto& x = o_.sites.x;
-    const auto& y = o_.sites.y;
-    boxes_.clear();
-    for (const OperandRing& ring : o_.rings) {
-      const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
-      const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
-      boxes_.push_back({*x0, *x1, *y0, *y1});
-    }
-  }
-  /// Certainly not inside: the box of `inner` is not within that of `outer`.
-  [[nodiscard]] bool box_outside(std::size_t inner, std::size_t outer) const {
-    const RingBox& a = boxes_[inner];
-    const RingBox& b = boxes_[outer];
-    const double doubt = o_.bounds.difference;
-    return a.x0 < b.x0 - doubt || a.x1 > b.x1 + doubt || a.y0 < b.y0 - doubt ||
-           a.y1 > b.y1 + doubt;
-  }
-
+  // -- Rings in their places -------------------------------------------------------------------
   /// Probes and lines are made of sums: any one site moves both the probe and the ring alike.
   static constexpr SiteId kFixedSite = 0;
 
-  Place locate(const Probe& probe, const OperandRing& ring) {
-    bool inside = false;
-    const auto& y = o_.sites.y;
-    const double height = predicates_.position(probe).y - y[kFixedSite];
-    const double doubt = 2 * (o_.bounds.difference + 2 * o_.bounds.position);
-    for (SiteId e = ring.begin; e < ring.end; ++e) {
-      const SiteId f = o_.sites.next[e];
-      if (std::max(y[e], y[f]) < height - doubt || std::min(y[e], y[f]) > height + doubt) continue;
-      const ExactKernel& kernel = *o_.kernel;
-      const Sign at_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kY);
-      const Sign at_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kY);
-      if (at_e == at_f && at_e != kZero) continue;
-      const Sign side = kernel.probe_orientation(e, sum_vertex(e, kFixedSite), probe);
-      if (side == kZero) {
-        const Sign x_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kX);
-        const Sign x_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kX);
-        if (x_e * x_f != kPositive && at_e * at_f != kPositive) return Place::kOnBoundary;
-        continue;
-      }
-      // Half-open: an end at the probe's own height counts as below it.
-      const bool e_above = at_e == kNegative;
-      const bool f_above = at_f == kNegative;
-      if (e_above != f_above && (side == kPositive) == f_above) inside = !inside;
+  /// What a ray from a probe to the right does with an edge. Half-open: an end at the probe's own
+  /// height counts as below it.
+  enum class Meeting { kMisses, kPasses, kStartsOn };
+  [[nodiscard]] Meeting meeting(const Probe& probe, SiteId e) const {
+    const SiteId f = o_.sites.next[e];
+    const ExactKernel& kernel = *o_.kernel;
+    const Sign at_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kY);
+    const Sign at_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kY);
+    if (at_e == at_f && at_e != kZero) return Meeting::kMisses;
+    const Sign side = kernel.probe_orientation(e, sum_vertex(e, kFixedSite), probe);
+    if (side == kZero) {
+      const Sign x_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kX);
+      const Sign x_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kX);
+      const bool on = x_e * x_f != kPositive && at_e * at_f != kPositive;
+      return on ? Meeting::kStartsOn : Meeting::kMisses;
     }
-    return inside ? Place::kInside : Place::kOutside;
+    const bool e_above = at_e == kNegative;
+    const bool f_above = at_f == kNegative;
+    return e_above != f_above && (side == kPositive) == f_above ? Meeting::kPasses
+                                                                 : Meeting::kMisses;
   }
 
-  /// Whether ring `inner`, which does not cross ring `outer`, lies inside it.
+  /// Where a probe is, and how far off that may be.
+  [[nodiscard]] Vec<double> place_of(const Probe& probe) const {
+    const Vec<double> sum = predicates_.position(probe);
+    return {sum.x - o_.sites.x[kFixedSite], sum.y - o_.sites.y[kFixedSite]};
+  }
+  [[nodiscard]] double doubt() const { return 8 * o_.bounds.position; }
+
+  /// The rings that contain ring `inner`, to `scratch_.around`: parity along one row of cells.
+  void list_rings_around(std::size_t inner) {
+    auto& around = scratch_.around;
+    around.clear();
+    const Probe probe{{o_.rings[inner].begin, kFixedSite}, 1, 1};
+    const Vec<double> at = place_of(probe);
+    const double low = at.y - doubt();
+    const double high = at.y + doubt();
+    std::vector<std::size_t>& on = scratch_.on;
+    on.clear();
+    const auto stamp = static_cast<SiteId>(inner);
+    for (std::int32_t j = grid_.row(low); j <= grid_.row(high); ++j) {
+      for (std::int32_t i = grid_.column(at.x - doubt()); i < grid_.columns; ++i) {
+        const std::size_t cell = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
+                                 static_cast<std::size_t>(i);
+        for (std::uint32_t k = scratch_.cell_begin[cell]; k < scratch_.cell_begin[cell + 1]; ++k) {
+          const SiteId e = scratch_.in_cells[k];
+          const double y0 = o_.sites.y[e];
+          const double y1 = o_.sites.y[o_.sites.next[e]];
+          if (std::max(y0, y1) < low || std::min(y0, y1) > high) continue;
+          if (std::exchange(scratch_.stamp[e], stamp) == stamp) continue;
+          const std::size_t ring = ring_of(e);
+          if (ring == inner) continue;
+          const Meeting found = meeting(probe, e);
+          if (found == Meeting::kPasses) around.push_back(ring);
+          if (found == Meeting::kStartsOn) on.push_back(ring);
+        }
+      }
+    }
+    keep_odd(around);
+    for (const std::size_t ring : on) {
+      std::erase(around, ring);
+      if (lies_inside(inner, ring)) around.push_back(ring);
+    }
+  }
+  /// One of each that is there an odd number of times.
+  static void keep_odd(std::vector<std::size_t>& rings) {
+    std::sort(rings.begin(), rings.end());
+    std::size_t kept = 0;
+    for (std::size_t i = 0, j = 0; i < rings.size(); i = j) {
+      for (j = i; j < rings.size() && rings[j] == rings[i]; ++j) {
+      }
+      if ((j - i) % 2 != 0) rings[kept++] = rings[i];
+    }
+    rings.resize(kept);
+  }
+
+  /// Whether ring `inner`, which does not cross ring `outer`, lies inside it. Only finitely many
+  /// points of an edge lie on the other ring: some dyadic one does not.
   bool lies_inside(std::size_t inner, std::size_t outer) {
-    if (box_outside(inner, outer)) return false;
     const Segment edge{o_.rings[inner].begin, kFixedSite};
-    // Only finitely many points of the edge lie on the other ring: some dyadic one does not.
     for (int shift = 1; shift < Probe::kMaxShift; ++shift) {
       for (std::int64_t k = 1; k < (std::int64_t{1} << std::min(shift, 12)); k += 2) {
-        const Place place = locate({edge, k, shift}, o_.rings[outer]);
-        if (place != Place::kOnBoundary) return place == Place::kInside;
+        const Probe probe{edge, k, shift};
+        bool inside = false;
+        bool on = false;
+        for (SiteId e = o_.rings[outer].begin; e < o_.rings[outer].end && !on; ++e) {
+          const Meeting found = meeting(probe, e);
+          inside ^= found == Meeting::kPasses;
+          on = found == Meeting::kStartsOn;
+        }
+        if (!on) return inside;
       }
     }
     throw Error(ErrorCode::kInternal, "no point of a ring lies off another ring", {}, "operands");
   }
 
   void check_hole(std::size_t hole) {
-    for (std::size_t r = 0; r < o_.rings.size(); ++r) {
-      if (r == hole || o_.rings[r].polygon != o_.rings[hole].polygon) continue;
-      if (!o_.rings[r].is_hole()) {
-        if (!lies_inside(hole, r)) report("hole lies outside its outer ring", o_.rings[hole].begin);
-      } else if (lies_inside(hole, r)) {
-        report("hole lies inside another hole", o_.rings[hole].begin);
-      }
+    const OperandRing& own = o_.rings[hole];
+    bool in_outer = false;
+    for (const std::size_t r : scratch_.around) {
+      const OperandRing& ring = o_.rings[r];
+      if (ring.polygon != own.polygon) continue;
+      in_outer |= !ring.is_hole();
+      if (ring.is_hole()) report("hole lies inside another hole", own.begin);
     }
+    if (!in_outer) report("hole lies outside its outer ring", own.begin);
   }
 
   void check_outer(std::size_t outer) {
-    for (std::size_t r = 0; r < o_.rings.size(); ++r) {
-      if (r == outer || o_.rings[r].is_hole() || !lies_inside(outer, r)) continue;
-      bool in_hole = false;
-      for (std::size_t h = 0; h < o_.rings.size() && !in_hole; ++h) {
-        in_hole = o_.rings[h].is_hole() && o_.rings[h].polygon == o_.rings[r].polygon &&
-                  lies_inside(outer, h);
+    const auto in_hole_of = [&](std::uint32_t polygon) {
+      return std::any_of(scratch_.around.begin(), scratch_.around.end(), [&](std::size_t r) {
+        return o_.rings[r].is_hole() && o_.rings[r].polygon == polygon;
+      });
+    };
+    for (const std::size_t r : scratch_.around) {
+      const OperandRing& ring = o_.rings[r];
+      if (!ring.is_hole() && !in_hole_of(ring.polygon)) {
+        report("polygons overlap", o_.rings[outer].begin);
       }
-      if (!in_hole) report("polygons overlap", o_.rings[outer].begin);
     }
   }
 
   OperandScratch& scratch_;
-  std::vector<RingBox>& boxes_;
   const PreparedOperand& o_;
+  UniformGrid grid_;
   Predicates predicates_;
   std::size_t max_faults_;
   std::vector<Fault>& faults_;

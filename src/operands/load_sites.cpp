@@ -74,30 +74,57 @@ Scale common_scale(const Region& region) {
   return scale;
 }
 
-template <class Number>
-Number on_grid(const StoredCoordinate& c, const Scale& scale) {
-  if (c.payload == 0) return 0;
-  Number value = c.payload;
-  for (int i = scale.exp10; i < c.exp10; ++i) value *= 10;
-  return value * (Number{1} << (c.exp2 - scale.exp2));
+/// payload · 2^exp2 · 10^exp10
+struct LongNumber {
+  Int128 payload = 0;
+  int exp2 = 0;
+  int exp10 = 0;
+};
+
+/// A coordinate stored as a quotient that is a long decimal or binary fraction after all.
+bool as_long_number(const Region& region, const StoredCoordinate& c, LongNumber& number) {
+  number = {c.payload, c.exp2, c.exp10};
+  if (c.denominator_limbs == 0) return true;
+  const auto limbs = RegionAccess::limbs(region).subspan(static_cast<std::size_t>(c.payload));
+  const std::size_t n = c.numerator_limbs & kLimbCountMask;
+  const auto value = [&](std::size_t first, std::size_t count) {
+    const Uint128 low = count > 0 ? limbs[first] : 0;
+    return count > 1 ? low | (static_cast<Uint128>(limbs[first + 1]) << 64) : low;
+  };
+  if (n > 2 || c.denominator_limbs > 2) return false;
+  const Uint128 above = value(0, n);
+  Uint128 below = value(n, c.denominator_limbs);
+  if ((above >> kMaxGridBits) != 0) return false;
+  int twos = 0;
+  int fives = 0;
+  for (; below % 2 == 0; ++twos) below /= 2;
+  for (; below % 5 == 0; ++fives) below /= 5;
+  if (below != 1) return false;
+  number.payload = static_cast<Int128>(above);
+  if ((c.numerator_limbs & kNegativeLimbs) != 0) number.payload = -number.payload;
+  number.exp2 += fives - twos;
+  number.exp10 -= fives;
+  return true;
 }
 
-/// Puts the sites on the grid, their box at the origin.
 template <class Number>
-void load_grid(const Region& region, const Scale& scale, std::vector<Vec<Number>>& sites,
+Number on_grid(Number value, int exp2, int exp10, const Scale& scale) {
+  if (value == 0) return 0;
+  for (int i = scale.exp10; i < exp10; ++i) value *= 10;
+  return value * (Number{1} << (exp2 - scale.exp2));
+}
+
+/// Puts the sites on the grid, their box at the origin. `at(v)` is a site where the grid has it.
+template <class Number, class At>
+void load_grid(std::size_t n, const Scale& scale, At at, std::vector<Vec<Number>>& sites,
                GridCoordinates& grid) {
-  const std::size_t n = region.vertex_count();
   sites.resize(n);
-  const auto number = [&](const StoredCoordinate& c) {
-    return scale.uniform ? static_cast<Number>(c.payload) : on_grid<Number>(c, scale);
-  };
-  Vec<Number> low{number(RegionAccess::x(region, 0)), number(RegionAccess::y(region, 0))};
+  Vec<Number> low = at(0);
   Vec<Number> high = low;
   for (std::size_t v = 0; v < n; ++v) {
-    const Vec<Number> at{number(RegionAccess::x(region, v)), number(RegionAccess::y(region, v))};
-    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-    sites[v] = at;
+    sites[v] = at(v);
+    low = {std::min(low.x, sites[v].x), std::min(low.y, sites[v].y)};
+    high = {std::max(high.x, sites[v].x), std::max(high.y, sites[v].y)};
   }
   for (auto& s : sites) s = {s.x - low.x, s.y - low.y};
   grid.offset = {low.x, low.y};
@@ -105,6 +132,53 @@ void load_grid(const Region& region, const Scale& scale, std::vector<Vec<Number>
   grid.bits = std::max(bit_width(grid.extent.x), bit_width(grid.extent.y));
   grid.exp2 = scale.exp2;
   grid.exp10 = scale.exp10;
+}
+
+template <class Number>
+void load_numbers(const Region& region, const Scale& scale, std::vector<Vec<Number>>& sites,
+                  GridCoordinates& grid) {
+  const auto number = [&](const StoredCoordinate& c) {
+    return scale.uniform ? static_cast<Number>(c.payload)
+                         : on_grid<Number>(c.payload, c.exp2, c.exp10, scale);
+  };
+  const auto at = [&](std::size_t v) {
+    return Vec<Number>{number(RegionAccess::x(region, v)), number(RegionAccess::y(region, v))};
+  };
+  load_grid(region.vertex_count(), scale, at, sites, grid);
+}
+
+/// The same where some are stored as quotients; false if they are true quotients, or too long.
+bool load_long_numbers(const Region& region, GridCoordinates& grid) {
+  std::vector<LongNumber> numbers;
+  bool all = true;
+  for_each_coordinate(region, [&](const StoredCoordinate& c) {
+    all = all && as_long_number(region, c, numbers.emplace_back());
+  });
+  if (!all) return false;
+  constexpr int kHigh = std::numeric_limits<int>::max();
+  Scale scale;
+  scale.exp2 = scale.exp10 = kHigh;
+  for (const LongNumber& number : numbers) {
+    if (number.payload == 0) continue;
+    scale.exp2 = std::min(scale.exp2, number.exp2);
+    scale.exp10 = std::min(scale.exp10, number.exp10);
+  }
+  if (scale.exp2 == kHigh) scale.exp2 = scale.exp10 = 0;  // nothing but zeros
+  for (const LongNumber& number : numbers) {
+    if (number.payload == 0) continue;
+    const Int128 magnitude = number.payload < 0 ? -number.payload : number.payload;
+    scale.bits = std::max(scale.bits, bit_width(magnitude) + (number.exp2 - scale.exp2) +
+                                          bits_of_ten_to(number.exp10 - scale.exp10));
+  }
+  if (scale.bits > kMaxGridBits) return false;
+  const auto on = [&](const LongNumber& n) {
+    return on_grid<Int128>(n.payload, n.exp2, n.exp10, scale);
+  };
+  const auto at = [&](std::size_t v) {
+    return Vec<Int128>{on(numbers[2 * v]), on(numbers[2 * v + 1])};
+  };
+  load_grid(region.vertex_count(), scale, at, grid.large_sites, grid);
+  return true;
 }
 
 }  // namespace
@@ -118,18 +192,22 @@ Arithmetic rung_for(int bits, Arithmetic asked) {
 
 void load_sites(const Region& region, const Options& options, PreparedOperand& operand) {
   operand.region = &region;
-  const Scale scale = common_scale(region);
   GridCoordinates& grid = operand.grid;
-  operand.rational = scale.quotients || scale.bits > kMaxGridBits ||
-                     options.arithmetic == Arithmetic::kArbitrary;
+  const Scale scale = common_scale(region);
+  const bool rationals_asked = options.arithmetic == Arithmetic::kArbitrary;
   // A sum or difference of two such has one bit more, and must have its sign.
-  grid.small = scale.bits < GridCoordinates::kSmallBits;
+  grid.small = !scale.quotients && scale.bits < GridCoordinates::kSmallBits;
+  if (!rationals_asked && scale.quotients && load_long_numbers(region, grid)) {
+    operand.rational = false;
+    return;
+  }
+  operand.rational = rationals_asked || scale.quotients || scale.bits > kMaxGridBits;
   if (operand.rational) {
     load_rationals(region, operand.rationals);
   } else if (grid.small) {
-    load_grid(region, scale, grid.small_sites, grid);
+    load_numbers(region, scale, grid.small_sites, grid);
   } else {
-    load_grid(region, scale, grid.large_sites, grid);
+    load_numbers(region, scale, grid.large_sites, grid);
   }
 }
 

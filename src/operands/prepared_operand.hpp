@@ -30,11 +30,6 @@ struct KeyedEdge {
 };
 inline constexpr double kKeyError = 0x1p-48;
 
-/// A ring's box, rounded.
-struct RingBox {
-  double x0, x1, y0, y1;
-};
-
 /// Memory that preparing needs in passing, kept from call to call.
 struct OperandScratch {
   std::vector<SiteId> all;  ///< 0, 1, 2, ...
@@ -47,7 +42,9 @@ struct OperandScratch {
   std::vector<std::pair<std::uint32_t, SiteId>> cell_entries;
   std::vector<std::uint32_t> cell_begin;
   std::vector<SiteId> in_cells;
-  std::vector<RingBox> boxes;
+  std::vector<SiteId> stamp;       ///< by edge: the ring that last asked for it
+  std::vector<std::size_t> around;  ///< rings
+  std::vector<std::size_t> on;
 };
 
 /// All that can be known of an operand before the other one is.

@@ -1,5 +1,8 @@
 // Rings to polygons, in canonical order.
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "output/node_order.hpp"
 #include "output/output.hpp"
@@ -48,6 +51,7 @@ class PolygonBuilder {
   void assign_holes() {
     const auto rings = static_cast<std::uint32_t>(b_.rings.size());
     scratch_.outer_of.assign(rings, kNoRing);
+    scratch_.rows.begin.clear();
     std::uint32_t outers = 0;
     std::uint32_t some_outer = kNoRing;
     for (std::uint32_t r = 0; r < rings; ++r) {
@@ -87,13 +91,17 @@ class PolygonBuilder {
   /// The innermost outer ring around the point just left of (and less below) a node that is the
   /// smallest of its hole: that point is inside the sum.
   std::uint32_t surrounding(NodeId at) {
+    auto& around = scratch_.around;
+    list_around(at, around);
     std::uint32_t best = kNoRing;
     std::uint32_t best_depth = 0;
-    for (std::uint32_t r = 0; r < b_.rings.size(); ++r) {
-      if (!b_.rings[r].positive || !contains(r, at)) continue;
+    // Outer rings around one point lie in each other.
+    for (const std::uint32_t r : around) {
       std::uint32_t depth = 1;
-      for (std::uint32_t other = 0; other < b_.rings.size(); ++other) {
-        if (other != r && b_.rings[other].positive && contains(other, node(r, 0))) ++depth;
+      if (around.size() > 1) {
+        for (const std::uint32_t other : around) {
+          if (other != r && contains(other, node(r, 0))) ++depth;
+        }
       }
       if (depth > best_depth) {
         best = r;
@@ -106,24 +114,95 @@ class PolygonBuilder {
     return best;
   }
 
+  /// The outer rings that contain that point.
+  void list_around(NodeId at, std::vector<std::uint32_t>& around) {
+    if (scratch_.rows.begin.empty()) build_rows();
+    const RowIndex& rows = scratch_.rows;
+    around.clear();
+    const std::size_t row = row_of(arrangement_.nodes[at].at.y);
+    for (std::uint32_t i = rows.begin[row]; i < rows.begin[row + 1]; ++i) {
+      const RowIndex::Edge& edge = rows.edges[i];
+      if (!passes(b_.rings[edge.ring], edge.vertex, at)) continue;
+      scratch_.odd[edge.ring] ^= 1;
+      around.push_back(edge.ring);
+    }
+    // Those passed an odd number of times, once each.
+    std::erase_if(around, [&](std::uint32_t r) { return std::exchange(scratch_.odd[r], 0) == 0; });
+  }
+
+  [[nodiscard]] std::size_t row_of(double y) const {
+    const RowIndex& rows = scratch_.rows;
+    const double row = (y - rows.bottom) * rows.inverse;
+    const auto last = static_cast<double>(rows.count - 1);
+    return static_cast<std::size_t>(std::clamp(row, 0.0, last));
+  }
+  void build_rows() {
+    RowIndex& rows = scratch_.rows;
+    double top = -HUGE_VAL;
+    std::size_t edges = 0;
+    rows.bottom = HUGE_VAL;
+    rows.error = 0;
+    for_each_outer_edge([&](RowIndex::Edge, const Node& v, const Node&) {
+      rows.bottom = std::min(rows.bottom, v.at.y);
+      top = std::max(top, v.at.y);
+      rows.error = std::max(rows.error, v.error);
+      ++edges;
+    });
+    const std::size_t count = std::clamp<std::size_t>(edges / 4, 1, 1U << 20U);
+    const double height = top - rows.bottom;
+    rows.inverse = height > 0x1p-900 ? static_cast<double>(count) / height : 0;
+    rows.count = count;
+    rows.begin.assign(count + 2, 0);
+    // Twice the error: the edge's end and the point that is asked about.
+    const auto for_each_row = [&](const Node& v, const Node& w, auto visit) {
+      const std::size_t first = row_of(std::min(v.at.y, w.at.y) - 2 * rows.error);
+      const std::size_t last = row_of(std::max(v.at.y, w.at.y) + 2 * rows.error);
+      for (std::size_t row = first; row <= last; ++row) visit(row);
+    };
+    for_each_outer_edge([&](RowIndex::Edge, const Node& v, const Node& w) {
+      for_each_row(v, w, [&](std::size_t row) { ++rows.begin[row + 2]; });
+    });
+    for (std::size_t i = 2; i < rows.begin.size(); ++i) rows.begin[i] += rows.begin[i - 1];
+    rows.edges.resize(rows.begin.back());
+    for_each_outer_edge([&](RowIndex::Edge edge, const Node& v, const Node& w) {
+      for_each_row(v, w, [&](std::size_t row) { rows.edges[rows.begin[row + 1]++] = edge; });
+    });
+    rows.begin.pop_back();
+    scratch_.odd.assign(b_.rings.size(), 0);
+  }
+  template <class Visit>
+  void for_each_outer_edge(Visit visit) const {
+    for (std::uint32_t r = 0; r < b_.rings.size(); ++r) {
+      const BoundaryRing& ring = b_.rings[r];
+      if (!ring.positive) continue;
+      for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
+        const std::uint32_t next = i + 1 == ring.end ? ring.begin : i + 1;
+        visit(RowIndex::Edge{r, i}, arrangement_.nodes[b_.vertices[i].node],
+              arrangement_.nodes[b_.vertices[next].node]);
+      }
+    }
+  }
+
   /// Whether the point (−ε, −ε²) off a node is inside a ring: parity along a ray to the right.
   bool contains(std::uint32_t ring, NodeId at) {
     const BoundaryRing& r = b_.rings[ring];
     bool inside = false;
-    for (std::uint32_t i = r.begin; i < r.end; ++i) {
-      const BoundaryVertex& v = b_.vertices[i];
-      const BoundaryVertex& w = b_.vertices[i + 1 == r.end ? r.begin : i + 1];
-      // A node at the same height is above the point.
-      const bool v_above = order_.compare(v.node, at, Axis::kY) != kNegative;
-      const bool w_above = order_.compare(w.node, at, Axis::kY) != kNegative;
-      if (v_above == w_above) continue;
-      // On the line of the edge: off to the left, which is the left side of a rising edge.
-      Sign side = order_.orientation(
-          arrangement_.kept[arrangement_.pieces[v.piece].segment].segment, at);
-      if (side == kZero) side = w_above ? kPositive : kNegative;
-      if ((side == kPositive) == w_above) inside = !inside;
-    }
+    for (std::uint32_t i = r.begin; i < r.end; ++i) inside ^= passes(r, i, at);
     return inside;
+  }
+  /// Whether the ray passes the edge that starts at this vertex.
+  bool passes(const BoundaryRing& r, std::uint32_t i, NodeId at) {
+    const BoundaryVertex& v = b_.vertices[i];
+    const BoundaryVertex& w = b_.vertices[i + 1 == r.end ? r.begin : i + 1];
+    // A node at the same height is above the point.
+    const bool v_above = order_.compare(v.node, at, Axis::kY) != kNegative;
+    const bool w_above = order_.compare(w.node, at, Axis::kY) != kNegative;
+    if (v_above == w_above) return false;
+    // On the line of the edge: off to the left, which is the left side of a rising edge.
+    Sign side = order_.orientation(
+        arrangement_.kept[arrangement_.pieces[v.piece].segment].segment, at);
+    if (side == kZero) side = w_above ? kPositive : kNegative;
+    return (side == kPositive) == w_above;
   }
 
   const Arrangement& arrangement_;

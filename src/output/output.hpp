@@ -33,6 +33,20 @@ struct Boundary {
   std::vector<std::uint32_t> polygon_begin;  ///< in ring_order, and one more
 };
 
+/// Edges of outer rings by rows of the plane: which pass a height, without asking all of them.
+struct RowIndex {
+  double bottom = 0;
+  double inverse = 0;                ///< rows per unit
+  double error = 0;                  ///< of any node's place
+  std::size_t count = 0;             ///< of rows
+  std::vector<std::uint32_t> begin;  ///< by row, and one more: where its edges are; empty = not built
+  struct Edge {
+    std::uint32_t ring;
+    std::uint32_t vertex;
+  };
+  std::vector<Edge> edges;
+};
+
 struct OutputScratch {
   std::vector<std::uint8_t> accepted;
   Incidence incidence;
@@ -40,11 +54,14 @@ struct OutputScratch {
   std::vector<std::uint32_t> stack_place;  ///< by node
   std::vector<PieceId> stack;
   std::vector<std::uint32_t> outer_of;     ///< by ring
+  RowIndex rows;
+  std::vector<std::uint8_t> odd;           ///< by ring: passed an odd number of times
+  std::vector<std::uint32_t> around;       ///< rings
   Vec<ExactCoordinate> coordinates;
 };
 
-/// Links the pieces of accepted loops into rings and polygons. O(c log c), plus a search for the
-/// outer ring of each hole where there are several.
+/// Links the pieces of accepted loops into rings and polygons. O(c log c), plus a search along one
+/// row of edges for the outer ring of each hole where there are several.
 void extract_rings(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                    const FilteredLoops& filtered, Predicates& predicates, OutputScratch& scratch,
                    Boundary& boundary);

@@ -52,6 +52,12 @@ class GridKernel final : public KernelOf<Rung> {
     return Arithmetic::kWide;
   }
   void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
+    if (!node.is_crossing) {
+      const auto at = this->position(node.vertex);
+      set(at.x + offset_.x, out.x);
+      set(at.y + offset_.y, out.y);
+      return;
+    }
     const auto h = this->homogeneous(node);
     set(h.x, h.denominator, offset_.x, out.x);
     set(h.y, h.denominator, offset_.y, out.y);
@@ -96,6 +102,13 @@ class GridKernel final : public KernelOf<Rung> {
     out.negative = moved.negative() != denominator.negative() && sign_of(moved) != kZero;
     set_limbs(moved.magnitude(), out.numerator);
     set_limbs(denominator.magnitude(), out.denominator);
+  }
+
+  static void set(const Int128& value, ExactCoordinate& out) {
+    const WideInt<2> wide(value);
+    out.negative = wide.negative();
+    set_limbs(wide.magnitude(), out.numerator);
+    out.denominator.assign(1, 1);
   }
 
   Vec<Int128> offset_{};

@@ -62,6 +62,26 @@ TEST(PreparedRegion, GivesWhatTheRegionsGive) {
   }
 }
 
+TEST(PreparedRegion, TakesLongDecimalsForWhatTheyAre) {
+  // Twenty digits: more than a decimal of 64 bits has, fewer than fixed-width arithmetic.
+  const Rational x = Rational(1) / Rational(std::int64_t{1'000'000'000'000'000'000});
+  const Rational y = x / Rational(40);
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  for (const auto& [a, b] : {std::pair{0, 0}, {7, 1}, {5, 2}, {3, 9}, {-1, 4}}) {
+    region.add_vertex(Rational(a) + x, Rational(b) - y);
+  }
+  Statistics statistics;
+  Options options;
+  options.statistics = &statistics;
+  const Region sum = minkowski_sum(region, region, options);
+  EXPECT_EQ(statistics.arithmetic, Arithmetic::kWide);
+  options.arithmetic = Arithmetic::kArbitrary;
+  EXPECT_EQ(sum, minkowski_sum(region, region, options));
+  EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
+}
+
 TEST(PreparedRegion, ServesManyThreads) {
   const PreparedRegion p(comb(9, 3, 40));
   const PreparedRegion q(round_polygon(24, 50));
