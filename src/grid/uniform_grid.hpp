@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "predicate/formulas.hpp"
@@ -34,17 +33,24 @@ struct UniformGrid {
     return grid;
   }
   [[nodiscard]] std::int64_t size() const { return std::int64_t{columns} * rows; }
-  [[nodiscard]] std::int32_t column(double x) const {
-    return std::clamp(static_cast<std::int32_t>(std::floor(x * inverse)), 0, columns - 1);
-  }
-  [[nodiscard]] std::int32_t row(double y) const {
-    return std::clamp(static_cast<std::int32_t>(std::floor(y * inverse)), 0, rows - 1);
-  }
+  [[nodiscard]] std::int32_t column(double x) const { return clamp_to(x * inverse, columns); }
+  [[nodiscard]] std::int32_t row(double y) const { return clamp_to(y * inverse, rows); }
 
-  /// Calls visit(column, row) for every cell within `margin` cells (a multiple of kMargin, at most
-  /// 1) of the segment from a to b. Stops early if visit returns false.
+  /// What a segment leaves in one row of cells, all in cell units.
+  struct RowSpan {
+    std::int32_t row;
+    std::int32_t left;   ///< columns that it is near
+    std::int32_t right;
+    double x0, x1;       ///< a box of its part within `margin` of the row, up to kSlack
+    double y0, y1;
+    double slope;        ///< dx / dy of the segment, or 0 for one that is too flat to divide
+    double at_x, at_y;   ///< its lower end
+  };
+
+  /// Calls visit(span) for every row of cells within `margin` cells (a multiple of kMargin, at most
+  /// 1) of the segment from a to b, from below. Stops early if visit returns false.
   template <class Visit>
-  void walk(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
+  void walk_rows(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
     double ax = a.x * inverse;
     double ay = a.y * inverse;
     double bx = b.x * inverse;
@@ -55,38 +61,48 @@ struct UniformGrid {
     }
     const double min_x = std::min(ax, bx);
     const double max_x = std::max(ax, bx);
-    const std::int32_t first = clamp_row(ay - margin);
-    const std::int32_t last = clamp_row(by + margin);
-    // Too flat to divide by its height safely: all its columns in each of its rows.
-    const bool flat = by - ay <= kMargin;
-    const double slope = flat ? 0 : (bx - ax) / (by - ay);
+    const std::int32_t first = clamp_to(ay - margin, rows);
+    const std::int32_t last = clamp_to(by + margin, rows);
+    // Too flat to divide by its height safely: all its columns in each of its rows. The same where
+    // it has one row only.
+    const bool whole = first == last || by - ay <= kMargin;
+    const double slope = whole ? 0 : (bx - ax) / (by - ay);
     for (std::int32_t j = first; j <= last; ++j) {
-      double low = min_x;
-      double high = max_x;
-      if (!flat) {
-        const double y0 = std::clamp(j - margin, ay, by);
-        const double y1 = std::clamp(j + 1 + margin, ay, by);
-        const double x0 = ax + (y0 - ay) * slope;
-        const double x1 = ax + (y1 - ay) * slope;
-        low = std::max(min_x, std::min(x0, x1));
-        high = std::min(max_x, std::max(x0, x1));
+      RowSpan span{j, 0, 0, min_x, max_x, ay, by, slope, ax, ay};
+      if (!whole) {
+        span.y0 = std::clamp(j - margin, ay, by);
+        span.y1 = std::clamp(j + 1 + margin, ay, by);
+        const double x0 = ax + (span.y0 - ay) * slope;
+        const double x1 = ax + (span.y1 - ay) * slope;
+        span.x0 = std::max(min_x, std::min(x0, x1));
+        span.x1 = std::min(max_x, std::max(x0, x1));
       }
-      const std::int32_t left = clamp_column(low - margin - kSlack);
-      const std::int32_t right = clamp_column(high + margin + kSlack);
-      for (std::int32_t i = left; i <= right; ++i) {
-        if (!visit(i, j)) return;
-      }
+      span.left = clamp_to(span.x0 - margin - kSlack, columns);
+      span.right = clamp_to(span.x1 + margin + kSlack, columns);
+      if (!visit(span)) return;
     }
   }
 
- private:
+  /// Calls visit(column, row) for every cell within `margin` cells (a multiple of kMargin, at most
+  /// 1) of the segment from a to b. Stops early if visit returns false.
+  template <class Visit>
+  void walk(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
+    walk_rows(a, b, margin, [&](const RowSpan& span) {
+      for (std::int32_t i = span.left; i <= span.right; ++i) {
+        if (!visit(i, span.row)) return false;
+      }
+      return true;
+    });
+  }
+
   // Covers the rounding of the walk itself: coordinates below 2^13, slopes below 2^19.
   static constexpr double kSlack = 0x1p-16;
-  [[nodiscard]] std::int32_t clamp_row(double y) const {
-    return std::clamp(static_cast<std::int32_t>(std::floor(y)), 0, rows - 1);
-  }
-  [[nodiscard]] std::int32_t clamp_column(double x) const {
-    return std::clamp(static_cast<std::int32_t>(std::floor(x)), 0, columns - 1);
+
+ private:
+  /// The cell that a coordinate is in, or the nearest one of `count`. (What is not negative is
+  /// rounded down by truncation: far cheaper than floor without newer instructions.)
+  [[nodiscard]] static std::int32_t clamp_to(double value, std::int32_t count) {
+    return static_cast<std::int32_t>(std::min(std::max(value, 0.0), static_cast<double>(count - 1)));
   }
 };
 
