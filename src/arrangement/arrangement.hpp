@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "arrangement/cell_box.hpp"
 #include "convolution/convolution.hpp"
 #include "cover/cover.hpp"
 
@@ -22,6 +23,8 @@ struct KeptSegment {
   Vec<double> b;
   Vec<double> d;
   Segment segment;
+  std::uint32_t line;  ///< equal for parallel segments, of either sense, and only for them
+  bool meets_cover;    ///< false if it is near no covered cell
 };
 
 /// A point where pieces end: exactly `point`, within `error` per component of `at`.
@@ -51,6 +54,13 @@ struct Arrangement {
   std::uint64_t crossings = 0;  ///< proper crossings of kept segments
 };
 
+/// A kept segment in a cell that it touches, with a box of its part there.
+struct CellItem {
+  CellBox box;
+  std::uint32_t cell;
+  KeptId segment;
+};
+
 /// A point on a kept segment where another one meets it.
 struct Event {
   double lambda;  ///< position along the segment, within `error`
@@ -70,12 +80,13 @@ struct Crossing {
 /// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
 /// come the crossings. Equal points are united in a forest whose roots are their smallest members.
 struct ArrangementScratch {
-  std::vector<std::uint32_t> cell_begin;   ///< by cell: where its kept segments are
-  std::vector<KeptId> in_cells;
-  std::vector<std::pair<std::uint32_t, KeptId>> cell_entries;
+  std::vector<CellItem> items;             ///< in order of their segments,
+  std::vector<CellItem> in_cells;          ///< and cell by cell
+  std::vector<std::uint32_t> cells;        ///< those that have items
+  std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
   std::vector<KeptId> hash_table;
-  std::vector<std::vector<KeptId>> stack;  ///< segments of a cell, level by level of its division
-  std::vector<KeptId> sweep_order;
+  std::vector<std::vector<CellItem>> stack;  ///< items of a cell, level by level of its division
+  std::vector<CellItem> sweep_order;
   std::vector<Crossing> crossings;
   std::vector<Event> events;
   std::vector<Event> sorted_events;
@@ -98,7 +109,7 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, unites points that pairs of segments share.
-void find_crossings(const Operands& operands, const Cover& cover, const Options& options,
+void find_crossings(const Cover& cover, const Options& options,
                     const std::function<void()>& stop, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.

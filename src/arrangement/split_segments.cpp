@@ -101,15 +101,15 @@ class Splitter {
 
   /// Pieces of one segment, but for those that run through covered cells: they are not boundary.
   void cut(KeptId s) {
+    const KeptSegment& k = result_.kept[s];
     std::uint32_t from = find_root(scratch_.parent, 2 * s);
-    Vec<double> from_at = result_.kept[s].a;
+    Vec<double> from_at = k.a;
     const auto add = [&](std::uint32_t to, const Vec<double>& to_at) {
       if (to == from) return;
-      if (!is_covered(from_at, to_at)) result_.pieces.push_back({node_of(from), node_of(to), s});
+      if (!k.meets_cover || !is_covered(from_at, to_at)) result_.pieces.push_back({node_of(from), node_of(to), s});
       from = to;
       from_at = to_at;
     };
-    const KeptSegment& k = result_.kept[s];
     for (const Event& event : events_of(s)) {
       add(find_root(scratch_.parent, event.point),
           {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
