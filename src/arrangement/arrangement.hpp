@@ -1,6 +1,7 @@
 // Stage 4: the arrangement of the convolution segments, outside the cover only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -77,9 +78,23 @@ struct Crossing {
   double error;
 };
 
+/// A site, and the box of its edge, in cells; rounded.
+struct CellSite {
+  float x, y;
+  float x0, y0, x1, y1;
+};
+
+/// Memory for binning.
+struct BinScratch {
+  std::vector<CellSite> sites;
+  std::array<Bitmap, 4> blocks;  ///< where blocks of 2, 4 and 8 cells a side are covered; nothing
+  std::vector<Segment> visible;
+};
+
 /// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
 /// come the crossings. Equal points are united in a forest whose roots are their smallest members.
 struct ArrangementScratch {
+  BinScratch bin;
   std::vector<CellItem> items;             ///< in order of their segments,
   std::vector<CellItem> in_cells;          ///< and cell by cell
   std::vector<std::uint32_t> cells;        ///< those that have items

@@ -1,6 +1,7 @@
 // Which segments touch uncovered cells, and which cells.
 #include <bit>
 #include <cmath>
+#include <tuple>
 
 #include "arrangement/arrangement.hpp"
 
@@ -20,6 +21,8 @@ class DuplicateFinder {
     if (2 * kept_.size() > table_.size()) grow();
     return enter(static_cast<KeptId>(kept_.size() - 1));
   }
+  /// Forgets the last one, which was not seen before.
+  void forget() { table_[last_] = kEmpty; }
 
  private:
   static constexpr KeptId kEmpty = 0xFFFFFFFFU;
@@ -31,6 +34,7 @@ class DuplicateFinder {
     for (std::size_t slot = hash(s) & mask;; slot = (slot + 1) & mask) {
       if (table_[slot] == kEmpty) {
         table_[slot] = id;
+        last_ = slot;
         return false;
       }
       const KeptSegment& t = kept_[table_[slot]];
@@ -50,13 +54,110 @@ class DuplicateFinder {
   }
   std::vector<KeptId>& table_;
   const std::vector<KeptSegment>& kept_;
+  std::size_t last_ = 0;
+};
+
+/// Quickly finds most of the segments that lie wholly in covered cells.
+///
+/// A box of up to 2^k by 2^k cells lies in the covered ones if the block of so many cells that
+/// starts at its lower left cell does. Boxes are those of an edge, in cells, plus a vertex, in
+/// single precision: cells are below 2^13, so that is off by at most three times 2^-12, and covered
+/// cells are inside the sum with a margin of 3 · kMargin around them.
+class HiddenSegments {
+ public:
+  HiddenSegments(const Operands& o, const Cover& cover, BinScratch& scratch)
+      : sites_(scratch.sites), active_(cover.active), last_row_(cover.grid.rows - 1) {
+    if (!active_) return;
+    measure_sites(o, cover.grid.inverse);
+    words_ = cover.covered.words_per_row();
+    bits_[0] = cover.covered.row(0);
+    scratch.blocks[kLevels - 1].reset(cover.grid.columns, cover.grid.rows, words_);
+    bits_[kLevels] = scratch.blocks[kLevels - 1].row(0);
+    const Bitmap* smaller = &cover.covered;
+    for (std::size_t k = 1; k < kLevels; ++k) {
+      unite_blocks(*smaller, 1 << (k - 1), scratch.blocks[k - 1]);
+      smaller = &scratch.blocks[k - 1];
+      bits_[k] = smaller->row(0);
+    }
+  }
+
+  /// Lists the others. Without branches: which are hidden is hard to foresee.
+  void list_visible(const std::vector<Segment>& segments, std::vector<Segment>& visible) const {
+    if (!active_) {
+      visible = segments;
+      return;
+    }
+    visible.resize(segments.size());
+    std::size_t count = 0;
+    for (const Segment& segment : segments) {
+      visible[count] = segment;
+      count += hides(segment) ? 0U : 1U;
+    }
+    visible.resize(count);
+  }
+
+ private:
+  static constexpr std::size_t kLevels = std::tuple_size_v<decltype(BinScratch::blocks)>;
+  static_assert(UniformGrid::kMaxSide <= 1 << 13);
+
+  [[nodiscard]] bool hides(const Segment& segment) const {
+    const CellSite& e = sites_[segment.edge];
+    const CellSite& v = sites_[segment.vertex];
+    const auto i0 = static_cast<std::int32_t>(e.x0 + v.x);
+    const auto j0 = static_cast<std::int32_t>(e.y0 + v.y);
+    const auto i1 = static_cast<std::int32_t>(e.x1 + v.x);
+    const auto j1 = static_cast<std::int32_t>(e.y1 + v.y);
+    const auto spread = static_cast<std::uint32_t>((i1 - i0) | (j1 - j0));
+    const auto level =
+        std::min<std::size_t>(static_cast<std::size_t>(std::bit_width(spread)), kLevels);
+    // Rows have room for a column more than the grid has.
+    const auto word = static_cast<std::size_t>(std::min(j0, last_row_)) * words_ +
+                      static_cast<std::size_t>(i0 >> 6);
+    return ((bits_[level][word] >> (i0 & 63)) & 1) != 0;
+  }
+  void measure_sites(const Operands& o, double inverse) {
+    const auto& [x, y, dx, dy, next] = o.sites;
+    const auto cells = [&](double value) { return static_cast<float>(value * inverse); };
+    sites_.resize(o.size());
+    for (SiteId v = 0; v < o.size(); ++v) {
+      const float ax = cells(x[v]);
+      const float ay = cells(y[v]);
+      const float bx = cells(x[next[v]]);
+      const float by = cells(y[next[v]]);
+      sites_[v] = {ax, ay, std::min(ax, bx), std::min(ay, by), std::max(ax, bx), std::max(ay, by)};
+    }
+  }
+  /// Blocks of twice the side: four blocks of `side` each.
+  static void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater) {
+    const std::size_t words = blocks.words_per_row();
+    greater.reset(blocks.columns(), blocks.rows(), words);
+    const auto across = [&](const std::uint64_t* row, std::size_t w) {
+      const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
+      return row[w] & ((row[w] >> side) | (next << (64 - side)));
+    };
+    for (std::int32_t j = 0; j + side < blocks.rows(); ++j) {
+      for (std::size_t w = 0; w < words; ++w) {
+        greater.row(j)[w] = across(blocks.row(j), w) & across(blocks.row(j + side), w);
+      }
+    }
+  }
+
+  std::vector<CellSite>& sites_;
+  bool active_;
+  std::int32_t last_row_;
+  std::size_t words_ = 0;
+  std::array<const std::uint64_t*, kLevels + 1> bits_{};  ///< the last is clear: what is too long
 };
 
 class Binner {
  public:
   Binner(const Operands& o, const Cover& cover, ArrangementScratch& scratch,
          Arrangement& arrangement)
-      : o_(o), cover_(cover), grid_(cover.grid), items_(scratch.items), scratch_(scratch),
+      : o_(o),
+        cover_(cover),
+        grid_(cover.grid),
+        items_(scratch.items),
+        scratch_(scratch),
         kept_(arrangement.kept) {}
 
   void run(const Convolution& convolution) {
@@ -64,64 +165,81 @@ class Binner {
     items_.clear();
     const bool exact_sums = o_.bounds.difference == 0;
     DuplicateFinder duplicates(scratch_.hash_table, kept_);
+    HiddenSegments(o_, cover_, scratch_.bin)
+        .list_visible(convolution.segments, scratch_.bin.visible);
     const auto& [x, y, dx, dy, next] = o_.sites;
-    for (const Segment& segment : convolution.segments) {
+    for (const Segment& segment : scratch_.bin.visible) {
       const SiteId e = segment.edge;
       const SiteId f = next[e];
       const SiteId v = segment.vertex;
-      const Vec<double> a{x[e] + x[v], y[e] + y[v]};
-      const Vec<double> b{x[f] + x[v], y[f] + y[v]};
-      if (cover_.hides(a, b)) continue;
-      const std::size_t first_item = items_.size();
-      const bool meets_cover = list_cells(a, b, static_cast<KeptId>(kept_.size()));
-      if (items_.size() == first_item) continue;
       const DirectionRank rank = o_.rank[e];
       const std::uint32_t line = std::min(o_.place[rank], o_.reverse_place[rank]);
-      kept_.push_back({a, b, {dx[e], dy[e]}, segment, line, meets_cover});
-      if (exact_sums && duplicates.seen()) {
-        kept_.pop_back();
-        items_.resize(first_item);
-      }
+      kept_.push_back({{x[e] + x[v], y[e] + y[v]},
+                       {x[f] + x[v], y[f] + y[v]},
+                       {dx[e], dy[e]},
+                       segment,
+                       line,
+                       false});
+      const bool seen = exact_sums && duplicates.seen();
+      if (!seen && list_cells(kept_.back())) continue;
+      kept_.pop_back();
+      if (exact_sums && !seen) duplicates.forget();
     }
     sort_by_cells();
   }
 
  private:
-  /// Appends an item for each uncovered cell; whether there were covered ones as well.
-  bool list_cells(const Vec<double>& a, const Vec<double>& b, KeptId id) {
-    constexpr double kMargin = UniformGrid::kMargin;
-    const auto columns = static_cast<std::uint32_t>(grid_.columns);
-    const Vec<double> start{a.x * grid_.inverse, a.y * grid_.inverse};
-    const double width = (b.x - a.x) * grid_.inverse;
-    const double height = (b.y - a.y) * grid_.inverse;
-    // Heights from widths only where that does not magnify their rounding much.
-    const bool flat = std::abs(height) <= 4 * std::abs(width) && std::abs(width) > kMargin;
-    const double rise = flat ? height / width : 0;
-    bool meets_cover = false;
-    grid_.walk_rows(a, b, kMargin, [&](const UniformGrid::RowSpan& span) {
-      for (std::int32_t i = span.left; i <= span.right; ++i) {
-        if (cover_.is_covered(i, span.row)) {
-          meets_cover = true;
-          continue;
+  /// A segment in cell units.
+  struct Line {
+    Vec<double> start;
+    double rise;  ///< height / width, or 0 where that would magnify rounding much
+    explicit Line(const KeptSegment& s, double inverse)
+        : start{s.a.x * inverse, s.a.y * inverse}, rise(0) {
+      const double width = (s.b.x - s.a.x) * inverse;
+      const double height = (s.b.y - s.a.y) * inverse;
+      const bool flat = std::abs(height) <= 4 * std::abs(width);
+      if (flat && std::abs(width) > UniformGrid::kMargin) rise = height / width;
+    }
+    [[nodiscard]] double height_at(double x) const { return start.y + (x - start.x) * rise; }
+  };
+
+  /// Appends an item for each uncovered cell that the last segment is near; whether there is one.
+  bool list_cells(KeptSegment& s) {
+    const std::size_t before = items_.size();
+    const Line line(s, grid_.inverse);
+    grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
+      std::uint64_t any_covered = 0;
+      for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
+        const std::int32_t last = std::min(span.right, first | 63);
+        const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - first)) << (first & 63);
+        const std::uint64_t covered = cover_.active ? cover_.covered.row(span.row)[first >> 6] : 0;
+        any_covered |= covered & wanted;
+        for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
+          add_item(line, span, (first & ~63) + std::countr_zero(bits));
         }
-        const double x0 = std::max(span.x0, i - kMargin);
-        const double x1 = std::min(span.x1, i + 1 + kMargin);
-        double y0 = span.y0;
-        double y1 = span.y1;
-        if (flat) {
-          const double at_x0 = start.y + (x0 - start.x) * rise;
-          const double at_x1 = start.y + (x1 - start.x) * rise;
-          y0 = std::max(y0, std::min(at_x0, at_x1));
-          y1 = std::min(y1, std::max(at_x0, at_x1));
-        }
-        items_.push_back({CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row),
-                          static_cast<std::uint32_t>(span.row) * columns +
-                              static_cast<std::uint32_t>(i),
-                          id});
       }
+      s.meets_cover = s.meets_cover || any_covered != 0;
       return true;
     });
-    return meets_cover;
+    return items_.size() > before;
+  }
+  void add_item(const Line& line, const UniformGrid::RowSpan& span, std::int32_t i) {
+    constexpr double kMargin = UniformGrid::kMargin;
+    const double x0 = std::max(span.x0, i - kMargin);
+    const double x1 = std::min(span.x1, i + 1 + kMargin);
+    double y0 = span.y0;
+    double y1 = span.y1;
+    if (line.rise != 0) {
+      const double at_x0 = line.height_at(x0);
+      const double at_x1 = line.height_at(x1);
+      y0 = std::max(y0, std::min(at_x0, at_x1));
+      y1 = std::min(y1, std::max(at_x0, at_x1));
+    }
+    const auto cell =
+        static_cast<std::uint32_t>(span.row) * static_cast<std::uint32_t>(grid_.columns) +
+        static_cast<std::uint32_t>(i);
+    items_.push_back({CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell,
+                      static_cast<KeptId>(kept_.size() - 1)});
   }
 
   /// A counting sort that looks at no cells but those that have items.

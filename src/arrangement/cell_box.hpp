@@ -11,9 +11,9 @@ namespace minksum {
 ///
 /// Two boxes overlap if and only if each field of one is at most that field of the other's
 /// `partner`: x0, y0 against its x1, y1, and kMost − x1, kMost − y1 against its kMost − x0,
-/// kMost − y0. With the free top bits of the partner's fields set, one subtraction of words does all
-/// four without a borrow from field to field, and each top bit stays exactly if its field is not
-/// smaller.
+/// kMost − y0. With the free top bits of the partner's fields set, one subtraction of words does
+/// all four without a borrow from field to field, and each top bit stays exactly if its field is
+/// not smaller.
 class CellBox {
  public:
   CellBox() = default;

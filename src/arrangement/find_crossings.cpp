@@ -11,7 +11,10 @@ class CrossingFinder {
  public:
   CrossingFinder(const Cover& cover, const Options& options, const std::function<void()>& stop,
                  Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
-      : grid_(cover.grid), stop_(stop), scratch_(scratch), kept_(arrangement.kept),
+      : grid_(cover.grid),
+        stop_(stop),
+        scratch_(scratch),
+        kept_(arrangement.kept),
         meeter_(cover.grid, options, predicates, scratch, arrangement.kept) {}
 
   void run() {
@@ -34,8 +37,8 @@ class CrossingFinder {
 
  private:
   using Items = std::span<const CellItem>;
-  static constexpr std::size_t kFew = 24;
-  static constexpr int kMaxDepth = 7;  // below that a part's side nears the slack
+  static constexpr std::size_t kFew = 64;  // pairs of boxes cost less than dividing them
+  static constexpr int kMaxDepth = 7;      // below that a part's side nears the slack
 
   /// The cells of a row share their bounds, to the last bit, so that they tile the plane.
   [[nodiscard]] Part part_of_cell() const {
@@ -66,9 +69,8 @@ class CrossingFinder {
     meeter_.enter(part);
     auto& order = scratch_.sweep_order;
     order.assign(items.begin(), items.end());
-    std::sort(order.begin(), order.end(), [](const CellItem& a, const CellItem& b) {
-      return a.box.left() < b.box.left();
-    });
+    std::sort(order.begin(), order.end(),
+              [](const CellItem& a, const CellItem& b) { return a.box.left() < b.box.left(); });
     for (std::size_t i = 0; i < order.size(); ++i) {
       const CellItem& s = order[i];
       const std::uint32_t reach = s.box.right();
@@ -104,8 +106,8 @@ class CrossingFinder {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const bool right = (quarter & 1) != 0;
       const bool upper = (quarter & 2) != 0;
-      const Part child{right ? mid.x : part.x0, upper ? mid.y : part.y0,
-                       right ? part.x1 : mid.x, upper ? part.y1 : mid.y};
+      const Part child{right ? mid.x : part.x0, upper ? mid.y : part.y0, right ? part.x1 : mid.x,
+                       upper ? part.y1 : mid.y};
       // The recursion may move the vector of vectors, not the lists themselves.
       const Items inside = scratch_.stack[level + quarter];
       if (inside.size() >= 2) solve(inside, child, depth + 1);
@@ -118,7 +120,9 @@ class CrossingFinder {
     near.clear();
     const double slack = meeter_.slack();
     const Vec<double> centre{low.x + side / 2, low.y + side / 2};
-    const auto cells = [&](double distance, double cell) { return distance * grid_.inverse - cell; };
+    const auto cells = [&](double distance, double cell) {
+      return distance * grid_.inverse - cell;
+    };
     const CellBox square(cells(low.x - slack, column_), cells(low.y - slack, row_),
                          cells(low.x + side + slack, column_), cells(low.y + side + slack, row_));
     const std::uint64_t partner = square.partner();
@@ -150,8 +154,7 @@ class CrossingFinder {
 }  // namespace
 
 void find_crossings(const Cover& cover, const Options& options, const std::function<void()>& stop,
-                    Predicates& predicates, ArrangementScratch& scratch,
-                    Arrangement& arrangement) {
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
   CrossingFinder(cover, options, stop, predicates, scratch, arrangement).run();
   arrangement.crossings = scratch.crossings.size();
 }

@@ -15,7 +15,10 @@ Vec<double> along(const KeptSegment& s, double lambda) {
 SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const Options& options,
                              Predicates& predicates, ArrangementScratch& scratch,
                              const std::vector<KeptSegment>& kept)
-    : predicates_(predicates), scratch_(scratch), kept_(kept), bounds_(predicates.bounds()),
+    : predicates_(predicates),
+      scratch_(scratch),
+      kept_(kept),
+      bounds_(predicates.bounds()),
       slack_(grid.cell * 0x1p-10),
       exact_(bounds_.product == 0 && bounds_.difference == 0 && bounds_.direction == 0),
       trust_(!std::isinf(bounds_.direction)) {

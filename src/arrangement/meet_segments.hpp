@@ -40,7 +40,7 @@ class SegmentMeeter {
   struct Sides {
     double start_value;  ///< approximate cross products,
     double end_value;
-    double bound;        ///< and a bound on the error of each; infinite if the kernel was asked
+    double bound;  ///< and a bound on the error of each; infinite if the kernel was asked
     Sign start;
     Sign end;
     [[nodiscard]] bool apart() const { return start == end && start != kZero; }

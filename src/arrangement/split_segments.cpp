@@ -13,7 +13,10 @@ class Splitter {
  public:
   Splitter(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
            Arrangement& arrangement)
-      : cover_(cover), predicates_(predicates), scratch_(scratch), result_(arrangement),
+      : cover_(cover),
+        predicates_(predicates),
+        scratch_(scratch),
+        result_(arrangement),
         ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())) {}
 
   void run() {
@@ -59,16 +62,14 @@ class Splitter {
     if (std::abs(a.lambda - b.lambda) > a.error + b.error) return sign_of(a.lambda - b.lambda);
     if (find_root(scratch_.parent, a.point) == find_root(scratch_.parent, b.point)) return kZero;
     return predicates_.compare_along(result_.kept[s].segment, a.lambda, a.error,
-                                     point_on(s, a.point), b.lambda, b.error,
-                                     point_on(s, b.point));
+                                     point_on(s, a.point), b.lambda, b.error, point_on(s, b.point));
   }
 
   void order_events(KeptId s) {
     const std::span<Event> events = events_of(s);
     if (events.size() < 2) return;
-    std::sort(events.begin(), events.end(), [&](const Event& a, const Event& b) {
-      return compare(s, a, b) == kNegative;
-    });
+    std::sort(events.begin(), events.end(),
+              [&](const Event& a, const Event& b) { return compare(s, a, b) == kNegative; });
     for (std::size_t i = 1; i < events.size(); ++i) {
       if (compare(s, events[i - 1], events[i]) == kZero) {
         unite(scratch_.parent, events[i - 1].point, events[i].point);
@@ -88,8 +89,8 @@ class Splitter {
   [[nodiscard]] Node make_node(std::uint32_t root) const {
     if (root < ends_) {
       const SumVertex vertex = vertex_of(root);
-      return {{false, {}, {}, vertex}, predicates_.position(vertex),
-              predicates_.bounds().difference};
+      return {
+          {false, {}, {}, vertex}, predicates_.position(vertex), predicates_.bounds().difference};
     }
     const Crossing& c = scratch_.crossings[root - ends_];
     const KeptSegment& s = result_.kept[c.first];
@@ -106,7 +107,8 @@ class Splitter {
     Vec<double> from_at = k.a;
     const auto add = [&](std::uint32_t to, const Vec<double>& to_at) {
       if (to == from) return;
-      if (!k.meets_cover || !is_covered(from_at, to_at)) result_.pieces.push_back({node_of(from), node_of(to), s});
+      if (!k.meets_cover || !is_covered(from_at, to_at))
+        result_.pieces.push_back({node_of(from), node_of(to), s});
       from = to;
       from_at = to_at;
     };
@@ -138,7 +140,8 @@ class Splitter {
     for (const Piece& piece : pieces) ++begin[low(piece) + 2];
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     scratch_.out_pieces.resize(pieces.size());
-    for (PieceId p = 0; p < pieces.size(); ++p) scratch_.out_pieces[begin[low(pieces[p]) + 1]++] = p;
+    for (PieceId p = 0; p < pieces.size(); ++p)
+      scratch_.out_pieces[begin[low(pieces[p]) + 1]++] = p;
     begin.pop_back();
     scratch_.dead.assign(pieces.size(), 0);
     for (std::size_t node = 0; node + 1 < begin.size(); ++node) {

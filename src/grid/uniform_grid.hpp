@@ -17,8 +17,8 @@ struct UniformGrid {
   /// than three times this distance.
   static constexpr double kMargin = 0x1p-6;
 
-  double cell = 1;      ///< h
-  double inverse = 1;   ///< 1 / h, rounded
+  double cell = 1;     ///< h
+  double inverse = 1;  ///< 1 / h, rounded
   std::int32_t columns = 1;
   std::int32_t rows = 1;
 
@@ -39,12 +39,12 @@ struct UniformGrid {
   /// What a segment leaves in one row of cells, all in cell units.
   struct RowSpan {
     std::int32_t row;
-    std::int32_t left;   ///< columns that it is near
+    std::int32_t left;  ///< columns that it is near
     std::int32_t right;
-    double x0, x1;       ///< a box of its part within `margin` of the row, up to kSlack
+    double x0, x1;  ///< a box of its part within `margin` of the row, up to kSlack
     double y0, y1;
-    double slope;        ///< dx / dy of the segment, or 0 for one that is too flat to divide
-    double at_x, at_y;   ///< its lower end
+    double slope;       ///< dx / dy of the segment, or 0 for one that is too flat to divide
+    double at_x, at_y;  ///< its lower end
   };
 
   /// Calls visit(span) for every row of cells within `margin` cells (a multiple of kMargin, at most
@@ -102,7 +102,8 @@ struct UniformGrid {
   /// The cell that a coordinate is in, or the nearest one of `count`. (What is not negative is
   /// rounded down by truncation: far cheaper than floor without newer instructions.)
   [[nodiscard]] static std::int32_t clamp_to(double value, std::int32_t count) {
-    return static_cast<std::int32_t>(std::min(std::max(value, 0.0), static_cast<double>(count - 1)));
+    return static_cast<std::int32_t>(
+        std::min(std::max(value, 0.0), static_cast<double>(count - 1)));
   }
 };
 

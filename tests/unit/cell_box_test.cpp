@@ -1,9 +1,10 @@
 // Boxes in cells never miss an overlap, and the walk of a segment never misses a cell.
+#include "arrangement/cell_box.hpp"
+
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "arrangement/cell_box.hpp"
 #include "grid/uniform_grid.hpp"
 #include "support/polygon_kinds.hpp"
 
@@ -37,8 +38,12 @@ TEST(CellBox, OverlapsExactlyWhereRoundedOutwards) {
     const Box b(random);
     const bool overlap = a.rounded().overlaps(b.rounded().partner());
     EXPECT_EQ(overlap, b.rounded().overlaps(a.rounded().partner()));
-    if (gap(a, b) <= 0) { EXPECT_TRUE(overlap); }
-    if (gap(a, b) > 5 * CellBox::kUnit) { EXPECT_FALSE(overlap); }
+    if (gap(a, b) <= 0) {
+      EXPECT_TRUE(overlap);
+    }
+    if (gap(a, b) > 5 * CellBox::kUnit) {
+      EXPECT_FALSE(overlap);
+    }
   }
 }
 
@@ -52,7 +57,9 @@ TEST(CellBox, TheIntersectionOverlapsWhatAllThreeShare) {
     const CellBox both = a.rounded().within(b.rounded());
     const bool all = std::max({a.x0, b.x0, c.x0}) <= std::min({a.x1, b.x1, c.x1}) &&
                      std::max({a.y0, b.y0, c.y0}) <= std::min({a.y1, b.y1, c.y1});
-    if (all) { EXPECT_TRUE(both.overlaps(c.rounded().partner())); }
+    if (all) {
+      EXPECT_TRUE(both.overlaps(c.rounded().partner()));
+    }
     EXPECT_LE(both.left(), both.right());
   }
 }
