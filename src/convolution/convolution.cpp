@@ -7,13 +7,21 @@ namespace {
 
 void list_by_rank(const Operands& o, int operand, bool with_holes, EdgesByRank& by_rank) {
   by_rank.edges.clear();
-  by_rank.first.assign(o.rank_count + 1, 0);
+  by_rank.first.resize(o.rank_count + 1);
+  std::uint32_t count = 0;
+  DirectionRank next = 0;
   for (const SiteId edge : o.by_direction) {
+    for (; next <= o.rank[edge]; ++next) by_rank.first[next] = count;
     if (o.operand_of(edge) != operand || (!with_holes && o.on_hole[edge] != 0)) continue;
     by_rank.edges.push_back(edge);
-    ++by_rank.first[o.rank[edge] + 1];
+    ++count;
   }
-  for (DirectionRank r = 0; r < o.rank_count; ++r) by_rank.first[r + 1] += by_rank.first[r];
+  for (; next <= o.rank_count; ++next) by_rank.first[next] = count;
+}
+
+bool has_holes(const Operands& o) {
+  return std::any_of(o.rings.begin(), o.rings.end(),
+                     [](const OperandRing& ring) { return ring.is_hole(); });
 }
 
 class Lister {
@@ -21,7 +29,7 @@ class Lister {
   enum class Vertices { kConvex, kAll, kReflexBackwards };
   Lister(const Operands& o, const Limits& limits, Vertices which, ConvolutionScratch& scratch,
          Convolution& convolution)
-      : o_(o), limits_(limits), which_(which), scratch_(scratch), segments_(convolution.segments) {
+      : o_(o), limits_(limits), holes_(has_holes(o)), which_(which), scratch_(scratch), segments_(convolution.segments) {
     segments_.clear();
   }
 
@@ -29,7 +37,7 @@ class Lister {
   void list(int vertex_operand) {
     const bool first = vertex_operand == 0;
     list_by_rank(o_, first ? 1 : 0, true, scratch_.all);
-    list_by_rank(o_, first ? 1 : 0, false, scratch_.outer);
+    if (holes_) list_by_rank(o_, first ? 1 : 0, false, scratch_.outer);
     const SiteId begin = first ? 0 : o_.split;
     const SiteId end = first ? o_.split : o_.size();
     for (SiteId v = begin; v < end; ++v) {
@@ -38,7 +46,7 @@ class Lister {
       DirectionRank in = o_.rank[o_.previous[v]];
       DirectionRank out = o_.rank[v];
       if (which_ == Vertices::kReflexBackwards) std::swap(in, out);
-      const EdgesByRank& edges = o_.on_hole[v] != 0 ? scratch_.outer : scratch_.all;
+      const EdgesByRank& edges = holes_ && o_.on_hole[v] != 0 ? scratch_.outer : scratch_.all;
       // [in, out) for the first operand, (in, out] for the second.
       const DirectionRank from = first ? in : in + 1;
       const DirectionRank to = first ? out : out + 1;
@@ -63,11 +71,16 @@ class Lister {
                                                  std::to_string(most) +
                                                  " segments (Limits::max_segments)");
     }
-    for (std::uint32_t i = first; i < last; ++i) segments_.push_back({edges.edges[i], v});
+    const std::size_t size = segments_.size();
+    segments_.resize(size + (last - first));
+    for (std::uint32_t i = first; i < last; ++i) {
+      segments_[size + (i - first)] = {edges.edges[i], v};
+    }
   }
 
   const Operands& o_;
   const Limits& limits_;
+  bool holes_;
   Vertices which_;
   ConvolutionScratch& scratch_;
   std::vector<Segment>& segments_;

@@ -20,8 +20,7 @@ using DirectionRank = std::uint32_t;
 struct OperandsScratch {
   std::array<std::vector<SiteId>, 2> kept;  ///< sites of an operand that stay
   std::vector<SiteId> renumbered;
-  std::vector<KeyedEdge> keyed;
-  std::vector<SiteId> of_rank;
+  std::vector<KeyedEdge> of_rank;  ///< an edge of each rank
   std::array<std::vector<Vec<double>>, 2> sizes;
 };
 

@@ -7,12 +7,16 @@
 namespace minksum {
 namespace {
 
+bool keys_tell(const PreparedOperand& p, const PreparedOperand& q) {
+  return p.keys_tell && q.keys_tell;
+}
+
 /// Both operands' edges in one order, parallel ones by id, and their ranks.
 class Ranker {
  public:
   Ranker(const PreparedOperand& p, const PreparedOperand& q, Operands& operands)
       : p_(p), q_(q), o_(operands), predicates_(operands.sites, *operands.kernel, operands.bounds),
-        keys_tell_(p.keys_tell && q.keys_tell), of_rank_(operands.scratch.of_rank) {}
+        keys_tell_(keys_tell(p, q)), of_rank_(operands.scratch.of_rank) {}
 
   void run() {
     o_.by_direction.clear();
@@ -52,7 +56,7 @@ class Ranker {
   void append(const KeyedEdge& edge) {
     if (of_rank_.empty() ||
         compare_directions(predicates_, keys_tell_, last_, edge) != kZero) {
-      of_rank_.push_back(edge.edge);
+      of_rank_.push_back(edge);
     }
     last_ = edge;
     o_.by_direction.push_back(edge.edge);
@@ -64,25 +68,36 @@ class Ranker {
   Operands& o_;
   Predicates predicates_;
   bool keys_tell_;
-  std::vector<SiteId>& of_rank_;
+  std::vector<KeyedEdge>& of_rank_;
   KeyedEdge last_{};
 };
 
 /// For each rank, where its reverse stands among the ranks: 2r = exactly at rank r, 2r + 1 = between
 /// r and the next. One sweep with two pointers.
-void find_reverses(Operands& operands, const std::vector<SiteId>& of_rank) {
+void find_reverses(bool keys_tell, Operands& operands) {
   Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+  const auto& of_rank = operands.scratch.of_rank;
   const std::size_t n = of_rank.size();
   operands.reverse_place.resize(n);
+  // Positive if the other direction is less than half a circle ahead. Keys of reverses differ by 2.
+  const auto turn = [&](std::size_t r, std::size_t other) {
+    const KeyedEdge& a = of_rank[r];
+    const KeyedEdge& b = of_rank[other < n ? other : other - n];
+    const double ahead = b.key - a.key + (other < n ? 0.0 : 4.0);
+    if (keys_tell && ahead > 4 * kKeyError && ahead < 4 - 4 * kKeyError) {
+      if (ahead < 2 - 4 * kKeyError) return kPositive;
+      if (ahead > 2 + 4 * kKeyError) return kNegative;
+    }
+    return predicates.cross(a.edge, b.edge);
+  };
   std::size_t ahead = 1;  // first rank after r, not wrapped, that is at or beyond the reversed r
-  const auto at = [&](std::size_t r) { return of_rank[r < n ? r : r - n]; };
   for (std::size_t r = 0; r < n; ++r) {
     ahead = std::max(ahead, r + 1);
-    Sign turn = predicates.cross(of_rank[r], at(ahead));
-    while (turn == kPositive) turn = predicates.cross(of_rank[r], at(++ahead));
+    Sign at = turn(r, ahead);
+    while (at == kPositive) at = turn(r, ++ahead);
     const std::size_t place = 2 * (ahead < n ? ahead : ahead - n);
     const std::size_t before = place == 0 ? 2 * n - 1 : place - 1;
-    operands.reverse_place[r] = static_cast<std::uint32_t>(turn == kZero ? place : before);
+    operands.reverse_place[r] = static_cast<std::uint32_t>(at == kZero ? place : before);
   }
 }
 
@@ -119,7 +134,7 @@ void number_places(Operands& operands) {
 
 void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Operands& operands) {
   Ranker(p, q, operands).run();
-  find_reverses(operands, operands.scratch.of_rank);
+  find_reverses(keys_tell(p, q), operands);
   number_places(operands);
 }
 

@@ -21,6 +21,12 @@ class RingExtractor {
         order_(arrangement, predicates), scratch_(scratch), boundary_(boundary) {}
 
   void run(const Loops& loops, const FilteredLoops& filtered) {
+    if (loops_are_rings(loops, filtered)) {
+      for (std::size_t i = 0; i < loops.size(); ++i) {
+        if (filtered.state[i] == LoopState::kAccepted) add_ring(loops.loop(i), static_cast<std::uint32_t>(i));
+      }
+      return;
+    }
     accept(loops, filtered);
     list_incidence(arrangement_, [&](PieceId p) { return scratch_.accepted[p] != 0; },
                    scratch_.incidence);
@@ -37,6 +43,20 @@ class RingExtractor {
  private:
   static constexpr std::uint8_t kAccepted = 1;
   static constexpr std::uint8_t kFollowed = 2;
+
+  /// Whether the accepted loops pass each node once: they are simple rings then, and touch nowhere.
+  bool loops_are_rings(const Loops& loops, const FilteredLoops& filtered) {
+    scratch_.passed.assign(arrangement_.nodes.size(), 0);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      if (filtered.state[i] != LoopState::kAccepted) continue;
+      for (const PieceId p : loops.loop(i)) {
+        std::uint8_t& passed = scratch_.passed[arrangement_.pieces[p].from];
+        if (passed != 0) return false;
+        passed = 1;
+      }
+    }
+    return true;
+  }
 
   void accept(const Loops& loops, const FilteredLoops& filtered) {
     scratch_.accepted.assign(arrangement_.pieces.size(), 0);
@@ -90,18 +110,24 @@ class RingExtractor {
 
   /// The pieces on the stack from `begin` on are a ring.
   void cut(std::uint32_t begin, std::uint32_t walk) {
-    auto& stack = scratch_.stack;
-    const std::span<const PieceId> ring = std::span(stack).subspan(begin);
+    const std::span<const PieceId> ring = std::span(scratch_.stack).subspan(begin);
+    for (const PieceId p : ring) {
+      scratch_.stack_place[arrangement_.pieces[p].from] = kNotOnStack;
+    }
+    add_ring(ring, walk);
+    scratch_.stack.resize(begin);
+  }
+
+  void add_ring(std::span<const PieceId> ring, std::uint32_t walk) {
     BoundaryRing result;
     result.begin = static_cast<std::uint32_t>(boundary_.vertices.size());
     result.walk = walk;
     int rotation = 0;
     DirectionRank previous = circle_.rank(ring.back());
     for (const PieceId p : ring) {
-      const NodeId from = arrangement_.pieces[p].from;
-      scratch_.stack_place[from] = kNotOnStack;
       const DirectionRank rank = circle_.rank(p);
-      if (rank != previous) boundary_.vertices.push_back({from, p});
+      if (rank == previous) continue;
+      boundary_.vertices.push_back({arrangement_.pieces[p].from, p});
       rotation += circle_.wraps(previous, rank);
       previous = rank;
     }
@@ -112,7 +138,6 @@ class RingExtractor {
     }
     start_at_smallest(result);
     boundary_.rings.push_back(result);
-    stack.resize(begin);
   }
 
   void start_at_smallest(const BoundaryRing& ring) {

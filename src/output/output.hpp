@@ -49,6 +49,7 @@ struct RowIndex {
 
 struct OutputScratch {
   std::vector<std::uint8_t> accepted;
+  std::vector<std::uint8_t> passed;        ///< by node
   Incidence incidence;
   std::vector<PieceId> next;
   std::vector<std::uint32_t> stack_place;  ///< by node
