@@ -94,6 +94,7 @@ struct BinScratch {
 /// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
 /// come the crossings. Equal points are united in a forest whose roots are their smallest members.
 struct ArrangementScratch {
+  UniformGrid grid;                        ///< of the cells below
   BinScratch bin;
   std::vector<CellItem> items;             ///< in order of their segments,
   std::vector<CellItem> in_cells;          ///< and cell by cell
@@ -107,6 +108,7 @@ struct ArrangementScratch {
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
   std::vector<std::uint32_t> parent;
+  std::vector<std::uint32_t> line_parent;  ///< the same for segments known to be on one line
   std::vector<NodeId> node_of_point;
   std::vector<std::uint32_t> piece_begin;  ///< by node: its outgoing pieces
   std::vector<PieceId> out_pieces;
@@ -120,13 +122,14 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              ArrangementScratch& scratch, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Fills `kept` and the cells' lists.
+/// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are of
+/// a size that suits the segments.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, unites points that pairs of segments share.
-void find_crossings(const Cover& cover, const Options& options,
-                    const std::function<void()>& stop, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement);
+void find_crossings(const Options& options, const std::function<void()>& stop,
+                    Predicates& predicates, ArrangementScratch& scratch,
+                    Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
                     Arrangement& arrangement);

@@ -65,8 +65,14 @@ class DuplicateFinder {
 /// cells are inside the sum with a margin of 3 · kMargin around them.
 class HiddenSegments {
  public:
+  [[nodiscard]] static bool covers_any(const Cover& cover) {
+    const auto words = cover.covered.words();
+    return cover.active &&
+           std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
+  }
+
   HiddenSegments(const Operands& o, const Cover& cover, BinScratch& scratch)
-      : sites_(scratch.sites), active_(cover.active), last_row_(cover.grid.rows - 1) {
+      : sites_(scratch.sites), active_(covers_any(cover)), last_row_(cover.grid.rows - 1) {
     if (!active_) return;
     measure_sites(o, cover.grid.inverse);
     words_ = cover.covered.words_per_row();
@@ -155,12 +161,14 @@ class Binner {
          Arrangement& arrangement)
       : o_(o),
         cover_(cover),
-        grid_(cover.grid),
+        covers_any_(HiddenSegments::covers_any(cover)),
+        grid_(scratch.grid),
         items_(scratch.items),
         scratch_(scratch),
         kept_(arrangement.kept) {}
 
   void run(const Convolution& convolution) {
+    grid_ = covers_any_ ? cover_.grid : grid_for(convolution.segments);
     kept_.clear();
     items_.clear();
     const bool exact_sums = o_.bounds.difference == 0;
@@ -189,6 +197,22 @@ class Binner {
   }
 
  private:
+  /// Cells about as wide and as high together as the segments are on average, but not many more than
+  /// segments.
+  [[nodiscard]] UniformGrid grid_for(const std::vector<Segment>& segments) const {
+    const double width = o_.extent[0].x + o_.extent[1].x;
+    const double height = o_.extent[0].y + o_.extent[1].y;
+    const auto count = static_cast<double>(segments.size());
+    double length = 0;
+    for (const Segment& s : segments) {
+      length += std::abs(o_.sites.dx[s.edge]) + std::abs(o_.sites.dy[s.edge]);
+    }
+    const double most = 1.5 * std::sqrt(count);
+    const double side = std::max(width, height) * count / length;
+    const double kept = side >= 1 ? std::min(side, most) : 1;
+    return UniformGrid::over(width, height, static_cast<int>(std::min(kept, 0x1p12)));
+  }
+
   /// A segment in cell units.
   struct Line {
     Vec<double> start;
@@ -212,7 +236,7 @@ class Binner {
       for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
         const std::int32_t last = std::min(span.right, first | 63);
         const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - first)) << (first & 63);
-        const std::uint64_t covered = cover_.active ? cover_.covered.row(span.row)[first >> 6] : 0;
+        const std::uint64_t covered = covers_any_ ? cover_.covered.row(span.row)[first >> 6] : 0;
         any_covered |= covered & wanted;
         for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
           add_item(line, span, (first & ~63) + std::countr_zero(bits));
@@ -262,7 +286,8 @@ class Binner {
 
   const Operands& o_;
   const Cover& cover_;
-  const UniformGrid& grid_;
+  bool covers_any_;
+  UniformGrid& grid_;
   std::vector<CellItem>& items_;
   ArrangementScratch& scratch_;
   std::vector<KeptSegment>& kept_;

@@ -1,6 +1,7 @@
 // All meetings of kept segments, cell by cell.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "arrangement/meet_segments.hpp"
 
@@ -9,19 +10,21 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(const Cover& cover, const Options& options, const std::function<void()>& stop,
+  CrossingFinder(const Options& options, const std::function<void()>& stop,
                  Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
-      : grid_(cover.grid),
+      : grid_(scratch.grid),
         stop_(stop),
         scratch_(scratch),
         kept_(arrangement.kept),
-        meeter_(cover.grid, options, predicates, scratch, arrangement.kept) {}
+        meeter_(scratch.grid, options, predicates, scratch, arrangement.kept) {}
 
   void run() {
     scratch_.crossings.clear();
     scratch_.events.clear();
     scratch_.parent.resize(2 * kept_.size());
-    for (std::uint32_t i = 0; i < scratch_.parent.size(); ++i) scratch_.parent[i] = i;
+    std::iota(scratch_.parent.begin(), scratch_.parent.end(), 0U);
+    scratch_.line_parent.resize(kept_.size());
+    std::iota(scratch_.line_parent.begin(), scratch_.line_parent.end(), 0U);
     std::uint32_t begin = 0;
     for (const std::uint32_t cell : scratch_.cells) {
       const std::uint32_t end = scratch_.cell_end[cell];
@@ -153,9 +156,9 @@ class CrossingFinder {
 
 }  // namespace
 
-void find_crossings(const Cover& cover, const Options& options, const std::function<void()>& stop,
+void find_crossings(const Options& options, const std::function<void()>& stop,
                     Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
-  CrossingFinder(cover, options, stop, predicates, scratch, arrangement).run();
+  CrossingFinder(options, stop, predicates, scratch, arrangement).run();
   arrangement.crossings = scratch.crossings.size();
 }
 
