@@ -17,6 +17,7 @@ namespace minksum {
 using KeptId = std::uint32_t;  ///< index of a kept segment
 using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
+inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
 
 /// A segment that touches an uncovered cell, with its approximate place.
 struct KeptSegment {
@@ -78,6 +79,12 @@ struct Crossing {
   double error;
 };
 
+/// A piece's place in the list of those with its lower node.
+struct ListedPiece {
+  PieceId next;
+  bool cancelled;  ///< there is an opposite piece
+};
+
 /// A site, and the box of its edge, in cells; rounded.
 struct CellSite {
   float x, y;
@@ -94,12 +101,12 @@ struct BinScratch {
 /// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
 /// come the crossings. Equal points are united in a forest whose roots are their smallest members.
 struct ArrangementScratch {
-  UniformGrid grid;                        ///< of the cells below
+  UniformGrid grid;  ///< of the cells below
   BinScratch bin;
-  std::vector<CellItem> items;             ///< in order of their segments,
-  std::vector<CellItem> in_cells;          ///< and cell by cell
-  std::vector<std::uint32_t> cells;        ///< those that have items
-  std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
+  std::vector<CellItem> items;          ///< in order of their segments,
+  std::vector<CellItem> in_cells;       ///< and cell by cell
+  std::vector<std::uint32_t> cells;     ///< those that have items
+  std::vector<std::uint32_t> cell_end;  ///< by cell: where its items end in `in_cells`, or 0
   std::vector<KeptId> hash_table;
   std::vector<std::vector<CellItem>> stack;  ///< items of a cell, level by level of its division
   std::vector<CellItem> sweep_order;
@@ -110,9 +117,8 @@ struct ArrangementScratch {
   std::vector<std::uint32_t> parent;
   std::vector<std::uint32_t> line_parent;  ///< the same for segments known to be on one line
   std::vector<NodeId> node_of_point;
-  std::vector<std::uint32_t> piece_begin;  ///< by node: its outgoing pieces
-  std::vector<PieceId> out_pieces;
-  std::vector<std::uint8_t> dead;
+  std::vector<PieceId> first_piece;     ///< by node: a list of pieces to nodes of higher numbers
+  std::vector<ListedPiece> next_piece;  ///< by piece
 };
 
 /// Builds it. `stop` is asked now and then and throws to stop.
@@ -122,14 +128,13 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              ArrangementScratch& scratch, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are of
-/// a size that suits the segments.
+/// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
+/// of a size that suits the segments.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, unites points that pairs of segments share.
 void find_crossings(const Options& options, const std::function<void()>& stop,
-                    Predicates& predicates, ArrangementScratch& scratch,
-                    Arrangement& arrangement);
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
                     Arrangement& arrangement);

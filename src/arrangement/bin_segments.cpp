@@ -197,8 +197,8 @@ class Binner {
   }
 
  private:
-  /// Cells about as wide and as high together as the segments are on average, but not many more than
-  /// segments.
+  /// Cells about as wide and as high together as the segments are on average, but not many more
+  /// than segments.
   [[nodiscard]] UniformGrid grid_for(const std::vector<Segment>& segments) const {
     const double width = o_.extent[0].x + o_.extent[1].x;
     const double height = o_.extent[0].y + o_.extent[1].y;

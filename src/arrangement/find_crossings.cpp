@@ -10,8 +10,8 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(const Options& options, const std::function<void()>& stop,
-                 Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
+  CrossingFinder(const Options& options, const std::function<void()>& stop, Predicates& predicates,
+                 ArrangementScratch& scratch, Arrangement& arrangement)
       : grid_(scratch.grid),
         stop_(stop),
         scratch_(scratch),

@@ -24,9 +24,11 @@ class Splitter {
     for (KeptId s = 0; s < result_.kept.size(); ++s) order_events(s);
     result_.nodes.clear();
     result_.pieces.clear();
+    scratch_.first_piece.clear();
+    scratch_.next_piece.clear();
     scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
     for (KeptId s = 0; s < result_.kept.size(); ++s) cut(s);
-    drop_doubles();
+    drop_cancelled();
   }
 
  private:
@@ -71,8 +73,7 @@ class Splitter {
     if (std::abs(a.lambda - b.lambda) > a.error + b.error) return sign_of(a.lambda - b.lambda);
     if (same(s, a.point, b.point)) return kZero;
     return predicates_.compare_along(result_.kept[s].segment, a.lambda, a.error,
-                                     point_on(s, a.point), b.lambda, b.error,
-                                     point_on(s, b.point));
+                                     point_on(s, a.point), b.lambda, b.error, point_on(s, b.point));
   }
 
   /// Rounded positions bring events almost into their order; insertion then costs about one exact
@@ -128,8 +129,10 @@ class Splitter {
     Vec<double> from_at = k.a;
     const auto add = [&](std::uint32_t to, const Vec<double>& to_at) {
       if (to == from) return;
-      if (!k.meets_cover || !is_covered(from_at, to_at))
-        result_.pieces.push_back({node_of(from), node_of(to), s});
+      if (!k.meets_cover || !is_covered(from_at, to_at)) {
+        const NodeId from_node = node_of(from);
+        add_piece(from_node, node_of(to), s);
+      }
       from = to;
       from_at = to_at;
     };
@@ -152,40 +155,30 @@ class Splitter {
     return covered;
   }
 
-  /// Of pieces with the same ends one is kept; of opposite ones none.
-  void drop_doubles() {
-    auto& pieces = result_.pieces;
-    auto& begin = scratch_.piece_begin;
-    begin.assign(result_.nodes.size() + 2, 0);
-    const auto low = [](const Piece& p) { return std::min(p.from, p.to); };
-    for (const Piece& piece : pieces) ++begin[low(piece) + 2];
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    scratch_.out_pieces.resize(pieces.size());
-    for (PieceId p = 0; p < pieces.size(); ++p)
-      scratch_.out_pieces[begin[low(pieces[p]) + 1]++] = p;
-    begin.pop_back();
-    scratch_.dead.assign(pieces.size(), 0);
-    for (std::size_t node = 0; node + 1 < begin.size(); ++node) {
-      for (std::uint32_t i = begin[node]; i < begin[node + 1]; ++i) {
-        for (std::uint32_t j = begin[node]; j < i; ++j) {
-          compare_ends(scratch_.out_pieces[j], scratch_.out_pieces[i]);
-        }
+  /// Adds a piece. Of pieces with the same ends one is kept; of opposite ones none.
+  void add_piece(NodeId from, NodeId to, KeptId s) {
+    auto& first = scratch_.first_piece;
+    if (first.size() < result_.nodes.size()) first.resize(result_.nodes.size(), kNoPiece);
+    PieceId& list = first[std::min(from, to)];
+    for (PieceId p = list; p != kNoPiece; p = scratch_.next_piece[p].next) {
+      const Piece& other = result_.pieces[p];
+      if (other.from == from && other.to == to) return;
+      if (other.from == to && other.to == from) {
+        scratch_.next_piece[p].cancelled = true;
+        return;
       }
     }
+    scratch_.next_piece.push_back({list, false});
+    list = static_cast<PieceId>(result_.pieces.size());
+    result_.pieces.push_back({from, to, s});
+  }
+  void drop_cancelled() {
+    auto& pieces = result_.pieces;
     std::size_t kept = 0;
     for (PieceId p = 0; p < pieces.size(); ++p) {
-      if (scratch_.dead[p] == 0) pieces[kept++] = pieces[p];
+      if (!scratch_.next_piece[p].cancelled) pieces[kept++] = pieces[p];
     }
     pieces.resize(kept);
-  }
-  void compare_ends(PieceId p, PieceId q) {
-    const Piece& a = result_.pieces[p];
-    const Piece& b = result_.pieces[q];
-    if (a.from == b.from && a.to == b.to) {
-      scratch_.dead[q] = 1;
-    } else if (a.from == b.to && a.to == b.from) {
-      scratch_.dead[p] = scratch_.dead[q] = 1;
-    }
   }
 
   const Cover& cover_;

@@ -3,27 +3,21 @@
 namespace minksum {
 namespace {
 
-/// The piece that follows `piece` around the face on its right, if that is an outgoing one.
+/// The piece that follows an incoming one around the face on its right, if that is an outgoing one.
 ///
 /// Seen from the node, that face lies counter-clockwise of where the chain came from, up to the
 /// first piece found there. An incoming one there has the face on its left: no loop.
-PieceId successor(PieceId piece, const Arrangement& arrangement, const DirectionCircle& circle,
-                  const Incidence& incidence) {
-  const std::uint32_t back = circle.reverse(circle.rank(piece));
+PieceId successor(const Spoke& back, std::span<const Spoke> spokes, const DirectionCircle& circle) {
   std::uint32_t best_turn = circle.size();
   std::uint32_t best = kNoPiece;
   bool tie = false;
-  for (const std::uint32_t item : incidence.at(arrangement.pieces[piece].to)) {
-    const PieceId other = item / 2;
-    const bool incoming = item % 2 != 0;
-    if (incoming && other == piece) continue;
-    const DirectionRank rank = circle.rank(other);
-    const std::uint32_t place = incoming ? circle.reverse(rank) : circle.place(rank);
-    const std::uint32_t turn = circle.turn(back, place);
+  for (const Spoke& spoke : spokes) {
+    if (spoke.item == back.item) continue;
+    const std::uint32_t turn = circle.turn(back.place, spoke.place);
     tie = turn == best_turn || (tie && turn > best_turn);
     if (turn < best_turn) {
       best_turn = turn;
-      best = item;
+      best = spoke.item;
     }
   }
   // Turn 0 is a piece that runs back over this one; a tie, two pieces over each other. Neither
@@ -37,11 +31,15 @@ PieceId successor(PieceId piece, const Arrangement& arrangement, const Direction
 void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
                 Loops& loops) {
   const DirectionCircle circle(operands, arrangement);
-  list_incidence(arrangement, [](PieceId) { return true; }, scratch.incidence);
+  list_incidence(
+      arrangement, circle, [](PieceId) { return true; }, scratch.incidence);
   const std::size_t n = arrangement.pieces.size();
   scratch.next.resize(n);
-  for (PieceId p = 0; p < n; ++p) {
-    scratch.next[p] = successor(p, arrangement, circle, scratch.incidence);
+  for (NodeId node = 0; node < arrangement.nodes.size(); ++node) {
+    const std::span<const Spoke> spokes = scratch.incidence.at(node);
+    for (const Spoke& spoke : spokes) {
+      if (spoke.incoming()) scratch.next[spoke.piece()] = successor(spoke, spokes, circle);
+    }
   }
   loops.pieces.clear();
   loops.begin.assign(1, 0);

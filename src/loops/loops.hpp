@@ -11,53 +11,21 @@
 
 namespace minksum {
 
-inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
-
 /// Closed chains of pieces, each with one and the same face of the arrangement on its right.
 ///
 /// A face is free only if it lies on the right of all its edges; so a chain that meets an edge from
-/// the wrong side ends there and is no loop (Behar and Lien, section IV-C; Lemma 4.5 makes each loop
-/// wholly boundary of the sum or wholly not).
+/// the wrong side ends there and is no loop (Behar and Lien, section IV-C; Lemma 4.5 makes each
+/// loop wholly boundary of the sum or wholly not).
 struct Loops {
-  std::vector<PieceId> pieces;       ///< loop after loop, in order
-  std::vector<std::uint32_t> begin;  ///< by loop, and one more
-  std::vector<std::uint8_t> positive; ///< by loop: it runs counter-clockwise around its inside
+  std::vector<PieceId> pieces;         ///< loop after loop, in order
+  std::vector<std::uint32_t> begin;    ///< by loop, and one more
+  std::vector<std::uint8_t> positive;  ///< by loop: it runs counter-clockwise around its inside
 
   [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
   [[nodiscard]] std::span<const PieceId> loop(std::size_t i) const {
     return std::span(pieces).subspan(begin[i], begin[i + 1] - begin[i]);
   }
 };
-
-/// Pieces around nodes: item lists by node. An item is 2·piece for an outgoing, 2·piece + 1 for an
-/// incoming piece.
-struct Incidence {
-  std::vector<std::uint32_t> begin;
-  std::vector<std::uint32_t> items;
-  [[nodiscard]] std::span<const std::uint32_t> at(NodeId node) const {
-    return std::span(items).subspan(begin[node], begin[node + 1] - begin[node]);
-  }
-};
-/// Lists the pieces for which `take(piece)` holds.
-template <class Take>
-void list_incidence(const Arrangement& arrangement, Take take, Incidence& incidence) {
-  auto& begin = incidence.begin;
-  const auto& pieces = arrangement.pieces;
-  begin.assign(arrangement.nodes.size() + 2, 0);
-  for (PieceId p = 0; p < pieces.size(); ++p) {
-    if (!take(p)) continue;
-    ++begin[pieces[p].from + 2];
-    ++begin[pieces[p].to + 2];
-  }
-  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  incidence.items.resize(begin.back());
-  for (PieceId p = 0; p < pieces.size(); ++p) {
-    if (!take(p)) continue;
-    incidence.items[begin[pieces[p].from + 1]++] = 2 * p;
-    incidence.items[begin[pieces[p].to + 1]++] = 2 * p + 1;
-  }
-  begin.pop_back();
-}
 
 /// Directions by rank, all integers.
 class DirectionCircle {
@@ -90,6 +58,45 @@ class DirectionCircle {
   const Operands* operands_;
   const Arrangement* arrangement_;
 };
+
+/// A piece that ends at a node: where it stands on the circle of directions, seen from there.
+struct Spoke {
+  std::uint32_t place;
+  std::uint32_t item;  ///< 2·piece for an outgoing, 2·piece + 1 for an incoming piece
+  [[nodiscard]] PieceId piece() const { return item / 2; }
+  [[nodiscard]] bool incoming() const { return item % 2 != 0; }
+};
+
+/// Pieces around nodes: lists of spokes by node.
+struct Incidence {
+  std::vector<std::uint32_t> begin;
+  std::vector<Spoke> spokes;
+  [[nodiscard]] std::span<const Spoke> at(NodeId node) const {
+    return std::span(spokes).subspan(begin[node], begin[node + 1] - begin[node]);
+  }
+};
+/// Lists the pieces for which `take(piece)` holds.
+template <class Take>
+void list_incidence(const Arrangement& arrangement, const DirectionCircle& circle, Take take,
+                    Incidence& incidence) {
+  auto& begin = incidence.begin;
+  const auto& pieces = arrangement.pieces;
+  begin.assign(arrangement.nodes.size() + 2, 0);
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    if (!take(p)) continue;
+    ++begin[pieces[p].from + 2];
+    ++begin[pieces[p].to + 2];
+  }
+  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  incidence.spokes.resize(begin.back());
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    if (!take(p)) continue;
+    const DirectionRank rank = circle.rank(p);
+    incidence.spokes[begin[pieces[p].from + 1]++] = {circle.place(rank), 2 * p};
+    incidence.spokes[begin[pieces[p].to + 1]++] = {circle.reverse(rank), 2 * p + 1};
+  }
+  begin.pop_back();
+}
 
 struct LoopScratch {
   Incidence incidence;

@@ -17,8 +17,11 @@ class RingExtractor {
  public:
   RingExtractor(const Operands& operands, const Arrangement& arrangement, Predicates& predicates,
                 OutputScratch& scratch, Boundary& boundary)
-      : arrangement_(arrangement), circle_(operands, arrangement),
-        order_(arrangement, predicates), scratch_(scratch), boundary_(boundary) {}
+      : arrangement_(arrangement),
+        circle_(operands, arrangement),
+        order_(arrangement, predicates),
+        scratch_(scratch),
+        boundary_(boundary) {}
 
   void run(const Loops& loops, const FilteredLoops& filtered) {
     if (loops_are_rings(loops, filtered)) {
@@ -28,8 +31,9 @@ class RingExtractor {
       return;
     }
     accept(loops, filtered);
-    list_incidence(arrangement_, [&](PieceId p) { return scratch_.accepted[p] != 0; },
-                   scratch_.incidence);
+    list_incidence(
+        arrangement_, circle_, [&](PieceId p) { return scratch_.accepted[p] != 0; },
+        scratch_.incidence);
     scratch_.stack_place.assign(arrangement_.nodes.size(), kNotOnStack);
     std::uint32_t walk = 0;
     for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -69,20 +73,16 @@ class RingExtractor {
   /// The piece after `piece` around the sum's interior on its left: the first one clockwise from
   /// where it came.
   [[nodiscard]] PieceId successor(PieceId piece) const {
-    const auto items = scratch_.incidence.at(arrangement_.pieces[piece].to);
+    const auto spokes = scratch_.incidence.at(arrangement_.pieces[piece].to);
     const std::uint32_t back = circle_.reverse(circle_.rank(piece));
     std::uint32_t best_turn = circle_.size();
     std::uint32_t best = kNoPiece;
-    for (const std::uint32_t item : items) {
-      const PieceId other = item / 2;
-      const bool incoming = item % 2 != 0;
-      if (incoming && other == piece) continue;
-      const DirectionRank rank = circle_.rank(other);
-      const std::uint32_t place = incoming ? circle_.reverse(rank) : circle_.place(rank);
-      const std::uint32_t turn = circle_.turn(place, back);
+    for (const Spoke& spoke : spokes) {
+      if (spoke.item == 2 * piece + 1) continue;
+      const std::uint32_t turn = circle_.turn(spoke.place, back);
       if (turn < best_turn) {
         best_turn = turn;
-        best = item;
+        best = spoke.item;
       }
     }
     if (best == kNoPiece || best % 2 != 0) broken("the boundary does not go on at a node");
