@@ -7,13 +7,16 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps build demo test oracle bench asan clean
+.PHONY: help deps deps-bench build demo test oracle bench bench-quick asan clean
 
 help: ## say what there is
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
 deps: ## install the Debian packages that are missing (as root), or name them
 	@scripts/install_packages.sh
+
+deps-bench: deps ## the same for what bench and compare alone use; each of these may be missing
+	@scripts/install_packages.sh --optional packages-bench.txt
 
 build: deps ## build library and program: build/minksum
 	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) $(CMAKE_ARGS)
@@ -32,9 +35,15 @@ oracle: deps ## compare with CGAL on everything there is (long)
 	$(CMAKE) --build $(BUILD) -j $(JOBS) --target oracle_run
 	$(CMAKE) --build $(BUILD) --target oracle
 
-bench: deps ## measure, against the peers where they are there
+bench: deps-bench ## measure, beside the peers that are there, and write docs/benchmarks.md
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=ON $(CMAKE_ARGS)
-	$(CMAKE) --build $(BUILD) -j $(JOBS) --target bench
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_bench
+	$(CMAKE) --build $(BUILD) --target bench
+
+bench-quick: deps-bench ## measure a few pairs and print the goals
+	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=ON $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_bench
+	$(CMAKE) --build $(BUILD) --target bench_quick
 
 asan: deps ## build and run every test under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(CMAKE) --preset asan $(CMAKE_ARGS)

@@ -1,7 +1,14 @@
 #!/bin/sh
-# Installs the Debian packages of packages.txt that are missing; says what is missing if it cannot.
+# usage: install_packages.sh [--optional] [LIST]     (LIST: packages.txt)
+# Installs the Debian packages of a list that are missing; says what is missing if it cannot, which
+# is a failure unless they are optional.
 set -eu
-list="$(dirname "$0")/../packages.txt"
+failure=1
+if [ "${1:-}" = --optional ]; then
+  failure=0
+  shift
+fi
+list="$(dirname "$0")/../${1:-packages.txt}"
 packages="$(sed -e 's/#.*//' "$list" | tr -s ' \t\n' ' ' | sed -e 's/^ //' -e 's/ $//')"
 
 if [ "${MINKSUM_SKIP_DEPS:-0}" = 1 ]; then
@@ -11,7 +18,7 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
   echo "This is no Debian system, so nothing can be checked or installed here. What is needed:" >&2
   echo "  $packages" >&2
   echo "Install the like by other means, then set MINKSUM_SKIP_DEPS=1." >&2
-  exit 1
+  exit $failure
 fi
 
 # One question for all packages; a package that dpkg never heard of has no line in the answer.
@@ -30,9 +37,11 @@ if [ "$(id -u)" != 0 ] || ! command -v apt-get >/dev/null 2>&1; then
   echo "Missing packages:$missing" >&2
   echo "Install them as root:  apt-get install$missing" >&2
   echo "or set MINKSUM_SKIP_DEPS=1 if their like is there by other means." >&2
-  exit 1
+  exit $failure
 fi
 echo "Installing$missing"
 export DEBIAN_FRONTEND=noninteractive
-apt-get update -qq
-apt-get install -y -qq --no-install-recommends $missing >/dev/null
+{ apt-get update -qq && apt-get install -y -qq --no-install-recommends $missing >/dev/null; } || {
+  echo "Could not install$missing" >&2
+  exit $failure
+}
