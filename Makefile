@@ -1,5 +1,8 @@
 # What people type. Everything else is CMake: CMakeLists.txt, CMakePresets.json.
 BUILD ?= build
+# What `make compare` compares the working tree with, and how many per cent more work may pass.
+BASE ?= HEAD
+LIMIT ?= 2
 JOBS ?= $(shell nproc)
 CMAKE_ARGS ?=
 # An outer make -j must not reach into the build: CMake is told how many jobs to run.
@@ -7,7 +10,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test oracle bench bench-quick asan clean
+.PHONY: help deps deps-bench build demo test oracle bench bench-quick compare asan clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -44,6 +47,9 @@ bench-quick: deps-bench ## measure a few pairs and print the goals
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=ON $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_bench
 	$(CMAKE) --build $(BUILD) --target bench_quick
+
+compare: deps ## count the work of the working tree beside that of BASE=<revision>
+	bench/compare/compare.py --limit $(LIMIT) --jobs $(JOBS) --folder $(BUILD)/compare $(BASE)
 
 asan: deps ## build and run every test under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(CMAKE) --preset asan $(CMAKE_ARGS)

@@ -1,0 +1,189 @@
+// minksum_work: one sum whose work is counted. Runs alone, for what the library counts itself, and
+// under callgrind, which counts the instructions inside `counted_sum`.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "families.hpp"
+#include "minksum/minkowski_sum.hpp"
+#include "support/data.hpp"
+
+namespace {
+
+std::uint64_t allocations = 0;
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  void* memory = std::malloc(size == 0 ? 1 : size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+/// The name that callgrind is given; never part of its caller.
+extern "C" __attribute__((noinline)) bool counted_sum(const minksum::Region& p,
+                                                      const minksum::Region& q,
+                                                      const minksum::Options& options,
+                                                      minksum::Workspace& workspace,
+                                                      minksum::Region& sum) {
+  return minkowski_sum(p, q, options, workspace, sum).ok();
+}
+
+namespace {
+
+using namespace minksum;
+using bench::Operands;
+
+struct Member {
+  const char* family;
+  std::size_t size;
+};
+constexpr Member kMembers[] = {
+    {"spiky stars", 64},
+    {"combs", 128},
+    {"spirals", 256},
+    {"random simple polygons", 16},
+    {"random simple polygons", 256},
+    {"orthogonal outlines", 128},
+    {"many holes", 320},
+    {"dense circles", 128},
+    {"convex + convex", 1024},
+    {"region + small convex", 1024},
+    {"P + -P", 128},
+};
+
+// Files of the folder of shapes, for whoever has it. No second one: a 32-gon of that radius.
+struct Files {
+  const char* p;
+  const char* q;
+  double radius;
+};
+constexpr Files kFiles[] = {
+    {"paper/lookalike_g1", "paper/lookalike_g1", 0},
+    {"paper/bird", "paper/bird", 0},
+    {"paper/bird", "paper/mammoth", 0},
+    {"paper/nazca_monkey", "paper/nazca_monkey", 0},
+    {"paper/neuron_original", nullptr, 0.3},
+    {"paper/neuron_original", "paper/neuron_original", 0},
+    {"paper/wierd2", "paper/wierd2_n", 0},
+    {"paper/star5", "paper/star5", 0},
+    {"paper/nazca_heron_original_2", "paper/nazca_monkey_original_2", 0},
+    {"hard/spiky_100a", "hard/spiky_100b", 0},
+    {"nesting/albano_0", "nesting/albano_4", 0},
+    {"nesting/swim_0", "nesting/swim_6", 0},
+    {"cgal/norway", nullptr, 0.01},
+};
+
+struct Work {
+  std::string name;
+  std::function<Operands()> load;
+};
+
+// A family's member once more, its coordinates divided by three: doubles with all their bits.
+Region with_all_bits(const Region& region) {
+  Region result;
+  for (const std::size_t polygon : region.polygons()) {
+    result.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      result.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        result.add_vertex(region.x(v) / 3, region.y(v) / 3);
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<Work> all_work() {
+  std::vector<Work> all;
+  for (const Member& member : kMembers) {
+    for (const bench::Family& family : bench::families()) {
+      if (family.name != member.family) continue;
+      all.push_back({family.name + " " + std::to_string(member.size),
+                     [make = family.make, n = member.size] { return make(n); }});
+    }
+  }
+  all.push_back({"doubles: " + all[4].name, [load = all[4].load] {
+                   const Operands operands = load();
+                   return Operands{with_all_bits(operands.first), with_all_bits(operands.second)};
+                 }});
+  const auto data = test::data_path();
+  if (!data) return all;
+  for (const Files& files : kFiles) {
+    const auto p = *data / (std::string(files.p) + ".wkt");
+    const std::string other = files.q == nullptr ? "32-gon" : files.q;
+    const auto q = *data / (other + ".wkt");
+    if (!exists(p) || (files.q != nullptr && !exists(q))) continue;
+    all.push_back({p.stem().string() + " + " + q.stem().string(), [p, q, files] {
+                     Region second = files.q == nullptr ? bench::regular_polygon(32, files.radius)
+                                                        : test::read_wkt(q);
+                     return Operands{test::read_wkt(p), std::move(second)};
+                   }});
+  }
+  return all;
+}
+
+// FNV-1a over the exact result: two revisions must agree on it.
+std::uint64_t fingerprint(const Region& sum) {
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  const auto add = [&](const std::string& text) {
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  };
+  for (std::size_t ring = 0; ring < sum.ring_count(); ++ring) {
+    add("/");
+    for (const std::size_t v : sum.vertices_of(ring)) {
+      add(sum.exact_x(v).to_string() + " " + sum.exact_y(v).to_string() + ",");
+    }
+  }
+  return hash;
+}
+
+void work_on(const Work& work, bool tell) {
+  const auto [p, q] = work.load();
+  Statistics statistics;
+  Options options;
+  options.statistics = &statistics;
+  Workspace workspace;
+  Region sum;
+  // The first sum fills the memory that later ones reuse.
+  if (!minkowski_sum(p, q, options, workspace, sum).ok()) throw std::runtime_error("no sum");
+  const std::uint64_t before = allocations;
+  if (!counted_sum(p, q, options, workspace, sum)) throw std::runtime_error("no sum");
+  const std::uint64_t allocated = allocations - before;
+  if (!tell) return;
+  const auto print = [](const char* name, std::uint64_t value) {
+    std::printf("%s %llu\n", name, static_cast<unsigned long long>(value));
+  };
+  print("by_filter", statistics.by_filter);
+  print("exactly", statistics.by_fixed_width + statistics.by_arbitrary);
+  print("crossings", statistics.crossings);
+  print("allocations", allocated);
+  print("fingerprint", fingerprint(sum));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const std::string wanted = words.empty() ? "" : words[0];
+    for (const Work& work : all_work()) {
+      if (words.empty()) std::printf("%s\n", work.name.c_str());
+      if (work.name == wanted) work_on(work, words.size() == 1);
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "minksum_work: %s\n", error.what());
+    return 1;
+  }
+}
