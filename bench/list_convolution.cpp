@@ -1,160 +1,194 @@
 #include "list_convolution.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "listed_rings.hpp"
 #include "peers/stopwatch.hpp"
 
 namespace minksum::bench {
 namespace {
 
-struct Site {
-  std::int32_t x;
-  std::int32_t y;
-};
-struct Edge {
+struct Segment {
   Site from;
   Site to;
-  [[nodiscard]] std::int64_t dx() const { return to.x - from.x; }
-  [[nodiscard]] std::int64_t dy() const { return to.y - from.y; }
-};
-using Edges = std::vector<Edge>;
-
-std::int64_t cross(const Edge& a, const Edge& b) { return a.dx() * b.dy() - a.dy() * b.dx(); }
-bool upper(const Edge& e) { return e.dy() > 0 || (e.dy() == 0 && e.dx() > 0); }
-// Order by angle in [0, 360) degrees.
-bool before(const Edge& a, const Edge& b) {
-  if (upper(a) != upper(b)) return upper(a);
-  return cross(a, b) > 0;
-}
-
-struct Box {
-  double width = 0;
-  double height = 0;
 };
 
-Box box_of(const Region& region, std::size_t ring) {
-  double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
-  for (const std::size_t v : region.vertices_of(ring)) {
-    low_x = std::min(low_x, region.x(v));
-    high_x = std::max(high_x, region.x(v));
-    low_y = std::min(low_y, region.y(v));
-    high_y = std::max(high_y, region.y(v));
-  }
-  return {high_x - low_x, high_y - low_y};
-}
-
-double largest(const Region& region) {
-  double result = 0;
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-    result = std::max({result, std::abs(region.x(v)), std::abs(region.y(v))});
-  }
-  return result;
-}
-
-struct Rings {
-  std::vector<std::vector<Site>> rings;
-  [[nodiscard]] std::size_t edges() const {
-    std::size_t count = 0;
-    for (const auto& ring : rings) count += ring.size();
-    return count;
-  }
+// An edge by its first vertex, and its direction as a number that grows with the angle.
+struct Direction {
+  std::uint64_t angle;
+  std::uint32_t edge;
+  std::int32_t dx;
+  std::int32_t dy;
 };
+using Directions = std::vector<Direction>;
 
-std::int64_t twice_area(const std::vector<Site>& ring) {
-  std::int64_t sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Site a = ring[i];
-    const Site b = ring[(i + 1) % ring.size()];
-    sum += (std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x) / 4;  // the sign will do
-  }
-  return sum;
+constexpr int kAngleBits = 33;
+constexpr int kDigitBits = 11;
+
+std::int64_t cross(const Direction& a, const Direction& b) {
+  return std::int64_t{a.dx} * b.dy - std::int64_t{a.dy} * b.dx;
 }
 
-Rings round_rings(const Region& region, double scale, const Box& other) {
-  Rings result;
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      const bool is_hole = ring != region.rings_of(polygon).front();
-      const Box box = box_of(region, ring);
-      if (is_hole && (box.width <= other.width || box.height <= other.height)) continue;
-      std::vector<Site> sites;
-      for (const std::size_t v : region.vertices_of(ring)) {
-        const Site site{static_cast<std::int32_t>(std::lround(region.x(v) * scale)),
-                        static_cast<std::int32_t>(std::lround(region.y(v) * scale))};
-        if (sites.empty() || site.x != sites.back().x || site.y != sites.back().y) {
-          sites.push_back(site);
-        }
-      }
-      if ((twice_area(sites) < 0) != is_hole) std::reverse(sites.begin(), sites.end());
-      result.rings.push_back(std::move(sites));
+// Rounding puts an angle at most one off; nearer ones are told apart exactly.
+bool before(const Direction& a, const Direction& b) {
+  if (a.angle + 1 < b.angle) return true;
+  return a.angle <= b.angle + 1 && cross(a, b) > 0;
+}
+
+// The way along the diamond |x| + |y| = 1 to the direction, a side counting 2^30.
+std::uint64_t angle_of(std::int32_t dx, std::int32_t dy) {
+  const double x = dx;
+  const double y = dy;
+  const double along = y / (std::abs(x) + std::abs(y));
+  const bool left = x < 0 || (x == 0 && y > 0);
+  const double quarters = left ? 2 - along : y < 0 ? 4 + along : along;
+  return static_cast<std::uint64_t>(quarters * 0x1p30);
+}
+
+class Sorter {
+ public:
+  void sort(const ListedRings& rings, Directions& sorted) {
+    fill(rings, sorted);
+    if (sorted.size() > 64) {
+      for (int shift = 0; shift < kAngleBits; shift += kDigitBits) pass(shift, sorted);
+    }
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      const Direction moved = sorted[i];
+      std::size_t to = i;
+      for (; to > 0 && before(moved, sorted[to - 1]); --to) sorted[to] = sorted[to - 1];
+      sorted[to] = moved;
     }
   }
-  return result;
-}
 
-void sort_edges(const Rings& rings, Edges& edges) {
-  edges.clear();
-  for (const auto& ring : rings.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      edges.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
+ private:
+  static void fill(const ListedRings& rings, Directions& sorted) {
+    sorted.resize(rings.sites.size());
+    for (std::uint32_t i = 0; i < sorted.size(); ++i) {
+      const Site a = rings.sites[i];
+      const Site b = rings.sites[rings.next[i]];
+      sorted[i] = {angle_of(b.x - a.x, b.y - a.y), i, b.x - a.x, b.y - a.y};
     }
   }
-  std::sort(edges.begin(), edges.end(), before);
-}
-
-void list_run(Edges::const_iterator from, Edges::const_iterator to, Site v, Edges& out) {
-  for (auto e = from; e != to; ++e) {
-    out.push_back({{e->from.x + v.x, e->from.y + v.y}, {e->to.x + v.x, e->to.y + v.y}});
+  void pass(int shift, Directions& sorted) {
+    constexpr std::uint64_t kMask = (1U << kDigitBits) - 1;
+    std::array<std::uint32_t, kMask + 2> begin{};
+    for (const Direction& d : sorted) ++begin[((d.angle >> shift) & kMask) + 1];
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    other_.resize(sorted.size());
+    for (const Direction& d : sorted) other_[begin[(d.angle >> shift) & kMask]++] = d;
+    std::swap(sorted, other_);
   }
-}
+  Directions other_;
+};
 
-// For each convex vertex of `rings` its run of `edges`, which are sorted: directions from [in, out)
-// or, with `closed_end`, from (in, out].
-void list_runs(const Rings& rings, const Edges& edges, bool closed_end, Edges& out) {
-  const auto first_from = [&](const Edge& e) {
-    return closed_end ? std::upper_bound(edges.begin(), edges.end(), e, before)
-                      : std::lower_bound(edges.begin(), edges.end(), e, before);
-  };
-  for (const auto& ring : rings.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Site v = ring[i];
-      const Edge in{ring[i == 0 ? ring.size() - 1 : i - 1], v};
-      const Edge next{v, ring[i + 1 == ring.size() ? 0 : i + 1]};
-      if (cross(in, next) <= 0) continue;
-      if (!before(next, in)) {
-        list_run(first_from(in), first_from(next), v, out);
+class Lister {
+ public:
+  Lister(const ListedRings& p, const ListedRings& q) : rings_{&p, &q} {}
+
+  std::size_t list() {
+    for (const std::size_t i : {0U, 1U}) {
+      sorter_.sort(*rings_[i], sorted_[i]);
+      gather(*rings_[i], sorted_[i], edges_[i]);
+      place_[i].resize(sorted_[i].size());
+    }
+    merge();
+    written_ = 0;
+    write_runs(*rings_[0], place_[0], edges_[1]);
+    write_runs(*rings_[1], place_[1], edges_[0]);
+    return written_;
+  }
+
+ private:
+  static void gather(const ListedRings& rings, const Directions& sorted,
+                     std::vector<Segment>& edges) {
+    edges.resize(sorted.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+      const std::uint32_t edge = sorted[i].edge;
+      edges[i] = {rings.sites[edge], rings.sites[rings.next[edge]]};
+    }
+  }
+  // Vertices of P own directions from [in, out), those of Q from (in, out]: of parallel edges P's
+  // count as the earlier ones.
+  void merge() {
+    std::uint32_t i = 0;
+    std::uint32_t j = 0;
+    while (i < sorted_[0].size() || j < sorted_[1].size()) {
+      if (j == sorted_[1].size() ||
+          (i < sorted_[0].size() && !before(sorted_[1][j], sorted_[0][i]))) {
+        place_[0][sorted_[0][i++].edge] = j;
       } else {
-        list_run(first_from(in), edges.end(), v, out);
-        list_run(edges.begin(), first_from(next), v, out);
+        place_[1][sorted_[1][j++].edge] = i;
       }
     }
   }
-}
+  void write_runs(const ListedRings& rings, const std::vector<std::uint32_t>& place,
+                  const std::vector<Segment>& edges) {
+    const auto end = static_cast<std::uint32_t>(edges.size());
+    for (std::uint32_t v = 0; v < rings.sites.size(); ++v) {
+      const Site before = rings.sites[rings.previous[v]];
+      const Site here = rings.sites[v];
+      const Site after = rings.sites[rings.next[v]];
+      const std::int64_t in_x = here.x - before.x;
+      const std::int64_t in_y = here.y - before.y;
+      const std::int64_t out_x = after.x - here.x;
+      const std::int64_t out_y = after.y - here.y;
+      if (in_x * out_y - in_y * out_x <= 0) continue;
+      const std::uint32_t from = place[rings.previous[v]];
+      const std::uint32_t to = place[v];
+      // A left turn goes past the direction 0 if and only if it leaves the upper half.
+      const bool wraps = (in_y < 0 || (in_y == 0 && in_x < 0)) &&
+                         (out_y > 0 || (out_y == 0 && out_x > 0));
+      if (wraps) {
+        write(edges.data() + from, end - from, here);
+        write(edges.data(), to, here);
+      } else {
+        write(edges.data() + from, to - from, here);
+      }
+    }
+  }
+  void write(const Segment* run, std::size_t size, Site by) {
+    if (list_.size() < written_ + size) list_.resize(2 * (written_ + size));
+    Segment* const out = list_.data() + written_;
+    for (std::size_t i = 0; i < size; ++i) {
+      out[i] = {{run[i].from.x + by.x, run[i].from.y + by.y},
+                {run[i].to.x + by.x, run[i].to.y + by.y}};
+    }
+    written_ += size;
+  }
+
+  const ListedRings* rings_[2];
+  Sorter sorter_;
+  Directions sorted_[2];
+  std::vector<Segment> edges_[2];
+  /// How many of the other operand's directions come before that of each edge.
+  std::vector<std::uint32_t> place_[2];
+  std::vector<Segment> list_;
+  std::size_t written_ = 0;
+};
 
 }  // namespace
 
 Listing list_convolution(const Region& p, const Region& q) {
-  const double scale = 0x1p29 / std::max(largest(p), largest(q));
-  const Rings rings_p = round_rings(p, scale, box_of(q, 0));
-  const Rings rings_q = round_rings(q, scale, box_of(p, 0));
-  Edges edges_p;
-  Edges edges_q;
-  Edges list;
+  const ListedOperands operands = listed_operands(p, q);
+  Lister lister(operands.p, operands.q);
+  Listing result;
+  result.exact = operands.exact;
+  result.segments = lister.list();
   std::vector<double> seconds;
-  for (int i = 0; i < 7; ++i) {
+  double total = 0;
+  while (seconds.size() < 7 || (seconds.size() < 101 && total < 0.05)) {
     const Stopwatch watch;
-    sort_edges(rings_p, edges_p);
-    sort_edges(rings_q, edges_q);
-    list.clear();
-    list_runs(rings_p, edges_q, false, list);
-    list_runs(rings_q, edges_p, true, list);
+    (void)lister.list();
     seconds.push_back(watch.seconds());
+    total += seconds.back();
   }
   std::sort(seconds.begin(), seconds.end());
-  return {list.size(), seconds[seconds.size() / 2]};
+  result.seconds = seconds[seconds.size() / 2];
+  return result;
 }
 
 }  // namespace minksum::bench
