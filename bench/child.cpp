@@ -24,6 +24,10 @@ void write_all(int file, const std::string& text) {
   }
 }
 
+std::string to_text(const Json& members) {
+  return members.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 void limit_address_space(std::size_t bytes) {
   const rlimit limit{bytes, bytes};
   (void)::setrlimit(RLIMIT_AS, &limit);
@@ -32,7 +36,7 @@ void limit_address_space(std::size_t bytes) {
 [[noreturn]] void be_child(int out, const ChildLimits& limits,
                            const std::function<void(const Report&)>& work) {
   limit_address_space(limits.address_space_bytes);
-  const Report report = [out](const Json& members) { write_all(out, members.dump() + "\n"); };
+  const Report report = [out](const Json& members) { write_all(out, to_text(members) + "\n"); };
   std::string status = "ok";
   try {
     work(report);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -19,9 +20,9 @@ using namespace minksum::bench;
 
 constexpr const char* kUsage =
     "usage: minksum_bench [--set NAME[,NAME...]]... [--out FILE] [--quick] [--budget SECONDS]\n"
-    "  --set     what to measure (default: all): paper kin named figures spiky nesting gis doubles\n"
-    "            families\n"
-    "  --out     where the JSON goes (default: bench.json)\n"
+    "  --set     what to measure (default: all): paper kin named figures spiky nesting gis\n"
+    "            doubles families\n"
+    "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
     "  --budget  longest time for one sum by a peer, or it is given up (default: 60; quick: 4)\n"
     "The folder with the shapes is $MINKSUM_DATA, or ../shared/data beside the sources.\n";
@@ -107,17 +108,18 @@ class Book {
   Book(const Arguments& arguments, const Effort& effort) : file_(arguments.out) {
     json_["run"] = describe_run();
     json_["run"]["peer_seconds"] = effort.peer_seconds;
+    json_["run"]["full_seconds"] = effort.full_seconds;
     json_["run"]["quick"] = arguments.quick;
     json_["records"] = Json::array();
   }
+  // Saves each time, so that what there is survives an end before time.
   void take(const Json& record) {
     print(record);
     json_["records"].push_back(record);
-  }
-  // After each set, so that what there is survives an end before time.
-  void save() {
     json_["run"]["seconds"] = watch_.seconds();
-    std::ofstream(file_) << json_.dump(1) << "\n";
+    std::ofstream out(file_);
+    out << json_.dump(1) << "\n";
+    if (!out.flush()) throw std::runtime_error("cannot write " + file_);
   }
 
  private:
@@ -126,33 +128,47 @@ class Book {
   Json json_;
 };
 
-void run(const Arguments& arguments) {
-  const auto data = minksum::test::data_path();
+Effort effort_for(const Arguments& arguments) {
   Effort effort;
   if (arguments.quick) {
     effort.peer_seconds = 4;
+    effort.full_seconds = 4;
     effort.most_quadrangles = 20'000;
     effort.least_seconds = 0.05;
-    effort.least_peer_seconds = 0.5;
-    effort.least_peer_runs = 2;
+    effort.enough_seconds = 0.1;
+    effort.most_seconds = 0.5;
   }
-  if (arguments.budget > 0) effort.peer_seconds = arguments.budget;
+  if (arguments.budget > 0) effort.peer_seconds = effort.full_seconds = arguments.budget;
+  return effort;
+}
+
+void run_set(const std::string& set, const Arguments& arguments, const Effort& effort,
+             const std::function<void(const Json&)>& take) {
+  const auto data = minksum::test::data_path();
+  if (set == "families") {
+    measure_families(effort, arguments.quick ? 0.03 : 1.0, take);
+  } else if (!data) {
+    std::printf("  no folder of shapes: left out\n");
+  } else if (set == "doubles") {
+    measure_doubles(*data, effort, arguments.quick, take);
+  } else {
+    for (const Case& one : cases_of(set, *data, arguments.quick)) take(measure(one, effort));
+    if (set == "nesting") take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
+  }
+}
+
+// What goes wrong with a set is a record like any other.
+void run(const Arguments& arguments) {
+  const Effort effort = effort_for(arguments);
   Book book(arguments, effort);
-  const auto take = [&](const Json& record) { book.take(record); };
   for (const std::string& set : set_names()) {
     if (!arguments.sets.empty() && !arguments.sets.contains(set)) continue;
     std::printf("%s\n", set.c_str());
-    if (set == "families") {
-      measure_families(effort, arguments.quick ? 0.03 : 1.0, take);
-    } else if (!data) {
-      std::printf("  no folder of shapes: left out\n");
-    } else if (set == "doubles") {
-      measure_doubles(*data, effort, arguments.quick, take);
-    } else {
-      for (const Case& one : cases_of(set, *data, arguments.quick)) take(measure(one, effort));
-      if (set == "nesting") take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
+    try {
+      run_set(set, arguments, effort, [&](const Json& record) { book.take(record); });
+    } catch (const std::exception& error) {
+      book.take({{"set", set}, {"name", "the set"}, {"failures", {{"set", error.what()}}}});
     }
-    book.save();
   }
 }
 

@@ -29,6 +29,33 @@ Json counts_json(const Statistics& statistics) {
           {"covered_cells", statistics.covered_cells}};
 }
 
+Json sizes_json(const Region& p, const Region& q) {
+  return {{"p", size_json(p)}, {"q", size_json(q)}};
+}
+
+// What the library itself takes to list every segment, from the same operands as a whole sum: its
+// stages operands and convolution, without a cover, and nothing after them.
+double own_listing(const Region& p, const Region& q) {
+  Options options;
+  Statistics statistics;
+  options.statistics = &statistics;
+  options.cover = false;
+  options.progress = [](Stage stage) {
+    return stage == Stage::kOperands || stage == Stage::kConvolution;
+  };
+  Workspace workspace;
+  Region nothing;
+  std::vector<double> seconds;
+  double total = 0;
+  while (seconds.size() < 7 || (seconds.size() < 101 && total < 0.05)) {
+    (void)minkowski_sum(p, q, options, workspace, nothing);
+    seconds.push_back(statistics.stage_seconds[static_cast<int>(Stage::kOperands)] +
+                      statistics.stage_seconds[static_cast<int>(Stage::kConvolution)]);
+    total += seconds.back();
+  }
+  return median(seconds);
+}
+
 // The first run in a process that did nothing else yet tells how much memory a sum takes.
 void measure_alone(const Case& one, const Effort& effort, const Report& report) {
   const auto [p, q] = one.load();
@@ -37,9 +64,8 @@ void measure_alone(const Case& one, const Effort& effort, const Report& report) 
   minksum.run(p, q);
   const std::size_t peak = peak_memory();
   const Statistics first = minksum.statistics();
-  report({{"p", size_json(p)},
-          {"q", size_json(q)},
-          {"result", size_json(minksum.sum())},
+  report(sizes_json(p, q));
+  report({{"result", size_json(minksum.sum())},
           {"bits", first.coordinate_bits},
           {"rung", rung_name(first.arithmetic)},
           {"counts", counts_json(first)},
@@ -51,7 +77,11 @@ void measure_alone(const Case& one, const Effort& effort, const Report& report) 
   report({{"minksum_alone", minksum.json()}, {"result_area", approximate_area(minksum.sum())}});
   if (one.listing) {
     const Listing listing = list_convolution(p, q);
-    report({{"listing", {{"segments", listing.segments}, {"median", listing.seconds}}}});
+    report({{"listing",
+             {{"segments", listing.segments},
+              {"median", listing.seconds},
+              {"exact", listing.exact},
+              {"by_library", own_listing(p, q)}}}});
   }
 }
 
@@ -65,13 +95,6 @@ void measure_counts(const Case& one, bool full, const Report& report) {
   Json counts = counts_json(minksum.statistics());
   counts["seconds"] = minksum.statistics().seconds;
   report({{full ? "counts_full" : "counts_no_cover", counts}});
-}
-
-void run_part(const char* name, const ChildLimits& limits, Json& record,
-              const std::function<void(const Report&)>& work) {
-  ChildEnd end = run_in_child(limits, work);
-  record.update(end.members);
-  if (end.status != "ok") record["failures"][name] = end.status;
 }
 
 }  // namespace
@@ -122,10 +145,26 @@ Json MinksumRuns::json() const {
   return json;
 }
 
+void run_part(const char* name, const ChildLimits& limits, Json& record,
+              const std::function<void(const Report&)>& work) {
+  const ChildEnd end = run_in_child(limits, work);
+  record.update(end.members);
+  if (end.status == "ok") return;
+  record["failures"][name] = end.status;
+  if (end.status == "over time") record["given_up"][name] = limits.seconds_between_reports;
+}
+
 Json measure(const Case& one, const Effort& effort) {
   Json record{{"set", one.set}, {"name", one.name}};
   record.update(one.about);
   ChildLimits limits;
+  run_part("load", limits, record, [&](const Report& report) {
+    const auto [p, q] = one.load();
+    report(sizes_json(p, q));
+  });
+  if (!record.contains("p")) return record;
+  compare_with_cgal(one, effort, record);
+  if (record.contains("equal_to_cgal") && record["equal_to_cgal"] == false) return record;
   run_part("minksum", limits, record,
            [&](const Report& report) { measure_alone(one, effort, report); });
   if (!record.contains("minksum_alone")) return record;
@@ -134,7 +173,7 @@ Json measure(const Case& one, const Effort& effort) {
              [&](const Report& report) { measure_counts(one, false, report); });
   }
   if (one.count_full) {
-    limits.seconds_between_reports = effort.peer_seconds;
+    limits.seconds_between_reports = effort.full_seconds;
     run_part("counts_full", limits, record,
              [&](const Report& report) { measure_counts(one, true, report); });
   }

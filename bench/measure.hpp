@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "child.hpp"
 #include "families.hpp"
@@ -19,7 +20,7 @@ struct Case {
   Json about = Json::object();  ///< further members of the record
 
   bool listing = true;         ///< time the mere listing of the convolution too
-  bool cgal = true;            ///< compare and measure against CGAL's reduced convolution
+  bool cgal = true;            ///< measure against CGAL's reduced convolution
   bool cgal_full = false;      ///< against its full convolution
   bool clipper = false;        ///< where the operands are small enough for it
   double geos_radius = 0;      ///< Q is a 32-gon of this radius: against GEOS's buffer; 0 = not
@@ -30,11 +31,13 @@ struct Case {
 };
 
 struct Effort {
-  double peer_seconds = 60;      ///< longest time for one sum by a peer
-  double least_seconds = 0.3;    ///< minksum is repeated at least this long, or until
-  int most_runs = 200;           ///< it ran this often
-  double least_peer_seconds = 3; ///< a peer is repeated this long or
-  int least_peer_runs = 3;       ///< this often
+  double peer_seconds = 60;         ///< longest time for one sum by a peer,
+  double full_seconds = 20;         ///< by a full convolution
+  double least_seconds = 0.3;       ///< minksum is repeated at least this long, or until
+  int most_runs = 200;              ///< it ran this often
+  double block_seconds = 0.02;      ///< a peer and minksum take turns of at least this long,
+  double enough_seconds = 1;        ///< until the peer took this long in three runs or more,
+  double most_seconds = 3;          ///< or this long
   /// Clipper makes a quadrangle for each pair of edges and unites them: not tried beyond so many.
   std::size_t most_quadrangles = 100'000;
 };
@@ -65,10 +68,18 @@ class MinksumRuns {
 /// Runs, median, min, max.
 [[nodiscard]] Json summary(const std::vector<double>& seconds);
 
-/// The record of one case: docs/benchmarks.md explains its members.
+/// The record of one case: docs/benchmarks.md explains its members. Where CGAL can judge the pair,
+/// the results are compared first, and nothing is timed if they differ.
 [[nodiscard]] Json measure(const Case& one, const Effort& effort);
 
-/// The parts of the record that peers give; see measure_peers.cpp.
+/// Runs `work` in a child; what it reports goes to the record, and how it failed, if it did: to
+/// `failures`, and to `given_up` the seconds that it was given.
+void run_part(const char* name, const ChildLimits& limits, Json& record,
+              const std::function<void(const Report&)>& work);
+/// Adds `equal_to_cgal` to the record, if CGAL is there and takes these operands. Which of the two
+/// is wrong if they differ, `make oracle` finds out.
+void compare_with_cgal(const Case& one, const Effort& effort, Json& record);
+/// Adds the parts of the record that peers give.
 void add_peers(const Case& one, const Effort& effort, Json& record);
 
 }  // namespace minksum::bench

@@ -1,7 +1,4 @@
 // minksum and a peer in turn, in one process, on the same operands.
-#include <algorithm>
-#include <cmath>
-
 #include "measure.hpp"
 #include "peers/peers.hpp"
 #ifdef MINKSUM_BENCH_CGAL
@@ -21,21 +18,31 @@ bool equals_cgal([[maybe_unused]] const Region& p, [[maybe_unused]] const Region
 #endif
 }
 
-// A peer's run, then a few of minksum, and again. Reports after each round.
+// Runs again and again for so long, once at least.
+template <class Run>
+double run_block(double seconds, const Run& run) {
+  double total = 0;
+  do {
+    total += run();
+  } while (total < seconds);
+  return total;
+}
+
+// Blocks of the peer's runs and of minksum's, equally long if their runs are short enough, so that
+// each finds memory and processor as warm as the other does. Reports after each pair of blocks.
 void run_in_turn(Peer& peer, const char* name, const Region& p, const Region& q,
                  const Effort& effort, const Report& report) {
   MinksumRuns minksum;
-  const double first = minksum.run(p, q);
+  minksum.run(p, q);
   minksum.forget();
-  const int each = std::clamp(static_cast<int>(std::lround(0.02 / first)), 3, 50);
   std::vector<double> seconds;
   double total = 0;
-  while (seconds.size() < 200 && total < effort.least_peer_seconds &&
-         !(seconds.size() >= static_cast<std::size_t>(effort.least_peer_runs) &&
-           total >= effort.least_seconds)) {
-    seconds.push_back(peer.run());
-    total += seconds.back();
-    for (int i = 0; i < each; ++i) minksum.run(p, q);
+  while (total < effort.most_seconds && !(seconds.size() >= 3 && total >= effort.enough_seconds)) {
+    total += run_block(effort.block_seconds, [&] {
+      seconds.push_back(peer.run());
+      return seconds.back();
+    });
+    run_block(effort.block_seconds, [&] { return minksum.run(p, q); });
     Json members = summary(seconds);
     members["minksum"] = minksum.json();
     members["ratio"] = static_cast<double>(members["median"]) /
@@ -46,58 +53,70 @@ void run_in_turn(Peer& peer, const char* name, const Region& p, const Region& q,
   }
 }
 
-void measure_cgal(const Case& one, const Effort& effort, const Report& report) {
-  const auto [p, q] = one.load();
-  const std::unique_ptr<Peer> peer = make_cgal_reduced(p, q);
-  if (peer == nullptr) return;
-  MinksumRuns minksum;
-  minksum.run(p, q);
-  const bool equal = equals_cgal(p, q, minksum.sum());
-  report({{"equal_to_cgal", equal}});
-  if (equal) run_in_turn(*peer, "cgal", p, q, effort, report);
-}
+using MakePeer = std::function<std::unique_ptr<Peer>(const Region& p, const Region& q)>;
 
-void measure_peer(const Case& one, const char* name, const Effort& effort, const Report& report) {
-  const auto [p, q] = one.load();
-  const std::string which = name;
-  const std::unique_ptr<Peer> peer =
-      which == "cgal_full" ? make_cgal_full(p, q)
-      : which == "clipper" ? make_clipper(p, q)
-                           : make_geos_buffer(p, one.geos_radius, 8);
-  if (peer != nullptr) run_in_turn(*peer, name, p, q, effort, report);
+struct PeerOfCase {
+  const char* name;
+  double seconds;  ///< for one sum
+  MakePeer make;
+};
+
+std::vector<PeerOfCase> peers_of(const Case& one, const Effort& effort, const Json& record) {
+  const double cgal_seconds = one.cgal_seconds > 0 ? one.cgal_seconds : effort.peer_seconds;
+  const bool single = record["p"]["parts"] == 1 && record["q"]["parts"] == 1;
+  const auto quadrangles = static_cast<std::size_t>(record["p"]["vertices"]) *
+                           static_cast<std::size_t>(record["q"]["vertices"]);
+  std::vector<PeerOfCase> peers;
+  // What was not found equal first is not timed.
+  if (one.cgal && record.contains("equal_to_cgal")) {
+    peers.push_back({"cgal", cgal_seconds, make_cgal_reduced});
+  }
+  if (one.cgal_full && record.contains("equal_to_cgal")) {
+    peers.push_back({"cgal_full", effort.full_seconds, make_cgal_full});
+  }
+  if (one.clipper && single && quadrangles <= effort.most_quadrangles) {
+    peers.push_back({"clipper", effort.peer_seconds, make_clipper});
+  }
+  if (one.geos_radius > 0) {
+    peers.push_back({"geos", effort.peer_seconds, [&one](const Region& p, const Region&) {
+                       return make_geos_buffer(p, one.geos_radius, 8);
+                     }});
+  }
+  return peers;
 }
 
 }  // namespace
 
+void compare_with_cgal(const Case& one, const Effort& effort, Json& record) {
+  if ((!one.cgal && !one.cgal_full) || cgal_name().empty()) return;
+  if (record["p"]["parts"] != 1 || record["q"]["parts"] != 1) {
+    record["failures"]["cgal"] = "takes single polygons only";
+    return;
+  }
+  ChildLimits limits;
+  // Its operands are the decimals themselves here, which is slower than doubles.
+  limits.seconds_between_reports =
+      2 * (one.cgal_seconds > 0 ? one.cgal_seconds : effort.peer_seconds);
+  limits.address_space_bytes = one.cgal_bytes;
+  run_part("comparison", limits, record, [&](const Report& report) {
+    const auto [p, q] = one.load();
+    MinksumRuns minksum;
+    minksum.run(p, q);
+    report({{"equal_to_cgal", equals_cgal(p, q, minksum.sum())}});
+  });
+}
+
 void add_peers(const Case& one, const Effort& effort, Json& record) {
-  const auto add = [&](const char* name, double seconds, const Effort& how, auto work) {
+  for (const PeerOfCase& each : peers_of(one, effort, record)) {
     ChildLimits limits;
-    limits.seconds_between_reports = seconds;
+    limits.seconds_between_reports = each.seconds;
     limits.address_space_bytes = one.cgal_bytes;
-    ChildEnd end = run_in_child(
-        limits, [&](const Report& report) { work(one, name, how, report); });
-    record.update(end.members);
-    if (end.status != "ok") record["failures"][name] = end.status;
-  };
-  const bool single = record["p"]["parts"] == 1 && record["q"]["parts"] == 1;
-  if (one.cgal && !single) record["failures"]["cgal"] = "takes single polygons only";
-  if (one.cgal && single && !cgal_name().empty()) {
-    add("cgal", one.cgal_seconds > 0 ? one.cgal_seconds : effort.peer_seconds, effort,
-        [](const Case& c, const char*, const Effort& e, const Report& r) {
-          measure_cgal(c, e, r);
-        });
+    run_part(each.name, limits, record, [&](const Report& report) {
+      const auto [p, q] = one.load();
+      const std::unique_ptr<Peer> peer = each.make(p, q);
+      if (peer != nullptr) run_in_turn(*peer, each.name, p, q, effort, report);
+    });
   }
-  // What is slower than CGAL's reduced convolution by far needs no repeats to tell.
-  Effort once = effort;
-  once.least_peer_runs = 1;
-  once.least_peer_seconds = 0.3;
-  if (one.cgal_full && single) add("cgal_full", effort.peer_seconds, once, measure_peer);
-  const auto quadrangles = static_cast<std::size_t>(record["p"]["vertices"]) *
-                           static_cast<std::size_t>(record["q"]["vertices"]);
-  if (one.clipper && single && quadrangles <= effort.most_quadrangles) {
-    add("clipper", effort.peer_seconds, once, measure_peer);
-  }
-  if (one.geos_radius > 0) add("geos", effort.peer_seconds, effort, measure_peer);
 }
 
 }  // namespace minksum::bench

@@ -22,7 +22,10 @@ void measure_families(const Effort& effort, double longest_seconds,
 /// Doubles against decimals of six digits, nearly the same shapes, in turn in one process.
 void measure_doubles(const std::filesystem::path& data, const Effort& effort, bool quick,
                      const std::function<void(const Json&)>& take);
-/// How many sums a second of pairs of nesting parts of about 30 vertices.
+/// Files of nesting parts without holes, of so many vertices, sorted by name.
+[[nodiscard]] std::vector<std::string> nesting_parts(const std::filesystem::path& data,
+                                                     std::size_t least, std::size_t most);
+/// How many sums a second of pairs of nesting parts of about 30 vertices, by the wall clock.
 [[nodiscard]] Json measure_throughput(const std::filesystem::path& data, double seconds);
 
 }  // namespace minksum::bench

@@ -64,14 +64,13 @@ class ReducedPeer : public Peer {
   }
   double run() override {
     const Stopwatch watch;
-    {
-      CgalPolygon outer;
-      std::vector<CgalPolygon> holes;
-      Reduced()(p_, q_, outer, std::back_inserter(holes));
-      vertices_ = outer.size();
-      for (const CgalPolygon& hole : holes) vertices_ += hole.size();
-    }
-    return watch.seconds();
+    CgalPolygon outer;
+    std::vector<CgalPolygon> holes;
+    Reduced()(p_, q_, outer, std::back_inserter(holes));
+    const double seconds = watch.seconds();
+    vertices_ = outer.size();
+    for (const CgalPolygon& hole : holes) vertices_ += hole.size();
+    return seconds;
   }
   std::size_t result_vertices() const override { return vertices_; }
 
@@ -86,12 +85,11 @@ class FullPeer : public Peer {
   FullPeer(const Region& p, const Region& q) : p_(to_cgal(p, 0, false)), q_(to_cgal(q, 0, false)) {}
   double run() override {
     const Stopwatch watch;
-    {
-      const CgalRegion sum = CGAL::minkowski_sum_by_full_convolution_2(p_, q_);
-      vertices_ = sum.outer_boundary().size();
-      for (auto hole = sum.holes_begin(); hole != sum.holes_end(); ++hole) vertices_ += hole->size();
-    }
-    return watch.seconds();
+    const CgalRegion sum = CGAL::minkowski_sum_by_full_convolution_2(p_, q_);
+    const double seconds = watch.seconds();
+    vertices_ = sum.outer_boundary().size();
+    for (auto hole = sum.holes_begin(); hole != sum.holes_end(); ++hole) vertices_ += hole->size();
+    return seconds;
   }
   std::size_t result_vertices() const override { return vertices_; }
 

@@ -28,13 +28,12 @@ class ClipperPeer : public Peer {
   ClipperPeer(const Region& p, const Region& q) : p_(outer_ring(p)), q_(outer_ring(q)) {}
   double run() override {
     const Stopwatch watch;
-    {
-      Paths sum;
-      ClipperLib::MinkowskiSum(p_, q_, sum, true);
-      vertices_ = 0;
-      for (const Path& path : sum) vertices_ += path.size();
-    }
-    return watch.seconds();
+    Paths sum;
+    ClipperLib::MinkowskiSum(p_, q_, sum, true);
+    const double seconds = watch.seconds();
+    vertices_ = 0;
+    for (const Path& path : sum) vertices_ += path.size();
+    return seconds;
   }
   std::size_t result_vertices() const override { return vertices_; }
 

@@ -1,4 +1,4 @@
-// Other ways to compute what minksum computes, to measure against. Each is there only if its library
+// Other ways to compute what minksum computes. Each is there only if its library
 // was found when the benchmark was configured; otherwise its maker returns null.
 #pragma once
 
@@ -17,8 +17,8 @@ class Peer {
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   virtual ~Peer() = default;
-  /// Computes the sum once; returns the wall-clock seconds of that, its result's destruction
-  /// included (that is where CGAL's lazy numbers pay).
+  /// Computes the sum once; returns the wall-clock seconds until the result is there. Its
+  /// destruction is not counted.
   virtual double run() = 0;
   /// Vertices of the last result.
   [[nodiscard]] virtual std::size_t result_vertices() const = 0;
