@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "outlines.hpp"
 #include "support/random.hpp"
 
 namespace minksum::bench {
@@ -246,6 +247,28 @@ Operands with_its_negative(std::size_t n) {
   return {p, negated(p)};
 }
 
+Region scaled(const Region& region, const Rational& by) {
+  Region result;
+  for (const std::size_t polygon : region.polygons()) {
+    result.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      result.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        result.add_vertex(region.exact_x(v) * by, region.exact_y(v) * by);
+      }
+    }
+  }
+  return result;
+}
+
+// About ten kilometres, in degrees.
+Operands outline_and_disc(std::size_t n) { return {thinned_outline(n), regular_polygon(32, 0.09)}; }
+
+Operands outline_and_outline(std::size_t n) {
+  const Region outline = thinned_outline(n);
+  return {outline, scaled(outline, Rational(-1, 10))};
+}
+
 }  // namespace
 
 const std::vector<Family>& families() {
@@ -262,6 +285,12 @@ const std::vector<Family>& families() {
        region_and_small_convex},
       {"P + -P", "a random simple polygon and its mirror image at the origin", 32,
        with_its_negative},
+      {"country outline + disc", "Norway thinned to n vertices and a 32-gon of ten kilometres", 256,
+       outline_and_disc},
+      {"country outline + its negative", "Norway thinned and a tenth of it turned by 180 degrees",
+       64, outline_and_outline},
+      {"nesting parts", "real parts, the first of n vertices or more, and the next one turned", 8,
+       parts_of_size},
   };
   return kFamilies;
 }
@@ -280,18 +309,6 @@ Region regular_polygon(std::size_t corners, double radius) {
   return region;
 }
 
-Region negated(const Region& region) {
-  Region result;
-  for (const std::size_t polygon : region.polygons()) {
-    result.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      result.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        result.add_vertex(-region.exact_x(v), -region.exact_y(v));
-      }
-    }
-  }
-  return result;
-}
+Region negated(const Region& region) { return scaled(region, Rational(-1)); }
 
 }  // namespace minksum::bench

@@ -19,9 +19,11 @@ namespace {
 using namespace minksum::bench;
 
 constexpr const char* kUsage =
-    "usage: minksum_bench [--set NAME[,NAME...]]... [--out FILE] [--quick] [--budget SECONDS]\n"
+    "usage: minksum_bench [--set NAME[,NAME...]]... [--only TEXT] [--out FILE] [--quick]\n"
+    "                     [--budget SECONDS]\n"
     "  --set     what to measure (default: all): paper kin named figures spiky nesting gis\n"
     "            doubles families\n"
+    "  --only    only pairs, or families, with this in their names\n"
     "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
     "  --budget  longest time for one sum by a peer, or it is given up (default: 60; quick: 4)\n"
@@ -29,6 +31,7 @@ constexpr const char* kUsage =
 
 struct Arguments {
   std::set<std::string> sets;
+  std::string only;
   std::string out = "bench.json";
   bool quick = false;
   double budget = 0;
@@ -58,6 +61,8 @@ Arguments parse(const std::vector<std::string>& words) {
       arguments.quick = true;
     } else if (words[i] == "--set") {
       add_sets(value(), arguments.sets);
+    } else if (words[i] == "--only") {
+      arguments.only = value();
     } else if (words[i] == "--out") {
       arguments.out = value();
     } else if (words[i] == "--budget") {
@@ -146,14 +151,16 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
              const std::function<void(const Json&)>& take) {
   const auto data = minksum::test::data_path();
   if (set == "families") {
-    measure_families(effort, arguments.quick ? 0.03 : 1.0, take);
+    measure_families(effort, arguments.quick ? 0.03 : 1.0, arguments.only, take);
   } else if (!data) {
     std::printf("  no folder of shapes: left out\n");
   } else if (set == "doubles") {
     measure_doubles(*data, effort, arguments.quick, take);
   } else {
-    for (const Case& one : cases_of(set, *data, arguments.quick)) take(measure(one, effort));
-    if (set == "nesting") take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
+    for (const Case& one : cases_of(set, *data, arguments.quick)) {
+      if (one.name.find(arguments.only) != std::string::npos) take(measure(one, effort));
+    }
+    if (set == "nesting" && arguments.only.empty()) take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
   }
 }
 

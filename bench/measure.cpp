@@ -162,7 +162,7 @@ Json measure(const Case& one, const Effort& effort) {
     const auto [p, q] = one.load();
     report(sizes_json(p, q));
   });
-  if (!record.contains("p")) return record;
+  if (!record.contains("p") || record["p"]["vertices"] == 0) return record;
   compare_with_cgal(one, effort, record);
   if (record.contains("equal_to_cgal") && record["equal_to_cgal"] == false) return record;
   run_part("minksum", limits, record,

@@ -16,8 +16,9 @@ namespace minksum::bench {
 [[nodiscard]] std::vector<Case> cases_of(const std::string& set, const std::filesystem::path& data,
                                          bool quick);
 
-/// The families, doubling until a sum takes `longest_seconds`; each record goes to `take` at once.
-void measure_families(const Effort& effort, double longest_seconds,
+/// The families with `only` in their names, doubling until a sum takes `longest_seconds`; each
+/// record goes to `take` at once.
+void measure_families(const Effort& effort, double longest_seconds, const std::string& only,
                       const std::function<void(const Json&)>& take);
 /// Doubles against decimals of six digits, nearly the same shapes, in turn in one process.
 void measure_doubles(const std::filesystem::path& data, const Effort& effort, bool quick,
