@@ -36,8 +36,9 @@ struct Effort {
   double least_seconds = 0.3;       ///< minksum is repeated at least this long, or until
   int most_runs = 200;              ///< it ran this often
   double block_seconds = 0.02;      ///< a peer and minksum take turns of at least this long,
-  double enough_seconds = 1;        ///< until the peer took this long in three runs or more,
-  double most_seconds = 3;          ///< or this long
+  double enough_seconds = 0.5;      ///< until the peer took this long in three runs or more,
+  double most_seconds = 3;          ///< or this long; one run will do of what is far behind CGAL's
+                                    ///< reduced convolution: its full one, and Clipper
   /// Clipper makes a quadrangle for each pair of edges and unites them: not tried beyond so many.
   std::size_t most_quadrangles = 100'000;
 };

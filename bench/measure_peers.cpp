@@ -28,16 +28,26 @@ double run_block(double seconds, const Run& run) {
   return total;
 }
 
+using MakePeer = std::function<std::unique_ptr<Peer>(const Region& p, const Region& q)>;
+
+struct PeerOfCase {
+  const char* name;
+  double seconds;  ///< for one sum
+  std::size_t least_runs;
+  MakePeer make;
+};
+
 // Blocks of the peer's runs and of minksum's, equally long if their runs are short enough, so that
 // each finds memory and processor as warm as the other does. Reports after each pair of blocks.
-void run_in_turn(Peer& peer, const char* name, const Region& p, const Region& q,
+void run_in_turn(Peer& peer, const PeerOfCase& about, const Region& p, const Region& q,
                  const Effort& effort, const Report& report) {
   MinksumRuns minksum;
   minksum.run(p, q);
   minksum.forget();
   std::vector<double> seconds;
   double total = 0;
-  while (total < effort.most_seconds && !(seconds.size() >= 3 && total >= effort.enough_seconds)) {
+  while (total < effort.enough_seconds ||
+         (seconds.size() < about.least_runs && total < effort.most_seconds)) {
     total += run_block(effort.block_seconds, [&] {
       seconds.push_back(peer.run());
       return seconds.back();
@@ -49,17 +59,9 @@ void run_in_turn(Peer& peer, const char* name, const Region& p, const Region& q,
                        static_cast<double>(members["minksum"]["median"]);
     members["result_vertices"] = peer.result_vertices();
     if (peer.result_area() != 0) members["result_area"] = peer.result_area();
-    report({{name, members}});
+    report({{about.name, members}});
   }
 }
-
-using MakePeer = std::function<std::unique_ptr<Peer>(const Region& p, const Region& q)>;
-
-struct PeerOfCase {
-  const char* name;
-  double seconds;  ///< for one sum
-  MakePeer make;
-};
 
 std::vector<PeerOfCase> peers_of(const Case& one, const Effort& effort, const Json& record) {
   const double cgal_seconds = one.cgal_seconds > 0 ? one.cgal_seconds : effort.peer_seconds;
@@ -69,16 +71,16 @@ std::vector<PeerOfCase> peers_of(const Case& one, const Effort& effort, const Js
   std::vector<PeerOfCase> peers;
   // What was not found equal first is not timed.
   if (one.cgal && record.contains("equal_to_cgal")) {
-    peers.push_back({"cgal", cgal_seconds, make_cgal_reduced});
+    peers.push_back({"cgal", cgal_seconds, 3, make_cgal_reduced});
   }
   if (one.cgal_full && record.contains("equal_to_cgal")) {
-    peers.push_back({"cgal_full", effort.full_seconds, make_cgal_full});
+    peers.push_back({"cgal_full", effort.full_seconds, 1, make_cgal_full});
   }
   if (one.clipper && single && quadrangles <= effort.most_quadrangles) {
-    peers.push_back({"clipper", effort.peer_seconds, make_clipper});
+    peers.push_back({"clipper", effort.peer_seconds, 1, make_clipper});
   }
   if (one.geos_radius > 0) {
-    peers.push_back({"geos", effort.peer_seconds, [&one](const Region& p, const Region&) {
+    peers.push_back({"geos", effort.peer_seconds, 3, [&one](const Region& p, const Region&) {
                        return make_geos_buffer(p, one.geos_radius, 8);
                      }});
   }
@@ -114,7 +116,7 @@ void add_peers(const Case& one, const Effort& effort, Json& record) {
     run_part(each.name, limits, record, [&](const Report& report) {
       const auto [p, q] = one.load();
       const std::unique_ptr<Peer> peer = each.make(p, q);
-      if (peer != nullptr) run_in_turn(*peer, each.name, p, q, effort, report);
+      if (peer != nullptr) run_in_turn(*peer, each, p, q, effort, report);
     });
   }
 }
