@@ -8,12 +8,12 @@ MIB = 1 << 20
 
 
 class Records:
-    """The records of one run of minksum_bench."""
+    """The records of minksum_bench: of one run, or of several that measured a part each."""
 
-    def __init__(self, bench):
-        self.run = bench["run"]
-        self.all = bench["records"]
-        self.by_key = {(r["set"], r["name"]): r for r in self.all}
+    def __init__(self, benches):
+        self.runs = [bench["run"] for bench in benches]
+        self.by_key = {(r["set"], r["name"]): r for bench in benches for r in bench["records"]}
+        self.all = list(self.by_key.values())
 
     def of(self, *sets):
         return [r for r in self.all if r["set"] in sets]
@@ -37,6 +37,18 @@ def own_seconds(record):
 
 def ratio(record, peer="cgal"):
     return dig(record, peer, "ratio")
+
+
+def ratio_or_bound(record, peer="cgal"):
+    """How many times as fast as a peer, and whether that is a lower bound: the peer was given up
+    after so many seconds."""
+    value = ratio(record, peer)
+    if value:
+        return value, False
+    seconds = dig(record, "given_up", peer)
+    if seconds and own_seconds(record):
+        return seconds / own_seconds(record), True
+    return None, False
 
 
 def geometric_mean(values):
@@ -110,4 +122,20 @@ def upper_half(members):
 
 
 def growth(members, value):
-    return exponent([(r["n"], value(r) or 0) for r in upper_half(members)])
+    return exponent([(r["p"]["vertices"], value(r) or 0) for r in upper_half(members)])
+
+
+def bound_text(value, is_bound):
+    return ("over " if is_bound else "") + times_text(value)
+
+
+def peer_cell(record, peer):
+    """How many times as fast as a peer, or why that is not known."""
+    value, is_bound = ratio_or_bound(record, peer)
+    if value:
+        return bound_text(value, is_bound)
+    if record is not None and record.get("equal_to_cgal") is False:
+        return "differs"
+    if peer in ("cgal", "cgal_full") and dig(record, "failures", "comparison"):
+        return "not compared: " + record["failures"]["comparison"]
+    return dig(record, "failures", peer) or "–"
