@@ -46,8 +46,8 @@ Corners spiky_star(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   Corners corners;
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = turn((static_cast<double>(i) + 0.3 * uniform(random)) /
-                              static_cast<double>(n));
+    const double angle =
+        turn((static_cast<double>(i) + 0.3 * uniform(random)) / static_cast<double>(n));
     const double radius = (i % 2 == 0 ? 10 : 3) * (0.8 + 0.2 * uniform(random));
     corners.push_back(polar(angle, radius));
   }
@@ -94,9 +94,7 @@ Corners spiral(std::size_t n, double scale) {
   return corners;
 }
 
-Operands spirals(std::size_t n) {
-  return {to_region(spiral(n, 1)), to_region(spiral(n, 0.05))};
-}
+Operands spirals(std::size_t n) { return {to_region(spiral(n, 1)), to_region(spiral(n, 0.05))}; }
 
 bool crosses(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
   const auto side = [](const Corner& o, const Corner& p, const Corner& q) {
@@ -209,8 +207,8 @@ Corners dense_circle(std::size_t n, double radius, std::uint64_t seed) {
   Corners corners;
   for (std::size_t i = 0; i < n; ++i) {
     const double wobble = 1 + 1e-4 * (uniform(random) - 0.5);
-    corners.push_back(polar(turn(static_cast<double>(i) / static_cast<double>(n)),
-                            radius * wobble));
+    corners.push_back(
+        polar(turn(static_cast<double>(i) / static_cast<double>(n)), radius * wobble));
   }
   return corners;
 }

@@ -140,8 +140,8 @@ class Lister {
       const std::uint32_t from = place[rings.previous[v]];
       const std::uint32_t to = place[v];
       // A left turn goes past the direction 0 if and only if it leaves the upper half.
-      const bool wraps = (in_y < 0 || (in_y == 0 && in_x < 0)) &&
-                         (out_y > 0 || (out_y == 0 && out_x > 0));
+      const bool wraps =
+          (in_y < 0 || (in_y == 0 && in_x < 0)) && (out_y > 0 || (out_y == 0 && out_x > 0));
       if (wraps) {
         write(edges.data() + from, end - from, here);
         write(edges.data(), to, here);

@@ -58,8 +58,7 @@ Json describe_run() {
   json["build_type"] = MINKSUM_BENCH_BUILD_TYPE;
   json["flags"] = MINKSUM_BENCH_FLAGS;
   json["minksum"] = MINKSUM_VERSION;
-  json["peers"] = {
-      {"cgal", cgal_name()}, {"clipper", clipper_name()}, {"geos", geos_name()}};
+  json["peers"] = {{"cgal", cgal_name()}, {"clipper", clipper_name()}, {"geos", geos_name()}};
   return json;
 }
 

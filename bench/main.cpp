@@ -75,9 +75,8 @@ Arguments parse(const std::vector<std::string>& words) {
 }
 
 double member(const Json& record, const char* who, const char* what) {
-  return record.contains(who) && record[who].contains(what)
-             ? static_cast<double>(record[who][what])
-             : 0;
+  return record.contains(who) && record[who].contains(what) ? static_cast<double>(record[who][what])
+                                                            : 0;
 }
 
 // One line for people who watch.
@@ -160,7 +159,8 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
     for (const Case& one : cases_of(set, *data, arguments.quick)) {
       if (one.name.find(arguments.only) != std::string::npos) take(measure(one, effort));
     }
-    if (set == "nesting" && arguments.only.empty()) take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
+    if (set == "nesting" && arguments.only.empty())
+      take(measure_throughput(*data, arguments.quick ? 0.2 : 2));
   }
 }
 

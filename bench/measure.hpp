@@ -19,26 +19,26 @@ struct Case {
   std::function<Operands()> load;
   Json about = Json::object();  ///< further members of the record
 
-  bool listing = true;         ///< time the mere listing of the convolution too
-  bool cgal = true;            ///< measure against CGAL's reduced convolution
-  bool cgal_full = false;      ///< against its full convolution
-  bool clipper = false;        ///< where the operands are small enough for it
-  double geos_radius = 0;      ///< Q is a 32-gon of this radius: against GEOS's buffer; 0 = not
-  bool count_no_cover = false; ///< count crossings of the whole reduced convolution
-  bool count_full = false;     ///< and of the full one
-  double cgal_seconds = 0;     ///< longest time for one sum by CGAL; 0 = the default
+  bool listing = true;          ///< time the mere listing of the convolution too
+  bool cgal = true;             ///< measure against CGAL's reduced convolution
+  bool cgal_full = false;       ///< against its full convolution
+  bool clipper = false;         ///< where the operands are small enough for it
+  double geos_radius = 0;       ///< Q is a 32-gon of this radius: against GEOS's buffer; 0 = not
+  bool count_no_cover = false;  ///< count crossings of the whole reduced convolution
+  bool count_full = false;      ///< and of the full one
+  double cgal_seconds = 0;      ///< longest time for one sum by CGAL; 0 = the default
   std::size_t cgal_bytes = std::size_t{8} << 30U;  ///< the most memory that CGAL may take
 };
 
 struct Effort {
-  double peer_seconds = 60;         ///< longest time for one sum by a peer,
-  double full_seconds = 20;         ///< by a full convolution
-  double least_seconds = 0.3;       ///< minksum is repeated at least this long, or until
-  int most_runs = 200;              ///< it ran this often
-  double block_seconds = 0.02;      ///< a peer and minksum take turns of at least this long,
-  double enough_seconds = 0.5;      ///< until the peer took this long in three runs or more,
-  double most_seconds = 3;          ///< or this long; one run will do of what is far behind CGAL's
-                                    ///< reduced convolution: its full one, and Clipper
+  double peer_seconds = 60;     ///< longest time for one sum by a peer,
+  double full_seconds = 20;     ///< by a full convolution
+  double least_seconds = 0.3;   ///< minksum is repeated at least this long, or until
+  int most_runs = 200;          ///< it ran this often
+  double block_seconds = 0.02;  ///< a peer and minksum take turns of at least this long,
+  double enough_seconds = 0.5;  ///< until the peer took this long in three runs or more,
+  double most_seconds = 3;      ///< or this long; one run will do of what is far behind CGAL's
+                                ///< reduced convolution: its full one, and Clipper
   /// Clipper makes a quadrangle for each pair of edges and unites them: not tried beyond so many.
   std::size_t most_quadrangles = 100'000;
 };

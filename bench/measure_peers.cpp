@@ -55,8 +55,8 @@ void run_in_turn(Peer& peer, const PeerOfCase& about, const Region& p, const Reg
     run_block(effort.block_seconds, [&] { return minksum.run(p, q); });
     Json members = summary(seconds);
     members["minksum"] = minksum.json();
-    members["ratio"] = static_cast<double>(members["median"]) /
-                       static_cast<double>(members["minksum"]["median"]);
+    members["ratio"] =
+        static_cast<double>(members["median"]) / static_cast<double>(members["minksum"]["median"]);
     members["result_vertices"] = peer.result_vertices();
     if (peer.result_area() != 0) members["result_area"] = peer.result_area();
     report({{about.name, members}});

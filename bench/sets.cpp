@@ -22,10 +22,17 @@ struct Model {
 // The eleven models of the paper's Fig. 5, 24 to 1,204 vertices; eight of the authors' files were
 // not to be had, and stand-ins with as many vertices take their places. And its Fig. 1.
 constexpr Model kPaperModels[] = {
-    {"g1", "lookalike_g1"},         {"g2", "lookalike_g2"},       {"g3", "lookalike_g3"},
-    {"g4", "lookalike_g4"},         {"airplane", "lookalike_airplane"},
-    {"dog", "lookalike_dog"},       {"hand1", "lookalike_hand1"}, {"hand2", "lookalike_hand2"},
-    {"bird", "bird"},               {"mammoth", "mammoth"},       {"monkey", "nazca_monkey"},
+    {"g1", "lookalike_g1"},
+    {"g2", "lookalike_g2"},
+    {"g3", "lookalike_g3"},
+    {"g4", "lookalike_g4"},
+    {"airplane", "lookalike_airplane"},
+    {"dog", "lookalike_dog"},
+    {"hand1", "lookalike_hand1"},
+    {"hand2", "lookalike_hand2"},
+    {"bird", "bird"},
+    {"mammoth", "mammoth"},
+    {"monkey", "nazca_monkey"},
     {"neuron", "neuron_original"},
 };
 // Real models of the same authors, beside the paper's own.
@@ -105,16 +112,15 @@ std::vector<Case> named_cases(const path& data, bool quick) {
     return Operands{io::read_file(neuron), regular_polygon(32, 0.3)};
   };
   cases.push_back(std::move(fig1));
+  cases.push_back(pair_of_files("named", "wierd2 + wierd2_n", file("wierd2"), file("wierd2_n")));
   cases.push_back(
-      pair_of_files("named", "wierd2 + wierd2_n", file("wierd2"), file("wierd2_n")));
-  cases.push_back(pair_of_files("named", "monkey + simple7", file("nazca_monkey"),
-                                file("simple7")));
+      pair_of_files("named", "monkey + simple7", file("nazca_monkey"), file("simple7")));
   if (quick) return cases;
   Case star5 = pair_of_files("named", "star5 + star5", file("star5"), file("star5"));
   star5.cgal_seconds = 180;  // it takes about 45
   cases.push_back(std::move(star5));
-  cases.push_back(pair_of_files("named", "star4 + star4_noise", file("star4"),
-                                file("star4_noise")));
+  cases.push_back(
+      pair_of_files("named", "star4 + star4_noise", file("star4"), file("star4_noise")));
   Case large = pair_of_files("named", "heron_original_2 + monkey_original_2",
                              file("nazca_heron_original_2"), file("nazca_monkey_original_2"));
   large.cgal = false;  // not done in two minutes
@@ -202,8 +208,8 @@ std::vector<Case> gis_cases(const path& data, bool quick) {
 std::vector<std::string> nesting_parts(const path& data, std::size_t least, std::size_t most) {
   std::vector<std::string> files;
   for (const auto& file : test::read_manifest(data)) {
-    if (file.name.starts_with("nesting/") && file.is_valid && file.parts == 1 &&
-        file.holes == 0 && file.vertices >= least && file.vertices <= most) {
+    if (file.name.starts_with("nesting/") && file.is_valid && file.parts == 1 && file.holes == 0 &&
+        file.vertices >= least && file.vertices <= most) {
       files.push_back(file.name);
     }
   }
