@@ -78,10 +78,11 @@ def nesting(records):
                    geometric_mean(map(ratio, timed)), 100, counted(timed, records.of("nesting")),
                    timed[:3])
     rates = records.of("throughput")
-    rate = dig(rates[0], "sums_per_second") if rates else None
-    how = "prepared operands" if rates and rates[0].get("prepared") else "operands not prepared"
-    yield Claim("4", "… at least 30,000 sums a second of pairs of about 30 vertices",
-                f"{rate:,.0f} ({how})" if rate else "–", rate >= 30000 if rate else None)
+    rate, other = (dig(rates[0] if rates else None, "sums_per_second" + end)
+                   for end in ("", "_unprepared"))
+    yield Claim("4", "… at least 30,000 sums a second of pairs of about 30 vertices, operands "
+                "prepared", f"{rate:,.0f} (not prepared: {other:,.0f})" if rate else "–",
+                rate >= 30000 if rate else None)
 
 
 def near_the_limit(records):
