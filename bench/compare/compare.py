@@ -68,7 +68,7 @@ def build(name, source, folder, jobs):
 
 def instructions(program, name):
     file = program.parent / "callgrind.out"
-    run("valgrind", "--quiet", "--tool=callgrind", "--toggle-collect=counted_sum",
+    run("valgrind", "--quiet", "--tool=callgrind", "--toggle-collect=counted_sum*",
         f"--callgrind-out-file={file}", program, name, "quiet")
     for line in file.read_text().splitlines():
         if line.startswith(("totals:", "summary:")):
@@ -143,7 +143,8 @@ def main():
     folder = words.folder.resolve()
     programs = [build(*source_of(revision, folder), folder, words.jobs)
                 for revision in (words.base, words.new)]
-    names = [n for n in output(programs[1]).splitlines() if words.only in n]
+    old, new = (output(program).splitlines() for program in programs)
+    names = [n for n in new if n in old and words.only in n]
     if not names:
         sys.exit("no sum to count")
     return 0 if compare(programs, names, words.limit, with_valgrind) else 1

@@ -14,6 +14,10 @@
 #include "families.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "support/data.hpp"
+#if __has_include("minksum/prepared_region.hpp")  // revisions from before it are compared as well
+#include "minksum/prepared_region.hpp"
+#define MINKSUM_WORK_PREPARED 1
+#endif
 
 namespace {
 
@@ -30,7 +34,7 @@ void* operator new(std::size_t size) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-/// The name that callgrind is given; never part of its caller.
+// Callgrind counts inside functions of these names, so they never become part of their callers.
 extern "C" __attribute__((noinline)) bool counted_sum(const minksum::Region& p,
                                                       const minksum::Region& q,
                                                       const minksum::Options& options,
@@ -38,6 +42,16 @@ extern "C" __attribute__((noinline)) bool counted_sum(const minksum::Region& p,
                                                       minksum::Region& sum) {
   return minkowski_sum(p, q, options, workspace, sum).ok();
 }
+
+#ifdef MINKSUM_WORK_PREPARED
+extern "C" __attribute__((noinline)) bool counted_sum_prepared(const minksum::PreparedRegion& p,
+                                                               const minksum::PreparedRegion& q,
+                                                               const minksum::Options& options,
+                                                               minksum::Workspace& workspace,
+                                                               minksum::Region& sum) {
+  return minkowski_sum(p, q, options, workspace, sum).ok();
+}
+#endif
 
 namespace {
 
@@ -87,6 +101,7 @@ constexpr Files kFiles[] = {
 struct Work {
   std::string name;
   std::function<Operands()> load;
+  bool prepared = false;
 };
 
 // A family's member once more, its coordinates divided by three: doubles with all their bits.
@@ -117,6 +132,11 @@ std::vector<Work> all_work() {
                    const Operands operands = load();
                    return Operands{with_all_bits(operands.first), with_all_bits(operands.second)};
                  }});
+#ifdef MINKSUM_WORK_PREPARED
+  for (const std::size_t i : {3U, 4U}) {
+    all.push_back({"prepared: " + all[i].name, all[i].load, true});
+  }
+#endif
   const auto data = test::data_path();
   if (!data) return all;
   for (const Files& files : kFiles) {
@@ -124,11 +144,12 @@ std::vector<Work> all_work() {
     const std::string other = files.q == nullptr ? "32-gon" : files.q;
     const auto q = *data / (other + ".wkt");
     if (!exists(p) || (files.q != nullptr && !exists(q))) continue;
-    all.push_back({p.stem().string() + " + " + q.stem().string(), [p, q, files] {
-                     Region second = files.q == nullptr ? bench::regular_polygon(32, files.radius)
-                                                        : test::read_wkt(q);
-                     return Operands{test::read_wkt(p), std::move(second)};
-                   }});
+    const auto load = [p, q, files] {
+      Region second =
+          files.q == nullptr ? bench::regular_polygon(32, files.radius) : test::read_wkt(q);
+      return Operands{test::read_wkt(p), std::move(second)};
+    };
+    all.push_back({p.stem().string() + " + " + q.stem().string(), load});
   }
   return all;
 }
@@ -148,18 +169,35 @@ std::uint64_t fingerprint(const Region& sum) {
   return hash;
 }
 
-void work_on(const Work& work, bool tell) {
+// The first sum fills the memory that later ones reuse. Returns the allocations of the second.
+std::uint64_t sum_twice(const Work& work, const Options& options, Region& sum) {
   const auto [p, q] = work.load();
+  Workspace workspace;
+  bool ok = false;
+  std::uint64_t before = 0;
+  if (!work.prepared) {
+    ok = minkowski_sum(p, q, options, workspace, sum).ok();
+    before = allocations;
+    ok = ok && counted_sum(p, q, options, workspace, sum);
+  } else {
+#ifdef MINKSUM_WORK_PREPARED
+    const PreparedRegion prepared_p(p);
+    const PreparedRegion prepared_q(q);
+    ok = minkowski_sum(prepared_p, prepared_q, options, workspace, sum).ok();
+    before = allocations;
+    ok = ok && counted_sum_prepared(prepared_p, prepared_q, options, workspace, sum);
+#endif
+  }
+  if (!ok) throw std::runtime_error("no sum");
+  return allocations - before;
+}
+
+void work_on(const Work& work, bool tell) {
   Statistics statistics;
   Options options;
   options.statistics = &statistics;
-  Workspace workspace;
   Region sum;
-  // The first sum fills the memory that later ones reuse.
-  if (!minkowski_sum(p, q, options, workspace, sum).ok()) throw std::runtime_error("no sum");
-  const std::uint64_t before = allocations;
-  if (!counted_sum(p, q, options, workspace, sum)) throw std::runtime_error("no sum");
-  const std::uint64_t allocated = allocations - before;
+  const std::uint64_t allocated = sum_twice(work, options, sum);
   if (!tell) return;
   const auto print = [](const char* name, std::uint64_t value) {
     std::printf("%s %llu\n", name, static_cast<unsigned long long>(value));
