@@ -34,7 +34,7 @@ def paper_pairs(records):
     yield at_least("1", "… no pair under 30 times", ratio(timed[0]) if timed else None, 30,
                    f" ({timed[0]['name']}); {sum(ratio(r) >= 30 for r in timed)} of {len(timed)} "
                    "pairs reach it" if timed else "", timed[:3])
-    figure = f"{len(compared) - len(unequal)} of {len(all_pairs)}"
+    figure = f"{len(compared) - len(unequal)} of {len(all_pairs)}" if compared else "–"
     yield Claim("1", "… results exactly equal to CGAL's", figure + (
         "; they differ: " + ", ".join(unequal) if unequal else ""),
         len(compared) == len(all_pairs) and not unequal if compared else None)
