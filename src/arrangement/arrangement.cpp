@@ -9,7 +9,7 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              ArrangementScratch& scratch, Arrangement& arrangement) {
   bin_segments(operands, convolution, cover, scratch, arrangement);
   stop();
-  find_crossings(options, stop, predicates, scratch, arrangement);
+  find_crossings(cover, options, stop, predicates, scratch, arrangement);
   stop();
   split_segments(cover, predicates, scratch, arrangement);
 }

@@ -103,10 +103,12 @@ struct BinScratch {
 struct ArrangementScratch {
   UniformGrid grid;  ///< of the cells below
   BinScratch bin;
-  std::vector<CellItem> items;          ///< in order of their segments,
-  std::vector<CellItem> in_cells;       ///< and cell by cell
-  std::vector<std::uint32_t> cells;     ///< those that have items
-  std::vector<std::uint32_t> cell_end;  ///< by cell: where its items end in `in_cells`, or 0
+  std::vector<CellItem> items;             ///< in order of their segments,
+  std::vector<CellItem> in_cells;          ///< and cell by cell
+  std::vector<std::uint32_t> cells;        ///< those that have items
+  std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
+  std::vector<KeptId> kept_id;             ///< by segment of the convolution, if the cover is divided
+  std::vector<std::uint32_t> leaf_end;     ///< by leaf: where its items end in `in_cells`
   std::vector<KeptId> hash_table;
   std::vector<std::vector<CellItem>> stack;  ///< items of a cell, level by level of its division
   std::vector<CellItem> sweep_order;
@@ -132,9 +134,13 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 /// of a size that suits the segments.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   ArrangementScratch& scratch, Arrangement& arrangement);
+/// The same from the leaves of a divided cover. O(segments listed).
+void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
+                ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, unites points that pairs of segments share.
-void find_crossings(const Options& options, const std::function<void()>& stop,
-                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
+void find_crossings(const Cover& cover, const Options& options,
+                    const std::function<void()>& stop, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
                     Arrangement& arrangement);

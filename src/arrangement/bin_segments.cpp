@@ -3,59 +3,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "arrangement/arrangement.hpp"
+#include "arrangement/place_segments.hpp"
 
 namespace minksum {
 namespace {
-
-/// Finds segments that are equal as directed segments, where doubles hold them exactly.
-class DuplicateFinder {
- public:
-  DuplicateFinder(std::vector<KeptId>& table, const std::vector<KeptSegment>& kept)
-      : table_(table), kept_(kept) {
-    table_.assign(kSmallest, kEmpty);
-  }
-  /// Whether a segment equal to the last one was seen before. To be asked for each in turn; those
-  /// that were are to be taken away.
-  bool seen() {
-    if (2 * kept_.size() > table_.size()) grow();
-    return enter(static_cast<KeptId>(kept_.size() - 1));
-  }
-  /// Forgets the last one, which was not seen before.
-  void forget() { table_[last_] = kEmpty; }
-
- private:
-  static constexpr KeptId kEmpty = 0xFFFFFFFFU;
-  static constexpr std::size_t kSmallest = 1024;
-
-  bool enter(KeptId id) {
-    const KeptSegment& s = kept_[id];
-    const std::size_t mask = table_.size() - 1;
-    for (std::size_t slot = hash(s) & mask;; slot = (slot + 1) & mask) {
-      if (table_[slot] == kEmpty) {
-        table_[slot] = id;
-        last_ = slot;
-        return false;
-      }
-      const KeptSegment& t = kept_[table_[slot]];
-      if (s.a.x == t.a.x && s.a.y == t.a.y && s.b.x == t.b.x && s.b.y == t.b.y) return true;
-    }
-  }
-  void grow() {
-    table_.assign(4 * table_.size(), kEmpty);
-    for (KeptId id = 0; id + 1 < kept_.size(); ++id) enter(id);
-  }
-  static std::size_t hash(const KeptSegment& s) {
-    // + 0.0 turns a negative zero, equal to zero, into zero.
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
-    const std::uint64_t h = bits(s.a.x) * 0x9E3779B97F4A7C15U + bits(s.a.y) * 0xC2B2AE3D27D4EB4FU +
-                            bits(s.b.x) * 0xFF51AFD7ED558CCDU + bits(s.b.y) * 0xD6E8FEB86659FD93U;
-    return static_cast<std::size_t>((h ^ h >> 32) * 0x9E3779B97F4A7C15U >> 20);
-  }
-  std::vector<KeptId>& table_;
-  const std::vector<KeptSegment>& kept_;
-  std::size_t last_ = 0;
-};
 
 /// Quickly finds most of the segments that lie wholly in covered cells.
 ///
@@ -175,19 +126,8 @@ class Binner {
     DuplicateFinder duplicates(scratch_.hash_table, kept_);
     HiddenSegments(o_, cover_, scratch_.bin)
         .list_visible(convolution.segments, scratch_.bin.visible);
-    const auto& [x, y, dx, dy, next] = o_.sites;
     for (const Segment& segment : scratch_.bin.visible) {
-      const SiteId e = segment.edge;
-      const SiteId f = next[e];
-      const SiteId v = segment.vertex;
-      const DirectionRank rank = o_.rank[e];
-      const std::uint32_t line = std::min(o_.place[rank], o_.reverse_place[rank]);
-      kept_.push_back({{x[e] + x[v], y[e] + y[v]},
-                       {x[f] + x[v], y[f] + y[v]},
-                       {dx[e], dy[e]},
-                       segment,
-                       line,
-                       false});
+      kept_.push_back(place_segment(o_, segment));
       const bool seen = exact_sums && duplicates.seen();
       if (!seen && list_cells(kept_.back())) continue;
       kept_.pop_back();
@@ -213,24 +153,10 @@ class Binner {
     return UniformGrid::over(width, height, static_cast<int>(std::min(kept, 0x1p12)));
   }
 
-  /// A segment in cell units.
-  struct Line {
-    Vec<double> start;
-    double rise;  ///< height / width, or 0 where that would magnify rounding much
-    explicit Line(const KeptSegment& s, double inverse)
-        : start{s.a.x * inverse, s.a.y * inverse}, rise(0) {
-      const double width = (s.b.x - s.a.x) * inverse;
-      const double height = (s.b.y - s.a.y) * inverse;
-      const bool flat = std::abs(height) <= 4 * std::abs(width);
-      if (flat && std::abs(width) > UniformGrid::kMargin) rise = height / width;
-    }
-    [[nodiscard]] double height_at(double x) const { return start.y + (x - start.x) * rise; }
-  };
-
   /// Appends an item for each uncovered cell that the last segment is near; whether there is one.
   bool list_cells(KeptSegment& s) {
     const std::size_t before = items_.size();
-    const Line line(s, grid_.inverse);
+    const CellLine line(s, grid_.inverse);
     grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
       std::uint64_t any_covered = 0;
       for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
@@ -247,7 +173,7 @@ class Binner {
     });
     return items_.size() > before;
   }
-  void add_item(const Line& line, const UniformGrid::RowSpan& span, std::int32_t i) {
+  void add_item(const CellLine& line, const UniformGrid::RowSpan& span, std::int32_t i) {
     constexpr double kMargin = UniformGrid::kMargin;
     const double x0 = std::max(span.x0, i - kMargin);
     const double x1 = std::min(span.x1, i + 1 + kMargin);
@@ -297,6 +223,7 @@ class Binner {
 
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   ArrangementScratch& scratch, Arrangement& arrangement) {
+  if (cover.divided) return bin_leaves(operands, convolution, cover, scratch, arrangement);
   Binner(operands, cover, scratch, arrangement).run(convolution);
 }
 

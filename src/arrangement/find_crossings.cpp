@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "arrangement/meet_segments.hpp"
 
@@ -10,9 +11,10 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(const Options& options, const std::function<void()>& stop, Predicates& predicates,
-                 ArrangementScratch& scratch, Arrangement& arrangement)
-      : grid_(scratch.grid),
+  CrossingFinder(const Cover& cover, const Options& options, const std::function<void()>& stop,
+                 Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
+      : cover_(cover),
+        grid_(scratch.grid),
         stop_(stop),
         scratch_(scratch),
         kept_(arrangement.kept),
@@ -25,17 +27,7 @@ class CrossingFinder {
     std::iota(scratch_.parent.begin(), scratch_.parent.end(), 0U);
     scratch_.line_parent.resize(kept_.size());
     std::iota(scratch_.line_parent.begin(), scratch_.line_parent.end(), 0U);
-    std::uint32_t begin = 0;
-    for (const std::uint32_t cell : scratch_.cells) {
-      const std::uint32_t end = scratch_.cell_end[cell];
-      const Items items(scratch_.in_cells.data() + begin, end - begin);
-      begin = end;
-      if (items.size() < 2) continue;
-      row_ = static_cast<std::int32_t>(cell / static_cast<std::uint32_t>(grid_.columns));
-      column_ = static_cast<std::int32_t>(cell % static_cast<std::uint32_t>(grid_.columns));
-      solve(items, part_of_cell(), 0);
-      if ((++solved_ & 0xFF) == 0) stop_();
-    }
+    cover_.divided ? solve_leaves() : solve_cells();
   }
 
  private:
@@ -43,13 +35,41 @@ class CrossingFinder {
   static constexpr std::size_t kFew = 64;  // pairs of boxes cost less than dividing them
   static constexpr int kMaxDepth = 7;      // below that a part's side nears the slack
 
+  void solve_cells() {
+    std::uint32_t begin = 0;
+    for (const std::uint32_t cell : scratch_.cells) {
+      const std::uint32_t end = scratch_.cell_end[cell];
+      const auto columns = static_cast<std::uint32_t>(grid_.columns);
+      solve_square(std::exchange(begin, end), end, static_cast<std::int32_t>(cell % columns),
+                   static_cast<std::int32_t>(cell / columns), 1);
+    }
+  }
+  void solve_leaves() {
+    std::uint32_t begin = 0;
+    for (std::size_t i = 0; i < cover_.leaves.size(); ++i) {
+      const CoverLeaf& leaf = cover_.leaves[i];
+      const std::uint32_t end = scratch_.leaf_end[i];
+      solve_square(std::exchange(begin, end), end, leaf.column, leaf.row, leaf.side);
+    }
+  }
+  void solve_square(std::uint32_t begin, std::uint32_t end, std::int32_t column, std::int32_t row,
+                    std::int32_t side) {
+    const Items items(scratch_.in_cells.data() + begin, end - begin);
+    if (items.size() < 2) return;
+    row_ = row;
+    column_ = column;
+    // Larger squares are leaves: dividing them was found to be of no use.
+    solve(items, part_of_square(side), side == 1 ? 0 : kMaxDepth);
+    if ((++solved_ & 0xFF) == 0) stop_();
+  }
+
   /// The cells of a row share their bounds, to the last bit, so that they tile the plane.
-  [[nodiscard]] Part part_of_cell() const {
+  [[nodiscard]] Part part_of_square(std::int32_t side) const {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
-      return i == 0 ? -HUGE_VAL : i == count ? HUGE_VAL : i * grid_.cell;
+      return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
     };
     return {bound(column_, grid_.columns), bound(row_, grid_.rows),
-            bound(column_ + 1, grid_.columns), bound(row_ + 1, grid_.rows)};
+            bound(column_ + side, grid_.columns), bound(row_ + side, grid_.rows)};
   }
 
   void solve(Items items, const Part& part, int depth) {
@@ -144,6 +164,7 @@ class CrossingFinder {
     return std::abs(cross(s.d, v)) <= reach * (1 + 0x1p-20);
   }
 
+  const Cover& cover_;
   const UniformGrid& grid_;
   const std::function<void()>& stop_;
   ArrangementScratch& scratch_;
@@ -156,9 +177,10 @@ class CrossingFinder {
 
 }  // namespace
 
-void find_crossings(const Options& options, const std::function<void()>& stop,
-                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
-  CrossingFinder(options, stop, predicates, scratch, arrangement).run();
+void find_crossings(const Cover& cover, const Options& options,
+                    const std::function<void()>& stop, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement) {
+  CrossingFinder(cover, options, stop, predicates, scratch, arrangement).run();
   arrangement.crossings = scratch.crossings.size();
 }
 

@@ -307,6 +307,15 @@ Visibility refine(const Operands& operands, std::span<const Segment> segments, i
   return now;
 }
 
+/// Cells along the side of the finest level: a power of two. Few cells come to that level.
+std::int32_t choose_division(std::size_t segments, const Options& options) {
+  constexpr std::uint32_t kMostCells = 4096;
+  const double wanted =
+      options.grid > 0 ? options.grid : 6.0 * std::sqrt(static_cast<double>(segments));
+  return static_cast<std::int32_t>(
+      std::min(std::bit_ceil(static_cast<std::uint32_t>(wanted)), kMostCells));
+}
+
 bool has_holes(const Operands& operands) {
   return std::any_of(operands.rings.begin(), operands.rings.end(),
                      [](const OperandRing& ring) { return ring.is_hole(); });
@@ -317,6 +326,7 @@ bool has_holes(const Operands& operands) {
 void cover_interior(const Operands& operands, const Convolution& convolution,
                     const Options& options, CoverScratch& scratch, Cover& cover) {
   const std::span<const Segment> segments = convolution.segments;
+  cover.divided = false;
   // The full convolution is there to be compared: its whole arrangement is built.
   cover.active = options.cover && options.method != Method::kFull &&
                  (options.grid > 0 || segments.size() >= kSegmentsWorthACover);
@@ -324,20 +334,12 @@ void cover_interior(const Operands& operands, const Convolution& convolution,
   cover_by_translates(operands, side, scratch, cover);
   if (!cover.active || segments.empty()) return;
   const bool free_side = options.grid == 0;
-  Visibility seen = free_side ? refine(operands, segments, side, scratch, cover)
+  const Visibility seen = free_side ? refine(operands, segments, side, scratch, cover)
                               : look(operands, segments, cover);
   constexpr double kCrowdedForWinding = 5;
-  constexpr double kStillCrowded = 4;
   if (seen.crowding <= kCrowdedForWinding || has_holes(operands)) return;
-  cover_by_winding(operands, convolution, options.limits, scratch, cover);
-  // Thin shapes gain nothing from moved cells; on finer grids the winding number stands alone.
-  for (seen = look(operands, segments, cover);
-       free_side && seen.crowding > kStillCrowded && side * 2 <= kMaxSide / 2;
-       seen = look(operands, segments, cover)) {
-    side *= 2;
-    lay_grid(operands, side, cover);
-    cover_by_winding(operands, convolution, options.limits, scratch, cover);
-  }
+  divide_by_winding(operands, convolution, options.limits,
+                    choose_division(segments.size(), options), scratch, cover);
 }
 
 std::uint64_t Cover::covered_count() const {
@@ -350,6 +352,24 @@ std::uint64_t Cover::covered_count() const {
   return count;
 }
 
+namespace {
+
+std::optional<std::string> check_leaves(const Cover& cover) {
+  std::uint32_t end = 0;
+  for (const CoverLeaf& leaf : cover.leaves) {
+    if (leaf.column < 0 || leaf.row < 0 || leaf.column >= cover.grid.columns ||
+        leaf.row >= cover.grid.rows || cover.is_covered(leaf.column, leaf.row)) {
+      return "a leaf is where none can be";
+    }
+    if (leaf.end < end) return "the leaves' lists overlap";
+    end = leaf.end;
+  }
+  if (end != cover.leaf_segments.size()) return "the leaves do not use up their lists";
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> check(const Cover& cover, const Operands& operands) {
   const UniformGrid& grid = cover.grid;
   const double width = operands.extent[0].x + operands.extent[1].x;
@@ -358,6 +378,9 @@ std::optional<std::string> check(const Cover& cover, const Operands& operands) {
     return "the grid does not span the sum's box";
   }
   if (!cover.active) return std::nullopt;
+  if (cover.divided) {
+    if (const auto fault = check_leaves(cover)) return fault;
+  }
   if (cover.covered.columns() != grid.columns || cover.covered.rows() != grid.rows) {
     return "the cover is not of the grid's size";
   }

@@ -45,15 +45,31 @@ class Bitmap {
   std::vector<std::uint64_t> bits_;
 };
 
+/// A square of cells that a division left uncovered. Its segments are listed in
+/// `Cover::leaf_segments`, from the end of the leaf before it to its own.
+struct CoverLeaf {
+  std::int32_t column;  ///< of the lower left cell
+  std::int32_t row;
+  std::int32_t side;  ///< in cells
+  std::uint32_t end;
+};
+
 /// The grid over the sum's box and what is known of its cells.
 ///
 /// Of a covered cell every point, and every point within 3 · UniformGrid::kMargin cells of it, is
 /// in the interior of the sum. Nothing is known of the others.
+///
+/// If the cover is divided, the leaves are disjoint, and every point of the sum's boundary is in
+/// one. A leaf lists all reduced segments within 3 · UniformGrid::kMargin cells of it: so nobody
+/// need look for uncovered cells by walking.
 struct Cover {
   UniformGrid grid;
   bool active = false;  ///< false: no cell is covered
   Bitmap covered;       ///< of the grid's size if active
   Bitmap block;         ///< cells covered with their right, upper and upper right neighbours
+  bool divided = false;
+  std::vector<CoverLeaf> leaves;
+  std::vector<std::uint32_t> leaf_segments;  ///< indices into the convolution
 
   [[nodiscard]] std::uint64_t covered_count() const;
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
@@ -61,7 +77,7 @@ struct Cover {
   }
   /// Whether all cells near a segment are certainly covered: a quick test for short ones.
   [[nodiscard]] bool hides(const Vec<double>& a, const Vec<double>& b) const {
-    if (!active) return false;
+    if (!active || divided) return false;
     constexpr double kMargin = 2 * UniformGrid::kMargin;
     const double x0 = std::min(a.x, b.x) * grid.inverse - kMargin;
     const double x1 = std::max(a.x, b.x) * grid.inverse + kMargin;
@@ -75,6 +91,16 @@ struct Cover {
   }
 };
 
+/// A segment of the signed convolution in units, directed so that the winding number is greater by
+/// one on its left.
+struct WindingSegment {
+  std::int32_t ax;
+  std::int32_t ay;
+  std::int32_t dx;
+  std::int32_t dy;
+  std::uint32_t id;  ///< in the reduced convolution; beyond its end for the rest
+};
+
 /// Memory for the stage.
 struct CoverScratch {
   Bitmap inside[2];    ///< cells of an operand that lie inside it, with a margin
@@ -82,9 +108,8 @@ struct CoverScratch {
   Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours
   Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
   ConvolutionScratch convolution;
-  Convolution reflex;                  ///< the rest of the signed convolution
-  std::vector<std::int32_t> crossing;  ///< by cell: signed segments near it
-  std::vector<std::int32_t> winding;   ///< by cell: winding number at its centre
+  Convolution reflex;                 ///< the rest of the signed convolution
+  std::vector<WindingSegment> stack;  ///< segments of the cells under division, list upon list
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells.
@@ -95,20 +120,36 @@ struct CoverScratch {
 /// exchanged. O(cells / 64 · boundary cells).
 ///
 /// Where segments still crowd, because the sum is covered by many thin translates rather than few fat
-/// ones, cells are also marked by winding number (`cover_by_winding`).
+/// ones, it is divided by winding number instead (`divide_by_winding`).
 void cover_interior(const Operands& operands, const Convolution& convolution,
                     const Options& options, CoverScratch& scratch, Cover& cover);
 
-/// Marks the cells in which the winding number of the signed convolution cannot fall to zero.
+/// Divides the sum's box into quarters, again and again, until a cell is certainly inside the sum,
+/// few segments are near it, or it is one of `side` · `side` (a power of two, at most 4096).
 ///
-/// Without holes the winding number at x is the number of components of P ∩ (x − Q): positive inside
-/// the sum. From a cell's centre to any point of the cell it changes by at most one for each segment
-/// that crosses the cell. The number at the centre is computed for segments rounded to doubles, which
-/// are closed chains as the true ones are; the rounding may move segments over the centre, but only
-/// such as cross the cell. So a number greater than twice the crossing segments is proof. Operands
-/// must have no (kept) holes. O(signed segments · cells per segment).
-void cover_by_winding(const Operands& operands, const Convolution& convolution,
-                      const Limits& limits, CoverScratch& scratch, Cover& cover);
+/// Let K be the signed convolution. Without holes its winding number w_K(x) is the number of
+/// components of P ∩ (x − Q): positive inside the sum. Each cell has the list of all of K that is
+/// near it, taken from its parent's list, and a number computed at its centre c. That is proof:
+///
+/// 1. Let K' be K with its vertices rounded to integer units, 2^24 to the root's side, each vertex
+///    once: closed chains again. Everything about K' is decided in integers of 64 bits, exactly.
+/// 2. w_K'(c) follows from w_K' at the parent's centre by the segments that cross the way between the
+///    two, which stays in the cell: so they are in its list. A centre on a segment or in line with
+///    a vertex is taken to be moved by (ε, ε²), all centres alike, which leaves no such case.
+/// 3. From K' to K each vertex moves by less than a unit in x and y. Let it do so evenly. A segment
+///    sweeps a quadrilateral, whose boundary winds around c at most once: so each that may come
+///    within a unit of c, a *doubtful* one, changes the winding number by one at most; others by
+///    none. w_K(c) ≥ w_K'(c) − doubtful.
+/// 4. On a straight way from c to a point y near the cell, w_K falls by one for each segment that
+///    has c on its left and y on its right, and never otherwise. Such a segment is in the list, and
+///    its rounded double has c on its left or within the bound of what rounding does to that
+///    determinant: a *losing* one. w_K(y) ≥ w_K(c) − losing.
+///
+/// So a cell with w_K'(c) > doubtful + losing is inside the sum. Tight places are in none: see
+/// docs/pipeline.md. Operands must have no (kept) holes. O(entries of all lists).
+void divide_by_winding(const Operands& operands, const Convolution& convolution,
+                       const Limits& limits, std::int32_t side, CoverScratch& scratch,
+                       Cover& cover);
 
 /// Cells that are set together with their right, upper and upper right neighbours.
 void make_blocks(const Bitmap& bitmap, Bitmap& block);
