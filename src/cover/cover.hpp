@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "convolution/convolution.hpp"
+#include "cover/classify.hpp"
 #include "grid/uniform_grid.hpp"
 
 namespace minksum {
@@ -91,16 +92,6 @@ struct Cover {
   }
 };
 
-/// A segment of the signed convolution in units, directed so that the winding number is greater by
-/// one on its left.
-struct WindingSegment {
-  std::int32_t ax;
-  std::int32_t ay;
-  std::int32_t dx;
-  std::int32_t dy;
-  std::uint32_t id;  ///< in the reduced convolution; beyond its end for the rest
-};
-
 /// Memory for the stage.
 struct CoverScratch {
   Bitmap inside[2];    ///< cells of an operand that lie inside it, with a margin
@@ -108,8 +99,8 @@ struct CoverScratch {
   Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours
   Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
   ConvolutionScratch convolution;
-  Convolution reflex;                 ///< the rest of the signed convolution
-  std::vector<WindingSegment> stack;  ///< segments of the cells under division, list upon list
+  Convolution reflex;    ///< the rest of the signed convolution
+  SegmentStack stack;    ///< segments of the cells under division, list upon list
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells.
@@ -132,7 +123,8 @@ void cover_interior(const Operands& operands, const Convolution& convolution,
 /// near it, taken from its parent's list, and a number computed at its centre c. That is proof:
 ///
 /// 1. Let K' be K with its vertices rounded to integer units, 2^24 to the root's side, each vertex
-///    once: closed chains again. Everything about K' is decided in integers of 64 bits, exactly.
+///    once: closed chains again. Everything about K' is decided exactly, in floats where their
+///    rounding cannot matter, else in integers (`classify`).
 /// 2. w_K'(c) follows from w_K' at the parent's centre by the segments that cross the way between the
 ///    two, which stays in the cell: so they are in its list. A centre on a segment or in line with
 ///    a vertex is taken to be moved by (ε, ε²), all centres alike, which leaves no such case.
