@@ -8,43 +8,11 @@
 #include <vector>
 
 #include "convolution/convolution.hpp"
+#include "cover/bitmap.hpp"
 #include "cover/classify.hpp"
 #include "grid/uniform_grid.hpp"
 
 namespace minksum {
-
-/// Rows of bits, 64 to a word. Columns past the last are never set.
-class Bitmap {
- public:
-  /// All clear. Rows may be longer than the columns need: bitmaps with equal `words` per row line up.
-  void reset(std::int32_t columns, std::int32_t rows, std::size_t words = 0) {
-    columns_ = columns;
-    rows_ = rows;
-    words_ = std::max((static_cast<std::size_t>(columns) + 63) / 64, words);
-    bits_.assign(words_ * static_cast<std::size_t>(rows), 0);
-  }
-  [[nodiscard]] std::int32_t columns() const { return columns_; }
-  [[nodiscard]] std::int32_t rows() const { return rows_; }
-  [[nodiscard]] std::size_t words_per_row() const { return words_; }
-  [[nodiscard]] std::span<std::uint64_t> words() { return bits_; }
-  [[nodiscard]] std::span<const std::uint64_t> words() const { return bits_; }
-  [[nodiscard]] std::uint64_t* row(std::int32_t j) {
-    return bits_.data() + words_ * static_cast<std::size_t>(j);
-  }
-  [[nodiscard]] const std::uint64_t* row(std::int32_t j) const {
-    return bits_.data() + words_ * static_cast<std::size_t>(j);
-  }
-  [[nodiscard]] bool get(std::int32_t i, std::int32_t j) const {
-    return ((row(j)[i >> 6] >> (i & 63)) & 1) != 0;
-  }
-  void set(std::int32_t i, std::int32_t j) { row(j)[i >> 6] |= std::uint64_t{1} << (i & 63); }
-
- private:
-  std::int32_t columns_ = 0;
-  std::int32_t rows_ = 0;
-  std::size_t words_ = 0;
-  std::vector<std::uint64_t> bits_;
-};
 
 /// A square of cells that a division left uncovered. Its segments are listed in
 /// `Cover::leaf_segments`, from the end of the leaf before it to its own.
@@ -98,22 +66,26 @@ struct CoverScratch {
   Bitmap boundary;     ///< cells that its boundary may touch
   Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours
   Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
+  std::vector<std::uint64_t> widened;  ///< a bitmap united with itself moved by columns
+  std::vector<std::uint64_t> row;
   ConvolutionScratch convolution;
   Convolution reflex;    ///< the rest of the signed convolution
   SegmentStack stack;    ///< segments of the cells under division, list upon list
 };
 
-/// Chooses the grid by the segments (or as `options.grid` says) and marks cells.
+/// Chooses the grid by the segments (or as `options.grid` says) and marks cells: by translates on
+/// ever finer grids as long as that pays; where segments still crowd, because the sum is covered by
+/// many thin translates rather than few fat ones, by winding number instead.
+void cover_interior(const Operands& operands, const Convolution& convolution,
+                    const Options& options, CoverScratch& scratch, Cover& cover);
+
+/// Marks cells of the grid as it is laid.
 ///
 /// If a cell C, moved by −q for a point q of Q, lies in the interior of P, then C = (C − q) + q lies
 /// in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same size,
-/// move that by one point of Q for each cell that Q's boundary touches, unite; the same with P and Q
-/// exchanged. O(cells / 64 · boundary cells).
-///
-/// Where segments still crowd, because the sum is covered by many thin translates rather than few fat
-/// ones, it is divided by winding number instead (`divide_by_winding`).
-void cover_interior(const Operands& operands, const Convolution& convolution,
-                    const Options& options, CoverScratch& scratch, Cover& cover);
+/// move that by one point of Q for each cell that has one, runs of them at a time, unite; the same with
+/// P and Q exchanged. O(words of a raster · runs of the other).
+void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover);
 
 /// Divides the sum's box into quarters, again and again, until a cell is certainly inside the sum,
 /// few segments are near it, or it is one of `side` · `side` (a power of two, at most 4096).

@@ -1,0 +1,45 @@
+// Bitmaps of cells.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace minksum {
+
+/// Rows of bits, 64 to a word. Columns past the last are never set.
+class Bitmap {
+ public:
+  /// All clear. Rows may be longer than the columns need: bitmaps with equal `words` per row line up.
+  void reset(std::int32_t columns, std::int32_t rows, std::size_t words = 0) {
+    columns_ = columns;
+    rows_ = rows;
+    words_ = std::max((static_cast<std::size_t>(columns) + 63) / 64, words);
+    bits_.assign(words_ * static_cast<std::size_t>(rows), 0);
+  }
+  [[nodiscard]] std::int32_t columns() const { return columns_; }
+  [[nodiscard]] std::int32_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t words_per_row() const { return words_; }
+  [[nodiscard]] std::span<std::uint64_t> words() { return bits_; }
+  [[nodiscard]] std::span<const std::uint64_t> words() const { return bits_; }
+  [[nodiscard]] std::uint64_t* row(std::int32_t j) {
+    return bits_.data() + words_ * static_cast<std::size_t>(j);
+  }
+  [[nodiscard]] const std::uint64_t* row(std::int32_t j) const {
+    return bits_.data() + words_ * static_cast<std::size_t>(j);
+  }
+  [[nodiscard]] bool get(std::int32_t i, std::int32_t j) const {
+    return ((row(j)[i >> 6] >> (i & 63)) & 1) != 0;
+  }
+  void set(std::int32_t i, std::int32_t j) { row(j)[i >> 6] |= std::uint64_t{1} << (i & 63); }
+
+ private:
+  std::int32_t columns_ = 0;
+  std::int32_t rows_ = 0;
+  std::size_t words_ = 0;
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace minksum
