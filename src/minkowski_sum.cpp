@@ -148,8 +148,12 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
   });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {
-    arrange(w.operands, w.convolution, w.cover, options, stop, predicates, w.arrangement_scratch,
-            w.arrangement);
+    if (w.operands.both_convex && options.method == Method::kReduced) {
+      arrange_convex(w.operands, w.arrangement);
+    } else {
+      arrange(w.operands, w.convolution, w.cover, options, stop, predicates,
+              w.arrangement_scratch, w.arrangement);
+    }
   });
   if (options.check) runner.require(check(w.arrangement, w.operands));
   runner.run(Stage::kLoops,

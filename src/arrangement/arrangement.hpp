@@ -129,6 +129,10 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              const Options& options, const std::function<void()>& stop, Predicates& predicates,
              ArrangementScratch& scratch, Arrangement& arrangement);
 
+/// The same where each operand is one convex ring, by merging: their edges in order of direction are the sum's boundary
+/// (Guibas, Ramshaw, Stolfi 1983). O(n + m).
+void arrange_convex(const Operands& operands, Arrangement& arrangement);
+
 // -- Steps ------------------------------------------------------------------------------------
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments.

@@ -116,7 +116,7 @@ void cover_interior(const Operands& operands, const Convolution& convolution,
   const std::span<const Segment> segments = convolution.segments;
   cover.divided = false;
   // The full convolution is there to be compared: its whole arrangement is built.
-  cover.active = options.cover && options.method != Method::kFull &&
+  cover.active = options.cover && options.method != Method::kFull && !operands.both_convex &&
                  (options.grid > 0 || segments.size() >= kSegmentsWorthACover);
   int side = choose_side(segments.size(), options);
   cover_on_grid(operands, side, scratch, cover);

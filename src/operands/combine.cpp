@@ -232,6 +232,8 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
   }
   rank_directions(p, q, o);
   o.connected = p.region->polygon_count() == 1 && q.region->polygon_count() == 1;
+  o.both_convex = o.rings.size() == 2 &&
+                  std::find(o.convex.begin(), o.convex.end(), 0) == o.convex.end();
 }
 
 }  // namespace minksum
