@@ -19,14 +19,17 @@ using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
 
-/// A segment that touches an uncovered cell, with its approximate place.
+/// A segment that touches an uncovered cell, with its approximate place. Or several that overlap on
+/// one line in one direction, joined to one: then a and b are its ends, d leads from one to the
+/// other, and `segment` is the first of them.
 struct KeptSegment {
   Vec<double> a;
   Vec<double> b;
   Vec<double> d;
   Segment segment;
-  std::uint32_t line;  ///< equal for parallel segments, of either sense, and only for them
-  bool meets_cover;    ///< false if it is near no covered cell
+  std::uint32_t joined;  ///< 0, or one more than its number among those joined
+  std::uint32_t line;    ///< equal for parallel segments, of either sense, and only for them
+  bool meets_cover;      ///< false if it is near no covered cell
 };
 
 /// A point where pieces end: exactly `point`, within `error` per component of `at`.
@@ -50,6 +53,7 @@ struct Piece {
 /// are not boundary, and the filters reject loops made of them.) No two pieces have the same ends:
 /// of equal ones one stays; opposite ones have the sum on both sides and are dropped.
 struct Arrangement {
+  /// First those that were split, then the members of joined ones: pieces refer to the members.
   std::vector<KeptSegment> kept;
   std::vector<Node> nodes;
   std::vector<Piece> pieces;
@@ -91,6 +95,31 @@ struct CellSite {
   float x0, y0, x1, y1;
 };
 
+/// Segments that were joined: the members [first, end), which run ahead of each other at both ends.
+struct JoinedSegments {
+  Segment last;
+  KeptId first;
+  KeptId end;
+};
+
+/// A segment's line, as the cross product with the direction of its rank, and its ends along that.
+struct PlaceOnLine {
+  double line;
+  double from;
+  double to;
+  DirectionRank rank;
+  KeptId id;
+};
+
+/// Memory for joining.
+struct JoinScratch {
+  std::vector<SiteId> edge_of_rank;
+  std::vector<PlaceOnLine> places;
+  std::vector<KeptSegment> members;
+  std::vector<KeptSegment> result;
+  std::vector<JoinedSegments> joined;
+};
+
 /// Memory for binning.
 struct BinScratch {
   std::vector<CellSite> sites;
@@ -103,6 +132,8 @@ struct BinScratch {
 struct ArrangementScratch {
   UniformGrid grid;  ///< of the cells below
   BinScratch bin;
+  JoinScratch join;
+  KeptId line_count = 0;                   ///< kept segments that are split; members come after
   std::vector<CellItem> items;             ///< in order of their segments,
   std::vector<CellItem> in_cells;          ///< and cell by cell
   std::vector<std::uint32_t> cells;        ///< those that have items
@@ -129,11 +160,18 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              const Options& options, const std::function<void()>& stop, Predicates& predicates,
              ArrangementScratch& scratch, Arrangement& arrangement);
 
-/// The same where each operand is one convex ring, by merging: their edges in order of direction are the sum's boundary
-/// (Guibas, Ramshaw, Stolfi 1983). O(n + m).
+/// The same where each operand is one convex ring, by merging: their edges in order of direction are
+/// the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
 void arrange_convex(const Operands& operands, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
+/// Joins segments that overlap, or touch, on one line in one direction, where that may be many and
+/// doubles are exact (B ≤ 25); drops what others contain. Then coinciding pieces and the points at
+/// which they end or meet others are found once instead of once for each pair. The union of
+/// segments is the same, and so is its arrangement, but for nodes in the middle of a line at which
+/// nothing else ends. Vectors d of joined segments have one bit more than edges have: cross
+/// products with them are differences of products below 2^(2B+2), exact for B ≤ 25. O(k log k).
+void join_lines(const Operands& operands, JoinScratch& scratch, std::vector<KeptSegment>& kept);
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
@@ -148,6 +186,11 @@ void find_crossings(const Cover& cover, const Options& options,
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
                     Arrangement& arrangement);
+
+/// The segment with whose end a kept one ends.
+[[nodiscard]] inline const Segment& last_segment(const KeptSegment& s, const JoinScratch& scratch) {
+  return s.joined == 0 ? s.segment : scratch.joined[s.joined - 1].last;
+}
 
 /// The root of a point.
 inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {

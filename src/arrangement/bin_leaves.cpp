@@ -58,6 +58,7 @@ void bin_leaves(const Operands& operands, const Convolution& convolution, const 
                 ArrangementScratch& scratch, Arrangement& arrangement) {
   scratch.grid = cover.grid;
   keep_listed(operands, convolution, cover, scratch, arrangement.kept);
+  scratch.line_count = static_cast<KeptId>(arrangement.kept.size());
   scratch.in_cells.clear();
   scratch.leaf_end.clear();
   std::uint32_t i = 0;

@@ -128,11 +128,16 @@ class Binner {
         .list_visible(convolution.segments, scratch_.bin.visible);
     for (const Segment& segment : scratch_.bin.visible) {
       kept_.push_back(place_segment(o_, segment));
-      const bool seen = exact_sums && duplicates.seen();
-      if (!seen && list_cells(kept_.back())) continue;
-      kept_.pop_back();
-      if (exact_sums && !seen) duplicates.forget();
+      if (exact_sums && duplicates.seen()) kept_.pop_back();
     }
+    join_lines(o_, scratch_.join, kept_);
+    KeptId count = 0;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (list_cells(kept_[i], count)) kept_[count++] = kept_[i];
+    }
+    kept_.resize(count);
+    scratch_.line_count = count;
+    append_members();
     sort_by_cells();
   }
 
@@ -153,8 +158,21 @@ class Binner {
     return UniformGrid::over(width, height, static_cast<int>(std::min(kept, 0x1p12)));
   }
 
-  /// Appends an item for each uncovered cell that the last segment is near; whether there is one.
-  bool list_cells(KeptSegment& s) {
+  void append_members() {
+    auto& join = scratch_.join;
+    for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      if (kept_[s].joined == 0) continue;
+      JoinedSegments& joined = join.joined[kept_[s].joined - 1];
+      const auto first = static_cast<KeptId>(kept_.size());
+      kept_.insert(kept_.end(), join.members.begin() + joined.first,
+                   join.members.begin() + joined.end);
+      joined.first = first;
+      joined.end = static_cast<KeptId>(kept_.size());
+    }
+  }
+
+  /// Appends an item for each uncovered cell that a segment is near; whether there is one.
+  bool list_cells(KeptSegment& s, KeptId id) {
     const std::size_t before = items_.size();
     const CellLine line(s, grid_.inverse);
     grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
@@ -165,7 +183,7 @@ class Binner {
         const std::uint64_t covered = covers_any_ ? cover_.covered.row(span.row)[first >> 6] : 0;
         any_covered |= covered & wanted;
         for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
-          add_item(line, span, (first & ~63) + std::countr_zero(bits));
+          add_item(id, line, span, (first & ~63) + std::countr_zero(bits));
         }
       }
       s.meets_cover = s.meets_cover || any_covered != 0;
@@ -173,7 +191,7 @@ class Binner {
     });
     return items_.size() > before;
   }
-  void add_item(const CellLine& line, const UniformGrid::RowSpan& span, std::int32_t i) {
+  void add_item(KeptId id, const CellLine& line, const UniformGrid::RowSpan& span, std::int32_t i) {
     constexpr double kMargin = UniformGrid::kMargin;
     const double x0 = std::max(span.x0, i - kMargin);
     const double x1 = std::min(span.x1, i + 1 + kMargin);
@@ -188,8 +206,7 @@ class Binner {
     const auto cell =
         static_cast<std::uint32_t>(span.row) * static_cast<std::uint32_t>(grid_.columns) +
         static_cast<std::uint32_t>(i);
-    items_.push_back({CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell,
-                      static_cast<KeptId>(kept_.size() - 1)});
+    items_.push_back({CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell, id});
   }
 
   /// A counting sort that looks at no cells but those that have items.

@@ -53,7 +53,9 @@ class SegmentMeeter {
   [[nodiscard]] SumVertex start(KeptId s) const {
     return Predicates::start_vertex(kept_[s].segment);
   }
-  [[nodiscard]] SumVertex end(KeptId s) const { return predicates_.end_vertex(kept_[s].segment); }
+  [[nodiscard]] SumVertex end(KeptId s) const {
+    return predicates_.end_vertex(last_segment(kept_[s], scratch_.join));
+  }
   /// Ends of segments by their numbers as points: 2s and 2s + 1.
   [[nodiscard]] SumVertex vertex(std::uint32_t point) const {
     return point % 2 == 0 ? start(point / 2) : end(point / 2);

@@ -15,7 +15,7 @@ inline KeptSegment place_segment(const Operands& o, const Segment& segment) {
   const SiteId f = next[e];
   const DirectionRank rank = o.rank[e];
   const std::uint32_t line = std::min(o.place[rank], o.reverse_place[rank]);
-  return {{x[e] + x[v], y[e] + y[v]}, {x[f] + x[v], y[f] + y[v]}, {dx[e], dy[e]}, segment, line,
+  return {{x[e] + x[v], y[e] + y[v]}, {x[f] + x[v], y[f] + y[v]}, {dx[e], dy[e]}, segment, 0, line,
           false};
 }
 
@@ -46,8 +46,6 @@ class DuplicateFinder {
     if (2 * kept_.size() > table_.size()) grow();
     return enter(static_cast<KeptId>(kept_.size() - 1));
   }
-  /// Forgets the last one, which was not seen before.
-  void forget() { table_[last_] = kEmpty; }
 
  private:
   static constexpr KeptId kEmpty = 0xFFFFFFFFU;
@@ -59,7 +57,6 @@ class DuplicateFinder {
     for (std::size_t slot = hash(s) & mask;; slot = (slot + 1) & mask) {
       if (table_[slot] == kEmpty) {
         table_[slot] = id;
-        last_ = slot;
         return false;
       }
       const KeptSegment& t = kept_[table_[slot]];
@@ -79,7 +76,6 @@ class DuplicateFinder {
   }
   std::vector<KeptId>& table_;
   const std::vector<KeptSegment>& kept_;
-  std::size_t last_ = 0;
 };
 
 }  // namespace minksum

@@ -21,13 +21,13 @@ class Splitter {
 
   void run() {
     group_events();
-    for (KeptId s = 0; s < result_.kept.size(); ++s) order_events(s);
+    for (KeptId s = 0; s < scratch_.line_count; ++s) order_events(s);
     result_.nodes.clear();
     result_.pieces.clear();
     scratch_.first_piece.clear();
     scratch_.next_piece.clear();
     scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
-    for (KeptId s = 0; s < result_.kept.size(); ++s) cut(s);
+    for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
     drop_cancelled();
   }
 
@@ -50,8 +50,9 @@ class Splitter {
   }
 
   [[nodiscard]] SumVertex vertex_of(std::uint32_t end_point) const {
-    const Segment& segment = result_.kept[end_point / 2].segment;
-    return end_point % 2 == 0 ? Predicates::start_vertex(segment) : predicates_.end_vertex(segment);
+    const KeptSegment& s = result_.kept[end_point / 2];
+    return end_point % 2 == 0 ? Predicates::start_vertex(s.segment)
+                              : predicates_.end_vertex(last_segment(s, scratch_.join));
   }
   [[nodiscard]] PointOnSegment point_on(KeptId s, std::uint32_t point) const {
     if (point < ends_) return {false, {}, vertex_of(point)};
@@ -125,22 +126,43 @@ class Splitter {
   /// Pieces of one segment, but for those that run through covered cells: they are not boundary.
   void cut(KeptId s) {
     const KeptSegment& k = result_.kept[s];
-    std::uint32_t from = find_root(scratch_.parent, 2 * s);
+    Event last{0, 0, s, 2 * s};
+    std::uint32_t from = find_root(scratch_.parent, last.point);
     Vec<double> from_at = k.a;
-    const auto add = [&](std::uint32_t to, const Vec<double>& to_at) {
+    KeptId maker = k.joined == 0 ? s : scratch_.join.joined[k.joined - 1].first;
+    const auto add = [&](const Event& event, const Vec<double>& to_at) {
+      const std::uint32_t to = find_root(scratch_.parent, event.point);
       if (to == from) return;
       if (!k.meets_cover || !is_covered(from_at, to_at)) {
+        if (k.joined != 0) maker = member_after(s, last, maker);
         const NodeId from_node = node_of(from);
-        add_piece(from_node, node_of(to), s);
+        add_piece(from_node, node_of(to), maker);
       }
+      last = event;
       from = to;
       from_at = to_at;
     };
     for (const Event& event : events_of(s)) {
-      add(find_root(scratch_.parent, event.point),
-          {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
+      add(event, {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
     }
-    add(find_root(scratch_.parent, 2 * s + 1), k.b);
+    add({1, 0, s, 2 * s + 1}, k.b);
+  }
+  /// The first member of a joined segment, from `member` on, that goes on after a point. (It starts
+  /// before, or there: members overlap.)
+  KeptId member_after(KeptId s, const Event& from, KeptId member) {
+    const KeptSegment& k = result_.kept[s];
+    const KeptId end = scratch_.join.joined[k.joined - 1].end;
+    const bool by_x = std::abs(k.d.x) >= std::abs(k.d.y);
+    for (; member + 1 < end; ++member) {
+      const KeptSegment& m = result_.kept[member];
+      const double lambda = by_x ? (m.b.x - k.a.x) / k.d.x : (m.b.y - k.a.y) / k.d.y;
+      const PointOnSegment point{false, {}, predicates_.end_vertex(m.segment)};
+      if (predicates_.compare_along(k.segment, lambda, 0x1p-50, point, from.lambda, from.error,
+                                    point_on(s, from.point)) == kPositive) {
+        break;
+      }
+    }
+    return member;
   }
 
   [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {

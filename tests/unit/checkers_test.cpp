@@ -147,8 +147,10 @@ std::vector<Damage> damages() {
        run_arrangement, "a piece runs against its segment"},
       {"a piece on another segment",
        [](Stages& s) {
-         Piece& piece = s.arrangement.pieces[0];
-         piece.segment = (piece.segment + 1) % static_cast<KeptId>(s.arrangement.kept.size());
+         const auto& kept = s.arrangement.kept;
+         KeptId& segment = s.arrangement.pieces[0].segment;
+         const std::uint32_t line = kept[segment].line;
+         while (kept[segment].line == line) segment = (segment + 1) % static_cast<KeptId>(kept.size());
        },
        run_arrangement, "a piece's end is not on its segment"},
       {"a piece twice",

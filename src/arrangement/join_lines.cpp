@@ -1,0 +1,75 @@
+// Segments that overlap on one line, in one direction, are one.
+#include <algorithm>
+#include <numeric>
+
+#include "arrangement/arrangement.hpp"
+
+namespace minksum {
+namespace {
+
+/// Whether so many segments share directions that many may share lines.
+bool crowded(std::size_t segments, const Operands& o) {
+  constexpr std::size_t kSegmentsPerDirection = 8;
+  return segments >= kSegmentsPerDirection * o.rank_count;
+}
+
+/// By line, and along it.
+void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch) {
+  scratch.edge_of_rank.resize(o.rank_count);
+  for (const SiteId e : o.by_direction) scratch.edge_of_rank[o.rank[e]] = e;
+  scratch.places.clear();
+  for (KeptId id = 0; id < kept.size(); ++id) {
+    const DirectionRank rank = o.rank[kept[id].segment.edge];
+    const SiteId e = scratch.edge_of_rank[rank];
+    const Vec<double> d{o.sites.dx[e], o.sites.dy[e]};
+    scratch.places.push_back(
+        {cross(d, kept[id].a), dot(d, kept[id].a), dot(d, kept[id].b), rank, id});
+  }
+  std::sort(scratch.places.begin(), scratch.places.end(),
+            [](const PlaceOnLine& s, const PlaceOnLine& t) {
+              if (s.rank != t.rank) return s.rank < t.rank;
+              if (s.line != t.line) return s.line < t.line;
+              return s.from != t.from ? s.from < t.from : s.id < t.id;
+            });
+}
+
+}  // namespace
+
+void join_lines(const Operands& o, JoinScratch& scratch, std::vector<KeptSegment>& kept) {
+  scratch.joined.clear();
+  scratch.members.clear();
+  const bool exact = o.bounds.product == 0 && o.bounds.difference == 0 && o.bounds.direction == 0;
+  if (!exact || !crowded(kept.size(), o)) return;
+  list_places(o, kept, scratch);
+  auto& members = scratch.members;
+  auto& result = scratch.result;
+  result.clear();
+  const auto& places = scratch.places;
+  for (std::size_t i = 0; i < places.size();) {
+    const PlaceOnLine& start = places[i];
+    const std::size_t first = members.size();
+    members.push_back(kept[start.id]);
+    double reach = start.to;
+    for (++i; i < places.size() && places[i].rank == start.rank && places[i].line == start.line &&
+              places[i].from <= reach;
+         ++i) {
+      if (places[i].to <= reach) continue;
+      reach = places[i].to;
+      members.push_back(kept[places[i].id]);
+    }
+    KeptSegment whole = members[first];
+    if (members.size() == first + 1) {
+      members.pop_back();
+    } else {
+      whole.b = members.back().b;
+      whole.d = {whole.b.x - whole.a.x, whole.b.y - whole.a.y};
+      scratch.joined.push_back({members.back().segment, static_cast<KeptId>(first),
+                                static_cast<KeptId>(members.size())});
+      whole.joined = static_cast<std::uint32_t>(scratch.joined.size());
+    }
+    result.push_back(whole);
+  }
+  std::swap(kept, result);
+}
+
+}  // namespace minksum
