@@ -9,14 +9,21 @@ namespace {
 
 /// Below this many segments a cover costs more than it saves.
 constexpr std::size_t kSegmentsWorthACover = 400;
+constexpr std::size_t kSegmentsWorthDividing = 100;
 constexpr int kMaxSide = 2048;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-/// Cells along the longer side to begin with: about as many cells in all as a third of the segments.
+/// Cells along the longer side without a cover: about a third as many cells as segments.
+int choose_plain_side(std::size_t segments) {
+  const double side = 0.6 * std::sqrt(static_cast<double>(segments));
+  return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
+}
+/// To begin with, with one. Moving bitmaps of s cells a side costs as s^3, the segments that stay
+/// visible are as 1 / s of all: the sum is least where s^4 is as their number.
 int choose_side(std::size_t segments, const Options& options) {
   if (options.grid > 0) return std::min(options.grid, kMaxSide);
-  const double side = 0.6 * std::sqrt(static_cast<double>(segments));
-  return std::clamp(static_cast<int>(side), 1, kMaxSide / 4);
+  const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
+  return std::min(static_cast<int>(side), kMaxSide);
 }
 
 /// Lays a grid, and marks what translates cover.
@@ -29,7 +36,6 @@ void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Co
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       (static_cast<std::size_t>(cover.grid.columns) + 1 + 63) / 64);
   cover_by_translates(operands, scratch, cover);
-  make_blocks(cover.covered, cover.block);
 }
 
 Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
@@ -38,6 +44,7 @@ Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]
 struct Visibility {
   double share = 0;    ///< of segments that touch an uncovered cell
   double crowding = 0; ///< segments to an uncovered cell, on average
+  double crossings = 0; ///< in uncovered cells, roughly
 };
 Visibility look(const Operands& o, std::span<const Segment> segments, const Cover& cover) {
   const std::size_t step = segments.size() / 256 + 1;
@@ -60,8 +67,10 @@ Visibility look(const Operands& o, std::span<const Segment> segments, const Cove
   }
   const double uncovered = static_cast<double>(static_cast<std::uint64_t>(cover.grid.size()) -
                                                cover.covered_count());
-  return {static_cast<double>(visible) / static_cast<double>(looked_at),
-          static_cast<double>(cells * step) / std::max(uncovered, 1.0)};
+  const double crowding = static_cast<double>(cells * step) / std::max(uncovered, 1.0);
+  // About two of five pairs of lines through a cell cross in it.
+  return {static_cast<double>(visible) / static_cast<double>(looked_at), crowding,
+          0.2 * crowding * crowding * uncovered};
 }
 
 /// About how many words a cover of this many cells along a side moves, per segment.
@@ -72,18 +81,24 @@ double words_per_segment(int side, std::size_t segments) {
 }
 
 // Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
-// segments would otherwise stay, or crowd in few cells, as long as it does uncover less.
-Visibility refine(const Operands& operands, std::span<const Segment> segments, int& side,
-                  CoverScratch& scratch, Cover& cover) {
-  constexpr double kTooManyVisible = 0.4;
+// segments would otherwise stay, or crowd in few cells, as long as it does uncover less; and it may
+// cost more where many crossings are left that no division takes away.
+Visibility refine(const Operands& operands, std::span<const Segment> segments,
+                  double crossings_to_divide, int& side, CoverScratch& scratch, Cover& cover) {
+  constexpr double kTooManyVisible = 0.25;
   constexpr double kFewVisible = 0.1;
   constexpr double kCrowded = 4;
   constexpr double kWorthIt = 0.8;
-  constexpr double kMaxWordsPerSegment = 400;
+  constexpr double kMaxWordsPerSegment = 100;
+  constexpr double kWordsPerCrossing = 500;
   Visibility now = look(operands, segments, cover);
+  const auto may_cost = [&](double words) {
+    if (words <= kMaxWordsPerSegment) return true;
+    return now.crossings <= crossings_to_divide &&
+           words * static_cast<double>(segments.size()) <= kWordsPerCrossing * now.crossings;
+  };
   while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
-         side * 2 <= kMaxSide &&
-         words_per_segment(side * 2, segments.size()) <= kMaxWordsPerSegment) {
+         side * 2 <= kMaxSide && may_cost(words_per_segment(side * 2, segments.size()))) {
     side *= 2;
     cover_on_grid(operands, side, scratch, cover);
     const Visibility finer = look(operands, segments, cover);
@@ -98,8 +113,8 @@ Visibility refine(const Operands& operands, std::span<const Segment> segments, i
 /// Cells along the side of the finest level: a power of two. Few cells come to that level.
 std::int32_t choose_division(std::size_t segments, const Options& options) {
   constexpr std::uint32_t kMostCells = 4096;
-  const double wanted =
-      options.grid > 0 ? options.grid : 6.0 * std::sqrt(static_cast<double>(segments));
+  const auto k = static_cast<double>(segments);
+  const double wanted = options.grid > 0 ? options.grid : std::min(6.0 * std::sqrt(k), k / 8);
   return static_cast<std::int32_t>(
       std::min(std::bit_ceil(static_cast<std::uint32_t>(wanted)), kMostCells));
 }
@@ -109,23 +124,52 @@ bool has_holes(const Operands& operands) {
                      [](const OperandRing& ring) { return ring.is_hole(); });
 }
 
+/// About how many crossings the segments have, from how far they go in x and y: exactly what is to be
+/// expected if half of them were horizontal, half of them vertical, and all anywhere in the box.
+double expected_crossings(const Operands& o, std::span<const Segment> segments) {
+  double across = 0;
+  double up = 0;
+  for (const Segment& segment : segments) {
+    across += std::abs(o.sites.dx[segment.edge]);
+    up += std::abs(o.sites.dy[segment.edge]);
+  }
+  const double area = (o.extent[0].x + o.extent[1].x) * (o.extent[0].y + o.extent[1].y);
+  return area > 0 ? across * up / area : 0;
+}
+
 }  // namespace
 
 void cover_interior(const Operands& operands, const Convolution& convolution,
                     const Options& options, CoverScratch& scratch, Cover& cover) {
   const std::span<const Segment> segments = convolution.segments;
-  cover.divided = false;
-  // The full convolution is there to be compared: its whole arrangement is built.
-  cover.active = options.cover && options.method != Method::kFull && !operands.both_convex &&
-                 (options.grid > 0 || segments.size() >= kSegmentsWorthACover);
-  int side = choose_side(segments.size(), options);
-  cover_on_grid(operands, side, scratch, cover);
-  if (!cover.active || segments.empty()) return;
   const bool free_side = options.grid == 0;
-  const Visibility seen = free_side ? refine(operands, segments, side, scratch, cover)
-                              : look(operands, segments, cover);
-  constexpr double kCrowdedForWinding = 5;
-  if (seen.crowding <= kCrowdedForWinding || has_holes(operands)) return;
+  // The full convolution is there to be compared: its whole arrangement is built.
+  const bool wanted = options.cover && options.method != Method::kFull &&
+                      !operands.both_convex && !segments.empty();
+  cover.divided = false;
+  cover.active = wanted && (!free_side || segments.size() >= kSegmentsWorthACover);
+  int side = cover.active ? choose_side(segments.size(), options)
+                          : choose_plain_side(segments.size());
+  cover_on_grid(operands, side, scratch, cover);
+  if (!wanted) return;
+  // A division costs about as much for a segment as a few crossings. It can do nothing with holes.
+  const double crossings_to_divide =
+      has_holes(operands) ? HUGE_VAL : 3.5 * static_cast<double>(segments.size());
+  bool crowded = false;
+  if (cover.active) {
+    const Visibility seen =
+        free_side ? refine(operands, segments, crossings_to_divide, side, scratch, cover)
+                  : look(operands, segments, cover);
+    crowded = seen.crossings > crossings_to_divide;
+  }
+  if (free_side && cover.covered_count() == 0) {
+    crowded = segments.size() >= kSegmentsWorthDividing &&
+              expected_crossings(operands, segments) > crossings_to_divide;
+    // A fine grid is of no use by itself.
+    cover.active = false;
+    if (!crowded) cover_on_grid(operands, choose_plain_side(segments.size()), scratch, cover);
+  }
+  if (!crowded) return;
   divide_by_winding(operands, convolution, options.limits,
                     choose_division(segments.size(), options), scratch, cover);
 }

@@ -35,7 +35,6 @@ struct Cover {
   UniformGrid grid;
   bool active = false;  ///< false: no cell is covered
   Bitmap covered;       ///< of the grid's size if active
-  Bitmap block;         ///< cells covered with their right, upper and upper right neighbours
   bool divided = false;
   std::vector<CoverLeaf> leaves;
   std::vector<std::uint32_t> leaf_segments;  ///< indices into the convolution
@@ -43,20 +42,6 @@ struct Cover {
   [[nodiscard]] std::uint64_t covered_count() const;
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
     return active && covered.get(column, row);
-  }
-  /// Whether all cells near a segment are certainly covered: a quick test for short ones.
-  [[nodiscard]] bool hides(const Vec<double>& a, const Vec<double>& b) const {
-    if (!active || divided) return false;
-    constexpr double kMargin = 2 * UniformGrid::kMargin;
-    const double x0 = std::min(a.x, b.x) * grid.inverse - kMargin;
-    const double x1 = std::max(a.x, b.x) * grid.inverse + kMargin;
-    const double y0 = std::min(a.y, b.y) * grid.inverse - kMargin;
-    const double y1 = std::max(a.y, b.y) * grid.inverse + kMargin;
-    if (x0 < 0 || y0 < 0 || x1 >= grid.columns || y1 >= grid.rows) return false;
-    const auto i = static_cast<std::int32_t>(x0);
-    const auto j = static_cast<std::int32_t>(y0);
-    return static_cast<std::int32_t>(x1) <= i + 1 && static_cast<std::int32_t>(y1) <= j + 1 &&
-           block.get(i, j);
   }
 };
 
@@ -69,8 +54,9 @@ struct CoverScratch {
   std::vector<std::uint64_t> widened;  ///< a bitmap united with itself moved by columns
   std::vector<std::uint64_t> row;
   ConvolutionScratch convolution;
-  Convolution reflex;    ///< the rest of the signed convolution
-  SegmentStack stack;    ///< segments of the cells under division, list upon list
+  Convolution reflex;  ///< the rest of the signed convolution
+  SegmentStack stack;  ///< segments of the cells under division, list upon list
+  Bitmap known;        ///< what was covered before a division
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells: by translates on
@@ -88,7 +74,8 @@ void cover_interior(const Operands& operands, const Convolution& convolution,
 void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover);
 
 /// Divides the sum's box into quarters, again and again, until a cell is certainly inside the sum,
-/// few segments are near it, or it is one of `side` · `side` (a power of two, at most 4096).
+/// few segments are near it, or it is one of `side` · `side` (a power of two, at most 4096). What
+/// an active cover has covered before stays covered, as far as whole cells of the new grid go.
 ///
 /// Let K be the signed convolution. Without holes its winding number w_K(x) is the number of
 /// components of P ∩ (x − Q): positive inside the sum. Each cell has the list of all of K that is

@@ -17,10 +17,13 @@ constexpr int kMostFutile = 4;
 class Divider {
  public:
   Divider(const Operands& o, CoverScratch& scratch, Cover& cover)
-      : o_(o), reflex_(scratch.reflex.segments), stack_(scratch.stack), cover_(cover) {}
+      : o_(o), reflex_(scratch.reflex.segments), stack_(scratch.stack), known_(scratch.known),
+        cover_(cover) {}
 
   void run(std::span<const Segment> reduced, std::int32_t side) {
+    take_known();
     lay_grid(side);
+    cover_.active = true;
     cover_.divided = true;
     cover_.leaves.clear();
     cover_.leaf_segments.clear();
@@ -46,6 +49,34 @@ class Divider {
     std::int32_t winding;  ///< of the rounded chains, at the centre
     int futile;
   };
+
+  /// What is covered before stays covered.
+  void take_known() {
+    knows_ = cover_.active;
+    if (!knows_) return;
+    known_grid_ = cover_.grid;
+    std::swap(known_, cover_.covered);
+  }
+  /// Whether all cells that were covered before hide a square, margin and all.
+  [[nodiscard]] bool is_known(std::int32_t column, std::int32_t row, std::int32_t side) const {
+    constexpr std::int32_t kMostRows = 32;  // looked at; greater squares are divided first
+    constexpr double kMargin = 4 * UniformGrid::kMargin;
+    if (!knows_) return false;
+    const double cell = cover_.grid.cell;
+    const std::int32_t first = known_grid_.column((column - kMargin) * cell);
+    const std::int32_t last = known_grid_.column((column + side + kMargin) * cell);
+    const std::int32_t low = known_grid_.row((row - kMargin) * cell);
+    const std::int32_t high = known_grid_.row((row + side + kMargin) * cell);
+    if (high - low >= kMostRows) return false;
+    for (std::int32_t j = low; j <= high; ++j) {
+      for (std::int32_t i = first; i <= last; i = (i | 63) + 1) {
+        const std::int32_t end = std::min(last, i | 63);
+        const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (end - i)) << (i & 63);
+        if ((~known_.row(j)[i >> 6] & wanted) != 0) return false;
+      }
+    }
+    return true;
+  }
 
   void lay_grid(int side) {
     const Vec<double> extent{o_.extent[0].x + o_.extent[1].x, o_.extent[0].y + o_.extent[1].y};
@@ -101,7 +132,7 @@ class Divider {
       const Tally& tally = tallies[k];
       const std::int32_t winding = cell.winding + tally.winding;
       const CoverLeaf leaf{column, row, side / 2, 0};
-      if (winding > tally.losing + tally.doubtful) {
+      if (winding > tally.losing + tally.doubtful || is_known(column, row, side / 2)) {
         mark(column, row, side / 2);
       } else if (tally.reduced == 0) {
         continue;
@@ -148,6 +179,9 @@ class Divider {
   const Operands& o_;
   std::span<const Segment> reflex_;
   SegmentStack& stack_;
+  Bitmap& known_;  ///< covered before,
+  UniformGrid known_grid_;
+  bool knows_ = false;
   Cover& cover_;
   double scale_ = 1;
   std::int64_t units_per_cell_ = 1;
