@@ -7,6 +7,7 @@
 #include "arrangement/arrangement.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
+#include "unit/prepare_operands.hpp"
 
 namespace {
 
