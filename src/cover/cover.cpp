@@ -137,6 +137,15 @@ double expected_crossings(const Operands& o, std::span<const Segment> segments) 
   return area > 0 ? across * up / area : 0;
 }
 
+/// Whether a cover has nothing to save: a segment or two for each edge, which hardly meet others. So
+/// it is where one operand is small beside the other's features.
+bool is_sparse(const Operands& operands, std::span<const Segment> segments) {
+  constexpr double kFewCrossings = 0.1;
+  return segments.size() <= std::size_t{4} * operands.size() &&
+         expected_crossings(operands, segments) <=
+             kFewCrossings * static_cast<double>(segments.size());
+}
+
 }  // namespace
 
 void cover_interior(const Operands& operands, const Convolution& convolution,
@@ -147,7 +156,8 @@ void cover_interior(const Operands& operands, const Convolution& convolution,
   const bool wanted = options.cover && options.method != Method::kFull &&
                       !operands.both_convex && !segments.empty();
   cover.divided = false;
-  cover.active = wanted && (!free_side || segments.size() >= kSegmentsWorthACover);
+  cover.active = wanted && (!free_side || (segments.size() >= kSegmentsWorthACover &&
+                                           !is_sparse(operands, segments)));
   int side = cover.active ? choose_side(segments.size(), options)
                           : choose_plain_side(segments.size());
   cover_on_grid(operands, side, scratch, cover);
