@@ -112,7 +112,7 @@ bool CollisionTest::one_inside_other() {
                             std::size_t other_last) {
     for (std::size_t r = first; r < last; ++r) {
       if (!o_.rings[r].is_hole() &&
-          inside_polygon(o_.rings[r].begin, other_first, other_last)) {
+          inside_operand(o_.rings[r].begin, other_first, other_last)) {
         return true;
       }
     }
@@ -131,9 +131,10 @@ bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
   return x < box.x0 - doubt_ || x > box.x1 + doubt_ || y < box.y0 - doubt_ || y > box.y1 + doubt_;
 }
 
-/// Whether a ray from x − `other` to the right passes an odd number of the ring's edges.
-bool CollisionTest::passes_odd_times(SiteId other, const OperandRing& ring) {
-  const BoxTree& tree = trees_.tree[o_.operand_of(ring.begin)];
+/// Whether a ray from x − `other` to the right passes an odd number of these edges, which are whole
+/// rings. O(log n) for each that it comes near.
+bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
+  const BoxTree& tree = trees_.tree[o_.operand_of(begin)];
   const Vec<double> at{at_.x - o_.sites.x[other], at_.y - o_.sites.y[other]};
   const auto misses = [&](const BoxTree::Box& box) {
     return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
@@ -142,34 +143,37 @@ bool CollisionTest::passes_odd_times(SiteId other, const OperandRing& ring) {
     return predicates_.compare_y(probe_, at_, sum_vertex(v, other)) == kNegative;
   };
   bool odd = false;
-  for (SiteId e = tree.skip_edges(ring.begin, ring.end, misses); e < ring.end;
-       e = tree.skip_edges(e, ring.end, misses)) {
-    const SiteId leaf_end = std::min(ring.end, tree.last_edge(tree.leaf_of(e)));
-    bool e_above = above(e);
+  for (SiteId e = tree.skip_edges(begin, end, misses); e < end;
+       e = tree.skip_edges(e, end, misses)) {
+    const SiteId leaf_end = std::min(end, tree.last_edge(tree.leaf_of(e)));
     for (; e < leaf_end; ++e) {
-      const bool f_above = above(o_.sites.next[e]);
+      const SiteId f = o_.sites.next[e];
+      const double y0 = o_.sites.y[e];
+      const double y1 = o_.sites.y[f];
+      if (std::max(y0, y1) < at.y - doubt_ || std::min(y0, y1) > at.y + doubt_) continue;
       // An edge going up has the point on its left if it passes right of it.
-      if (e_above != f_above &&
+      const bool f_above = above(f);
+      if (above(e) != f_above &&
           (predicates_.orientation(e, sum_vertex(e, other), probe_, at_) == kPositive) == f_above) {
         odd = !odd;
       }
-      e_above = f_above;
     }
   }
   return odd;
 }
 
-/// Whether x − `other` lies in one of the other operand's polygons, whose rings these are: parity
-/// along a ray to the right, polygon by polygon (filled holes may contain further polygons).
-bool CollisionTest::inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring) {
+/// Whether x − `other` lies in the other operand, whose rings these are: parity along a ray to the
+/// right.
+bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring) {
+  if (!o_.holes_filled || o_.connected) {
+    return passes_odd_times(other, o_.rings[first_ring].begin, o_.rings[last_ring - 1].end);
+  }
+  // Polygon by polygon: filled holes may contain further polygons.
   bool inside = false;
   for (std::size_t r = first_ring; r < last_ring; ++r) {
     const OperandRing& ring = o_.rings[r];
-    if (!ring.is_hole()) {
-      if (inside) return true;
-    }
-    if (outside_box(other, r)) continue;
-    inside ^= passes_odd_times(other, ring);
+    if (!ring.is_hole() && inside) return true;
+    if (!outside_box(other, r)) inside ^= passes_odd_times(other, ring.begin, ring.end);
   }
   return inside;
 }

@@ -87,8 +87,8 @@ class CollisionTest {
   [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
   [[nodiscard]] bool one_inside_other();
   [[nodiscard]] bool outside_box(SiteId other, std::size_t ring) const;
-  [[nodiscard]] bool passes_odd_times(SiteId other, const OperandRing& ring);
-  [[nodiscard]] bool inside_polygon(SiteId other, std::size_t first_ring, std::size_t last_ring);
+  [[nodiscard]] bool passes_odd_times(SiteId other, SiteId begin, SiteId end);
+  [[nodiscard]] bool inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
   const Operands& o_;
   BoxTrees& trees_;

@@ -190,6 +190,7 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, Operands& o)
       o.first_rings = o.rings.size();
     }
   }
+  o.holes_filled = !all_stay;
   if (all_stay) return;
   renumbered.assign(p.size() + q.size(), kNoSite);
   SiteId id = 0;

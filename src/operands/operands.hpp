@@ -53,6 +53,7 @@ struct Operands {
   RoundingBounds bounds;
   std::uint64_t bits = 0;               ///< of the coordinates
   bool connected = false;               ///< each operand is one polygon
+  bool holes_filled = false;            ///< rings are gone; other polygons may lie there
   bool both_convex = false;             ///< each operand is one convex ring
   Vec<double> trace_origin{};           ///< trace coordinate = approximate · unit + origin
   double trace_unit = 1;
