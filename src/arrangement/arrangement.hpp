@@ -125,6 +125,7 @@ struct BinScratch {
   std::vector<CellSite> sites;
   std::array<Bitmap, 4> blocks;  ///< where blocks of 2, 4 and 8 cells a side are covered; nothing
   std::vector<Segment> visible;
+  std::vector<std::uint8_t> shared;  ///< by rank: whether several edges have it
 };
 
 /// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
@@ -165,13 +166,17 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 void arrange_convex(const Operands& operands, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Joins segments that overlap, or touch, on one line in one direction, where that may be many and
-/// doubles are exact (B ≤ 25); drops what others contain. Then coinciding pieces and the points at
-/// which they end or meet others are found once instead of once for each pair. The union of
-/// segments is the same, and so is its arrangement, but for nodes in the middle of a line at which
-/// nothing else ends. Vectors d of joined segments have one bit more than edges have: cross
-/// products with them are differences of products below 2^(2B+2), exact for B ≤ 25. O(k log k).
-void join_lines(const Operands& operands, JoinScratch& scratch, std::vector<KeptSegment>& kept);
+/// Whether so many segments share directions that many may share lines, and doubles are exact
+/// (B ≤ 25).
+[[nodiscard]] bool lines_are_joined(const Operands& operands, std::size_t segments);
+/// If wanted: joins segments that overlap, or touch, on one line in one direction; drops what others
+/// contain. Then coinciding pieces and the points at which they end or meet others are found once
+/// instead of once for each pair. The union of segments is the same, and so is its arrangement, but
+/// for nodes in the middle of a line at which nothing else ends. Vectors d of joined segments have
+/// one bit more than edges have: cross products with them are differences of products below
+/// 2^(2B+2), exact for B ≤ 25. O(k log k).
+void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
+                std::vector<KeptSegment>& kept);
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,

@@ -122,15 +122,18 @@ class Binner {
     grid_ = covers_any_ ? cover_.grid : grid_for(convolution.segments);
     kept_.clear();
     items_.clear();
-    const bool exact_sums = o_.bounds.difference == 0;
-    DuplicateFinder duplicates(scratch_.hash_table, kept_);
     HiddenSegments(o_, cover_, scratch_.bin)
         .list_visible(convolution.segments, scratch_.bin.visible);
+    // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
+    const bool joins = lines_are_joined(o_, scratch_.bin.visible.size());
+    list_shared_directions(!joins && o_.bounds.difference == 0);
+    DuplicateFinder duplicates(scratch_.hash_table, kept_);
+    const auto& shared = scratch_.bin.shared;
     for (const Segment& segment : scratch_.bin.visible) {
       kept_.push_back(place_segment(o_, segment));
-      if (exact_sums && duplicates.seen()) kept_.pop_back();
+      if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
     }
-    join_lines(o_, scratch_.join, kept_);
+    join_lines(o_, joins, scratch_.join, kept_);
     KeptId count = 0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       if (list_cells(kept_[i], count)) kept_[count++] = kept_[i];
@@ -142,8 +145,19 @@ class Binner {
   }
 
  private:
-  /// Cells about as wide and as high together as the segments are on average, but not many more
-  /// than segments.
+  /// Directions that several edges have: only segments of such can be equal.
+  void list_shared_directions(bool wanted) {
+    auto& shared = scratch_.bin.shared;
+    shared.assign(o_.rank_count, 0);
+    if (!wanted) return;
+    for (std::size_t i = 1; i < o_.by_direction.size(); ++i) {
+      const DirectionRank rank = o_.rank[o_.by_direction[i]];
+      if (rank == o_.rank[o_.by_direction[i - 1]]) shared[rank] = 1;
+    }
+  }
+
+  /// Cells about as wide and as high together as the segments are on average, but not more than
+  /// segments.
   [[nodiscard]] UniformGrid grid_for(const std::vector<Segment>& segments) const {
     const double width = o_.extent[0].x + o_.extent[1].x;
     const double height = o_.extent[0].y + o_.extent[1].y;
@@ -152,7 +166,7 @@ class Binner {
     for (const Segment& s : segments) {
       length += std::abs(o_.sites.dx[s.edge]) + std::abs(o_.sites.dy[s.edge]);
     }
-    const double most = 1.5 * std::sqrt(count);
+    const double most = std::sqrt(count);
     const double side = std::max(width, height) * count / length;
     const double kept = side >= 1 ? std::min(side, most) : 1;
     return UniformGrid::over(width, height, static_cast<int>(std::min(kept, 0x1p12)));

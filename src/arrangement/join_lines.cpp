@@ -7,12 +7,6 @@
 namespace minksum {
 namespace {
 
-/// Whether so many segments share directions that many may share lines.
-bool crowded(std::size_t segments, const Operands& o) {
-  constexpr std::size_t kSegmentsPerDirection = 8;
-  return segments >= kSegmentsPerDirection * o.rank_count;
-}
-
 /// By line, and along it.
 void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch) {
   scratch.edge_of_rank.resize(o.rank_count);
@@ -35,11 +29,17 @@ void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinSc
 
 }  // namespace
 
-void join_lines(const Operands& o, JoinScratch& scratch, std::vector<KeptSegment>& kept) {
+bool lines_are_joined(const Operands& o, std::size_t segments) {
+  constexpr std::size_t kSegmentsPerDirection = 8;  // then many may share lines
+  const bool exact = o.bounds.product == 0 && o.bounds.difference == 0 && o.bounds.direction == 0;
+  return exact && segments >= kSegmentsPerDirection * o.rank_count;
+}
+
+void join_lines(const Operands& o, bool wanted, JoinScratch& scratch,
+                std::vector<KeptSegment>& kept) {
   scratch.joined.clear();
   scratch.members.clear();
-  const bool exact = o.bounds.product == 0 && o.bounds.difference == 0 && o.bounds.direction == 0;
-  if (!exact || !crowded(kept.size(), o)) return;
+  if (!wanted) return;
   list_places(o, kept, scratch);
   auto& members = scratch.members;
   auto& result = scratch.result;

@@ -40,8 +40,8 @@ class DuplicateFinder {
       : table_(table), kept_(kept) {
     table_.assign(kSmallest, kEmpty);
   }
-  /// Whether a segment equal to the last one was seen before. To be asked for each in turn; those
-  /// that were are to be taken away.
+  /// Whether a segment equal to the last one was seen before. To be asked for each that may have an
+  /// equal, in turn; those that have are to be taken away.
   bool seen() {
     if (2 * kept_.size() > table_.size()) grow();
     return enter(static_cast<KeptId>(kept_.size() - 1));
@@ -64,7 +64,7 @@ class DuplicateFinder {
     }
   }
   void grow() {
-    table_.assign(4 * table_.size(), kEmpty);
+    table_.assign(std::bit_ceil(4 * kept_.size()), kEmpty);
     for (KeptId id = 0; id + 1 < kept_.size(); ++id) enter(id);
   }
   static std::size_t hash(const KeptSegment& s) {

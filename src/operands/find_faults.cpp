@@ -25,7 +25,10 @@ class ContactFinder {
     Vec<double> extent{};
     for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
-    const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(o_.size()))), 1, 2048);
+    // Of few edges pairs cost less than cells.
+    const double edges = o_.size();
+    const double cells = edges < 100 ? edges / 4 : edges;
+    const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
     grid_ = UniformGrid::over(extent.x, extent.y, side);
     bin(grid_);
     const auto& begin = scratch_.cell_begin;

@@ -82,7 +82,7 @@ TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
   const std::vector<KeptSegment> before = segments_of(o, convolution);
   std::vector<KeptSegment> after = before;
   JoinScratch scratch;
-  join_lines(o, scratch, after);
+  join_lines(o, lines_are_joined(o, after.size()), scratch, after);
   EXPECT_LT(2 * after.size(), before.size());
   EXPECT_EQ(union_of(after), union_of(before));
   EXPECT_GE(scratch.joined.size(), 2U);
@@ -108,7 +108,7 @@ TEST(JoinLines, LeavesSegmentsOfManyDirections) {
   reduced_convolution(o, options.limits, convolution_scratch, convolution);
   std::vector<KeptSegment> kept = segments_of(o, convolution);
   JoinScratch scratch;
-  join_lines(o, scratch, kept);
+  join_lines(o, lines_are_joined(o, kept.size()), scratch, kept);
   EXPECT_TRUE(scratch.joined.empty());
   EXPECT_EQ(kept.size(), convolution.segments.size());
 }
