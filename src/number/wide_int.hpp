@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,14 @@ namespace minksum {
 
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
+
+/// Bits of the magnitude, without sign.
+inline int bit_width(Int128 value) {
+  const auto magnitude = static_cast<Uint128>(value < 0 ? -value : value);
+  const auto high = static_cast<std::uint64_t>(magnitude >> 64);
+  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
+                   : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
+}
 
 /// Two's complement, little-endian limbs, wrapping like the built-in unsigned types do: whoever
 /// uses it proves that values stay within 64·N − 1 bits (see predicate/bit_budget.hpp).

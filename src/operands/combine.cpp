@@ -1,6 +1,5 @@
 // Two prepared operands to one set of arrays.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 
@@ -9,13 +8,6 @@
 
 namespace minksum {
 namespace {
-
-int bit_width(Int128 value) {
-  const auto high = static_cast<std::uint64_t>(static_cast<Uint128>(value < 0 ? -value : value) >> 64);
-  const auto low = static_cast<std::uint64_t>(value < 0 ? -value : value);
-  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
-                   : static_cast<int>(std::bit_width(low));
-}
 
 /// 2^exp2 · 10^exp10; the caller knows that it fits.
 Int128 power(int exp2, int exp10) {

@@ -3,8 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
+#include <limits>
 
 #include "operands/prepared_operand.hpp"
 #include "operands/rational_sites.hpp"
@@ -16,12 +15,6 @@ namespace {
 std::uint64_t magnitude(std::int64_t value) {
   return value < 0 ? ~static_cast<std::uint64_t>(value) + 1 : static_cast<std::uint64_t>(value);
 }
-int bit_width(Int128 value) {
-  const auto high = static_cast<std::uint64_t>(static_cast<Uint128>(value) >> 64);
-  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
-                   : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
-}
-
 template <class Visit>
 void for_each_coordinate(const Region& region, Visit visit) {
   const std::size_t n = region.vertex_count();
@@ -166,8 +159,7 @@ bool load_long_numbers(const Region& region, GridCoordinates& grid) {
   if (scale.exp2 == kHigh) scale.exp2 = scale.exp10 = 0;  // nothing but zeros
   for (const LongNumber& number : numbers) {
     if (number.payload == 0) continue;
-    const Int128 magnitude = number.payload < 0 ? -number.payload : number.payload;
-    scale.bits = std::max(scale.bits, bit_width(magnitude) + (number.exp2 - scale.exp2) +
+    scale.bits = std::max(scale.bits, bit_width(number.payload) + (number.exp2 - scale.exp2) +
                                           bits_of_ten_to(number.exp10 - scale.exp10));
   }
   if (scale.bits > kMaxGridBits) return false;
