@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum::io {
@@ -33,6 +34,10 @@ struct ReadLimits {
 
 /// The format that the text seems to be in, by its first characters; WKT if it says nothing.
 [[nodiscard]] Format detect_format(std::string_view text);
+/// Reads areas, polylines and points: WKT, GeoJSON, `.poly` or `.dat`, told by content.
+[[nodiscard]] Geometry read_geometry(std::string_view text, const ReadLimits& limits = {});
+/// Reads a file, or standard input for "-". Messages do not name the file: the caller knows it.
+[[nodiscard]] Geometry read_geometry_file(const std::string& path, const ReadLimits& limits = {});
 /// Reads a region: WKT, GeoJSON, `.poly` or `.dat`, told by content. Numbers are read exactly.
 [[nodiscard]] Region read(std::string_view text, const ReadLimits& limits = {});
 /// Reads a file, or standard input for "-". Messages do not name the file: the caller knows it.
@@ -48,5 +53,9 @@ struct Coordinates {
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region.
 void write(std::ostream& out, const Region& region, Format format, const Coordinates& style = {});
 [[nodiscard]] std::string to_wkt(const Region& region, const Coordinates& style = {});
+/// The same with thin parts. `.poly` has no form for these: Error(kBadInput).
+void write(std::ostream& out, const Geometry& geometry, Format format,
+           const Coordinates& style = {});
+[[nodiscard]] std::string to_wkt(const Geometry& geometry, const Coordinates& style = {});
 
 }  // namespace minksum::io

@@ -1,14 +1,16 @@
 // The Minkowski sum of two regions: the one call that everything else is built on.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "minksum/cancel.hpp"
 #include "minksum/error.hpp"
+#include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
+#include "minksum/resolve.hpp"
 #include "minksum/trace.hpp"
 
 namespace minksum {
@@ -39,17 +41,6 @@ enum class Stage { kOperands, kConvolution, kCover, kArrangement, kLoops, kFilte
 inline constexpr int kStageCount = 7;
 /// "operands", "convolution", ...
 [[nodiscard]] const char* to_string(Stage stage);
-
-/// Asks a running computation to stop; may be used from any thread. Copies share one state.
-class CancelToken {
- public:
-  CancelToken() : cancelled_(std::make_shared<std::atomic<bool>>(false)) {}
-  void cancel() const { cancelled_->store(true, std::memory_order_relaxed); }
-  [[nodiscard]] bool cancelled() const { return cancelled_->load(std::memory_order_relaxed); }
-
- private:
-  std::shared_ptr<std::atomic<bool>> cancelled_;
-};
 
 /// Limits whose excess is an Error(kLimitExceeded), not a crash.
 struct Limits {
@@ -92,6 +83,14 @@ struct Options {
   std::function<bool(Stage)> progress;
   Statistics* statistics = nullptr;  ///< filled if given
   Trace* trace = nullptr;            ///< filled if given (Method::kReduced and kFull)
+
+  /// The tight places: closure of the points that P ⊕ Q has in its interior and P° ⊕ Q° has not.
+  /// There P and x − Q touch and have no play, or play along a path only: single points, and
+  /// polylines. Resolved (see Geometry), without area; filled if given (Method::kReduced).
+  Geometry* tight = nullptr;
+
+  FillRule fill = FillRule::kAutomatic;  ///< how operands given as geometries are read
+  bool regularize = false;               ///< whether their thin parts are dropped
 };
 
 /// How a call without exceptions ended. `error` is there unless it went well.
@@ -129,5 +128,15 @@ class Workspace {
 /// input, limits or cancellation. On failure `result` is empty.
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result);
+
+/// The sum of any two geometries: rings of any kind, read by `options.fill`, polylines and points. It
+/// is the set P ⊕ Q, resolved (see Geometry): closed, with thin parts where both operands are thin.
+/// Statistics are those of the sum of both areas. Tight places are those of both areas, less what
+/// the sum's thin operands cover. Throws as above.
+[[nodiscard]] Geometry minkowski_sum(const Geometry& p, const Geometry& q,
+                                     const Options& options = {});
+/// The same with memory that is reused, and no exception; as above.
+Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
+                      Workspace& workspace, Geometry& result);
 
 }  // namespace minksum

@@ -1,0 +1,23 @@
+// Union, intersection and difference, exactly.
+#pragma once
+
+#include <span>
+
+#include "minksum/geometry.hpp"
+
+namespace minksum {
+
+/// The union of resolved geometries (see Geometry), resolved. They may overlap in any way.
+/// O((n + c) log n) for n vertices in all and c places where edges meet, and so for the others.
+[[nodiscard]] Geometry unite(std::span<const Geometry> geometries);
+
+/// The operations on legal regions (see `validate`), regularized: closures of what has area.
+[[nodiscard]] Region unite(const Region& a, const Region& b);
+[[nodiscard]] Region intersect(const Region& a, const Region& b);
+[[nodiscard]] Region subtract(const Region& a, const Region& b);
+[[nodiscard]] Region symmetric_difference(const Region& a, const Region& b);
+
+/// Whether a ⊆ b.
+[[nodiscard]] bool contains(const Region& b, const Region& a);
+
+}  // namespace minksum

@@ -1,0 +1,42 @@
+// From rings of any kind to the set of points that they mean.
+#pragma once
+
+#include <optional>
+
+#include "minksum/cancel.hpp"
+#include "minksum/geometry.hpp"
+
+namespace minksum {
+
+/// Which points a set of rings encloses, told by their winding number w: how often all rings together
+/// go counter-clockwise around the point.
+enum class FillRule {
+  /// Legal polygons (see `validate`) mean what OGC says, whatever their orientation. Others are read
+  /// by kNonZero after each outer ring was directed counter-clockwise and each hole clockwise
+  /// (rings whose signed area is 0 stay as they are).
+  kAutomatic,
+  kEvenOdd,   ///< w is odd
+  kNonZero,   ///< w is not 0; rings directed as they are given, and so for the next two
+  kPositive,  ///< w > 0
+  kNegative,  ///< w < 0
+  kStrict,    ///< polygons must be legal: else Error(kBadInput) that names the fault's place
+};
+/// "automatic", "evenodd", "nonzero", "positive", "negative", "strict".
+[[nodiscard]] const char* to_string(FillRule rule);
+
+struct ResolveOptions {
+  FillRule fill = FillRule::kAutomatic;
+  /// Drops what has no area: polylines, points, and the thin parts of rings.
+  bool regularize = false;
+  std::optional<CancelToken> cancel;
+};
+
+/// The set of points that a geometry means, in resolved form (see Geometry), exactly.
+///
+/// Its area is the closure of the points that the fill rule says. A ring's own points belong to the
+/// set, so spikes, antennas and rings that collapse become polylines or points where no area holds
+/// them. Where rings cross, vertices are rational points. O((n + c) log n) for n vertices and c
+/// places where edges meet. Throws Error: kBadInput (kStrict), kLimitExceeded, kCancelled.
+[[nodiscard]] Geometry resolve(const Geometry& geometry, const ResolveOptions& options = {});
+
+}  // namespace minksum
