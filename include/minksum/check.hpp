@@ -1,0 +1,74 @@
+// Is this the Minkowski sum of these two? A check of anybody's result, by independent methods.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "minksum/minkowski_sum.hpp"
+#include "minksum/validity.hpp"
+
+namespace minksum {
+
+struct CheckOptions {
+  FillRule fill = FillRule::kAutomatic;  ///< how the operands are read
+  bool regularize = false;               ///< whether their thin parts are dropped
+  /// How far, in x and in y, the result may be off: each of its points has a point of the sum within
+  /// that, and each point of the sum has one of the result. 0: they must be equal. Not negative.
+  Rational within;
+  std::uint64_t samples = 1000;  ///< random points, beside those near the result's edges
+  std::uint64_t seed = 1;
+  /// Above these the proof is not tried.
+  Limits limits{std::uint64_t{1} << 20, std::uint64_t{1} << 23};
+  std::optional<CancelToken> cancel;
+};
+
+/// A point that is in one of result and sum, and further than `within` from the other.
+struct Disagreement {
+  Point at;
+  bool in_result = false;
+};
+
+/// A difference of two sets: how much, and a point of its largest part.
+struct Difference {
+  Rational area;
+  std::optional<Point> at;
+};
+
+enum class Proof {
+  kHolds,     ///< the result is the sum, within what is allowed
+  kRefuted,   ///< it is not
+  kNotTried,  ///< the sum is too large for the second method (see `CheckOptions::limits`)
+};
+
+/// What a check found out.
+struct SumCheck {
+  std::vector<Fault> faults;  ///< why the result is not valid; none = it is
+  std::uint64_t points = 0;   ///< points tested
+  std::uint64_t disagreements = 0;
+  std::vector<Disagreement> examples;  ///< the first few of these
+  Proof proof = Proof::kNotTried;
+  Rational result_area;
+  std::optional<Rational> sum_area;  ///< by the second method; nothing if it was not tried
+  std::optional<Difference> missing;  ///< of the sum, not in the result (areas only)
+  std::optional<Difference> surplus;  ///< of the result, not in the sum
+  bool thin_parts_differ = false;
+
+  [[nodiscard]] bool ok() const {
+    return faults.empty() && disagreements == 0 && proof != Proof::kRefuted;
+  }
+};
+
+/// Checks whether `result` is P ⊕ Q, without the method that `minkowski_sum` uses by default:
+/// - validity of the result (`validate`);
+/// - points close to each of its edges on both sides, near its vertices, and at random: is x in the
+///   result exactly if P meets x − Q, decided by code of its own;
+/// - the whole sum and its area by Method::kSigned, compared exactly: a proof, where that method is
+///   fast enough.
+/// The result may be anybody's, rounded or not. O(n + m) and more for each point.
+/// Throws Error: kBadInput for operands and for `within`, kCancelled.
+[[nodiscard]] SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
+                                 const CheckOptions& options = {});
+
+}  // namespace minksum

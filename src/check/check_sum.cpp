@@ -1,0 +1,274 @@
+// The check of a sum: validity, points, and the whole by the second method.
+#include "minksum/check.hpp"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+
+#include "check/placement.hpp"
+#include "minksum/boolean.hpp"
+#include "minksum/measure.hpp"
+
+namespace minksum {
+namespace checking {
+namespace {
+
+constexpr std::size_t kExamples = 10;
+// How far beside the middle of an edge its points are tested, as a part of its length.
+constexpr std::int64_t kBeside = std::int64_t{1} << 20;
+
+void stop_if_asked(const CheckOptions& options) {
+  if (options.cancel && options.cancel->cancelled()) {
+    throw Error(ErrorCode::kCancelled, "cancelled", {}, "check");
+  }
+}
+
+/// The set of points at most `reach` away from `geometry` in x and in y.
+Geometry grown(const Geometry& geometry, const Rational& reach, const CheckOptions& options) {
+  if (reach.sign() == 0 || geometry.empty()) return geometry;
+  Geometry square;
+  square.region.begin_polygon();
+  square.region.begin_ring();
+  const Rational less = -reach;
+  for (const auto& [x, y] : {std::pair{less, less}, {reach, less}, {reach, reach}, {less, reach}}) {
+    square.region.add_vertex(x, y);
+  }
+  Options sum;
+  sum.cancel = options.cancel;
+  return minkowski_sum(geometry, square, sum);
+}
+
+/// Asks for points whether result and sum agree.
+class Witness {
+ public:
+  Witness(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& options,
+          SumCheck& check)
+      : allowed_(options.within.sign() != 0),
+        result_(result),
+        wide_result_(grown(result, options.within, options)),
+        sum_(p, q),
+        wide_sum_(p, grown(q, options.within, options)),
+        options_(options),
+        check_(check) {}
+
+  void ask(const Point& x) {
+    if ((check_.points++ & 0xFF) == 0) stop_if_asked(options_);
+    const Corner corner(x);
+    const bool in_result = contains(result_, corner);
+    if (in_result == sum_.in_sum(x)) return;
+    if (allowed_ && (in_result ? wide_sum_.in_sum(x) : contains(wide_result_, corner))) return;
+    ++check_.disagreements;
+    if (check_.examples.size() < kExamples) check_.examples.push_back({x, in_result});
+  }
+
+ private:
+  bool allowed_;
+  EdgeTree result_;
+  EdgeTree wide_result_;
+  Placement sum_;
+  Placement wide_sum_;
+  const CheckOptions& options_;
+  SumCheck& check_;
+};
+
+// A lost hole, a shifted vertex, a spurious ring: each shows next to an edge.
+void ask_near_edges(const Region& region, Witness& witness) {
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(ring);
+      for (const std::size_t v : vertices) {
+        const std::size_t next = v + 1 < vertices.front() + vertices.size() ? v + 1 : vertices.front();
+        const Point a = region.point(v);
+        const Point b = region.point(next);
+        const Rational dx = b.x - a.x;
+        const Rational dy = b.y - a.y;
+        const Point middle{(a.x + b.x) / Rational(2), (a.y + b.y) / Rational(2)};
+        const Rational part(1, kBeside);
+        witness.ask({middle.x + dy * part, middle.y - dx * part});
+        witness.ask({middle.x - dy * part, middle.y + dx * part});
+        witness.ask(a);
+      }
+    }
+  }
+}
+
+void ask_thin_parts(const Geometry& geometry, Witness& witness) {
+  for (const Polyline& line : geometry.polylines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      witness.ask(line[i]);
+      witness.ask({(line[i].x + line[i + 1].x) / Rational(2),
+                   (line[i].y + line[i + 1].y) / Rational(2)});
+    }
+  }
+  for (const Point& point : geometry.points) witness.ask(point);
+}
+
+struct Span {
+  Rational low;
+  Rational high;
+  void add(const Rational& value) {
+    if (value < low) low = value;
+    if (high < value) high = value;
+  }
+};
+
+/// The box of all points of a geometry that is not empty.
+std::pair<Span, Span> spans(const Geometry& geometry) {
+  std::vector<Point> points = geometry.points;
+  for (const Polyline& line : geometry.polylines) {
+    points.insert(points.end(), line.begin(), line.end());
+  }
+  if (const auto box = bounding_box(geometry.region)) {
+    points.push_back(box->min);
+    points.push_back(box->max);
+  }
+  std::pair<Span, Span> result{{points[0].x, points[0].x}, {points[0].y, points[0].y}};
+  for (const Point& point : points) {
+    result.first.add(point.x);
+    result.second.add(point.y);
+  }
+  return result;
+}
+
+// In the box of the sum, a twentieth wider on each side, on a grid of 2^53 lines.
+void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& options,
+                   Witness& witness) {
+  if (p.empty() || q.empty()) return;
+  std::mt19937_64 random(options.seed);
+  const auto [px, py] = spans(p);
+  const auto [qx, qy] = spans(q);
+  const auto pick = [&random](const Span& a, const Span& b) {
+    const Rational low = a.low + b.low;
+    const Rational width = a.high + b.high - low;
+    const auto at = static_cast<std::int64_t>(random() >> 11);
+    return low - width / Rational(20) +
+           width * Rational(11, 10) * Rational(at, std::int64_t{1} << 53);
+  };
+  for (std::uint64_t i = 0; i < options.samples; ++i) {
+    Rational x = pick(px, qx);
+    Rational y = pick(py, qy);
+    witness.ask({std::move(x), std::move(y)});
+  }
+}
+
+/// A point inside the first ring of the polygon with the largest area: of the vertical section
+/// through it the middle of the lowest part.
+Point inner_point(const Region& region) {
+  const IndexRange ring = region.vertices_of(region.rings_of(0).front());
+  Rational first = region.exact_x(ring.front());
+  for (const std::size_t v : ring) first = std::min(first, region.exact_x(v));
+  std::optional<Rational> second;
+  for (const std::size_t v : ring) {
+    const Rational x = region.exact_x(v);
+    if (first < x && (!second || x < *second)) second = x;
+  }
+  const Rational x = (first + *second) / Rational(2);
+  std::vector<Rational> heights;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t r : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(r);
+      for (const std::size_t v : vertices) {
+        const std::size_t next = v + 1 < vertices.front() + vertices.size() ? v + 1 : vertices.front();
+        const Point a = region.point(v);
+        const Point b = region.point(next);
+        if ((a.x < x) == (b.x < x)) continue;
+        heights.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+      }
+    }
+  }
+  std::sort(heights.begin(), heights.end());
+  return {x, (heights[0] + heights[1]) / Rational(2)};
+}
+
+Difference difference_of(const Region& part) {
+  Difference result;
+  result.area = area(part);
+  std::optional<Rational> largest;
+  for (const std::size_t polygon : part.polygons()) {
+    const Region one(part.polygon(polygon));
+    const Rational its_area = area(one);
+    if (!largest || *largest < its_area) {
+      largest = its_area;
+      result.at = inner_point(one);
+    }
+  }
+  return result;
+}
+
+bool same_thin_parts(const Geometry& a, const Geometry& b) {
+  return a.polylines == b.polylines && a.points == b.points;
+}
+
+void prove(const Geometry& result, const Geometry& p, const Geometry& q,
+           const CheckOptions& options, SumCheck& check) {
+  Options second;
+  second.method = Method::kSigned;
+  second.limits = options.limits;
+  second.cancel = options.cancel;
+  Geometry sum;
+  try {
+    sum = minkowski_sum(p, q, second);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kLimitExceeded) return;
+    throw;
+  }
+  check.sum_area = area(sum.region);
+  check.missing = difference_of(subtract(sum.region, result.region));
+  check.surplus = difference_of(subtract(result.region, sum.region));
+  if (options.within.sign() == 0) {
+    check.thin_parts_differ = !same_thin_parts(sum, result);
+    const bool equal = sum.region == result.region && !check.thin_parts_differ;
+    check.proof = equal ? Proof::kHolds : Proof::kRefuted;
+    return;
+  }
+  // Thin parts grow to areas as well, so that areas decide for them too.
+  const Geometry wide_sum = grown(sum, options.within, options);
+  const Geometry wide_result = grown(result, options.within, options);
+  const Geometry both_sums[] = {wide_sum, result};
+  const Geometry both_results[] = {wide_result, sum};
+  const bool near = unite(both_sums) == wide_sum && unite(both_results) == wide_result;
+  check.proof = near ? Proof::kHolds : Proof::kRefuted;
+}
+
+}  // namespace
+}  // namespace checking
+
+SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
+                   const CheckOptions& options) {
+  using namespace checking;
+  if (options.within.sign() < 0) {
+    throw Error(ErrorCode::kBadInput, "how far a result may be off must not be negative");
+  }
+  ResolveOptions reading{options.fill, options.regularize, options.cancel};
+  const auto operand = [&reading](const Geometry& geometry, int index) {
+    try {
+      return resolve(geometry, reading);
+    } catch (const Error& error) {
+      Culprit culprit = error.culprit();
+      culprit.operand = index;
+      throw Error(error.code(), error.what(), culprit, error.stage());
+    }
+  };
+  const Geometry first = operand(p, 0);
+  const Geometry second = operand(q, 1);
+
+  SumCheck check;
+  check.faults = validate(result.region);
+  ResolveOptions as_it_is;
+  as_it_is.cancel = options.cancel;
+  const Geometry found = resolve(result, as_it_is);
+  if (check.faults.empty() && found.region.polygon_count() != result.region.polygon_count()) {
+    check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, 0, 0});
+  }
+  check.result_area = area(found.region);
+  {
+    Witness witness(found, first, second, options, check);
+    ask_near_edges(found.region, witness);
+    ask_thin_parts(found, witness);
+    ask_at_random(first, second, options, witness);
+  }
+  prove(found, first, second, options, check);
+  return check;
+}
+
+}  // namespace minksum
