@@ -119,8 +119,9 @@ bool has_holes(const PreparedOperand& operand) {
 /// Tells the holes of one operand that no polygon of the other, `unit` times as large, fits into.
 class HoleFiller {
  public:
-  HoleFiller(const PreparedOperand& operand, const PreparedOperand& other, std::vector<Vec<double>>& sizes)
-      : operand_(operand), sizes_(sizes) {
+  HoleFiller(const PreparedOperand& operand, const PreparedOperand& other, bool tight_wanted,
+             std::vector<Vec<double>>& sizes)
+      : operand_(operand), sizes_(sizes), tight_wanted_(tight_wanted) {
     const double unit =
         std::ldexp(1.0, other.unit_exp2 - operand.unit_exp2) *
         std::pow(10.0, other.unit_exp10 - operand.unit_exp10);
@@ -130,7 +131,8 @@ class HoleFiller {
     larger_ = exact ? 1 : 1 + 0x1p-40;
     doubt_ = exact ? 0 : 2 * (operand.bounds.difference + other.bounds.difference * unit);
     sizes_.clear();
-    tells_ = unit > 0x1p-900 && unit < 0x1p900;
+    tells_ = unit > 0x1p-900 && unit < 0x1p900 &&
+             !(tight_wanted && (operand.region->polygon_count() > 1 || has_holes(other)));
     if (!tells_) return;
     for (const OperandRing& ring : other.rings) {
       if (ring.is_hole()) continue;
@@ -142,13 +144,19 @@ class HoleFiller {
     if (!ring.is_hole() || !tells_) return false;
     const Vec<double> hole = size_of(operand_, ring);
     return std::all_of(sizes_.begin(), sizes_.end(), [&](const Vec<double>& other) {
-      return other.x >= hole.x * larger_ + doubt_ || other.y >= hole.y * larger_ + doubt_;
+      return wider(other.x, hole.x) || wider(other.y, hole.y);
     });
   }
 
  private:
+  [[nodiscard]] bool wider(double other, double hole) const {
+    const double bound = hole * larger_ + doubt_;
+    return tight_wanted_ ? other > bound : other >= bound;
+  }
+
   const PreparedOperand& operand_;
   std::vector<Vec<double>>& sizes_;
+  bool tight_wanted_;
   double larger_ = 1;
   double doubt_ = 0;
   bool tells_ = true;
@@ -156,7 +164,8 @@ class HoleFiller {
 
 }  // namespace
 
-void fill_holes(const PreparedOperand& p, const PreparedOperand& q, Operands& o) {
+void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_wanted,
+                Operands& o) {
   auto& renumbered = o.scratch.renumbered;
   o.rings.clear();
   renumbered.clear();
@@ -167,7 +176,9 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, Operands& o)
     auto& kept = o.scratch.kept[i];
     kept.clear();
     std::optional<HoleFiller> filler;
-    if (has_holes(operand)) filler.emplace(operand, i == 0 ? q : p, o.scratch.sizes[i]);
+    if (has_holes(operand)) {
+      filler.emplace(operand, i == 0 ? q : p, tight_wanted, o.scratch.sizes[i]);
+    }
     for (const OperandRing& ring : operand.rings) {
       if (filler && filler->fills(ring)) {
         all_stay = false;
@@ -211,7 +222,7 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Option
 }
 
 void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options, Operands& o) {
-  fill_holes(p, q, o);
+  fill_holes(p, q, options.tight != nullptr, o);
   join_sites(p, q, options, o);
   o.convex.clear();
   o.vertex_source.clear();

@@ -74,7 +74,13 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
 
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Lists the sites that stay: not those of holes into which no polygon of the other operand fits.
-void fill_holes(const PreparedOperand& p, const PreparedOperand& q, Operands& operands);
+///
+/// If tight places are wanted, fitting without any play is fitting, and what fits need only be some
+/// part of a polygon whose rings, by touching, cut its inside in parts. So holes are filled only where
+/// they are strictly narrower than polygons without holes; and only in operands of one polygon, so
+/// that different polygons never overlap.
+void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_wanted,
+                Operands& operands);
 /// Both operands' exact coordinates on their common grid.
 void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options, Operands& operands);
 /// Merges directions; sets rank, by_direction and the places.
