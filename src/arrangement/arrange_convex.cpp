@@ -10,6 +10,8 @@ void arrange_convex(const Operands& o, Arrangement& arrangement) {
   arrangement.nodes.clear();
   arrangement.pieces.clear();
   arrangement.crossings = 0;
+  arrangement.slits.clear();
+  arrangement.crowded.clear();
   // The vertices that the next edges start at: edges of a convex ring are in order of direction.
   std::array<SiteId, 2> at{kNoSite, kNoSite};
   for (const SiteId edge : o.by_direction) {

@@ -11,7 +11,7 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
   stop();
   find_crossings(cover, options, stop, predicates, scratch, arrangement);
   stop();
-  split_segments(cover, predicates, scratch, arrangement);
+  split_segments(operands, cover, options.tight != nullptr, predicates, scratch, arrangement);
 }
 
 std::optional<std::string> check(const Arrangement& a, const Operands& operands) {

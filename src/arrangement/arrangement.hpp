@@ -58,6 +58,10 @@ struct Arrangement {
   std::vector<Node> nodes;
   std::vector<Piece> pieces;
   std::uint64_t crossings = 0;  ///< proper crossings of kept segments
+  // Where tight places can be; filled if they are wanted.
+  std::vector<Piece> slits;     ///< of each two opposite pieces one
+  std::vector<NodeId> crowded;  ///< nodes at which no half-plane holds all directions, strictly: see
+                                ///< `split_segments`
 };
 
 /// A kept segment in a cell that it touches, with a box of its part there.
@@ -93,6 +97,12 @@ struct ListedPiece {
 struct CellSite {
   float x, y;
   float x0, y0, x1, y1;
+};
+
+/// A segment's direction at a point on it, its ends included.
+struct Incident {
+  std::uint32_t point;
+  DirectionRank rank;
 };
 
 /// Segments that were joined: the members [first, end), which run ahead of each other at both ends.
@@ -146,6 +156,7 @@ struct ArrangementScratch {
   std::vector<CellItem> sweep_order;
   std::vector<Crossing> crossings;
   std::vector<Event> events;
+  std::vector<Incident> incidents;
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
   std::vector<std::uint32_t> parent;
@@ -189,8 +200,12 @@ void find_crossings(const Cover& cover, const Options& options,
                     const std::function<void()>& stop, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
-void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
-                    Arrangement& arrangement);
+///
+/// If tight places are wanted, lists slits and crowded nodes: those with whose segments' directions
+/// every turn from one to the next is by less than half a circle. All segments that are known to pass
+/// count, whether their pieces stay or not. O(c log c) for c incidences.
+void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
 
 /// The segment with whose end a kept one ends.
 [[nodiscard]] inline const Segment& last_segment(const KeptSegment& s, const JoinScratch& scratch) {

@@ -11,15 +11,16 @@ constexpr NodeId kNoNode = 0xFFFFFFFFU;
 
 class Splitter {
  public:
-  Splitter(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
-           Arrangement& arrangement)
-      : cover_(cover),
+  Splitter(const Operands& operands, const Cover& cover, Predicates& predicates,
+           ArrangementScratch& scratch, Arrangement& arrangement)
+      : operands_(operands),
+        cover_(cover),
         predicates_(predicates),
         scratch_(scratch),
         result_(arrangement),
         ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())) {}
 
-  void run() {
+  void run(bool tight_wanted) {
     group_events();
     for (KeptId s = 0; s < scratch_.line_count; ++s) order_events(s);
     result_.nodes.clear();
@@ -28,6 +29,12 @@ class Splitter {
     scratch_.next_piece.clear();
     scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
     for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
+    result_.slits.clear();
+    result_.crowded.clear();
+    if (tight_wanted) {
+      list_slits();
+      list_crowded();
+    }
     drop_cancelled();
   }
 
@@ -203,6 +210,63 @@ class Splitter {
     pieces.resize(kept);
   }
 
+  void list_slits() {
+    for (PieceId p = 0; p < result_.pieces.size(); ++p) {
+      if (scratch_.next_piece[p].cancelled) result_.slits.push_back(result_.pieces[p]);
+    }
+  }
+
+  void list_crowded() {
+    auto& incidents = scratch_.incidents;
+    incidents.clear();
+    for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      const DirectionRank rank = operands_.rank[result_.kept[s].segment.edge];
+      const auto add = [&](std::uint32_t point) {
+        incidents.push_back({find_root(scratch_.parent, point), rank});
+      };
+      add(2 * s);
+      add(2 * s + 1);
+      for (const Event& event : events_of(s)) add(event.point);
+    }
+    std::sort(incidents.begin(), incidents.end(), [](const Incident& a, const Incident& b) {
+      return a.point != b.point ? a.point < b.point : a.rank < b.rank;
+    });
+    for (std::size_t first = 0, last = 0; first < incidents.size(); first = last) {
+      while (last < incidents.size() && incidents[last].point == incidents[first].point) ++last;
+      const std::uint32_t root = incidents[first].point;
+      if (turns_are_small(std::span(incidents).subspan(first, last - first)) &&
+          !is_covered(make_node(root))) {
+        result_.crowded.push_back(node_of(root));
+      }
+    }
+  }
+  /// Whether each of these directions, sorted, is followed by another within half a circle.
+  [[nodiscard]] bool turns_are_small(std::span<const Incident> around) const {
+    const std::uint32_t size = operands_.place_count;
+    const auto turn = [size](std::uint32_t from, std::uint32_t to) {
+      return to >= from ? to - from : to + size - from;
+    };
+    DirectionRank last = around.back().rank;
+    if (last == around.front().rank) return false;
+    for (const Incident& incident : around) {
+      if (incident.rank == last) continue;
+      const std::uint32_t from = operands_.place[last];
+      if (turn(from, operands_.place[incident.rank]) >=
+          turn(from, operands_.reverse_place[last])) {
+        return false;
+      }
+      last = incident.rank;
+    }
+    return true;
+  }
+  /// Whether a node is certainly in a covered cell (up to a rounding far below the cover's margin).
+  [[nodiscard]] bool is_covered(const Node& node) const {
+    const UniformGrid& grid = cover_.grid;
+    return cover_.active && node.error * grid.inverse < UniformGrid::kMargin &&
+           cover_.is_covered(grid.column(node.at.x), grid.row(node.at.y));
+  }
+
+  const Operands& operands_;
   const Cover& cover_;
   Predicates& predicates_;
   ArrangementScratch& scratch_;
@@ -212,9 +276,9 @@ class Splitter {
 
 }  // namespace
 
-void split_segments(const Cover& cover, Predicates& predicates, ArrangementScratch& scratch,
-                    Arrangement& arrangement) {
-  Splitter(cover, predicates, scratch, arrangement).run();
+void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
+  Splitter(operands, cover, predicates, scratch, arrangement).run(tight_wanted);
 }
 
 }  // namespace minksum
