@@ -8,6 +8,7 @@
 
 #include "output/output.hpp"
 #include "signed_convolution/signed_convolution.hpp"
+#include "tight/tight.hpp"
 #include "trace/fill_trace.hpp"
 
 namespace minksum {
@@ -29,6 +30,8 @@ struct Workspace::State {
   FilteredLoops filtered;
   OutputScratch output_scratch;
   Boundary boundary;
+  TightScratch tight_scratch;
+  TightPlaces tight;
 };
 
 Workspace::Workspace() : state_(std::make_unique<State>()) {}
@@ -130,6 +133,13 @@ void prepare(const Given& p, const Given& q, const Options& options, Workspace::
   combine_operands(*ready[0], *ready[1], options, w.operands);
 }
 
+void report_tight_places(const Options& options, const std::function<void()>& stop,
+                         Predicates& predicates, Workspace::State& w) {
+  find_tight_places(w.operands, w.arrangement, w.loops, w.filtered, stop, predicates, w.trees,
+                    w.tight_scratch, w.tight);
+  write_tight_places(w.operands, w.arrangement, w.tight, *options.tight);
+}
+
 void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
                   Statistics& statistics, Region& result) {
   StageRunner runner(options, statistics);
@@ -169,6 +179,12 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
     write_region(w.operands, w.arrangement, w.boundary, w.output_scratch, result);
   });
   if (options.check) runner.require(check(w.boundary, w.arrangement, w.operands));
+  if (options.tight != nullptr) {
+    runner.run(Stage::kOutput, [&] { report_tight_places(options, stop, predicates, w); });
+    if (options.check) {
+      runner.require(check(w.tight, w.arrangement, w.loops, w.filtered, w.operands));
+    }
+  }
   count(w, predicates, statistics);
   if (options.trace != nullptr) {
     fill_trace(w.operands, w.convolution, w.cover, w.arrangement, w.loops, w.filtered,
@@ -191,6 +207,10 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
   Statistics& statistics = options.statistics != nullptr ? *options.statistics : own;
   statistics = Statistics{};
   if (options.trace != nullptr) *options.trace = Trace{};
+  if (options.tight != nullptr) *options.tight = Geometry{};
+  if (options.tight != nullptr && options.method != Method::kReduced) {
+    throw Error(ErrorCode::kBadInput, "tight places are found by Method::kReduced only");
+  }
   const auto begin = std::chrono::steady_clock::now();
   if (p.region.empty() || q.region.empty()) {
     require_legal(p, q);

@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # What everything stands on, then the stages in the order of the pipeline.
 set(FOUNDATIONS number region measure predicate grid)
-set(STAGES operands convolution cover arrangement loops filters output trace)
+set(STAGES operands convolution cover arrangement loops filters output tight trace)
 # Apart from the pipeline: what else than itself and the public interface each may include.
 set(ALLOWED_signed_convolution number region)
 set(ALLOWED_io "")

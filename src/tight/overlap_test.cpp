@@ -1,0 +1,216 @@
+#include "tight/overlap_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace minksum {
+
+OverlapTest::OverlapTest(const Operands& operands, BoxTrees& trees, Predicates& predicates,
+                         TightScratch& scratch)
+    : o_(operands), trees_(trees), predicates_(predicates), scratch_(scratch) {
+  scratch_.ring_of.resize(o_.size());
+  for (std::uint32_t r = 0; r < o_.rings.size(); ++r) {
+    for (SiteId v = o_.rings[r].begin; v < o_.rings[r].end; ++v) scratch_.ring_of[v] = r;
+  }
+  scratch_.met.assign(o_.rings.size(), 0);
+}
+
+bool OverlapTest::overlaps(const Placement& x) {
+  x_ = x;
+  ++number_;
+  const RoundingBounds& bounds = predicates_.bounds();
+  doubt_ = x.error + 4 * (bounds.position + bounds.magnitude * 0x1p-49);
+  return boundaries_show_overlap() || a_ring_is_inside();
+}
+
+bool OverlapTest::near(const BoxTree::Box& p, const BoxTree::Box& q) const {
+  return p.x1 + doubt_ >= x_.at.x - q.x1 && x_.at.x - q.x0 + doubt_ >= p.x0 &&
+         p.y1 + doubt_ >= x_.at.y - q.y1 && x_.at.y - q.y0 + doubt_ >= p.y0;
+}
+
+bool OverlapTest::boundaries_show_overlap() {
+  const BoxTree& p = trees_.tree[0];
+  const BoxTree& q = trees_.tree[1];
+  const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
+  auto& stack = scratch_.stack;
+  stack.assign(1, {top(p), 0, top(q), 0});
+  while (!stack.empty()) {
+    const BoxPair pair = stack.back();
+    stack.pop_back();
+    if (!near(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q))) continue;
+    if (pair.level_p == 0 && pair.level_q == 0) {
+      if (leaves_overlap(pair.node_p, pair.node_q)) return true;
+      continue;
+    }
+    const bool split_p = pair.level_p >= pair.level_q;
+    const BoxTree& tree = split_p ? p : q;
+    const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
+    const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
+    for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, tree.nodes(level));
+         ++node) {
+      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
+                              : BoxPair{pair.level_p, pair.node_p, level, node});
+    }
+  }
+  return false;
+}
+
+template <class Visit>
+bool OverlapTest::any_part(SiteId edge, int operand, Visit visit) const {
+  const TouchingRings& touching = scratch_.touching[operand];
+  Part part{edge, edge, o_.sites.next[edge],
+            touching.last_edge.empty() ? o_.previous[edge] : touching.last_edge[edge]};
+  auto cut = std::lower_bound(touching.cuts.begin(), touching.cuts.end(), edge,
+                              [](const EdgeCut& c, SiteId e) { return c.edge < e; });
+  for (; cut != touching.cuts.end() && cut->edge == edge; ++cut) {
+    if (visit(Part{edge, part.from, cut->at, part.last})) return true;
+    part.from = cut->at;
+    part.last = cut->last;
+  }
+  return visit(part);
+}
+
+bool OverlapTest::leaves_overlap(std::size_t leaf_p, std::size_t leaf_q) {
+  const BoxTree& p = trees_.tree[0];
+  const BoxTree& q = trees_.tree[1];
+  for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
+    for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
+      const bool overlap = any_part(e, 0, [&](const Part& of_p) {
+        return any_part(f, 1, [&](const Part& of_q) { return parts_overlap(of_p, of_q); });
+      });
+      if (overlap) return true;
+    }
+  }
+  return false;
+}
+
+bool OverlapTest::parts_overlap(const Part& e, const Part& f) {
+  const Sign f_from = side(e.edge, f.from);
+  const Sign f_to = side(e.edge, f.to);
+  if (f_from == f_to && f_from != kZero) return false;
+  const Sign e_from = side(f.edge, e.from);
+  const Sign e_to = side(f.edge, e.to);
+  if (e_from == e_to && e_from != kZero) return false;
+  if (f_from == kZero && f_to == kZero) return overlap_on_line(e, f);
+  if (f_from != kZero && f_to != kZero && e_from != kZero && e_to != kZero) return true;
+  touch(e, f);
+  // A corner belongs to the part that starts with it: what ends here is left to what goes on.
+  if (f_from == kZero) {
+    if (e_to == kZero) return false;
+    return meet(e_from == kZero ? corner(e) : half_plane(e), corner(f));
+  }
+  return e_from == kZero && f_to != kZero && meet(corner(e), half_plane(f));
+}
+
+bool OverlapTest::overlap_on_line(const Part& e, const Part& f) {
+  const Axis axis =
+      predicates_.component(e.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
+  const Sign forward = predicates_.component(e.edge, axis);
+  // Where the ends of f are, seen from those of e, along e.
+  const Sign from_from = forward * compare(e.from, f.from, axis);
+  const Sign from_to = forward * compare(e.from, f.to, axis);
+  const Sign to_from = forward * compare(e.to, f.from, axis);
+  const Sign to_to = forward * compare(e.to, f.to, axis);
+  if ((from_from == kNegative && from_to == kNegative) ||
+      (to_from == kPositive && to_to == kPositive)) {
+    return false;
+  }
+  touch(e, f);
+  if (from_from == kZero) return meet(corner(e), corner(f));
+  if (from_from == kPositive && to_from == kNegative && meet(half_plane(e), corner(f))) return true;
+  return from_from == -from_to && meet(corner(e), half_plane(f));
+}
+
+OverlapTest::Arc OverlapTest::corner(const Part& part) const {
+  const DirectionRank out = o_.rank[part.edge];
+  const DirectionRank in = o_.rank[part.last];
+  return o_.operand_of(part.edge) == 0 ? Arc{o_.place[out], o_.reverse_place[in]}
+                                       : Arc{o_.reverse_place[out], o_.place[in]};
+}
+OverlapTest::Arc OverlapTest::half_plane(const Part& part) const {
+  const DirectionRank rank = o_.rank[part.edge];
+  return o_.operand_of(part.edge) == 0 ? Arc{o_.place[rank], o_.reverse_place[rank]}
+                                       : Arc{o_.reverse_place[rank], o_.place[rank]};
+}
+bool OverlapTest::meet(const Arc& a, const Arc& b) const {
+  const auto turn = [this](std::uint32_t from, std::uint32_t to) {
+    return to >= from ? to - from : to + o_.place_count - from;
+  };
+  return turn(a.begin, b.begin) < turn(a.begin, a.end) ||
+         turn(b.begin, a.begin) < turn(b.begin, b.end);
+}
+
+Sign OverlapTest::side(SiteId edge, SiteId vertex) {
+  if (x_.node != nullptr) {
+    return predicates_.orientation({edge, vertex}, x_.node->point, x_.at, x_.error);
+  }
+  const Vec<double> d = predicates_.direction(edge);
+  const Vec<double> p = predicates_.position(sum_vertex(edge, vertex));
+  const Vec<double> w{x_.at.x - p.x, x_.at.y - p.y};
+  const double left = d.x * w.y;
+  const double right = d.y * w.x;
+  const double bound =
+      predicates_.cross_bound(d, w, left, right, x_.error + predicates_.bounds().difference);
+  if (left - right > bound || left - right < -bound) {
+    predicates_.count_filtered(1);
+    return sign_of(left - right);
+  }
+  predicates_.count_kernel(1);
+  return predicates_.kernel().probe_orientation(edge, sum_vertex(edge, vertex), x_.probe);
+}
+
+Sign OverlapTest::compare(SiteId a, SiteId b, Axis axis) {
+  const SumVertex v = sum_vertex(a, b);
+  const Vec<double> p = predicates_.position(v);
+  const double difference = axis == Axis::kX ? x_.at.x - p.x : x_.at.y - p.y;
+  const double bound = x_.error + predicates_.bounds().difference;
+  if (difference > bound || difference < -bound) {
+    predicates_.count_filtered(1);
+    return sign_of(difference);
+  }
+  predicates_.count_kernel(1);
+  if (x_.node == nullptr) return predicates_.kernel().probe_compare(x_.probe, v, axis);
+  return predicates_.kernel().compare(x_.node->point, {false, {}, {}, v}, axis);
+}
+
+bool OverlapTest::a_ring_is_inside() {
+  for (std::size_t r = 0; r < o_.rings.size(); ++r) {
+    if (scratch_.met[r] == number_) continue;
+    const int other = r < o_.first_rings ? 1 : 0;
+    const BoxTree& tree = trees_.tree[other];
+    const BoxTree::Box& all = tree.box(tree.levels() - 1, 0);
+    const BoxTree::Box& box = trees_.ring_boxes[r];
+    // What is inside is in the box.
+    if (x_.at.x - box.x1 < all.x0 - doubt_ || x_.at.x - box.x0 > all.x1 + doubt_ ||
+        x_.at.y - box.y1 < all.y0 - doubt_ || x_.at.y - box.y0 > all.y1 + doubt_) {
+      continue;
+    }
+    if (inside(o_.rings[r].begin, other)) return true;
+  }
+  return false;
+}
+
+/// Whether x − `vertex`, which is on no edge of an operand, is inside it: parity along a ray to the
+/// right. (Polygons do not overlap, see `fill_holes`.)
+bool OverlapTest::inside(SiteId vertex, int operand) {
+  const BoxTree& tree = trees_.tree[operand];
+  const Vec<double> at{x_.at.x - o_.sites.x[vertex], x_.at.y - o_.sites.y[vertex]};
+  const auto misses = [&](const BoxTree::Box& box) {
+    return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
+  };
+  const auto above = [&](SiteId v) { return compare(v, vertex, Axis::kY) == kNegative; };
+  const SiteId end = operand == 0 ? o_.split : o_.size();
+  bool odd = false;
+  for (SiteId e = tree.skip_edges(operand == 0 ? 0 : o_.split, end, misses); e < end;
+       e = tree.skip_edges(e, end, misses)) {
+    const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
+    for (; e < leaf_end; ++e) {
+      const bool goes_up = above(o_.sites.next[e]);
+      // An edge going up has the point on its left if it passes right of it.
+      if (above(e) != goes_up && (side(e, vertex) == kPositive) == goes_up) odd = !odd;
+    }
+  }
+  return odd;
+}
+
+}  // namespace minksum
