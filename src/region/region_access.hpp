@@ -32,6 +32,19 @@ class RegionAccess {
     region.vertices_.push_back({x, y});
     region.origins_.push_back(origin);
   }
+  /// Appends a vertex of another region, as it is stored there.
+  static void copy_vertex(Region& region, const Region& from, std::size_t vertex) {
+    const auto copy = [&](StoredCoordinate c) {
+      if (c.denominator_limbs == 0) return c;
+      const std::size_t count = (c.numerator_limbs & kLimbCountMask) + std::size_t{c.denominator_limbs};
+      const auto* digits = from.limbs_.data() + c.payload;
+      c.payload = static_cast<std::int64_t>(region.limbs_.size());
+      region.limbs_.insert(region.limbs_.end(), digits, digits + count);
+      return c;
+    };
+    const StoredCoordinate x = copy(from.vertices_[vertex].x);
+    region.vertices_.push_back({x, copy(from.vertices_[vertex].y)});
+  }
   static void reserve(Region& region, std::size_t vertices) {
     region.vertices_.reserve(vertices);
     region.origins_.reserve(vertices);

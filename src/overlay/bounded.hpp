@@ -1,0 +1,52 @@
+// Doubles that know how wrong they may be: the filter before exact arithmetic.
+#pragma once
+
+#include <cmath>
+
+#include "number/sign.hpp"
+
+namespace minksum::overlay {
+
+/// A number that is within `error` of `value`.
+///
+/// Each operation adds a bound on its own rounding: u·|result| for u = 2^-53, and kTiny for results
+/// that underflow. Bounds are computed in doubles, too: some more roundings, each by a factor of at
+/// most 1 ± u, which kInflate covers many times over. Overflow makes the error infinite or no number, and
+/// then nothing is certain any more.
+struct Bounded {
+  double value = 0;
+  double error = 0;
+
+  static constexpr double kRounding = 0x1p-52;  ///< 2u: u, and the roundings of the bound itself
+  static constexpr double kInflate = 1 + 0x1p-49;
+  static constexpr double kTiny = 0x1p-1000;
+
+  friend Bounded operator+(const Bounded& a, const Bounded& b) {
+    const double value = a.value + b.value;
+    return {value, (a.error + b.error) * kInflate + std::fabs(value) * kRounding};
+  }
+  friend Bounded operator-(const Bounded& a, const Bounded& b) {
+    const double value = a.value - b.value;
+    return {value, (a.error + b.error) * kInflate + std::fabs(value) * kRounding};
+  }
+  friend Bounded operator*(const Bounded& a, const Bounded& b) {
+    const double value = a.value * b.value;
+    const double carried = std::fabs(a.value) * b.error + std::fabs(b.value) * a.error +
+                           a.error * b.error;
+    return {value, carried * kInflate + std::fabs(value) * kRounding + kTiny};
+  }
+  /// |A/B − a/b| = |(A − a) − (a/b)·(B − b)| / |B|. Infinite error if b may be 0.
+  friend Bounded operator/(const Bounded& a, const Bounded& b) {
+    const double value = a.value / b.value;
+    const double least = (std::fabs(b.value) - b.error) / kInflate;
+    if (!(least > 0)) return {0, HUGE_VAL};
+    const double carried = (a.error + std::fabs(value) * b.error) / least;
+    return {value, carried * kInflate + std::fabs(value) * kRounding + kTiny};
+  }
+
+  /// Whether the sign is certain, and not 0.
+  [[nodiscard]] bool certain() const { return std::fabs(value) > error; }
+  [[nodiscard]] Sign sign() const { return value > 0 ? kPositive : kNegative; }
+};
+
+}  // namespace minksum::overlay

@@ -1,0 +1,57 @@
+// Regions and geometries as chains of an overlay.
+#pragma once
+
+#include <vector>
+
+#include "overlay/overlay.hpp"
+
+namespace minksum::overlay {
+
+/// Polylines and points as rings of a region that is a store of points only.
+class ThinStore {
+ public:
+  /// Each becomes a chain without weight that belongs. Chains point into this store.
+  void add(const Geometry& geometry) {
+    for (const Polyline& line : geometry.polylines) add(line);
+    for (const Point& point : geometry.points) add(std::span(&point, 1));
+  }
+  void list_chains(std::vector<Chain>& chains) const {
+    for (std::size_t ring = 0; ring < points_.ring_count(); ++ring) {
+      const IndexRange vertices = points_.vertices_of(ring);
+      Chain chain;
+      chain.region = &points_;
+      chain.begin = vertices.front();
+      chain.end = chain.begin + vertices.size();
+      chain.closed = false;
+      chain.belongs = true;
+      chains.push_back(chain);
+    }
+  }
+
+ private:
+  void add(std::span<const Point> points) {
+    if (points.empty()) return;
+    if (points_.polygon_count() == 0) points_.begin_polygon();
+    points_.begin_ring();
+    for (const Point& p : points) points_.add_vertex(p.x, p.y);
+  }
+  Region points_;
+};
+
+/// Calls add(chain, is_hole) for each ring, with its range of vertices.
+template <class Add>
+void for_each_ring(const Region& region, Add add) {
+  for (const std::size_t polygon : region.polygons()) {
+    const IndexRange rings = region.rings_of(polygon);
+    for (const std::size_t ring : rings) {
+      const IndexRange vertices = region.vertices_of(ring);
+      Chain chain;
+      chain.region = &region;
+      chain.begin = vertices.front();
+      chain.end = chain.begin + vertices.size();
+      add(chain, ring != rings.front());
+    }
+  }
+}
+
+}  // namespace minksum::overlay

@@ -1,0 +1,71 @@
+// Exact answers about an overlay's points, segments and crossings.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "minksum/region.hpp"
+#include "number/sign.hpp"
+
+namespace minksum::overlay {
+
+using PointId = std::uint32_t;
+
+/// The segment between two points.
+struct Ends {
+  PointId low = 0;
+  PointId high = 0;
+};
+
+/// A point of the overlay: a given point, or where two segments cross.
+struct Place {
+  Ends first;
+  Ends second;
+  bool is_crossing = false;
+
+  static Place of_point(PointId point) { return {{point, point}, {}, false}; }
+  static Place of_crossing(const Ends& a, const Ends& b) { return {a, b, true}; }
+  [[nodiscard]] PointId point() const { return first.low; }
+};
+
+struct Approximation {
+  double x = 0;
+  double y = 0;
+};
+
+/// Holds the exact coordinates of all points and decides by them.
+///
+/// Points are homogeneous, (X : Y : W) with W > 0, and lines are their cross products; so no formula
+/// divides. There is one implementation (exact_points_of.hpp) and an instance of it for each rung: 30, 61 and 125
+/// bits of coordinate in integers of fixed width, and integers of any size.
+class ExactPoints {
+ public:
+  virtual ~ExactPoints() = default;
+
+  /// Keeps these points only, and numbers them in this order.
+  virtual void pick(std::span<const PointId> points) = 0;
+
+  /// By x, then by y.
+  [[nodiscard]] virtual Sign compare(PointId a, PointId b) const = 0;
+  [[nodiscard]] virtual Sign compare(const Place& a, const Place& b) const = 0;
+  /// Positive if the point lies on the left of the line from low to high.
+  [[nodiscard]] virtual Sign orientation(const Ends& line, PointId point) const = 0;
+  [[nodiscard]] virtual Sign orientation(const Ends& line, const Place& place) const = 0;
+  /// Positive if t's direction is counter-clockwise of s's, within half a turn.
+  [[nodiscard]] virtual Sign cross(const Ends& s, const Ends& t) const = 0;
+  /// The sign of a ring's signed area.
+  [[nodiscard]] virtual Sign area_sign(std::span<const PointId> ring) const = 0;
+
+  /// The nearest doubles, in a unit and from an origin of the rung's own; what underflows is off by
+  /// less than kAbsoluteError.
+  [[nodiscard]] virtual Approximation approximate(const Place& place) const = 0;
+  static constexpr double kAbsoluteError = 0x1p-1020;
+  /// Whether given points are integers in that unit.
+  [[nodiscard]] virtual bool on_grid() const = 0;
+
+  /// The place in the coordinates that were given.
+  [[nodiscard]] virtual Point exact(const Place& place) const = 0;
+};
+
+}  // namespace minksum::overlay

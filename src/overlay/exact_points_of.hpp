@@ -1,0 +1,291 @@
+// Each exact formula of the overlay, once, over the number types of any rung.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "number/big.hpp"
+#include "number/wide_int.hpp"
+#include "overlay/exact_points.hpp"
+#include "region/rational_access.hpp"
+
+namespace minksum::overlay {
+
+// Bits of magnitudes for coordinates of B bits, not negative, with W = 1:
+//   a line's direction (A, B)    B              its C                2B
+//   a crossing's W               2B + 1         its X, Y             3B + 1
+//   line · point                 2B + 2         line · crossing      4B + 3
+//   X₁·W₂ − X₂·W₁                5B + 3
+struct NarrowRung {
+  static constexpr int kBits = 30;
+  using Length = std::int64_t;   // coordinates and A, B
+  using Area = std::int64_t;     // C, W and line · point
+  using Volume = Int128;         // X, Y of a crossing
+  using Side = Int128;           // line · crossing
+  using Order = WideInt<3>;      // X₁·W₂ − X₂·W₁
+  using AreaSum = Int128;
+};
+struct MediumRung {
+  static constexpr int kBits = 61;
+  using Length = std::int64_t;
+  using Area = Int128;
+  using Volume = WideInt<3>;
+  using Side = WideInt<4>;
+  using Order = WideInt<5>;
+  using AreaSum = WideInt<3>;
+};
+struct WideRung {
+  static constexpr int kBits = 125;
+  using Length = Int128;
+  using Area = WideInt<4>;
+  using Volume = WideInt<6>;
+  using Side = WideInt<8>;
+  using Order = WideInt<10>;
+  using AreaSum = WideInt<5>;
+};
+struct ArbitraryRung {
+  using Length = BigInteger;
+  using Area = BigInteger;
+  using Volume = BigInteger;
+  using Side = BigInteger;
+  using Order = BigInteger;
+};
+
+template <class Integer>
+constexpr int kMagnitudeBits = static_cast<int>(8 * sizeof(Integer)) - 1;
+template <class Rung>
+constexpr bool kFits = kMagnitudeBits<typename Rung::Length> >= Rung::kBits + 1 &&
+                       kMagnitudeBits<typename Rung::Area> >= 2 * Rung::kBits + 2 &&
+                       kMagnitudeBits<typename Rung::Volume> >= 3 * Rung::kBits + 1 &&
+                       kMagnitudeBits<typename Rung::Side> >= 4 * Rung::kBits + 3 &&
+                       kMagnitudeBits<typename Rung::Order> >= 5 * Rung::kBits + 3 &&
+                       kMagnitudeBits<typename Rung::AreaSum> >= 2 * Rung::kBits + 1 + 32;
+static_assert(kFits<NarrowRung> && kFits<MediumRung> && kFits<WideRung>);
+
+template <class To, class From>
+To widen(const From& value) {
+  if constexpr (std::is_same_v<To, From>) {
+    return value;
+  } else {
+    return static_cast<To>(value);
+  }
+}
+
+template <std::size_t N>
+BigInt to_big(const WideInt<N>& value) {
+  const WideInt<N> magnitude = value.magnitude();
+  std::uint64_t limbs[N];
+  for (std::size_t i = 0; i < N; ++i) limbs[i] = magnitude.limb(i);
+  const BigInt result = from_limbs(limbs);
+  return value.negative() ? BigInt(-result) : result;
+}
+inline BigInt to_big(Int128 value) { return to_big(WideInt<2>(value)); }
+inline BigInt to_big(std::int64_t value) { return BigInt(value); }
+inline BigInt to_big(const BigInteger& value) { return BigInt(value); }
+
+/// How the rung's coordinates and the given ones go together: given = (own + offset)·2^exp2·10^exp10.
+struct Frame {
+  BigInt offset_x = 0;
+  BigInt offset_y = 0;
+  int exp2 = 0;
+  int exp10 = 0;
+  /// What approximations are scaled by, so that they neither overflow nor underflow needlessly.
+  int approximate_exp2 = 0;
+};
+
+template <class Rung>
+class ExactPointsOf final : public ExactPoints {
+  static constexpr bool kHomogeneous = std::is_same_v<Rung, ArbitraryRung>;
+  using Length = typename Rung::Length;
+  using Area = typename Rung::Area;
+  using Volume = typename Rung::Volume;
+  using Side = typename Rung::Side;
+  using Order = typename Rung::Order;
+
+ public:
+  struct Own {
+    Length x;
+    Length y;
+  };
+  /// `weights` are the W of points in the rung of any size; elsewhere there are none.
+  ExactPointsOf(std::vector<Own> points, std::vector<Length> weights, Frame frame)
+      : points_(std::move(points)), weights_(std::move(weights)), frame_(std::move(frame)) {}
+
+  void pick(std::span<const PointId> points) override {
+    points_ = picked(points_, points);
+    if constexpr (kHomogeneous) weights_ = picked(weights_, points);
+  }
+
+  [[nodiscard]] Sign compare(PointId a, PointId b) const override {
+    if constexpr (kHomogeneous) {
+      return compare(Place::of_point(a), Place::of_point(b));
+    } else {
+      const Own& p = points_[a];
+      const Own& q = points_[b];
+      if (p.x != q.x) return p.x < q.x ? kNegative : kPositive;
+      return p.y == q.y ? kZero : p.y < q.y ? kNegative : kPositive;
+    }
+  }
+  [[nodiscard]] Sign compare(const Place& a, const Place& b) const override {
+    const Homogeneous p = homogeneous(a);
+    const Homogeneous q = homogeneous(b);
+    const Sign by_x = compare(p.x, p.w, q.x, q.w);
+    return by_x != kZero ? by_x : compare(p.y, p.w, q.y, q.w);
+  }
+  [[nodiscard]] Sign orientation(const Ends& line, PointId point) const override {
+    const Line l = line_of(line);
+    const Own& p = points_[point];
+    Area sum = widen<Area>(l.a) * widen<Area>(p.x) + widen<Area>(l.b) * widen<Area>(p.y);
+    if constexpr (kHomogeneous) {
+      sum = sum + l.c * weights_[point];
+    } else {
+      sum = sum + l.c;
+    }
+    return sign_of(sum);
+  }
+  [[nodiscard]] Sign orientation(const Ends& line, const Place& place) const override {
+    if (!place.is_crossing) return orientation(line, place.point());
+    const Line l = line_of(line);
+    const Homogeneous p = homogeneous(place);
+    const Side sum = widen<Side>(l.a) * widen<Side>(p.x) + widen<Side>(l.b) * widen<Side>(p.y) +
+                     widen<Side>(l.c) * widen<Side>(p.w);
+    return sign_of(sum);
+  }
+  [[nodiscard]] Sign cross(const Ends& s, const Ends& t) const override {
+    const Line l = line_of(s);
+    const Line m = line_of(t);
+    return sign_of(
+        Area(widen<Area>(l.a) * widen<Area>(m.b) - widen<Area>(l.b) * widen<Area>(m.a)));
+  }
+  [[nodiscard]] Sign area_sign(std::span<const PointId> ring) const override {
+    if constexpr (kHomogeneous) {
+      const Quotient sum = doubled_area(ring, 0, ring.size());
+      return sign_of(sum.numerator);
+    } else {
+      using Sum = typename Rung::AreaSum;
+      Sum sum(0);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Line side = line_of({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
+        sum = sum + widen<Sum>(side.c);
+      }
+      return sign_of(sum);
+    }
+  }
+
+  [[nodiscard]] bool on_grid() const override { return !kHomogeneous; }
+  [[nodiscard]] Approximation approximate(const Place& place) const override {
+    if constexpr (std::is_same_v<Length, std::int64_t>) {
+      if (!place.is_crossing) {
+        const Own& p = points_[place.point()];
+        return {static_cast<double>(p.x), static_cast<double>(p.y)};
+      }
+    }
+    const Homogeneous p = homogeneous(place);
+    const BigInt w = to_big(p.w);
+    const auto nearest = [&](const BigInt& n) {
+      return nearest_double(n.sign() < 0, boost::multiprecision::abs(n), w,
+                            frame_.approximate_exp2);
+    };
+    return {nearest(to_big(p.x)), nearest(to_big(p.y))};
+  }
+  [[nodiscard]] Point exact(const Place& place) const override {
+    const Homogeneous p = homogeneous(place);
+    const BigInt w = to_big(p.w);
+    return {given(to_big(p.x), w, frame_.offset_x), given(to_big(p.y), w, frame_.offset_y)};
+  }
+
+ private:
+  struct Line {
+    Length a;  // direction (b, -a)
+    Length b;
+    Area c;
+  };
+  struct Homogeneous {
+    Volume x;
+    Volume y;
+    Area w;
+  };
+  struct Quotient {
+    BigInteger numerator;
+    BigInteger denominator;
+  };
+
+  template <class Value>
+  static std::vector<Value> picked(const std::vector<Value>& from,
+                                   std::span<const PointId> points) {
+    std::vector<Value> result;
+    result.reserve(points.size());
+    for (const PointId p : points) result.push_back(from[p]);
+    return result;
+  }
+
+  [[nodiscard]] Line line_of(const Ends& ends) const {
+    const Own& p = points_[ends.low];
+    const Own& q = points_[ends.high];
+    Line line{Length(p.y - q.y), Length(q.x - p.x),
+              Area(widen<Area>(p.x) * widen<Area>(q.y) - widen<Area>(p.y) * widen<Area>(q.x))};
+    if constexpr (kHomogeneous) {
+      const Length& v = weights_[ends.low];
+      const Length& w = weights_[ends.high];
+      line.a = p.y * w - q.y * v;
+      line.b = q.x * v - p.x * w;
+    }
+    return line;
+  }
+  [[nodiscard]] Homogeneous homogeneous(const Place& place) const {
+    if (!place.is_crossing) {
+      const Own& p = points_[place.point()];
+      if constexpr (kHomogeneous) {
+        return {p.x, p.y, weights_[place.point()]};
+      } else {
+        return {widen<Volume>(p.x), widen<Volume>(p.y), Area(1)};
+      }
+    }
+    const Line l = line_of(place.first);
+    const Line m = line_of(place.second);
+    const auto volume = [](const auto& a, const auto& b) {
+      return Volume(widen<Volume>(a) * widen<Volume>(b));
+    };
+    Homogeneous p{Volume(volume(l.b, m.c) - volume(m.b, l.c)),
+                  Volume(volume(m.a, l.c) - volume(l.a, m.c)),
+                  Area(widen<Area>(l.a) * widen<Area>(m.b) - widen<Area>(l.b) * widen<Area>(m.a))};
+    if (sign_of(p.w) == kNegative) p = {Volume(-p.x), Volume(-p.y), Area(-p.w)};
+    return p;
+  }
+  static Sign compare(const Volume& n, const Area& d, const Volume& m, const Area& e) {
+    return sign_of(
+        Order(widen<Order>(n) * widen<Order>(e) - widen<Order>(m) * widen<Order>(d)));
+  }
+  /// The sum of the sides' cross products from `begin` to `end`: halves are added, so that the
+  /// product of all denominators is a product of numbers of like size.
+  [[nodiscard]] Quotient doubled_area(std::span<const PointId> ring, std::size_t begin,
+                                      std::size_t end) const {
+    if (end - begin <= 1) {
+      if (begin == end) return {BigInteger(0), BigInteger(1)};
+      const PointId p = ring[begin];
+      const PointId q = ring[end == ring.size() ? 0 : end];
+      return {BigInteger(line_of({p, q}).c), BigInteger(weights_[p] * weights_[q])};
+    }
+    const std::size_t middle = begin + (end - begin) / 2;
+    const Quotient a = doubled_area(ring, begin, middle);
+    const Quotient b = doubled_area(ring, middle, end);
+    if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
+    return {a.numerator * b.denominator + b.numerator * a.denominator,
+            a.denominator * b.denominator};
+  }
+  [[nodiscard]] Rational given(BigInt numerator, BigInt denominator, const BigInt& offset) const {
+    numerator += offset * denominator;
+    if (frame_.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(frame_.exp10));
+    if (frame_.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-frame_.exp10));
+    if (frame_.exp2 > 0) numerator <<= static_cast<unsigned>(frame_.exp2);
+    if (frame_.exp2 < 0) denominator <<= static_cast<unsigned>(-frame_.exp2);
+    return RationalAccess::make(std::move(numerator), std::move(denominator));
+  }
+
+  std::vector<Own> points_;
+  std::vector<Length> weights_;
+  Frame frame_;
+};
+
+}  // namespace minksum::overlay

@@ -1,0 +1,112 @@
+// What belongs to the result and is outside of its area: polylines and points.
+#include <algorithm>
+
+#include "overlay/subdivision.hpp"
+#include "overlay/write_node.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+class ThinExtractor {
+ public:
+  ThinExtractor(const Segments& segments, const Subdivision& subdivision)
+      : segments_(segments), s_(subdivision) {}
+
+  void run(Geometry& geometry) {
+    done_.assign(s_.pieces.size(), 0);
+    describe_nodes();
+    for (NodeId v = 0; v < s_.nodes.size(); ++v) {
+      if (is_end(v)) follow_from(v);
+    }
+    // What is left are closed paths that meet nothing. The first node met is the smallest.
+    for (NodeId v = 0; v < s_.nodes.size(); ++v) follow_from(v);
+    write(geometry);
+  }
+
+ private:
+  using Path = std::vector<NodeId>;
+
+  void describe_nodes() {
+    thin_degree_.assign(s_.nodes.size(), 0);
+    on_area_.assign(s_.nodes.size(), 0);
+    for (const Piece& piece : s_.pieces) {
+      for (const NodeId v : {piece.low, piece.high}) {
+        if (piece.is_thin()) ++thin_degree_[v];
+        if (piece.inside_above || piece.inside_below) on_area_[v] = 1;
+      }
+    }
+  }
+  /// Whether paths end here: at tips, branches and the area.
+  [[nodiscard]] bool is_end(NodeId v) const { return thin_degree_[v] != 2 || on_area_[v] != 0; }
+
+  void follow_from(NodeId v) {
+    for (std::uint32_t i = s_.first_around[v]; i < s_.first_around[v + 1]; ++i) {
+      const PieceId p = s_.around[i];
+      if (s_.pieces[p].is_thin() && done_[p] == 0) follow(v, p);
+    }
+  }
+
+  /// The path from `start` along `p` to its next end; corners only.
+  void follow(NodeId start, PieceId p) {
+    Path path{start};
+    NodeId at = start;
+    PieceId before = kNone;
+    for (;;) {
+      done_[p] = 1;
+      if (before != kNone && turns_between(before, p, at)) path.push_back(at);
+      const Piece& piece = s_.pieces[p];
+      at = piece.low == at ? piece.high : piece.low;
+      if (at == start || is_end(at)) break;
+      before = std::exchange(p, other_piece(at, p));
+    }
+    path.push_back(at);
+    const bool closed = path.front() == path.back();
+    const bool backwards =
+        closed ? path[path.size() - 2] < path[1] : path.back() < path.front();
+    if (backwards) std::reverse(path.begin(), path.end());
+    paths_.push_back(std::move(path));
+  }
+  [[nodiscard]] PieceId other_piece(NodeId v, PieceId p) const {
+    for (std::uint32_t i = s_.first_around[v]; i < s_.first_around[v + 1]; ++i) {
+      const PieceId q = s_.around[i];
+      if (q != p && s_.pieces[q].is_thin()) return q;
+    }
+    broken("a path does not go on at a node");
+  }
+  [[nodiscard]] bool turns_between(PieceId p, PieceId q, NodeId at) const {
+    const Piece& a = s_.pieces[p];
+    const Piece& b = s_.pieces[q];
+    if (a.segment == b.segment) return false;
+    if ((a.low == at) == (b.low == at)) return true;
+    return segments_.predicates.cross(segments_.list[a.segment].ends,
+                                      segments_.list[b.segment].ends) != kZero;
+  }
+
+  void write(Geometry& geometry) {
+    std::sort(paths_.begin(), paths_.end());
+    for (const Path& path : paths_) {
+      Polyline& line = geometry.polylines.emplace_back();
+      for (const NodeId v : path) line.push_back(exact_point(segments_, s_.nodes[v]));
+    }
+    for (NodeId v = 0; v < s_.nodes.size(); ++v) {
+      const Node& node = s_.nodes[v];
+      if (!node.belongs || thin_degree_[v] != 0 || on_area_[v] != 0) continue;
+      if (s_.inside_left[v] == 0) geometry.points.push_back(exact_point(segments_, node));
+    }
+  }
+
+  const Segments& segments_;
+  const Subdivision& s_;
+  std::vector<std::uint8_t> done_;           // by piece
+  std::vector<std::uint32_t> thin_degree_;   // by node
+  std::vector<std::uint8_t> on_area_;        // by node
+  std::vector<Path> paths_;
+};
+
+}  // namespace
+
+void extract_thin(const Segments& segments, const Subdivision& subdivision, Geometry& geometry) {
+  ThinExtractor(segments, subdivision).run(geometry);
+}
+
+}  // namespace minksum::overlay

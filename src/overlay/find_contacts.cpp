@@ -1,0 +1,267 @@
+// Where segments meet: cells are divided until few segments are left in each.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "overlay/subdivision.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+/// A segment in a cell, with a box that holds all of its points there.
+struct Item {
+  double min_x, max_x, min_y, max_y;
+  SegmentId segment;
+};
+
+/// A segment's line in doubles, to cut boxes with.
+struct Slant {
+  double x, y;     ///< its lower end
+  double slope;    ///< dy / dx
+  double inverse;  ///< dx / dy
+  double error;    ///< of a y on it (and an x) by slope: error · (1 + |slope|)
+  bool by_x;       ///< wide enough for `slope` to be good
+  bool by_y;
+};
+
+class ContactFinder {
+ public:
+  ContactFinder(const Segments& segments, Cancellation& cancellation, Contacts& contacts)
+      : segments_(segments), predicates_(segments.predicates), cancellation_(cancellation),
+        contacts_(contacts) {}
+
+  void run() {
+    slants_.reserve(segments_.list.size());
+    for (SegmentId s = 0; s < segments_.list.size(); ++s) add(s);
+    add_lone_points();
+    divide(0, items_.size(), 0);
+    const auto touch_order = [](const Touch& a, const Touch& b) {
+      return a.segment != b.segment ? a.segment < b.segment : a.point < b.point;
+    };
+    const auto same_touch = [](const Touch& a, const Touch& b) {
+      return a.segment == b.segment && a.point == b.point;
+    };
+    auto& [touches, crossings] = contacts_;
+    std::sort(touches.begin(), touches.end(), touch_order);
+    touches.erase(std::unique(touches.begin(), touches.end(), same_touch), touches.end());
+    sort_crossings();
+  }
+
+ private:
+  static constexpr std::size_t kFew = 12;
+  static constexpr int kMaxDepth = 96;
+  static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
+
+  [[nodiscard]] const Ends& ends(SegmentId s) const {
+    return s < segments_.list.size() ? segments_.list[s].ends
+                                     : lone_points_[s - segments_.list.size()];
+  }
+
+  /// Points that belong to the result and are no end of a segment: as segments without length.
+  void add_lone_points() {
+    std::vector<std::uint8_t> is_end(segments_.sources.size(), 0);
+    for (const Segment& segment : segments_.list) {
+      is_end[segment.ends.low] = is_end[segment.ends.high] = 1;
+    }
+    for (PointId p = 0; p < is_end.size(); ++p) {
+      if (segments_.belongs[p] == 0 || is_end[p] != 0) continue;
+      lone_points_.push_back({p, p});
+      add(static_cast<SegmentId>(segments_.list.size() + lone_points_.size() - 1));
+    }
+  }
+
+  void add(SegmentId s) {
+    const ApproximatePlace& a = predicates_.point(ends(s).low);
+    const ApproximatePlace& b = predicates_.point(ends(s).high);
+    const auto low = [](const Bounded& u, const Bounded& v) {
+      return std::min(u.value - 2 * u.error, v.value - 2 * v.error);
+    };
+    const auto high = [](const Bounded& u, const Bounded& v) {
+      return std::max(u.value + 2 * u.error, v.value + 2 * v.error);
+    };
+    items_.push_back({low(a.x, b.x), high(a.x, b.x), low(a.y, b.y), high(a.y, b.y), s});
+    const double dx = b.x.value - a.x.value;
+    const double dy = b.y.value - a.y.value;
+    const double largest = std::max({std::fabs(a.x.value), std::fabs(b.x.value),
+                                     std::fabs(a.y.value), std::fabs(b.y.value)});
+    // Coordinates are off by 2^-52 of the largest, so over such a width a slope is off by 2^-21 of
+    // itself at most, and a cut by some such errors, times the slope.
+    const double enough = largest * 0x1p-30 + 0x1p-900;
+    slants_.push_back({a.x.value, a.y.value, dy / dx, dx / dy, largest * 0x1p-46 + 0x1p-900,
+                       std::fabs(dx) > enough, std::fabs(dy) > enough});
+  }
+
+  /// Divides the items [begin, end) of the stack; leaves the stack as it was but for their order.
+  void divide(std::size_t begin, std::size_t end, int depth) {
+    if (end - begin <= kFew || depth >= kMaxDepth) return test_all(begin, end);
+    Item box = items_[begin];
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const Item& item = items_[i];
+      box.min_x = std::min(box.min_x, item.min_x);
+      box.max_x = std::max(box.max_x, item.max_x);
+      box.min_y = std::min(box.min_y, item.min_y);
+      box.max_y = std::max(box.max_y, item.max_y);
+    }
+    const bool wide = box.max_x - box.min_x >= box.max_y - box.min_y;
+    if (split(begin, end, wide, depth) || split(begin, end, !wide, depth)) return;
+    test_all(begin, end);
+  }
+
+  /// The median of the boxes' middles, of a sample.
+  [[nodiscard]] double middle(std::size_t begin, std::size_t end, bool by_x) const {
+    constexpr std::size_t kSample = 31;
+    std::array<double, kSample> sample;
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < kSample; ++i) {
+      const Item& item = items_[begin + i * count / kSample];
+      sample[i] = by_x ? item.min_x / 2 + item.max_x / 2 : item.min_y / 2 + item.max_y / 2;
+    }
+    std::nth_element(sample.begin(), sample.begin() + kSample / 2, sample.end());
+    return sample[kSample / 2];
+  }
+
+  bool split(std::size_t begin, std::size_t end, bool by_x, int depth) {
+    const double at = middle(begin, end, by_x);
+    std::size_t left = 0;
+    std::size_t right = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Item& item = items_[i];
+      left += (by_x ? item.min_x : item.min_y) <= at ? 1 : 0;
+      right += (by_x ? item.max_x : item.max_y) >= at ? 1 : 0;
+    }
+    const std::size_t count = end - begin;
+    if (std::max(left, right) == count || left + right > count + count / 2) return false;
+    for (const bool low : {true, false}) {
+      const std::size_t first = items_.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        Item item = items_[i];
+        if (by_x ? cut_x(item, at, low) : cut_y(item, at, low)) items_.push_back(item);
+      }
+      divide(first, items_.size(), depth + 1);
+      items_.resize(first);
+    }
+    return true;
+  }
+
+  /// Leaves the part on one side of x = at; false if there is none.
+  [[nodiscard]] bool cut_x(Item& item, double at, bool low) const {
+    if (low ? item.min_x > at : item.max_x < at) return false;
+    if (low ? item.max_x <= at : item.min_x >= at) return true;
+    (low ? item.max_x : item.min_x) = at;
+    const Slant& slant = slants_[item.segment];
+    if (!slant.by_x) return true;
+    const double y = slant.y + (at - slant.x) * slant.slope;
+    const double error = slant.error * (1 + std::fabs(slant.slope));
+    // A rising segment is lower on the left.
+    if ((slant.slope > 0) == low) {
+      item.max_y = std::min(item.max_y, y + error);
+    } else {
+      item.min_y = std::max(item.min_y, y - error);
+    }
+    return true;
+  }
+  [[nodiscard]] bool cut_y(Item& item, double at, bool low) const {
+    if (low ? item.min_y > at : item.max_y < at) return false;
+    if (low ? item.max_y <= at : item.min_y >= at) return true;
+    (low ? item.max_y : item.min_y) = at;
+    const Slant& slant = slants_[item.segment];
+    if (!slant.by_y) return true;
+    const double x = slant.x + (at - slant.y) * slant.inverse;
+    const double error = slant.error * (1 + std::fabs(slant.inverse));
+    if ((slant.inverse > 0) == low) {
+      item.max_x = std::min(item.max_x, x + error);
+    } else {
+      item.min_x = std::max(item.min_x, x - error);
+    }
+    return true;
+  }
+
+  /// Pairs whose boxes overlap, from left to right.
+  void test_all(std::size_t begin, std::size_t end) {
+    cancellation_.check();
+    const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::sort(first, items_.begin() + static_cast<std::ptrdiff_t>(end),
+              [](const Item& a, const Item& b) { return a.min_x < b.min_x; });
+    for (std::size_t i = begin; i < end; ++i) {
+      const Item a = items_[i];
+      for (std::size_t j = i + 1; j < end && items_[j].min_x <= a.max_x; ++j) {
+        const Item& b = items_[j];
+        if (b.min_y <= a.max_y && a.min_y <= b.max_y) test(a.segment, b.segment);
+      }
+      if (end - begin > 1024) cancellation_.check();
+    }
+  }
+
+  void test(SegmentId s, SegmentId t) {
+    const Ends a = ends(s);
+    const Ends b = ends(t);
+    if (a.low == a.high || b.low == b.high) return test_point(s, t);
+    if (a.low == b.low) return test_ends(s, a.high, t, b.high, a.low);
+    if (a.high == b.high) return test_ends(s, a.low, t, b.low, a.high);
+    if (a.low == b.high || a.high == b.low) return;  // they go on from one another
+    const Sign b_low = predicates_.orientation(a, b.low);
+    const Sign b_high = predicates_.orientation(a, b.high);
+    if (b_low == b_high && b_low != kZero) return;
+    const Sign a_low = predicates_.orientation(b, a.low);
+    const Sign a_high = predicates_.orientation(b, a.high);
+    if (a_low == a_high && a_low != kZero) return;
+    if (b_low * b_high == kNegative && a_low * a_high == kNegative) {
+      contacts_.crossings.push_back({std::min(s, t), std::max(s, t)});
+      return limit_crossings();
+    }
+    if (b_low == kZero) touch_inside(s, b.low);
+    if (b_high == kZero) touch_inside(s, b.high);
+    if (a_low == kZero) touch_inside(t, a.low);
+    if (a_high == kZero) touch_inside(t, a.high);
+  }
+  /// At least one of both is a lone point. Two of them are different points.
+  void test_point(SegmentId s, SegmentId t) {
+    const bool first_is_point = ends(s).low == ends(s).high;
+    const SegmentId line = first_is_point ? t : s;
+    const PointId p = ends(first_is_point ? s : t).low;
+    if (ends(line).low == ends(line).high) return;
+    if (predicates_.orientation(ends(line), p) == kZero) touch_inside(line, p);
+  }
+  /// Both segments start (or end) at `common`. If they lie in one line, one contains the other.
+  void test_ends(SegmentId s, PointId a, SegmentId t, PointId b, PointId common) {
+    const Ends line{std::min(common, a), std::max(common, a)};
+    if (predicates_.orientation(line, b) != kZero) return;
+    touch_inside(s, b);
+    touch_inside(t, a);
+  }
+  /// A point of the segment's line: points are numbered in lexicographic order.
+  void touch_inside(SegmentId s, PointId p) {
+    if (ends(s).low < p && p < ends(s).high) contacts_.touches.push_back({s, p});
+  }
+
+  void limit_crossings() {
+    if (contacts_.crossings.size() <= look_again_at_) return;
+    sort_crossings();  // those found in several cells count once
+    if (contacts_.crossings.size() > kMaxCrossings) {
+      throw Error(ErrorCode::kLimitExceeded, "more than 2^28 crossings in one overlay");
+    }
+    look_again_at_ = std::max(kMaxCrossings, 2 * contacts_.crossings.size());
+  }
+  void sort_crossings() {
+    auto& crossings = contacts_.crossings;
+    std::sort(crossings.begin(), crossings.end());
+    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  }
+
+  const Segments& segments_;
+  const Predicates& predicates_;
+  Cancellation& cancellation_;
+  Contacts& contacts_;
+  std::vector<Ends> lone_points_;
+  std::vector<Slant> slants_;  // by segment, lone points included
+  std::size_t look_again_at_ = kMaxCrossings;
+  std::vector<Item> items_;  // a stack: what a cell hands to its halves lies above it
+};
+
+}  // namespace
+
+void find_contacts(const Segments& segments, Cancellation& cancellation, Contacts& contacts) {
+  ContactFinder(segments, cancellation, contacts).run();
+}
+
+}  // namespace minksum::overlay

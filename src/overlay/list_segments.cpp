@@ -1,0 +1,103 @@
+// Chains to distinct points and distinct segments.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "overlay/subdivision.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+/// All vertices of all chains, one after the other.
+std::vector<Source> list_sources(std::span<const Chain> chains) {
+  std::size_t count = 0;
+  for (const Chain& chain : chains) count += chain.end - chain.begin;
+  if (count > std::numeric_limits<std::uint32_t>::max() / 4) {
+    throw Error(ErrorCode::kLimitExceeded, "more than 2^30 vertices in one overlay");
+  }
+  std::vector<Source> sources;
+  sources.reserve(count);
+  for (const Chain& chain : chains) {
+    for (std::size_t v = chain.begin; v < chain.end; ++v) sources.push_back({chain.region, v});
+  }
+  return sources;
+}
+
+/// Sorts the points and keeps one of equal ones. Returns the number of each vertex's point.
+std::vector<PointId> merge_points(std::vector<Source> sources, Segments& segments) {
+  std::vector<PointId> order(sources.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const Predicates& predicates = segments.predicates;
+  std::sort(order.begin(), order.end(), [&](PointId a, PointId b) {
+    return a != b && predicates.compare(a, b) == kNegative;
+  });
+  std::vector<PointId> point_of(sources.size());
+  std::vector<PointId> distinct;
+  for (const PointId p : order) {
+    if (distinct.empty() || predicates.compare(distinct.back(), p) != kZero) {
+      distinct.push_back(p);
+      segments.sources.push_back(sources[p]);
+    }
+    point_of[p] = static_cast<PointId>(distinct.size() - 1);
+  }
+  segments.predicates.pick(distinct);
+  return point_of;
+}
+
+Winding directed_weight(const Chain& chain, std::span<const PointId> points,
+                        const Predicates& predicates) {
+  if (!chain.closed || chain.direction == Chain::Direction::kAsGiven) return chain.weight;
+  const Sign sign = predicates.area_sign(points);
+  const bool reversed = chain.direction == Chain::Direction::kCounterClockwise ? sign == kNegative
+                                                                               : sign == kPositive;
+  return reversed ? -chain.weight : chain.weight;
+}
+
+void merge_equal(std::vector<Segment>& list) {
+  std::sort(list.begin(), list.end(), [](const Segment& a, const Segment& b) {
+    return a.ends.low != b.ends.low ? a.ends.low < b.ends.low : a.ends.high < b.ends.high;
+  });
+  std::size_t kept = 0;
+  for (const Segment& s : list) {
+    Segment* last = kept == 0 ? nullptr : &list[kept - 1];
+    if (last != nullptr && last->ends.low == s.ends.low && last->ends.high == s.ends.high) {
+      last->change = last->change + s.change;
+      last->belongs |= s.belongs;
+    } else {
+      list[kept++] = s;
+    }
+  }
+  list.resize(kept);
+  // What changes nothing and is not asked for has no place in the result.
+  std::erase_if(list, [](const Segment& s) { return s.change == Winding{} && !s.belongs; });
+}
+
+}  // namespace
+
+Segments list_segments(std::span<const Chain> chains) {
+  Segments segments;
+  std::vector<Source> sources = list_sources(chains);
+  segments.predicates = Predicates(load_points(sources), sources.size());
+  const std::vector<PointId> point_of = merge_points(std::move(sources), segments);
+  segments.belongs.assign(segments.sources.size(), 0);
+  std::size_t first = 0;
+  for (const Chain& chain : chains) {
+    const auto points = std::span(point_of).subspan(first, chain.end - chain.begin);
+    first += points.size();
+    if (points.empty()) continue;
+    if (chain.belongs) segments.belongs[points[0]] = 1;
+    const Winding weight = directed_weight(chain, points, segments.predicates);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool last = i + 1 == points.size();
+      if (last && !chain.closed) break;
+      const PointId a = points[i];
+      const PointId b = points[last ? 0 : i + 1];
+      if (a < b) segments.list.push_back({{a, b}, weight, chain.belongs});
+      if (b < a) segments.list.push_back({{b, a}, -weight, chain.belongs});
+    }
+  }
+  merge_equal(segments.list);
+  return segments;
+}
+
+}  // namespace minksum::overlay

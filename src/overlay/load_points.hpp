@@ -1,0 +1,23 @@
+// From the coordinates of regions to points on one rung.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "minksum/region.hpp"
+#include "overlay/exact_points.hpp"
+
+namespace minksum::overlay {
+
+/// A vertex of some region.
+struct Source {
+  const Region* region = nullptr;
+  std::size_t vertex = 0;
+};
+
+/// All points on the narrowest rung that holds them: integers on one grid, if it has up to 125 bits
+/// a side, else homogeneous integers, each point with its own denominator. O(n).
+[[nodiscard]] std::unique_ptr<ExactPoints> load_points(std::span<const Source> sources);
+
+}  // namespace minksum::overlay

@@ -1,0 +1,119 @@
+// Decisions of the overlay: bounded doubles first, exact numbers where these cannot tell.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "overlay/bounded.hpp"
+#include "overlay/exact_points.hpp"
+
+namespace minksum::overlay {
+
+/// A place with coordinates that know their error.
+struct ApproximatePlace {
+  Bounded x;
+  Bounded y;
+};
+
+class Predicates {
+ public:
+  Predicates() = default;
+  Predicates(std::unique_ptr<ExactPoints> exact, std::size_t points) : exact_(std::move(exact)) {
+    points_.reserve(points);
+    for (PointId p = 0; p < points; ++p) points_.push_back(approximate(p));
+  }
+
+  /// Keeps these points only, and numbers them in this order.
+  void pick(std::span<const PointId> points) {
+    exact_->pick(points);
+    std::vector<ApproximatePlace> picked;
+    picked.reserve(points.size());
+    for (const PointId p : points) picked.push_back(points_[p]);
+    points_ = std::move(picked);
+  }
+
+  [[nodiscard]] const ApproximatePlace& point(PointId p) const { return points_[p]; }
+  [[nodiscard]] const ExactPoints& exact() const { return *exact_; }
+
+  [[nodiscard]] Sign orientation(const Ends& line, PointId p) const {
+    const Bounded area = cross(points_[line.low], points_[line.high], points_[line.low], points_[p]);
+    return area.certain() ? area.sign() : exact_->orientation(line, p);
+  }
+  [[nodiscard]] Sign orientation(const Ends& line, const ApproximatePlace& at,
+                                 const Place& place) const {
+    const Bounded area = cross(points_[line.low], points_[line.high], points_[line.low], at);
+    return area.certain() ? area.sign() : exact_->orientation(line, place);
+  }
+  [[nodiscard]] Sign cross(const Ends& s, const Ends& t) const {
+    const Bounded area =
+        cross(points_[s.low], points_[s.high], points_[t.low], points_[t.high]);
+    return area.certain() ? area.sign() : exact_->cross(s, t);
+  }
+  [[nodiscard]] Sign compare(PointId a, PointId b) const {
+    const Sign sign = by_filter(points_[a], points_[b]);
+    return sign != kZero ? sign : exact_->compare(a, b);
+  }
+  /// By x, then by y.
+  [[nodiscard]] Sign compare(const ApproximatePlace& a, const Place& a_place,
+                             const ApproximatePlace& b, const Place& b_place) const {
+    const Sign sign = by_filter(a, b);
+    return sign != kZero ? sign : exact_->compare(a_place, b_place);
+  }
+  /// The sign of a ring's signed area.
+  [[nodiscard]] Sign area_sign(std::span<const PointId> ring) const {
+    Bounded sum;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      sum = sum + cross(points_[ring[0]], points_[ring[i]], points_[ring[0]], points_[ring[i + 1]]);
+    }
+    return sum.certain() ? sum.sign() : exact_->area_sign(ring);
+  }
+
+  /// Where two segments cross: in doubles if these are good for it, else rounded from the exact
+  /// place.
+  [[nodiscard]] ApproximatePlace crossing(const Ends& s, const Ends& t) const {
+    const ApproximatePlace& a = points_[s.low];
+    const ApproximatePlace& b = points_[s.high];
+    const ApproximatePlace& c = points_[t.low];
+    const ApproximatePlace& d = points_[t.high];
+    const Bounded part = cross(a, c, c, d) / cross(a, b, c, d);
+    const Bounded width = b.x - a.x;
+    const Bounded height = b.y - a.y;
+    constexpr double kGoodEnough = 0x1p-40;
+    if (part.error < kGoodEnough) return {a.x + part * width, a.y + part * height};
+    const Approximation at = exact_->approximate(Place::of_crossing(s, t));
+    return {rounded(at.x), rounded(at.y)};
+  }
+
+ private:
+  /// kZero where doubles cannot tell.
+  [[nodiscard]] static Sign by_filter(const ApproximatePlace& a, const ApproximatePlace& b) {
+    const Bounded x = a.x - b.x;
+    if (x.certain()) return x.sign();
+    if (x.error != 0) return kZero;  // else x is certainly the same
+    const Bounded y = a.y - b.y;
+    return y.certain() ? y.sign() : kZero;
+  }
+  /// The cross product of b − a and d − c.
+  [[nodiscard]] static Bounded cross(const ApproximatePlace& a, const ApproximatePlace& b,
+                                     const ApproximatePlace& c, const ApproximatePlace& d) {
+    return (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
+  }
+  [[nodiscard]] static Bounded rounded(double value) {
+    return {value, std::fabs(value) * 0x1p-52 + ExactPoints::kAbsoluteError};
+  }
+  [[nodiscard]] ApproximatePlace approximate(PointId p) const {
+    const Approximation at = exact_->approximate(Place::of_point(p));
+    const auto bounded = [&](double value) {
+      const bool exact = exact_->on_grid() && std::fabs(value) <= 0x1p53;
+      return exact ? Bounded{value, 0} : rounded(value);
+    };
+    return {bounded(at.x), bounded(at.y)};
+  }
+
+  std::unique_ptr<ExactPoints> exact_;
+  std::vector<ApproximatePlace> points_;
+};
+
+}  // namespace minksum::overlay

@@ -1,0 +1,141 @@
+// What a sweep line meets, from bottom to top: a treap whose nodes are linked in their order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "overlay/subdivision.hpp"
+
+namespace minksum::overlay {
+
+using SlotId = std::uint32_t;
+
+/// An ordered list of pieces with insertion and removal at known places, and search. Priorities are
+/// a fixed hash of the slots' numbers: O(log n) expected, alike in every run.
+class Status {
+ public:
+  Status() { slots_.emplace_back(); }  // slot 0 is the ground: below everything, in no tree
+
+  static constexpr SlotId kGround = 0;
+
+  [[nodiscard]] PieceId piece(SlotId slot) const { return slots_[slot].piece; }
+  void set_piece(SlotId slot, PieceId piece) { slots_[slot].piece = piece; }
+  [[nodiscard]] SlotId below(SlotId slot) const { return slots_[slot].below; }
+  [[nodiscard]] SlotId above(SlotId slot) const { return slots_[slot].above; }
+
+  /// The highest slot whose piece `is_below` says yes to, or the ground; it says yes to the pieces
+  /// up to some height.
+  template <class IsBelow>
+  [[nodiscard]] SlotId search(IsBelow is_below) const {
+    SlotId best = kGround;
+    for (SlotId at = root_; at != kNone;) {
+      if (is_below(slots_[at].piece)) {
+        best = at;
+        at = slots_[at].high;
+      } else {
+        at = slots_[at].low;
+      }
+    }
+    return best;
+  }
+
+  /// Puts a piece right above a slot (or the ground).
+  SlotId insert_above(SlotId slot, PieceId piece) {
+    const SlotId added = take_slot();
+    Slot& own = slots_[added];
+    own.piece = piece;
+    const SlotId next = slots_[slot].above;
+    own.below = slot;
+    own.above = next;
+    slots_[slot].above = added;
+    if (next != kNone) slots_[next].below = added;
+    if (root_ == kNone) {
+      root_ = added;
+      return added;
+    }
+    // One of the two neighbours has a free side here.
+    if (slot != kGround && slots_[slot].high == kNone) {
+      slots_[slot].high = added;
+      own.parent = slot;
+    } else {
+      slots_[next].low = added;
+      own.parent = next;
+    }
+    while (slots_[added].parent != kNone &&
+           slots_[slots_[added].parent].priority < slots_[added].priority) {
+      rotate_up(added);
+    }
+    return added;
+  }
+
+  void erase(SlotId slot) {
+    while (slots_[slot].low != kNone || slots_[slot].high != kNone) {
+      const SlotId low = slots_[slot].low;
+      const SlotId high = slots_[slot].high;
+      const bool take_low =
+          high == kNone || (low != kNone && slots_[low].priority > slots_[high].priority);
+      rotate_up(take_low ? low : high);
+    }
+    replace_child(slots_[slot].parent, slot, kNone);
+    const SlotId below = slots_[slot].below;
+    const SlotId above = slots_[slot].above;
+    slots_[below].above = above;
+    if (above != kNone) slots_[above].below = below;
+    free_.push_back(slot);
+  }
+
+ private:
+  struct Slot {
+    PieceId piece = kNone;
+    SlotId parent = kNone;
+    SlotId low = kNone;
+    SlotId high = kNone;
+    SlotId below = kNone;
+    SlotId above = kNone;
+    std::uint32_t priority = 0;
+  };
+
+  SlotId take_slot() {
+    if (!free_.empty()) {
+      const SlotId slot = free_.back();
+      free_.pop_back();
+      const std::uint32_t priority = slots_[slot].priority;
+      slots_[slot] = {};
+      slots_[slot].priority = priority;
+      return slot;
+    }
+    slots_.emplace_back();
+    const auto slot = static_cast<SlotId>(slots_.size() - 1);
+    std::uint64_t hash = slot * 0x9E3779B97F4A7C15U;
+    hash = (hash ^ (hash >> 29U)) * 0xBF58476D1CE4E5B9U;
+    slots_[slot].priority = static_cast<std::uint32_t>(hash >> 32U);
+    return slot;
+  }
+  void replace_child(SlotId parent, SlotId child, SlotId by) {
+    if (parent == kNone) {
+      root_ = by;
+    } else if (slots_[parent].low == child) {
+      slots_[parent].low = by;
+    } else {
+      slots_[parent].high = by;
+    }
+    if (by != kNone) slots_[by].parent = parent;
+  }
+  /// Lets a slot and its parent change places.
+  void rotate_up(SlotId slot) {
+    const SlotId parent = slots_[slot].parent;
+    replace_child(slots_[parent].parent, parent, slot);
+    const bool was_low = slots_[parent].low == slot;
+    const SlotId inner = was_low ? slots_[slot].high : slots_[slot].low;
+    (was_low ? slots_[parent].low : slots_[parent].high) = inner;
+    if (inner != kNone) slots_[inner].parent = parent;
+    (was_low ? slots_[slot].high : slots_[slot].low) = parent;
+    slots_[parent].parent = slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::vector<SlotId> free_;
+  SlotId root_ = kNone;
+};
+
+}  // namespace minksum::overlay

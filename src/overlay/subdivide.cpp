@@ -1,0 +1,185 @@
+// Segments and their contacts to nodes and pieces.
+#include <algorithm>
+#include <numeric>
+
+#include "overlay/subdivision.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+class Subdivider {
+ public:
+  Subdivider(const Segments& segments, const Contacts& contacts, Cancellation& cancellation,
+             Subdivision& result)
+      : segments_(segments), predicates_(segments.predicates), contacts_(contacts),
+        cancellation_(cancellation), result_(result) {}
+
+  void run() {
+    number_nodes();
+    list_stops();
+    cut_segments();
+    sort_pieces();
+  }
+
+ private:
+  [[nodiscard]] std::size_t point_count() const { return segments_.sources.size(); }
+
+  /// Points have their order; crossings are sorted, and both are merged.
+  void number_nodes() {
+    const auto& crossings = contacts_.crossings;
+    std::vector<Node> crossed;
+    crossed.reserve(crossings.size());
+    for (const Crossing& c : crossings) {
+      cancellation_.check();
+      const Ends& s = segments_.list[c.first].ends;
+      const Ends& t = segments_.list[c.second].ends;
+      crossed.push_back({predicates_.crossing(s, t), Place::of_crossing(s, t), false});
+    }
+    std::vector<std::uint32_t> order(crossed.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      cancellation_.check();
+      return a != b && compare(crossed[a], crossed[b]) == kNegative;
+    });
+    node_of_point_.resize(point_count());
+    node_of_crossing_.resize(crossed.size());
+    result_.nodes.reserve(point_count() + crossed.size());
+    PointId p = 0;
+    for (const std::uint32_t c : order) {
+      while (p < point_count() && compare(node_at(p), crossed[c]) != kPositive) add_point(p++);
+      auto& nodes = result_.nodes;
+      if (nodes.empty() || compare(nodes.back(), crossed[c]) != kZero) nodes.push_back(crossed[c]);
+      node_of_crossing_[c] = last_node();
+    }
+    while (p < point_count()) add_point(p++);
+  }
+  [[nodiscard]] Sign compare(const Node& a, const Node& b) const {
+    return predicates_.compare(a.at, a.place, b.at, b.place);
+  }
+  [[nodiscard]] Node node_at(PointId p) const {
+    return {predicates_.point(p), Place::of_point(p), segments_.belongs[p] != 0};
+  }
+  void add_point(PointId p) {
+    result_.nodes.push_back(node_at(p));
+    node_of_point_[p] = last_node();
+  }
+  [[nodiscard]] NodeId last_node() const { return static_cast<NodeId>(result_.nodes.size() - 1); }
+
+  /// The nodes inside each segment, in order.
+  void list_stops() {
+    const std::size_t count = segments_.list.size();
+    first_stop_.assign(count + 2, 0);
+    for_each_stop([&](SegmentId s, NodeId) { ++first_stop_[s + 2]; });
+    std::partial_sum(first_stop_.begin(), first_stop_.end(), first_stop_.begin());
+    stops_.resize(first_stop_.back());
+    for_each_stop([&](SegmentId s, NodeId node) { stops_[first_stop_[s + 1]++] = node; });
+    first_stop_.pop_back();
+  }
+  template <class Visit>
+  void for_each_stop(Visit visit) const {
+    for (const Touch& touch : contacts_.touches) visit(touch.segment, node_of_point_[touch.point]);
+    for (std::size_t c = 0; c < contacts_.crossings.size(); ++c) {
+      visit(contacts_.crossings[c].first, node_of_crossing_[c]);
+      visit(contacts_.crossings[c].second, node_of_crossing_[c]);
+    }
+  }
+
+  void cut_segments() {
+    auto& pieces = result_.pieces;
+    pieces.reserve(segments_.list.size() + stops_.size());
+    for (SegmentId s = 0; s < segments_.list.size(); ++s) {
+      const auto begin = stops_.begin() + first_stop_[s];
+      const auto end = stops_.begin() + first_stop_[s + 1];
+      std::sort(begin, end);
+      const Segment& segment = segments_.list[s];
+      NodeId from = node_of_point_[segment.ends.low];
+      const auto cut_at = [&](NodeId to) {
+        if (to == from) return;
+        Piece& piece = pieces.emplace_back();
+        piece.low = from;
+        piece.high = to;
+        piece.segment = s;
+        piece.change = segment.change;
+        piece.belongs = segment.belongs;
+        from = to;
+      };
+      std::for_each(begin, end, cut_at);
+      cut_at(node_of_point_[segment.ends.high]);
+    }
+  }
+
+  /// By low node, equal ones merged, then by direction.
+  void sort_pieces() {
+    std::vector<Piece> unsorted;
+    unsorted.swap(result_.pieces);
+    const std::size_t count = result_.nodes.size();
+    std::vector<std::uint32_t> place(count + 1, 0);
+    for (const Piece& piece : unsorted) ++place[piece.low + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    result_.pieces.resize(unsorted.size());
+    for (const Piece& piece : unsorted) result_.pieces[place[piece.low]++] = piece;
+    // Now place[v] is where the pieces of node v end.
+    result_.first_piece.assign(1, 0);
+    std::size_t kept = 0;
+    std::size_t begin = 0;
+    for (NodeId v = 0; v < count; ++v) {
+      cancellation_.check();
+      const std::size_t end = place[v];
+      kept += sort_at_node(begin, end, kept);
+      begin = end;
+      result_.first_piece.push_back(static_cast<std::uint32_t>(kept));
+    }
+    result_.pieces.resize(kept);
+  }
+  /// Moves the pieces [begin, end) to `to`; returns how many are left.
+  std::size_t sort_at_node(std::size_t begin, std::size_t end, std::size_t to) {
+    auto& pieces = result_.pieces;
+    const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (end - begin > 1) {
+      std::sort(at(begin), at(end),
+                [](const Piece& a, const Piece& b) { return a.high < b.high; });
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      Piece* last = kept == 0 ? nullptr : &pieces[to + kept - 1];
+      if (last != nullptr && last->high == pieces[i].high) {
+        last->change = last->change + pieces[i].change;
+        last->belongs |= pieces[i].belongs;
+      } else {
+        pieces[to + kept++] = pieces[i];
+      }
+    }
+    const auto idle = [](const Piece& p) { return p.change == Winding{} && !p.belongs; };
+    kept -= static_cast<std::size_t>(at(to + kept) -
+                                     std::remove_if(at(to), at(to + kept), idle));
+    if (kept > 1) {
+      std::sort(at(to), at(to + kept), [&](const Piece& a, const Piece& b) {
+        return a.segment != b.segment && predicates_.cross(segments_.list[a.segment].ends,
+                                                           segments_.list[b.segment].ends) ==
+                                             kPositive;
+      });
+    }
+    return kept;
+  }
+
+  const Segments& segments_;
+  const Predicates& predicates_;
+  const Contacts& contacts_;
+  Cancellation& cancellation_;
+  Subdivision& result_;
+  std::vector<NodeId> node_of_point_;
+  std::vector<NodeId> node_of_crossing_;
+  std::vector<std::uint32_t> first_stop_;
+  std::vector<NodeId> stops_;
+};
+
+}  // namespace
+
+Subdivision subdivide(const Segments& segments, const Contacts& contacts,
+                      Cancellation& cancellation) {
+  Subdivision result;
+  Subdivider(segments, contacts, cancellation, result).run();
+  return result;
+}
+
+}  // namespace minksum::overlay

@@ -1,0 +1,145 @@
+// What the steps of an overlay hand on: segments, contacts, and the subdivision of the plane.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "minksum/cancel.hpp"
+#include "overlay/load_points.hpp"
+#include "overlay/overlay.hpp"
+#include "overlay/predicates.hpp"
+
+namespace minksum::overlay {
+
+using SegmentId = std::uint32_t;
+using NodeId = std::uint32_t;
+using PieceId = std::uint32_t;
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+/// No two have the same ends. `change` is how much greater windings are on the left than on the
+/// right, seen from low to high.
+struct Segment {
+  Ends ends;
+  Winding change;
+  bool belongs = false;
+};
+
+/// Distinct points in lexicographic order, and the segments between them.
+struct Segments {
+  Predicates predicates;
+  std::vector<Source> sources;           ///< by point: one vertex that is there
+  std::vector<std::uint8_t> belongs;     ///< by point: it is in the result whatever is around it
+  std::vector<Segment> list;
+};
+
+/// A point that lies inside a segment.
+struct Touch {
+  SegmentId segment;
+  PointId point;
+};
+/// Two segments whose insides cross, first < second.
+struct Crossing {
+  SegmentId first;
+  SegmentId second;
+  friend auto operator<=>(const Crossing&, const Crossing&) = default;
+};
+struct Contacts {
+  std::vector<Touch> touches;  ///< each once, and so for crossings
+  std::vector<Crossing> crossings;
+};
+
+struct Node {
+  ApproximatePlace at;
+  Place place;
+  bool belongs = false;
+};
+
+/// Part of a segment between two nodes, with no node inside. Pieces meet at nodes only, and no two
+/// have the same ends.
+struct Piece {
+  NodeId low = 0;
+  NodeId high = 0;
+  SegmentId segment = 0;
+  Winding change;
+  bool belongs = false;
+
+  // By the sweep:
+  bool inside_above = false;  ///< the face on the left, seen from low to high
+  bool inside_below = false;
+  /// The nearest piece of the area's boundary straight below, through pieces that are inside on both
+  /// sides; kNone for what is not inside.
+  PieceId ground = kNone;
+  std::uint32_t place_at_low = 0;  ///< in Subdivision::around
+  std::uint32_t place_at_high = 0;
+
+  [[nodiscard]] bool is_boundary() const { return inside_above != inside_below; }
+  [[nodiscard]] bool is_thin() const { return belongs && !inside_above && !inside_below; }
+};
+
+/// Nodes are in lexicographic order, so that numbers of nodes compare as their places do.
+struct Subdivision {
+  std::vector<Node> nodes;
+  std::vector<Piece> pieces;                ///< by low node, then counter-clockwise
+  std::vector<std::uint32_t> first_piece;   ///< by node, and one more: pieces that start there
+
+  // By the sweep:
+  std::vector<PieceId> around;              ///< pieces counter-clockwise around each node, from
+                                            ///< straight down (excluded)
+  std::vector<std::uint32_t> first_around;  ///< by node, and one more
+  /// By node: whether what is just left of it is inside, and the ground there (see Piece).
+  std::vector<std::uint8_t> inside_left;
+  std::vector<PieceId> ground_left;
+};
+
+/// Says stop if the caller has said so.
+class Cancellation {
+ public:
+  explicit Cancellation(const std::optional<CancelToken>& token) : token_(token) {}
+  /// Looks now and then only.
+  void check() {
+    if (++calls_ % 1024 == 0) check_now();
+  }
+  void check_now() const {
+    if (token_ && token_->cancelled()) throw Error(ErrorCode::kCancelled, "cancelled");
+  }
+
+ private:
+  const std::optional<CancelToken>& token_;
+  std::uint32_t calls_ = 0;
+};
+
+[[noreturn]] inline void broken(const char* what) {
+  throw Error(ErrorCode::kInternal, what, {}, "overlay");
+}
+
+// -- Steps, in their order -----------------------------------------------------------------------
+/// Points that are equal become one, equal segments as well, and closed chains are directed.
+[[nodiscard]] Segments list_segments(std::span<const Chain> chains);
+
+/// All touches and crossings. Cells are divided at medians, with each segment's box cut to the cell:
+/// a pair that meets does so in some cell, where both boxes hold the point.
+void find_contacts(const Segments& segments,
+                   Cancellation& cancellation, Contacts& contacts);
+
+/// Cuts segments at their contacts. Nodes are equal if their exact places are. O((n + c) log (n + c))
+[[nodiscard]] Subdivision subdivide(const Segments& segments,
+                                    const Contacts& contacts, Cancellation& cancellation);
+
+/// Fills in what the sweep finds: a line moves over the nodes in their order and keeps the pieces
+/// that it meets in a balanced tree; as none cross, their order changes at nodes only. Only where no piece
+/// ends is a place looked for, by exact comparison. O(n log n)
+void sweep(const Segments& segments, Inside inside,
+           Cancellation& cancellation, Subdivision& subdivision);
+
+/// The closed area, in canonical form.
+void extract_area(const Segments& segments,
+                  const Subdivision& subdivision, Region& area);
+
+/// What belongs and is outside of the area, as maximal polylines and points.
+void extract_thin(const Segments& segments,
+                  const Subdivision& subdivision, Geometry& geometry);
+
+}  // namespace minksum::overlay

@@ -1,0 +1,140 @@
+// Winding numbers on both sides of every piece.
+#include "overlay/status.hpp"
+#include "overlay/subdivision.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+class Sweep {
+ public:
+  Sweep(const Segments& segments, Inside inside, Cancellation& cancellation, Subdivision& s)
+      : segments_(segments), inside_(inside), cancellation_(cancellation), s_(s) {}
+
+  void run() {
+    slot_of_.resize(s_.pieces.size());
+    above_.resize(s_.pieces.size());
+    s_.around.reserve(2 * s_.pieces.size());
+    s_.first_around.reserve(s_.nodes.size() + 1);
+    s_.inside_left.reserve(s_.nodes.size());
+    s_.ground_left.reserve(s_.nodes.size());
+    find_ending();
+    for (NodeId v = 0; v < s_.nodes.size(); ++v) {
+      cancellation_.check();
+      pass(v);
+    }
+    s_.first_around.push_back(static_cast<std::uint32_t>(s_.around.size()));
+  }
+
+ private:
+  /// For each node some piece that ends there.
+  void find_ending() {
+    ending_.assign(s_.nodes.size(), kNone);
+    for (PieceId p = 0; p < s_.pieces.size(); ++p) ending_[s_.pieces[p].high] = p;
+  }
+
+  void pass(NodeId v) {
+    list_ended(v);
+    const bool met = !ended_.empty() || s_.nodes[v].belongs ||
+                     s_.first_piece[v] != s_.first_piece[v + 1];
+    const SlotId under = !ended_.empty() ? status_.below(ended_.front())
+                         : met           ? search(v)
+                                         : Status::kGround;
+    Winding winding = winding_above(under);
+    PieceId ground = ground_above(under);
+    s_.inside_left.push_back(inside_(winding) ? 1 : 0);
+    s_.ground_left.push_back(ground);
+    s_.first_around.push_back(static_cast<std::uint32_t>(s_.around.size()));
+    for (PieceId p = s_.first_piece[v]; p < s_.first_piece[v + 1]; ++p) {
+      start(p, winding, ground);
+    }
+    for (std::size_t i = ended_.size(); i-- > 0;) {
+      const PieceId p = status_.piece(ended_[i]);
+      s_.pieces[p].place_at_high = static_cast<std::uint32_t>(s_.around.size());
+      s_.around.push_back(p);
+    }
+    exchange(v, under);
+  }
+
+  /// The slots whose pieces end here, from bottom to top: they lie next to each other.
+  void list_ended(NodeId v) {
+    ended_.clear();
+    if (ending_[v] == kNone) return;
+    const auto ends_here = [&](SlotId slot) {
+      return slot != Status::kGround && slot != kNone &&
+             s_.pieces[status_.piece(slot)].high == v;
+    };
+    SlotId slot = slot_of_[ending_[v]];
+    while (ends_here(status_.below(slot))) slot = status_.below(slot);
+    for (; ends_here(slot); slot = status_.above(slot)) ended_.push_back(slot);
+  }
+
+  [[nodiscard]] SlotId search(NodeId v) const {
+    const Node& node = s_.nodes[v];
+    return status_.search([&](PieceId p) {
+      const Ends& line = segments_.list[s_.pieces[p].segment].ends;
+      const Sign side = segments_.predicates.orientation(line, node.at, node.place);
+      if (side == kZero) broken("a node lies inside a piece");
+      return side == kPositive;
+    });
+  }
+
+  [[nodiscard]] Winding winding_above(SlotId slot) const {
+    return slot == Status::kGround ? Winding{} : above_[status_.piece(slot)];
+  }
+  [[nodiscard]] PieceId ground_above(SlotId slot) const {
+    return slot == Status::kGround ? kNone : ground_above_piece(status_.piece(slot));
+  }
+  [[nodiscard]] PieceId ground_above_piece(PieceId p) const {
+    const Piece& piece = s_.pieces[p];
+    if (!piece.inside_above) return kNone;
+    return piece.is_boundary() ? p : piece.ground;
+  }
+
+  /// The next piece counter-clockwise; `winding` and `ground` are those below it, and then above.
+  void start(PieceId p, Winding& winding, PieceId& ground) {
+    Piece& piece = s_.pieces[p];
+    piece.inside_below = inside_(winding);
+    piece.ground = piece.inside_below ? ground : kNone;
+    winding = winding + piece.change;
+    piece.inside_above = inside_(winding);
+    above_[p] = winding;
+    ground = ground_above_piece(p);
+    piece.place_at_low = static_cast<std::uint32_t>(s_.around.size());
+    s_.around.push_back(p);
+  }
+
+  /// The pieces that start here take the places of those that end.
+  void exchange(NodeId v, SlotId under) {
+    std::size_t used = 0;
+    SlotId last = under;
+    for (PieceId p = s_.first_piece[v]; p < s_.first_piece[v + 1]; ++p) {
+      if (used < ended_.size()) {
+        last = ended_[used++];
+        status_.set_piece(last, p);
+      } else {
+        last = status_.insert_above(last, p);
+      }
+      slot_of_[p] = last;
+    }
+    while (used < ended_.size()) status_.erase(ended_[used++]);
+  }
+
+  const Segments& segments_;
+  Inside inside_;
+  Cancellation& cancellation_;
+  Subdivision& s_;
+  Status status_;
+  std::vector<SlotId> slot_of_;   // by piece
+  std::vector<Winding> above_;    // by piece
+  std::vector<PieceId> ending_;   // by node
+  std::vector<SlotId> ended_;
+};
+
+}  // namespace
+
+void sweep(const Segments& segments, Inside inside, Cancellation& cancellation,
+           Subdivision& subdivision) {
+  Sweep(segments, inside, cancellation, subdivision).run();
+}
+
+}  // namespace minksum::overlay
