@@ -1,0 +1,321 @@
+#include "reference/brute_force_overlay.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "reference/canonical.hpp"
+#include "reference/exact.hpp"
+#include "reference/validity.hpp"
+
+namespace minksum::reference {
+namespace {
+
+/// A directed edge of an operand's ring; `operand` is kThin for polylines.
+struct Edge {
+  Pt a;
+  Pt b;
+  int operand = 0;
+};
+constexpr int kThin = -1;
+
+/// How often the rings of each operand go around a point.
+using Windings = std::map<int, int>;
+using Keep = std::function<bool(Windings&)>;
+
+struct Input {
+  std::vector<Edge> edges;
+  std::vector<Pt> points;
+  bool edges_belong = false;
+
+  void add_ring(Loop loop, int operand, int orientation) {
+    if (loop.empty()) return;
+    const Number area = doubled_area(loop);
+    if ((orientation > 0 && area < 0) || (orientation < 0 && area > 0)) {
+      std::reverse(loop.begin(), loop.end());
+    }
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      edges.push_back({loop[i], loop[(i + 1) % loop.size()], operand});
+    }
+    points.push_back(loop[0]);
+  }
+  /// `by_role`: outer rings counter-clockwise, holes clockwise.
+  void add_region(const Region& region, int operand, bool by_role) {
+    for (const Loops& loops : to_loops(region)) {
+      for (std::size_t r = 0; r < loops.size(); ++r) {
+        add_ring(loops[r], operand, !by_role ? 0 : r == 0 ? 1 : -1);
+      }
+    }
+  }
+  void add_thin(const Geometry& geometry) {
+    for (const Polyline& line : geometry.polylines) {
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        edges.push_back({to_pt(line[i]), to_pt(line[i + 1]), kThin});
+      }
+      if (!line.empty()) points.push_back(to_pt(line[0]));
+    }
+    for (const Point& point : geometry.points) points.push_back(to_pt(point));
+  }
+};
+
+Pt meeting_point(const Edge& e, const Edge& f) {
+  const Number ex = e.b.x - e.a.x;
+  const Number ey = e.b.y - e.a.y;
+  const Number fx = f.b.x - f.a.x;
+  const Number fy = f.b.y - f.a.y;
+  const Number t = ((f.a.x - e.a.x) * fy - (f.a.y - e.a.y) * fx) / (ex * fy - ey * fx);
+  return {e.a.x + t * ex, e.a.y + t * ey};
+}
+
+/// Does the ray from `from` through `towards` meet the edge, and how far: 1 = at `towards`.
+bool hit(const Pt& from, const Pt& towards, const Edge& edge, Number& distance) {
+  const Number dx = towards.x - from.x;
+  const Number dy = towards.y - from.y;
+  const auto side = [&](const Pt& p) { return dx * (p.y - from.y) - dy * (p.x - from.x); };
+  const auto along = [&](const Pt& p) {
+    return Number((dx * (p.x - from.x) + dy * (p.y - from.y)) / (dx * dx + dy * dy));
+  };
+  const Number a = side(edge.a);
+  const Number b = side(edge.b);
+  if ((a < 0 && b < 0) || (a > 0 && b > 0)) return false;
+  if (a == b) {
+    const Number s = along(edge.a);
+    const Number t = along(edge.b);
+    distance = s <= 0 || t <= 0 ? std::max(s, t) : std::min(s, t);
+    return distance > 0;
+  }
+  const Number part = a / (a - b);
+  distance = along({edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)});
+  return distance > 0;
+}
+
+Windings windings_at(const Pt& p, const std::vector<Edge>& edges) {
+  Windings result;
+  for (const Edge& e : edges) {
+    if (e.operand == kThin) continue;
+    const bool up = e.a.y <= p.y;
+    if (up == (e.b.y <= p.y)) continue;  // an edge owns its lower end only
+    const int side = turn(e.a, e.b, p);
+    if (up && side > 0) ++result[e.operand];
+    if (!up && side < 0) --result[e.operand];
+  }
+  return result;
+}
+
+class Overlay {
+ public:
+  Overlay(const Input& input, Keep keep) : input_(input), keep_(std::move(keep)) {}
+
+  Geometry run() {
+    cut();
+    std::vector<Piece> boundary;
+    std::vector<std::pair<std::size_t, std::size_t>> thin;
+    std::set<std::size_t> on_area;
+    for (const auto& [from, to] : pieces_) {
+      const bool left = beside(from, to);
+      const bool right = beside(to, from);
+      if (left || right) on_area.insert({from, to});
+      if (left && !right) boundary.push_back({from, to});
+      if (right && !left) boundary.push_back({to, from});
+      if (!left && !right && input_.edges_belong) thin.emplace_back(from, to);
+      // Polylines belong in any case.
+      if (!left && !right && !input_.edges_belong && on_thin_edge(from, to)) {
+        thin.emplace_back(from, to);
+      }
+    }
+    Geometry result;
+    result.region = link(nodes_, boundary);
+    add_polylines(thin, on_area, result);
+    add_points(thin, result);
+    return result;
+  }
+
+ private:
+  std::size_t id_of(const Pt& p) {
+    const auto [it, is_new] = ids_.try_emplace(p, nodes_.size());
+    if (is_new) nodes_.push_back(p);
+    return it->second;
+  }
+
+  void cut() {
+    for (const Edge& e : input_.edges) {
+      std::set<Pt> stops{e.a, e.b};
+      for (const Edge& f : input_.edges) {
+        if (on_segment(f.a, e.a, e.b)) stops.insert(f.a);
+        if (on_segment(f.b, e.a, e.b)) stops.insert(f.b);
+        if (cross_properly(e.a, e.b, f.a, f.b)) stops.insert(meeting_point(e, f));
+      }
+      std::size_t previous = 0;
+      bool first = true;
+      for (const Pt& stop : stops) {  // sets are in order, and so lie along the edge
+        const std::size_t id = id_of(stop);
+        if (!first) pieces_.insert({std::min(previous, id), std::max(previous, id)});
+        previous = id;
+        first = false;
+      }
+    }
+  }
+
+  /// Whether the face on the left of a piece is kept.
+  bool beside(std::size_t from, std::size_t to) {
+    const Pt middle = midpoint(nodes_[from], nodes_[to]);
+    const Pt aim{middle.x - (nodes_[to].y - nodes_[from].y),
+                 middle.y + (nodes_[to].x - nodes_[from].x)};
+    Number nearest = 1;
+    for (const Edge& e : input_.edges) {
+      Number distance;
+      if (hit(middle, aim, e, distance)) nearest = std::min(nearest, distance);
+    }
+    const Number half = nearest / 2;
+    const Pt sample{middle.x + half * (aim.x - middle.x), middle.y + half * (aim.y - middle.y)};
+    Windings windings = windings_at(sample, input_.edges);
+    return keep_(windings);
+  }
+
+  bool on_thin_edge(std::size_t from, std::size_t to) const {
+    const Pt middle = midpoint(nodes_[from], nodes_[to]);
+    return std::any_of(input_.edges.begin(), input_.edges.end(), [&](const Edge& e) {
+      return e.operand == kThin && on_segment(middle, e.a, e.b);
+    });
+  }
+
+  /// Paths are joined two by two as long as that is allowed.
+  void add_polylines(const std::vector<std::pair<std::size_t, std::size_t>>& thin,
+                     const std::set<std::size_t>& on_area, Geometry& result) {
+    std::map<std::size_t, int> degree;
+    std::vector<std::vector<std::size_t>> paths;
+    for (const auto& [from, to] : thin) {
+      ++degree[from];
+      ++degree[to];
+      paths.push_back({from, to});
+    }
+    for (const auto& [node, count] : degree) {
+      if (count != 2 || on_area.contains(node)) continue;
+      std::vector<std::size_t> joined;
+      for (auto path = paths.begin(); path != paths.end();) {
+        if (path->front() != node && path->back() != node) {
+          ++path;
+          continue;
+        }
+        if (joined.empty()) {
+          if (path->front() == node) std::reverse(path->begin(), path->end());
+          joined = *path;
+        } else {
+          if (path->back() == node) std::reverse(path->begin(), path->end());
+          joined.insert(joined.end(), path->begin() + 1, path->end());
+        }
+        path = paths.erase(path);
+      }
+      paths.push_back(joined);
+    }
+    std::vector<Loop> lines;
+    for (const std::vector<std::size_t>& path : paths) {
+      const bool free_loop = path.front() == path.back() && degree[path.front()] == 2 &&
+                             !on_area.contains(path.front());
+      lines.push_back(canonical_line(path, free_loop));
+    }
+    std::sort(lines.begin(), lines.end());
+    for (const Loop& line : lines) {
+      Polyline polyline;
+      for (const Pt& p : line) polyline.push_back({to_rational(p.x), to_rational(p.y)});
+      result.polylines.push_back(std::move(polyline));
+    }
+  }
+  Loop canonical_line(const std::vector<std::size_t>& path, bool free_loop) const {
+    Loop line;
+    for (const std::size_t node : path) line.push_back(nodes_[node]);
+    if (free_loop) {
+      line.pop_back();
+      std::rotate(line.begin(), std::min_element(line.begin(), line.end()), line.end());
+      line.push_back(line.front());
+    }
+    Loop corners;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const bool end = i == 0 || i + 1 == line.size();
+      if (end || turn(line[i - 1], line[i], line[i + 1]) != 0) corners.push_back(line[i]);
+    }
+    Loop reversed(corners.rbegin(), corners.rend());
+    return std::min(corners, reversed);
+  }
+
+  void add_points(const std::vector<std::pair<std::size_t, std::size_t>>& thin, Geometry& result) {
+    std::set<Pt> alone(input_.points.begin(), input_.points.end());
+    for (const Pt& p : alone) {
+      const bool on_line = std::any_of(thin.begin(), thin.end(), [&](const auto& piece) {
+        return on_segment(p, nodes_[piece.first], nodes_[piece.second]);
+      });
+      if (on_line || in_area(p, result.region)) continue;
+      result.points.push_back({to_rational(p.x), to_rational(p.y)});
+    }
+  }
+  static bool in_area(const Pt& p, const Region& region) {
+    bool odd = false;
+    for (const Loops& loops : to_loops(region)) {
+      for (const Loop& loop : loops) {
+        const Side side = locate(p, loop);
+        if (side == Side::kBoundary) return true;
+        odd ^= side == Side::kInside;
+      }
+    }
+    return odd;
+  }
+
+  const Input& input_;
+  Keep keep_;
+  std::map<Pt, std::size_t> ids_;
+  std::vector<Pt> nodes_;
+  std::set<std::pair<std::size_t, std::size_t>> pieces_;
+};
+
+bool filled(FillRule rule, int winding) {
+  switch (rule) {
+    case FillRule::kEvenOdd: return winding % 2 != 0;
+    case FillRule::kPositive: return winding > 0;
+    case FillRule::kNegative: return winding < 0;
+    default: return winding != 0;
+  }
+}
+
+}  // namespace
+
+Geometry brute_force_resolve(const Geometry& geometry, FillRule rule, bool regularize) {
+  const bool by_role = rule == FillRule::kAutomatic || rule == FillRule::kStrict;
+  Input input;
+  input.edges_belong = !regularize;
+  input.add_region(geometry.region, 0, by_role);
+  if (!regularize) input.add_thin(geometry);
+  if (regularize) input.points.clear();
+  return Overlay(input, [&](Windings& w) { return filled(rule, w[0]); }).run();
+}
+
+Region brute_force_boolean(const Region& a, const Region& b,
+                           const std::function<bool(bool, bool)>& keep) {
+  Input input;
+  input.add_region(a, 0, true);
+  input.add_region(b, 1, true);
+  input.points.clear();
+  return Overlay(input, [&](Windings& w) { return keep(w[0] != 0, w[1] != 0); }).run().region;
+}
+
+Geometry brute_force_unite(std::span<const Geometry> geometries) {
+  Input input;
+  for (const Geometry& geometry : geometries) {
+    input.add_region(geometry.region, 0, true);
+    input.add_thin(geometry);
+  }
+  input.edges_belong = true;
+  return Overlay(input, [](Windings& w) { return w[0] != 0; }).run();
+}
+
+std::string resolved_fault(const Geometry& geometry) {
+  const std::string fault = canonical_fault(geometry.region);
+  if (!fault.empty()) return fault;
+  if (!(brute_force_resolve(geometry, FillRule::kAutomatic) == geometry)) {
+    return "polylines or points are not in resolved form";
+  }
+  return {};
+}
+
+}  // namespace minksum::reference
