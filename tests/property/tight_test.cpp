@@ -1,0 +1,215 @@
+// Tight places against brute force on many small pairs that fit tightly. MINKSUM_PAIRS sets how many,
+// MINKSUM_SEED where to start.
+#include <gtest/gtest.h>
+
+#include <exception>
+#include <iostream>
+#include <vector>
+
+#include "property/sums.hpp"
+#include "reference/brute_force.hpp"
+#include "reference/convex_pieces.hpp"
+#include "reference/tight_places.hpp"
+#include "reference/validity.hpp"
+#include "support/polygon_kinds.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+constexpr int kDefaultPairs = 6000;
+constexpr int kMaxFailures = 5;
+
+std::string text_of(const Geometry& tight) {
+  std::string text;
+  const auto add = [&](const std::vector<Point>& points) {
+    text += " (";
+    for (const Point& p : points) text += p.x.to_string() + ' ' + p.y.to_string() + ',';
+    text.back() = ')';
+  };
+  for (const Polyline& line : tight.polylines) add(line);
+  for (const Point& point : tight.points) add({point});
+  return text;
+}
+
+// A box of cells less some of them: slots, rooms and corridors.
+Region carved(Random& random, bool halves) {
+  const int columns = random.between(3, 5);
+  const int rows = random.between(3, 5);
+  const Region cells = random_cells(random, columns, rows, halves, random.one_in(2));
+  if (!random.one_in(3)) return cells;
+  std::vector<Outline> holes;
+  for (const std::size_t p : cells.polygons()) {
+    Outline& hole = holes.emplace_back();
+    for (const std::size_t v : cells.vertices_of(cells.rings_of(p).front())) {
+      hole.push_back({static_cast<std::int64_t>(cells.x(v)), static_cast<std::int64_t>(cells.y(v))});
+    }
+  }
+  const Region around = frame(holes, 1);
+  return reference::legal_fault(around).empty() ? around : cells;
+}
+
+Region small_part(Random& random) {
+  switch (random.below(6)) {
+    case 0:
+      return rectangle(0, 0, random.between(1, 2), random.between(1, 3));
+    case 1:
+      return make_polygon({{0, 0}, {1, 0}, {0, 1}});
+    case 2:
+      return make_polygon({{1, 0}, {2, 1}, {1, 2}, {0, 1}});
+    case 3:
+      return random_triangle(random, 3);
+    default:
+      return random_cells(random, random.between(1, 3), random.between(1, 3), random.one_in(2),
+                          random.one_in(2));
+  }
+}
+
+// A box with square holes on edge that touch one another and the box: its inside is in many parts.
+Region lace(Random& random) {
+  const int columns = random.between(1, 3);
+  const int rows = random.between(1, 2);
+  std::vector<Outline> holes;
+  for (int i = 1; i < 2 * columns; i += 2) {
+    for (int j = 1; j < 2 * rows; j += 2) {
+      if (!random.one_in(5)) holes.push_back({{i - 1, j}, {i, j - 1}, {i + 1, j}, {i, j + 1}});
+    }
+  }
+  return make_polygon({{0, 0}, {2 * columns, 0}, {2 * columns, 2 * rows}, {0, 2 * rows}}, holes);
+}
+
+// A convex part and a hole in which it can move along one way.
+Pair part_and_slot(Random& random) {
+  const Region part = random_convex(random, random.between(3, 6), 4);
+  const std::int64_t dx = random.between(-4, 4);
+  const std::int64_t dy = random.between(0, 4);
+  reference::IntLoop<std::int64_t> swept;
+  for (const std::size_t v : part.vertices_of(0)) {
+    const auto x = -static_cast<std::int64_t>(part.x(v));
+    const auto y = -static_cast<std::int64_t>(part.y(v));
+    swept.insert(swept.end(), {{x, y}, {x + dx, y + dy}});
+  }
+  Outline hole;
+  for (const auto& [x, y] : reference::convex_hull(swept)) hole.push_back({x, y});
+  return {frame({hole}, random.between(1, 2)), part, "part and slot"};
+}
+
+// A part and a hole of its form.
+Pair part_and_frame(Random& random) {
+  Region part = random.one_in(2) ? small_part(random) : random_polygon(random);
+  if (part.ring_count() != 1) part = rectangle(0, 0, random.between(1, 3), random.between(1, 3));
+  Outline hole;
+  for (const std::size_t v : part.vertices_of(0)) {
+    hole.push_back({-static_cast<std::int64_t>(part.x(v)), -static_cast<std::int64_t>(part.y(v))});
+  }
+  return {frame({hole}, random.between(1, 2)), part, "frame and part"};
+}
+
+Pair tight_pair(Random& random) {
+  Pair pair;
+  const bool halves = random.one_in(2);
+  switch (random.below(11)) {
+    case 0:
+      pair = random_pair(random);
+      return pair;
+    case 4:
+    case 5:
+      pair = {lace(random), lace(random), "lace and lace"};
+      break;
+    case 6:
+      pair = {lace(random), small_part(random), "lace and part"};
+      break;
+    case 7:
+      pair = part_and_frame(random);
+      break;
+    case 8:
+      pair = part_and_slot(random);
+      break;
+    case 1:
+      pair = {comb(random.between(2, 3), random.between(1, 2), random.between(1, 4)),
+              small_part(random), "comb and part"};
+      break;
+    case 2:
+      pair = {carved(random, halves), carved(random, halves), "cells and cells"};
+      break;
+    case 3:
+      pair = {spiral(random.between(1, 2)), small_part(random), "spiral and part"};
+      break;
+    default:
+      pair = {carved(random, halves), small_part(random), "cells and part"};
+  }
+  if (random.one_in(2)) pair.q = scaled(pair.q, -1);
+  if (random.one_in(8)) pair.q = scaled(pair.q, Rational(1, 2));
+  if (random.one_in(4)) pair.q = scrambled(scaled(pair.q, 4), random), pair.p = scaled(pair.p, 4);
+  if (random.one_in(2)) std::swap(pair.p, pair.q);
+  return pair;
+}
+
+struct Tally {
+  int with_points = 0;
+  int with_lines = 0;
+  int with_both = 0;
+  void count(const Geometry& tight) {
+    with_points += tight.points.empty() ? 0 : 1;
+    with_lines += tight.polylines.empty() ? 0 : 1;
+    with_both += tight.points.empty() || tight.polylines.empty() ? 0 : 1;
+  }
+};
+
+Geometry tight_places(const Region& p, const Region& q, Options options, const Region& expected,
+                      const std::string& about) {
+  Geometry tight;
+  options.tight = &tight;
+  EXPECT_EQ(minkowski_sum(p, q, options), expected) << about;
+  return tight;
+}
+
+void compare(std::uint64_t seed, Tally& tally) {
+  Random random(seed);
+  const Pair pair = tight_pair(random);
+  const Geometry truth = reference::brute_force_tight_places(pair.p, pair.q);
+  tally.count(truth);
+  const Region sum = minkowski_sum(pair.p, pair.q);
+  if (seed % 16 == 0) {
+    EXPECT_EQ(to_text(sum), to_text(reference::brute_force_sum(pair.p, pair.q)));
+  }
+  Options options;
+  options.check = seed % 8 == 0;
+  switch (seed % 5) {
+    case 1:
+      options.cover = false;
+      break;
+    case 2:
+      options.grid = random.between(2, 40);
+      break;
+    case 3:
+      options.arithmetic = seed % 2 == 0 ? Arithmetic::kArbitrary : Arithmetic::kWide;
+      break;
+    default:
+      break;
+  }
+  options.filter = seed % 32 != 5;
+  const Geometry tight = tight_places(pair.p, pair.q, options, sum, note(seed, pair));
+  EXPECT_EQ(text_of(tight), text_of(truth)) << note(seed, pair);
+}
+
+TEST(RandomTightPairs, AgreeWithBruteForce) {
+  const std::uint64_t first = seed_from_environment(1);
+  const auto count = static_cast<std::uint64_t>(count_from_environment(kDefaultPairs));
+  int failures = 0;
+  Tally tally;
+  std::uint64_t done = 0;
+  for (; done < count && failures < kMaxFailures; ++done) {
+    try {
+      compare(first + done, tally);
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << error.what() << "; seed " << first + done;
+    }
+    if (::testing::Test::HasFailure()) ++failures;
+  }
+  std::cout << done << " pairs from seed " << first << "; with tight points: " << tally.with_points
+            << ", lines: " << tally.with_lines << ", both: " << tally.with_both << '\n';
+}
+
+}  // namespace
