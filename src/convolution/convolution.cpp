@@ -40,6 +40,7 @@ class Lister {
     if (holes_) list_by_rank(o_, first ? 1 : 0, false, scratch_.outer);
     const SiteId begin = first ? 0 : o_.split;
     const SiteId end = first ? o_.split : o_.size();
+    const bool thin = o_.both_thin();
     for (SiteId v = begin; v < end; ++v) {
       const bool convex = o_.convex[v] != 0;
       if (which_ != Vertices::kAll && convex != (which_ == Vertices::kConvex)) continue;
@@ -47,9 +48,12 @@ class Lister {
       DirectionRank out = o_.rank[v];
       if (which_ == Vertices::kReflexBackwards) std::swap(in, out);
       const EdgesByRank& edges = holes_ && o_.on_hole[v] != 0 ? scratch_.outer : scratch_.all;
-      // [in, out) for the first operand, (in, out] for the second.
-      const DirectionRank from = first ? in : in + 1;
-      const DirectionRank to = first ? out : out + 1;
+      // [in, out) for the first operand, (in, out] for the second; between thin operands [in, out],
+      // at ends (in, out).
+      const bool with_in = thin ? !o_.turns_back(v) : first;
+      const bool with_out = thin ? with_in : !first;
+      const DirectionRank from = with_in ? in : in + 1;
+      const DirectionRank to = with_out ? out + 1 : out;
       if (in < out) {
         append(edges, from, to, v);
       } else {
@@ -86,11 +90,12 @@ class Lister {
   std::vector<Segment>& segments_;
 };
 
-/// Counter-clockwise from `in`, is `d` in [in, out) (or (in, out])?
+/// Counter-clockwise from `in`, is `d` in [in, out), (in, out], or what else the rule says?
 bool in_range(const Operands& o, SiteId v, SiteId edge) {
   const DirectionRank in = o.rank[o.previous[v]];
   const DirectionRank out = o.rank[v];
   const DirectionRank d = o.rank[edge];
+  if (o.both_thin() && (d == in || d == out)) return !o.turns_back(v);
   if (o.operand_of(v) == 0 ? d == out : d == in) return false;
   if (o.operand_of(v) == 0 ? d == in : d == out) return true;
   return in < out ? in < d && d < out : d > in || d < out;

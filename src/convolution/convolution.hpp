@@ -31,7 +31,9 @@ struct ConvolutionScratch {
 /// other operand whose directions lie between those of its two edges. Vertices of the first operand
 /// own the half-open range [in, out), those of the second (in, out]: then of two parallel edges
 /// each is moved by one end of the other, and nothing is lost or doubled. A hole never meets a
-/// hole. O(n + m + k).
+/// hole. Between two thin operands parallel edges by themselves sweep no area, which is all that is
+/// wanted here: an edge is listed where the other walk turns to its left, that is, at vertices with
+/// [in, out] and at ends, where the walk turns back, with (in, out). O(n + m + k).
 void reduced_convolution(const Operands& operands, const Limits& limits,
                          ConvolutionScratch& scratch, Convolution& convolution);
 

@@ -153,8 +153,9 @@ void cover_interior(const Operands& operands, const Convolution& convolution,
   const std::span<const Segment> segments = convolution.segments;
   const bool free_side = options.grid == 0;
   // The full convolution is there to be compared: its whole arrangement is built.
+  // Of thin operands no translate has cells inside, and their segments are not closed.
   const bool wanted = options.cover && options.method != Method::kFull &&
-                      !operands.both_convex && !segments.empty();
+                      !operands.both_convex && !operands.both_thin() && !segments.empty();
   cover.divided = false;
   cover.active = wanted && (!free_side || (segments.size() >= kSegmentsWorthACover &&
                                            !is_sparse(operands, segments)));

@@ -235,7 +235,10 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
     append_kept(operand.edge_source, kept, o.edge_source);
   }
   rank_directions(p, q, o);
-  o.connected = p.region->polygon_count() == 1 && q.region->polygon_count() == 1;
+  o.thin = {p.thin, q.thin};
+  // A sum of polylines may be regions that segments without area connect.
+  o.connected =
+      p.region->polygon_count() == 1 && q.region->polygon_count() == 1 && !o.both_thin();
   o.both_convex = o.rings.size() == 2 &&
                   std::find(o.convex.begin(), o.convex.end(), 0) == o.convex.end();
 }

@@ -184,6 +184,7 @@ Arithmetic rung_for(int bits, Arithmetic asked) {
 
 void load_sites(const Region& region, const Options& options, PreparedOperand& operand) {
   operand.region = &region;
+  operand.thin = false;
   GridCoordinates& grid = operand.grid;
   const Scale scale = common_scale(region);
   const bool rationals_asked = options.arithmetic == Arithmetic::kArbitrary;

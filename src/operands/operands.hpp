@@ -35,7 +35,7 @@ struct Operands {
   std::vector<OperandRing> rings;  ///< the first operand's, then the second's
   std::size_t first_rings = 0;     ///< how many are the first operand's
   std::vector<std::uint8_t> on_hole;
-  std::vector<std::uint8_t> convex;  ///< strictly left turn
+  std::vector<std::uint8_t> convex;  ///< strictly left turn, or half a circle
 
   std::vector<DirectionRank> rank;     ///< by edge
   std::vector<SiteId> by_direction;    ///< all edges, sorted by rank
@@ -52,7 +52,8 @@ struct Operands {
   std::array<Vec<double>, 2> extent{};  ///< width and height of each operand's box
   RoundingBounds bounds;
   std::uint64_t bits = 0;               ///< of the coordinates
-  bool connected = false;               ///< each operand is one polygon
+  std::array<bool, 2> thin{};           ///< whether an operand is polylines
+  bool connected = false;               ///< each operand is one polygon, or polyline; not both thin
   bool holes_filled = false;            ///< rings are gone; other polygons may lie there
   bool both_convex = false;             ///< each operand is one convex ring
   Vec<double> trace_origin{};           ///< trace coordinate = approximate · unit + origin
@@ -62,6 +63,13 @@ struct Operands {
 
   [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
   [[nodiscard]] int operand_of(SiteId site) const { return site < split ? 0 : 1; }
+  [[nodiscard]] bool both_thin() const { return thin[0] && thin[1]; }
+  /// Whether the sum has no area: all edges are walked there and back along one direction.
+  [[nodiscard]] bool all_parallel() const { return both_thin() && rank_count == 2; }
+  /// Whether the ring turns by half a circle at a site: the end of a walk.
+  [[nodiscard]] bool turns_back(SiteId site) const {
+    return place[rank[site]] == reverse_place[rank[previous[site]]];
+  }
 };
 
 /// Fills `operands` from two operands without faults. O(n + m) for n and m sites, if neither's
@@ -71,6 +79,11 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
 
 /// Whether `operands` keeps its promises; what is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Operands& operands);
+
+/// The sums of parallel edges of two thin operands, made from these walks: one segment a pair.
+/// O(n + m + pairs). Throws Error(kLimitExceeded) for more of them than segments are allowed.
+void list_parallel_sums(const Operands& operands, std::span<const Region, 2> walks,
+                        const Limits& limits, std::vector<Polyline>& sums);
 
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Lists the sites that stay: not those of holes into which no polygon of the other operand fits.

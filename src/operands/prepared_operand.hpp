@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@
 namespace minksum {
 
 /// A ring: the sites [begin, end), counter-clockwise if outer, clockwise if a hole. It has three or
-/// more vertices; none is repeated or lies in the middle of a straight edge.
+/// more vertices; none is repeated or lies in the middle of a straight edge. Of a thin operand: a
+/// walk along a polyline and back, two or more.
 struct OperandRing {
   SiteId begin = 0;
   SiteId end = 0;
@@ -52,6 +54,7 @@ struct OperandScratch {
 /// `sites` and `bounds` are in units of the operand's own grid, its box at (0, 0).
 struct PreparedOperand {
   const Region* region = nullptr;
+  bool thin = false;               ///< walks along polylines instead of polygons
   bool rational = false;           ///< which of the two holds the coordinates
   GridCoordinates grid;
   RationalCoordinates rationals;
@@ -59,7 +62,7 @@ struct PreparedOperand {
   ApproximateSites sites;
   std::vector<SiteId> previous;
   std::vector<OperandRing> rings;
-  std::vector<std::uint8_t> convex;          ///< strictly left turn
+  std::vector<std::uint8_t> convex;          ///< strictly left turn, or half a circle
   std::vector<std::uint32_t> vertex_source;  ///< by site: vertex index in the region
   std::vector<std::uint32_t> edge_source;    ///< by site: edge index in the region
   /// Edges counter-clockwise by direction from the positive x axis, parallel ones by id.
@@ -81,6 +84,20 @@ struct PreparedOperand {
 void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
                      OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults);
 
+/// A region whose polygons are walks: each polyline from its start to its end and back, a ring
+/// without area. Polylines are as in a resolved Geometry: simple, without straight vertices. A
+/// closed one is cut at its first vertex.
+void walk_there_and_back(std::span<const Polyline> polylines, Region& walks);
+
+/// The same as `prepare_operand` for the union of the polylines that `walks` goes along.
+///
+/// A walk is the boundary of the polyline made a little wider, in the limit: on one side of each
+/// vertex it turns left, on the other one right, and at both ends it turns left by half a circle.
+/// That is all that the pipeline asks of a ring: docs/pipeline.md, "Thin operands". The other
+/// operand must have area. O(n log n).
+void prepare_thin_operand(const Region& walks, const Options& options, OperandScratch& scratch,
+                          PreparedOperand& operand);
+
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Exact coordinates of all vertices as given.
 void load_sites(const Region& region, const Options& options, PreparedOperand& operand);
@@ -91,6 +108,11 @@ void clean_rings(const Options& options, OperandScratch& scratch, PreparedOperan
 /// Faults between edges and rings. Faults' vertices are indices in the region.
 void find_faults(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
                  std::vector<Fault>& faults);
+/// A kernel, bounds and approximate places for the coordinates of so many sites, as they are now.
+void approximate_sites(std::size_t count, const Options& options, OperandScratch& scratch,
+                       PreparedOperand& operand);
+/// Sets which site follows which around the rings, and the edges between them.
+void connect_rings(PreparedOperand& operand);
 /// Sorts edges by direction.
 void sort_directions(OperandScratch& scratch, PreparedOperand& operand);
 

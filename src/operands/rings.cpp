@@ -9,33 +9,6 @@
 namespace minksum {
 namespace {
 
-/// A kernel, bounds and approximate sites for the coordinates as they are now.
-void approximate(const Options& options, std::span<const SiteId> all, PreparedOperand& operand) {
-  if (operand.rational) {
-    const RationalCoordinates& r = operand.rationals;
-    const int exponent = rational_exponent({&r.extent, 1});
-    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, exponent,
-                         operand.kernel);
-    operand.unit_exp2 = -exponent;
-    operand.unit_exp10 = 0;
-    operand.bounds =
-        RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
-  } else {
-    const GridCoordinates& grid = operand.grid;
-    const GridPart part{&grid, 1, all};
-    make_grid_kernel(rung_for(grid.bits, options.arithmetic), {&part, 1}, grid.exp2, grid.exp10,
-                     operand.kernel);
-    operand.unit_exp2 = grid.exp2;
-    operand.unit_exp10 = grid.exp10;
-    operand.bounds = RoundingBounds::of(std::ldexp(1.0, grid.bits), grid.bits <= kExactSumBits,
-                                        grid.bits <= kExactProductBits);
-  }
-  if (!options.filter) operand.bounds = RoundingBounds::distrustful(operand.bounds.magnitude);
-  operand.sites.x.resize(all.size());
-  operand.sites.y.resize(all.size());
-  operand.kernel->approximate_sites(operand.sites.x, operand.sites.y);
-}
-
 /// Sites as loaded, ring by ring in the rings' own order, to those that stay.
 class RingCleaner {
  public:
@@ -175,7 +148,47 @@ void pick_sites(OperandScratch& scratch, PreparedOperand& operand) {
   }
 }
 
-void connect(PreparedOperand& operand) {
+bool is_identity(std::span<const SiteId> order, std::size_t size) {
+  if (order.size() != size) return false;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (order[i] != i) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void approximate_sites(std::size_t count, const Options& options, OperandScratch& scratch,
+                       PreparedOperand& operand) {
+  auto& ids = scratch.all;
+  for (auto i = static_cast<SiteId>(ids.size()); i < count; ++i) ids.push_back(i);
+  const std::span<const SiteId> all = std::span(ids).first(count);
+  if (operand.rational) {
+    const RationalCoordinates& r = operand.rationals;
+    const int exponent = rational_exponent({&r.extent, 1});
+    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, exponent,
+                         operand.kernel);
+    operand.unit_exp2 = -exponent;
+    operand.unit_exp10 = 0;
+    operand.bounds =
+        RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
+  } else {
+    const GridCoordinates& grid = operand.grid;
+    const GridPart part{&grid, 1, all};
+    make_grid_kernel(rung_for(grid.bits, options.arithmetic), {&part, 1}, grid.exp2, grid.exp10,
+                     operand.kernel);
+    operand.unit_exp2 = grid.exp2;
+    operand.unit_exp10 = grid.exp10;
+    operand.bounds = RoundingBounds::of(std::ldexp(1.0, grid.bits), grid.bits <= kExactSumBits,
+                                        grid.bits <= kExactProductBits);
+  }
+  if (!options.filter) operand.bounds = RoundingBounds::distrustful(operand.bounds.magnitude);
+  operand.sites.x.resize(all.size());
+  operand.sites.y.resize(all.size());
+  operand.kernel->approximate_sites(operand.sites.x, operand.sites.y);
+}
+
+void connect_rings(PreparedOperand& operand) {
   const std::size_t n = operand.sites.x.size();
   operand.sites.next.resize(n);
   operand.previous.resize(n);
@@ -193,29 +206,17 @@ void connect(PreparedOperand& operand) {
   operand.kernel->approximate_edges(operand.sites.dx, operand.sites.dy);
 }
 
-bool is_identity(std::span<const SiteId> order, std::size_t size) {
-  if (order.size() != size) return false;
-  for (std::size_t i = 0; i < size; ++i) {
-    if (order[i] != i) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
 void clean_rings(const Options& options, OperandScratch& scratch, PreparedOperand& operand,
                  std::vector<Fault>& faults) {
   const std::size_t n = operand.region->vertex_count();
-  auto& all = scratch.all;
-  for (auto i = static_cast<SiteId>(all.size()); i < n; ++i) all.push_back(i);
-  approximate(options, std::span(all).first(n), operand);
+  approximate_sites(n, options, scratch, operand);
   RingCleaner(scratch, operand, faults).run();
   operand.vertex_source.assign(scratch.order.begin(), scratch.order.end());
   if (!is_identity(scratch.order, n)) {
     pick_sites(scratch, operand);
-    approximate(options, std::span(all).first(scratch.order.size()), operand);
+    approximate_sites(scratch.order.size(), options, scratch, operand);
   }
-  connect(operand);
+  connect_rings(operand);
 }
 
 }  // namespace minksum

@@ -1,0 +1,122 @@
+// Polylines as operands: walks there and back; and checkers that reject.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "convolution/convolution.hpp"
+#include "support/geometries.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+/// A region or polylines, prepared, and what they are made of.
+struct Made {
+  Region region;
+  PreparedOperand operand;
+  explicit Made(const Region& area) : region(area) {
+    OperandScratch scratch;
+    std::vector<Fault> faults;
+    prepare_operand(region, {}, 1, scratch, operand, faults);
+    EXPECT_TRUE(faults.empty());
+  }
+  explicit Made(const std::vector<Outline>& polylines) {
+    OperandScratch scratch;
+    walk_there_and_back(make_lines(polylines).polylines, region);
+    prepare_thin_operand(region, {}, scratch, operand);
+  }
+};
+
+const Region kTriangle = make_polygon({{0, 0}, {3, 0}, {1, 2}});
+const std::vector<Outline> kHook{{{0, 0}, {4, 0}, {4, 3}, {2, 3}}, {{5, 5}, {6, 7}}};
+
+TEST(ThinOperand, IsWalkedThereAndBack) {
+  const Made hook(kHook);
+  EXPECT_EQ(to_text(hook.region),
+            to_text(make_region({{{{0, 0}, {4, 0}, {4, 3}, {2, 3}, {4, 3}, {4, 0}}},
+                                 {{{5, 5}, {6, 7}}}})));
+  // It turns left at its ends, and at each vertex within once.
+  EXPECT_EQ(hook.operand.convex, (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 1, 1}));
+  ASSERT_EQ(hook.operand.rings.size(), 2U);
+  EXPECT_EQ(hook.operand.rings[1].begin, 6U);
+  EXPECT_EQ(hook.operand.rings[1].end, 8U);
+}
+
+TEST(ThinOperand, AClosedPolylineIsCutAtItsFirstVertex) {
+  const Made square({{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}});
+  EXPECT_EQ(square.region.vertex_count(), 8U);
+  EXPECT_EQ(square.operand.convex, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 0, 0, 0}));
+}
+
+TEST(ThinOperand, TheCheckerKnowsEndsFromSpikes) {
+  const Made triangle(kTriangle);
+  const Made hook(kHook);
+  const auto combined = [&] {
+    Operands operands;
+    combine_operands(triangle.operand, hook.operand, {}, operands);
+    return operands;
+  };
+  EXPECT_EQ(check(combined()), std::nullopt);
+  const auto rejects = [&](auto damage) {
+    Operands operands = combined();
+    damage(operands);
+    return check(operands).has_value();
+  };
+  EXPECT_TRUE(rejects([](Operands& o) { o.convex[o.split] = 0; }));
+  EXPECT_TRUE(rejects([](Operands& o) { o.convex[o.split + 4] = 1; }));
+  EXPECT_TRUE(rejects([](Operands& o) { o.thin[1] = false; }));
+}
+
+TEST(ThinOperand, EndsTakeHalfACircleOfDirections) {
+  const Made triangle(kTriangle);
+  const Made segment({{{0, 0}, {5, 1}}});
+  Operands operands;
+  combine_operands(triangle.operand, segment.operand, {}, operands);
+  EXPECT_TRUE(operands.both_convex);
+  ConvolutionScratch scratch;
+  Convolution convolution;
+  reduced_convolution(operands, {}, scratch, convolution);
+  EXPECT_EQ(check(convolution, operands, false), std::nullopt);
+  // Both edges of the walk and all of the triangle: each once.
+  EXPECT_EQ(convolution.segments.size(), 5U);
+  convolution.segments.pop_back();
+  EXPECT_TRUE(check(convolution, operands, false).has_value());
+}
+
+TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
+  const auto segments_of = [](const std::vector<Outline>& p, const std::vector<Outline>& q) {
+    const Made a(p);
+    const Made b(q);
+    Operands operands;
+    combine_operands(a.operand, b.operand, {}, operands);
+    ConvolutionScratch scratch;
+    Convolution convolution;
+    reduced_convolution(operands, {}, scratch, convolution);
+    EXPECT_EQ(check(operands), std::nullopt);
+    EXPECT_EQ(check(convolution, operands, false), std::nullopt);
+    return convolution.segments.size();
+  };
+  const std::vector<Outline> across{{{0, 0}, {3, 0}}};
+  EXPECT_EQ(segments_of(across, {{{0, 0}, {0, 2}}}), 4U);
+  EXPECT_EQ(segments_of(across, {{{0, 0}, {7, 0}}}), 0U);
+  // An L: the corner takes the edge that is parallel to one of its own, its far end does not.
+  EXPECT_EQ(segments_of(across, {{{0, 0}, {7, 0}, {7, 4}}}), 4U);
+}
+
+TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
+  const Made p({{{0, 0}, {3, 0}, {3, 2}}});
+  const Made q({{{0, 0}, {-7, 0}}, {{5, 5}, {6, 5}}, {{0, 0}, {1, 1}}});
+  Operands operands;
+  combine_operands(p.operand, q.operand, {}, operands);
+  const std::array<Region, 2> walks{p.region, q.region};
+  std::vector<Polyline> sums;
+  list_parallel_sums(operands, walks, {}, sums);
+  EXPECT_EQ(to_text(Geometry{{}, sums, {}}),
+            to_text(make_lines({{{-7, 0}, {3, 0}}, {{5, 5}, {9, 5}}})));
+  Limits limits;
+  limits.max_segments = 1;
+  EXPECT_THROW(list_parallel_sums(operands, walks, limits, sums), Error);
+}
+
+}  // namespace
