@@ -10,21 +10,27 @@
 namespace minksum::signed_sum {
 namespace {
 
-struct ExactPoint {
-  Rational x;
-  Rational y;
+using ExactRing = std::vector<Point>;
+struct ExactPolygon {
+  bool is_walk = false;
+  std::vector<ExactRing> rings;  // the outer ring first
 };
-using ExactRing = std::vector<ExactPoint>;
-using ExactPolygon = std::vector<ExactRing>;  // the outer ring first
 
-std::vector<ExactPolygon> read(const Region& region) {
+std::vector<ExactPolygon> read(const GivenOperand& given) {
   std::vector<ExactPolygon> polygons;
+  for (const Polyline& polyline : given.polylines) {
+    ExactRing walk(polyline);
+    walk.insert(walk.end(), polyline.rbegin() + 1, polyline.rend() - 1);
+    polygons.push_back({true, {std::move(walk)}});
+  }
+  if (given.region == nullptr) return polygons;
+  const Region& region = *given.region;
   for (const std::size_t polygon : region.polygons()) {
-    ExactPolygon& rings = polygons.emplace_back();
+    std::vector<ExactRing>& rings = polygons.emplace_back().rings;
     for (const std::size_t ring : region.rings_of(polygon)) {
       ExactRing& points = rings.emplace_back();
       for (const std::size_t vertex : region.vertices_of(ring)) {
-        points.push_back({region.exact_x(vertex), region.exact_y(vertex)});
+        points.push_back(region.point(vertex));
       }
     }
   }
@@ -45,9 +51,9 @@ BigInteger common_denominator(const std::vector<ExactPolygon>& p,
                               const std::vector<ExactPolygon>& q) {
   BigInteger scale = 1;
   for (const auto* polygons : {&p, &q}) {
-    for (const ExactPolygon& rings : *polygons) {
-      for (const ExactRing& ring : rings) {
-        for (const ExactPoint& point : ring) {
+    for (const ExactPolygon& polygon : *polygons) {
+      for (const ExactRing& ring : polygon.rings) {
+        for (const Point& point : ring) {
           include_denominator(point.x, scale);
           include_denominator(point.y, scale);
         }
@@ -94,9 +100,20 @@ BigInteger doubled_area(const IntegerRing& ring) {
   return sum;
 }
 
+IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale) {
+  IntegerRing ring;
+  for (const Point& point : exact) {
+    ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) >= 0);
+  }
+  return ring;
+}
+
 IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool counter_clockwise) {
   IntegerRing ring;
-  for (const ExactPoint& point : exact) {
+  for (const Point& point : exact) {
     ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
   }
   drop_repeated_vertices(ring.vertices);
@@ -113,9 +130,13 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool coun
 std::vector<IntegerPart> make_parts(const std::vector<ExactPolygon>& polygons,
                                     const BigInteger& scale) {
   std::vector<IntegerPart> parts;
-  for (const ExactPolygon& rings : polygons) {
+  for (const auto& [is_walk, rings] : polygons) {
     if (rings.empty()) broken("an operand has a polygon without rings");
     IntegerPart& part = parts.emplace_back();
+    if (is_walk) {
+      part.outer = make_walk(rings.front(), scale);
+      continue;
+    }
     part.outer = make_ring(rings.front(), scale, true);
     for (std::size_t i = 1; i < rings.size(); ++i) {
       part.holes.push_back(make_ring(rings[i], scale, false));
@@ -211,19 +232,26 @@ void sort_edges(IntegerRing& ring) {
 }
 
 void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank count) {
-  if (ring.size() < 3 || (doubled_area(ring) > 0) != counter_clockwise) {
+  const BigInteger area = doubled_area(ring);
+  if (ring.size() < 2 || (area != 0 && (area > 0) != counter_clockwise)) {
     broken("a ring of an operand has the wrong orientation");
   }
+  std::size_t ends = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const BigInteger turn = cross(edge(ring, ring.previous(i)), edge(ring, i));
-    if (turn == 0 || (turn > 0) != ring.convex[i]) broken("a vertex of an operand is misjudged");
+    const IntegerPoint in = edge(ring, ring.previous(i));
+    const IntegerPoint out = edge(ring, i);
+    const BigInteger turn = cross(in, out);
+    if (turn == 0 && in.x * out.x + in.y * out.y >= 0) broken("a vertex of an operand is straight");
+    ends += turn == 0 ? 1U : 0U;
+    if ((turn >= 0) != ring.convex[i]) broken("a vertex of an operand is misjudged");
     if (ring.directions[i] >= count) broken("a direction of an operand has no rank");
   }
+  if (ends != (area == 0 ? 2U : 0U)) broken("an operand is neither a polygon nor a polyline");
 }
 
 }  // namespace
 
-IntegerOperands make_operands(const Region& p, const Region& q) {
+IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q) {
   const std::vector<ExactPolygon> exact_p = read(p);
   const std::vector<ExactPolygon> exact_q = read(q);
   IntegerOperands operands;

@@ -4,9 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "minksum/region.hpp"
+#include "minksum/geometry.hpp"
 #include "signed_convolution/numbers.hpp"
 
 namespace minksum::signed_sum {
@@ -21,11 +22,12 @@ struct IntegerPoint {
 };
 
 /// A simple ring without repeated or straight vertices, material on its left. Edge i runs from
-/// vertex i to vertex i + 1.
+/// vertex i to vertex i + 1. Or a walk along a polyline and back: the boundary of the polyline made
+/// a little wider, in the limit, which turns left by half a circle at both ends.
 struct IntegerRing {
   std::vector<IntegerPoint> vertices;
   std::vector<DirectionRank> directions;    ///< of each edge
-  std::vector<bool> convex;                 ///< of each vertex: a strict left turn
+  std::vector<bool> convex;                 ///< of each vertex: a left turn, up to half a circle
   std::vector<std::uint32_t> by_direction;  ///< the edges, sorted by rank
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
@@ -34,7 +36,7 @@ struct IntegerRing {
 };
 
 struct IntegerPart {
-  IntegerRing outer;               ///< counter-clockwise
+  IntegerRing outer;               ///< counter-clockwise, or a walk
   std::vector<IntegerRing> holes;  ///< clockwise
 };
 
@@ -49,11 +51,18 @@ struct IntegerOperands {
   DirectionRank direction_count = 0;
 };
 
-/// The operands must be valid and not empty.
-[[nodiscard]] IntegerOperands make_operands(const Region& p, const Region& q);
+/// An operand as it is given: a valid region, or polylines as in a resolved Geometry; not empty.
+struct GivenOperand {
+  GivenOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
+  explicit GivenOperand(std::span<const Polyline> given) : polylines(given) {}
+  const Region* region = nullptr;  ///< or
+  std::span<const Polyline> polylines;
+};
 
-/// Throws Error(kInternal) unless the operands are as described above: oriented, no straight or
-/// repeated vertices, ranks in cyclic order of the directions.
+[[nodiscard]] IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q);
+
+/// Throws Error(kInternal) unless the operands are as described above: oriented or walks, no
+/// straight or repeated vertices, ranks in cyclic order of the directions.
 void check(const IntegerOperands& operands);
 
 }  // namespace minksum::signed_sum

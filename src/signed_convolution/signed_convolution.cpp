@@ -46,6 +46,8 @@ void solve(const Input& input, const Options& options, Statistics& statistics, S
     broken("the pieces of the arrangement do not form cycles");
   }
   timer.charge(Stage::kArrangement);
+  // Polylines along one direction: all pieces cancel.
+  if (arrangement.pieces.empty()) return;
   stop_if_asked(options, Stage::kLoops);
   const InsideFlags inside = WindingWalk<N>(geometry, arrangement, input.layers, options).run();
   const BoundaryRings boundary = RingBuilder<N>(geometry, arrangement, inside).run();
@@ -65,8 +67,8 @@ Arithmetic pick(unsigned bits, Arithmetic least) {
   return Arithmetic::kNarrow;
 }
 
-void compute(const Region& p, const Region& q, const Options& options, Statistics& statistics,
-             Region& result) {
+void compute(const GivenOperand& p, const GivenOperand& q, const Options& options,
+             Statistics& statistics, Region& result) {
   StageTimer timer(statistics);
   stop_if_asked(options, Stage::kOperands);
   const IntegerOperands operands = make_operands(p, q);
@@ -93,6 +95,36 @@ void compute(const Region& p, const Region& q, const Options& options, Statistic
   }
 }
 
+void compute_or_clear(const GivenOperand& p, const GivenOperand& q, const Options& options,
+                      Statistics& statistics, Region& result) {
+  try {
+    compute(p, q, options, statistics, result);
+  } catch (...) {
+    result.clear();
+    throw;
+  }
+}
+
+bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return (b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x);
+}
+Point sum(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
+
+/// The sums of parallel edges.
+void add_parallel_sums(const Polyline& p, const Polyline& q, std::vector<Polyline>& sums) {
+  for (std::size_t i = 1; i < p.size(); ++i) {
+    for (std::size_t j = 1; j < q.size(); ++j) {
+      const Point& a = p[i - 1];
+      const Point& b = p[i];
+      const Point& c = q[j - 1];
+      const Point& d = q[j];
+      if (!are_parallel(a, b, c, d)) continue;
+      const bool same_way = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) > Rational(0);
+      sums.push_back({sum(a, same_way ? c : d), sum(b, same_way ? d : c)});
+    }
+  }
+}
+
 }  // namespace
 }  // namespace signed_sum
 
@@ -100,11 +132,26 @@ void signed_convolution_sum(const Region& p, const Region& q, const Options& opt
                             Statistics& statistics, Region& result) {
   result.clear();
   if (p.empty() || q.empty()) return;
-  try {
-    signed_sum::compute(p, q, options, statistics, result);
-  } catch (...) {
-    result.clear();
-    throw;
+  signed_sum::compute_or_clear(p, q, options, statistics, result);
+}
+
+void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const Options& options,
+                            Region& result) {
+  result.clear();
+  if (p.empty() || q.empty()) return;
+  Statistics unasked;
+  signed_sum::compute_or_clear(p, signed_sum::GivenOperand(q), options, unasked, result);
+}
+
+void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
+                            const Options& options, Geometry& result) {
+  result = {};
+  if (p.empty() || q.empty()) return;
+  Statistics unasked;
+  signed_sum::compute_or_clear(signed_sum::GivenOperand(p), signed_sum::GivenOperand(q), options,
+                               unasked, result.region);
+  for (const Polyline& a : p) {
+    for (const Polyline& b : q) signed_sum::add_parallel_sums(a, b, result.polylines);
   }
 }
 

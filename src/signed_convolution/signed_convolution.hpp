@@ -8,6 +8,8 @@
 // face. Slower, as the whole arrangement is built, and simpler to be sure of.
 #pragma once
 
+#include <span>
+
 #include "minksum/minkowski_sum.hpp"
 
 namespace minksum {
@@ -16,5 +18,15 @@ namespace minksum {
 /// `result` is cleared first and written in canonical form, without origins.
 void signed_convolution_sum(const Region& p, const Region& q, const Options& options,
                             Statistics& statistics, Region& result);
+
+/// The same for the union of polylines as the second operand, as they are in a resolved Geometry:
+/// each is a ring that is walked there and back.
+void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const Options& options,
+                            Region& result);
+
+/// The sum of two unions of such polylines. The region is what edges of different directions sweep;
+/// each pair of parallel edges adds a segment, which may overlap with others and the region.
+void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
+                            const Options& options, Geometry& result);
 
 }  // namespace minksum

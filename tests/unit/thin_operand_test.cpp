@@ -1,9 +1,11 @@
-// Polylines as operands: walks there and back; and checkers that reject.
+// Polylines as operands: walks there and back, by both methods; and checkers that reject.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "convolution/convolution.hpp"
+#include "signed_convolution/segments.hpp"
 #include "support/geometries.hpp"
 
 namespace {
@@ -117,6 +119,32 @@ TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
   Limits limits;
   limits.max_segments = 1;
   EXPECT_THROW(list_parallel_sums(operands, walks, limits, sums), Error);
+}
+
+TEST(SignedThinOperand, IsClosedAndChecked) {
+  using namespace minksum::signed_sum;
+  const Geometry hook = make_lines(kHook);
+  const IntegerOperands operands = make_operands(kTriangle, GivenOperand(hook.polylines));
+  EXPECT_NO_THROW(check(operands));
+  const std::vector<Layer> layers = make_layers(operands);
+  ASSERT_EQ(layers.size(), 2U);
+  const std::vector<SignedSegment> segments = signed_segments(operands, layers, {});
+  EXPECT_TRUE(is_closed(layers, segments));
+  const auto rejects = [&](auto damage) {
+    IntegerOperands damaged = make_operands(kTriangle, GivenOperand(hook.polylines));
+    damage(damaged.q[0].outer);
+    try {
+      check(damaged);
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.convex[0] = false; }));
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.convex[4] = true; }));
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.vertices[4].x += 1; }));
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { std::reverse(walk.vertices.begin(),
+                                                           walk.vertices.end()); }));
 }
 
 }  // namespace
