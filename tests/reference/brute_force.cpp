@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/brute_force_overlay.hpp"
 #include "reference/canonical.hpp"
 #include "reference/convex_pieces.hpp"
 #include "reference/exact.hpp"
@@ -167,18 +168,33 @@ class ConvexUnion {
   std::map<Node<Int>, std::size_t> ids_;
 };
 
-// Both operands on one integer grid: coordinate = integer / scale.
+// Both operands on one integer grid: coordinate = integer / scale. Thin parts are loops of a
+// segment's two ends, or of a point.
 struct Scaled {
   Loops p;
   Loops q;
+  Loops thin_p;
+  Loops thin_q;
   Integer scale = 1;
   std::size_t bits = 0;
 };
 
-Scaled scale_up(const Region& p, const Region& q) {
-  Scaled result{directed_and_noded(to_loops(p)), directed_and_noded(to_loops(q)), 1, 0};
+Loops thin_loops(const Geometry& geometry) {
+  Loops loops;
+  for (const Polyline& polyline : geometry.polylines) {
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      loops.push_back({to_pt(polyline[i - 1]), to_pt(polyline[i])});
+    }
+  }
+  for (const Point& point : geometry.points) loops.push_back({to_pt(point)});
+  return loops;
+}
+
+Scaled scale_up(const Region& p, const Region& q, Loops thin_p = {}, Loops thin_q = {}) {
+  Scaled result{directed_and_noded(to_loops(p)), directed_and_noded(to_loops(q)),
+                std::move(thin_p), std::move(thin_q), 1, 0};
   const auto for_each_coordinate = [&](auto&& action) {
-    for (Loops* loops : {&result.p, &result.q}) {
+    for (Loops* loops : {&result.p, &result.q, &result.thin_p, &result.thin_q}) {
       for (Loop& loop : *loops) {
         for (Pt& point : loop) {
           action(point.x);
@@ -211,20 +227,43 @@ std::vector<IntLoop<Int>> to_int(const Loops& loops) {
 }
 
 template <class Int>
-Region sum_on_grid(const Scaled& scaled) {
-  const auto pieces_of_p = convex_pieces(to_int<Int>(scaled.p));
-  const auto pieces_of_q = convex_pieces(to_int<Int>(scaled.q));
+std::vector<IntLoop<Int>> all_pieces(const Loops& rings, const Loops& thin) {
+  auto pieces = convex_pieces(to_int<Int>(rings));
+  for (auto& piece : to_int<Int>(thin)) pieces.push_back(std::move(piece));
+  return pieces;
+}
+
+template <class Int>
+Point unscaled(const IntPt<Int>& p, const Integer& scale) {
+  return {to_rational(Number(Integer(p.x), scale)), to_rational(Number(Integer(p.y), scale))};
+}
+
+// The sum's region, still to be scaled down, and segments and points, which may overlap.
+template <class Int>
+Geometry sum_on_grid(const Scaled& scaled) {
+  const auto pieces_of_p = all_pieces<Int>(scaled.p, scaled.thin_p);
+  const auto pieces_of_q = all_pieces<Int>(scaled.q, scaled.thin_q);
   std::vector<IntLoop<Int>> sums;
+  Geometry parts;
   for (const auto& a : pieces_of_p) {
     for (const auto& b : pieces_of_q) {
       IntLoop<Int> points;
       for (const auto& u : a) {
         for (const auto& v : b) points.push_back(u + v);
       }
-      sums.push_back(convex_hull(std::move(points)));
+      IntLoop<Int> hull = points.size() == 1 ? points : convex_hull(std::move(points));
+      if (hull.size() == 1) {
+        parts.points.push_back(unscaled(hull[0], scaled.scale));
+      } else if (hull.size() == 2) {
+        parts.polylines.push_back(
+            {unscaled(hull[0], scaled.scale), unscaled(hull[1], scaled.scale)});
+      } else {
+        sums.push_back(std::move(hull));
+      }
     }
   }
-  return ConvexUnion<Int>(std::move(sums)).run();
+  parts.region = ConvexUnion<Int>(std::move(sums)).run();
+  return parts;
 }
 
 template <class Int>
@@ -253,13 +292,18 @@ constexpr std::size_t compared_bits(std::size_t operand_bits) { return 6 * opera
 }  // namespace
 
 Region brute_force_sum(const Region& p, const Region& q) {
+  return brute_force_sum(Geometry{p, {}, {}}, Geometry{q, {}, {}}).region;
+}
+
+Geometry brute_force_sum(const Geometry& p, const Geometry& q) {
   if (p.empty() || q.empty()) return {};
-  const Scaled scaled = scale_up(p, q);
+  const Scaled scaled = scale_up(p.region, q.region, thin_loops(p), thin_loops(q));
   const std::size_t need = compared_bits(scaled.bits);
-  return scale_down(need < 64    ? sum_on_grid<std::int64_t>(scaled)
-                    : need < 128 ? sum_on_grid<Int128>(scaled)
-                                 : sum_on_grid<Integer>(scaled),
-                    scaled.scale);
+  Geometry parts = need < 64    ? sum_on_grid<std::int64_t>(scaled)
+                   : need < 128 ? sum_on_grid<Int128>(scaled)
+                                : sum_on_grid<Integer>(scaled);
+  parts.region = scale_down(parts.region, scaled.scale);
+  return parts.has_thin_parts() ? brute_force_resolve(parts, FillRule::kAutomatic) : parts;
 }
 
 Region brute_force_union(const Region& a, const Region& b) {

@@ -2,6 +2,7 @@
 // library beyond its value types.
 #pragma once
 
+#include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum::reference {
@@ -10,6 +11,10 @@ namespace minksum::reference {
 /// vertices; then the exact union of those. In canonical form, without origins. Operands must be
 /// legal. Meant for up to a few dozen vertices.
 [[nodiscard]] Region brute_force_sum(const Region& p, const Region& q);
+
+/// The same for resolved geometries: segments of polylines and points are convex pieces too. The
+/// result is resolved.
+[[nodiscard]] Geometry brute_force_sum(const Geometry& p, const Geometry& q);
 
 /// The union of two legal regions, which may overlap.
 [[nodiscard]] Region brute_force_union(const Region& a, const Region& b);
