@@ -6,6 +6,7 @@
 #include <chrono>
 #include <new>
 
+#include "geometry_sum/geometry_sum.hpp"
 #include "output/output.hpp"
 #include "signed_convolution/signed_convolution.hpp"
 #include "tight/tight.hpp"
@@ -17,6 +18,8 @@ namespace minksum {
 struct Workspace::State {
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
+  std::array<Region, 2> walks;          ///< along polylines, see thin operands
+  std::array<PreparedOperand, 2> thin;  ///< of `walks`
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
@@ -83,10 +86,14 @@ class StageRunner {
   Stage stage_ = Stage::kOperands;
 };
 
+/// Reflex vertices of polylines have no place in the sum of two of them.
+bool is_full(const Workspace::State& w, const Options& options) {
+  return options.method == Method::kFull && !w.operands.both_thin();
+}
+
 void convolve(Workspace::State& w, const Options& options) {
-  const bool full = options.method == Method::kFull;
-  (full ? full_convolution : reduced_convolution)(w.operands, options.limits,
-                                                  w.convolution_scratch, w.convolution);
+  (is_full(w, options) ? full_convolution : reduced_convolution)(
+      w.operands, options.limits, w.convolution_scratch, w.convolution);
 }
 
 void count(const Workspace::State& w, const Predicates& predicates, Statistics& statistics) {
@@ -147,11 +154,12 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
 
   runner.run(Stage::kOperands, [&] { prepare(p, q, options, w); });
   if (options.check) runner.require(check(w.operands));
+  if (w.operands.all_parallel()) return result.clear();
   Predicates predicates(w.operands.sites, *w.operands.kernel, w.operands.bounds);
 
   runner.run(Stage::kConvolution, [&] { convolve(w, options); });
   if (options.check) {
-    runner.require(check(w.convolution, w.operands, options.method == Method::kFull));
+    runner.require(check(w.convolution, w.operands, is_full(w, options)));
   }
   runner.run(Stage::kCover, [&] {
     cover_interior(w.operands, w.convolution, options, w.cover_scratch, w.cover);
@@ -236,18 +244,106 @@ Region run(const Given& p, const Given& q, const Options& options) {
   return result;
 }
 
-Outcome run_without_exceptions(const Given& p, const Given& q, const Options& options,
-                               Workspace& workspace, Region& result) {
+/// `work` and what became of it; on failure `clear` is called.
+template <class Work, class Clear>
+Outcome without_exceptions(Work work, Clear clear) {
   try {
-    run(p, q, options, workspace.state(), result);
+    work();
     return {};
   } catch (const Error& error) {
-    result.clear();
+    clear();
     return {error};
   } catch (const std::bad_alloc&) {
-    result.clear();
+    clear();
     return {Error(ErrorCode::kLimitExceeded, "out of memory")};
   }
+}
+Outcome run_without_exceptions(const Given& p, const Given& q, const Options& options,
+                               Workspace& workspace, Region& result) {
+  return without_exceptions([&] { run(p, q, options, workspace.state(), result); },
+                            [&] { result.clear(); });
+}
+
+/// The sums that a sum of geometries is made of.
+class Sums final : public PartialSums {
+ public:
+  Sums(const Options& options, Workspace::State& state)
+      : options_(options), quiet_(options), state_(state), begin_(Clock::now()) {
+    quiet_.statistics = nullptr;
+    quiet_.trace = nullptr;
+    quiet_.tight = nullptr;
+    if (options.statistics != nullptr) *options.statistics = Statistics{};
+    if (options.trace != nullptr) *options.trace = Trace{};
+  }
+
+  bool take(int operand, const Region& region) override {
+    const auto i = static_cast<std::size_t>(operand);
+    regions_[i] = &region;
+    if (region.empty()) return true;
+    stop_if_asked();
+    const auto begin = Clock::now();
+    std::vector<Fault> faults;
+    prepare_operand(region, options_, 1, state_.operand_scratch, state_.prepared[i], faults);
+    preparing_ += Clock::now() - begin;
+    return faults.empty();
+  }
+  void add_regions(Region& sum) override { run(taken(0), taken(1), options_, state_, sum); }
+  void sweep(int operand, std::span<const Polyline> polylines, Region& sum) override {
+    const Given area = taken(static_cast<std::size_t>(operand));
+    if (options_.method == Method::kSigned) {
+      signed_convolution_sum(area.region, polylines, quiet_, sum);
+    } else {
+      run(area, walk(0, polylines), quiet_, state_, sum);
+    }
+    forget_origins(sum);
+  }
+  void add_polylines(std::span<const Polyline> p, std::span<const Polyline> q,
+                     Geometry& sum) override {
+    if (options_.method == Method::kSigned) {
+      signed_convolution_sum(p, q, quiet_, sum);
+      return;
+    }
+    run(walk(0, p), walk(1, q), quiet_, state_, sum.region);
+    forget_origins(sum.region);
+    list_parallel_sums(state_.operands, state_.walks, options_.limits, sum.polylines);
+  }
+  void stop_if_asked() override {
+    Statistics none;
+    StageRunner(options_, none).stop_if_asked();
+  }
+  /// What the statistics lack: the time around the sum of regions.
+  void count_time() const {
+    if (options_.statistics == nullptr) return;
+    Statistics& statistics = *options_.statistics;
+    statistics.stage_seconds[static_cast<int>(Stage::kOperands)] += seconds(preparing_);
+    statistics.seconds = seconds(Clock::now() - begin_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds(Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+  }
+  [[nodiscard]] Given taken(std::size_t i) const { return {*regions_[i], &state_.prepared[i]}; }
+  Given walk(std::size_t i, std::span<const Polyline> polylines) {
+    walk_there_and_back(polylines, state_.walks[i]);
+    prepare_thin_operand(state_.walks[i], options_, state_.operand_scratch, state_.thin[i]);
+    return {state_.walks[i], &state_.thin[i]};
+  }
+
+  const Options& options_;
+  Options quiet_;  ///< for the sums that are not to be told of
+  Workspace::State& state_;
+  Clock::time_point begin_;
+  Clock::duration preparing_{};
+  std::array<const Region*, 2> regions_{};
+};
+
+void run(const Geometry& p, const Geometry& q, const Options& options, Workspace::State& state,
+         Geometry& result) {
+  Sums sums(options, state);
+  sum_geometries(p, q, options, sums, result);
+  sums.count_time();
 }
 
 Given given(const PreparedRegion& region) {
@@ -283,6 +379,17 @@ Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
   return run_without_exceptions(given(p), given(q), options, workspace, result);
+}
+Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {
+  Workspace workspace;
+  Geometry result;
+  run(p, q, options, workspace.state(), result);
+  return result;
+}
+Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
+                      Workspace& workspace, Geometry& result) {
+  return without_exceptions([&] { run(p, q, options, workspace.state(), result); },
+                            [&] { result = {}; });
 }
 
 }  // namespace minksum

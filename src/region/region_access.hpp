@@ -45,6 +45,7 @@ class RegionAccess {
     const StoredCoordinate x = copy(from.vertices_[vertex].x);
     region.vertices_.push_back({x, copy(from.vertices_[vertex].y)});
   }
+  static void clear_origins(Region& region) { region.origins_.clear(); }
   static void reserve(Region& region, std::size_t vertices) {
     region.vertices_.reserve(vertices);
     region.origins_.reserve(vertices);

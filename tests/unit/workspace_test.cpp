@@ -76,6 +76,20 @@ TEST(Workspace, RepeatedCallsWithPreparedOperandsDoNotAllocate) {
   EXPECT_TRUE(outcome.ok());
 }
 
+TEST(Workspace, RepeatedCallsWithLegalGeometriesDoNotAllocate) {
+  const Geometry p{ragged_frame(150, 400000, 1), {}, {}};
+  const Geometry q{ragged_frame(60, 90000, 2), {}, {}};
+  Workspace workspace;
+  Geometry sum;
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, sum).ok());
+  const std::size_t before = allocations;
+  const Outcome outcome = minkowski_sum(p, q, {}, workspace, sum);
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_TRUE(outcome.ok());
+  EXPECT_EQ(sum.region, minkowski_sum(p.region, q.region));
+  EXPECT_TRUE(sum.region.has_origins());
+}
+
 TEST(Workspace, HoldsNothingOfOneCallForTheNext) {
   const Region big = ragged_frame(100, 400000, 3);
   const Region small = ragged_frame(20, 30000, 4);

@@ -1,0 +1,180 @@
+#include "geometry_sum/geometry_sum.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "minksum/boolean.hpp"
+#include "minksum/resolve.hpp"
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+Point sum(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
+
+/// A resolved geometry stays resolved: all orders are the same after a move.
+Geometry moved(const Geometry& geometry, const Point& by) {
+  Geometry result;
+  const Region& region = geometry.region;
+  for (const std::size_t polygon : region.polygons()) {
+    result.region.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      result.region.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        const Point at = sum(region.point(v), by);
+        result.region.add_vertex(at.x, at.y);
+      }
+    }
+  }
+  for (const Polyline& polyline : geometry.polylines) {
+    Polyline& path = result.polylines.emplace_back();
+    for (const Point& at : polyline) path.push_back(sum(at, by));
+  }
+  for (const Point& at : geometry.points) result.points.push_back(sum(at, by));
+  return result;
+}
+
+/// An operand as given, or as resolved.
+class Reader {
+ public:
+  Reader(int operand, const Geometry& given, const Options& options, PartialSums& partial)
+      : operand_(operand), geometry_(&given), options_(options), partial_(partial) {}
+
+  [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
+  [[nodiscard]] bool is_as_given() const { return as_given_; }
+
+  /// Legal polygons without thin parts are used as given, unless a rule says what they mean.
+  void read() {
+    const bool by_rule =
+        options_.fill != FillRule::kAutomatic && options_.fill != FillRule::kStrict;
+    if (!by_rule && !geometry_->has_thin_parts() && partial_.take(operand_, geometry_->region)) {
+      return;
+    }
+    resolve();
+  }
+  void resolve() {
+    if (!as_given_) return;
+    as_given_ = false;
+    try {
+      resolved_ =
+          minksum::resolve(*geometry_, {options_.fill, options_.regularize, options_.cancel});
+    } catch (const Error& error) {
+      Culprit culprit = error.culprit();
+      if (error.code() == ErrorCode::kBadInput) culprit.operand = operand_;
+      throw Error(error.code(), error.what(), culprit, error.stage());
+    }
+    geometry_ = &resolved_;
+    if (!partial_.take(operand_, resolved_.region)) {
+      throw Error(ErrorCode::kInternal, "a resolved operand is not legal", {}, "operands");
+    }
+  }
+
+ private:
+  int operand_;
+  const Geometry* geometry_;
+  const Options& options_;
+  PartialSums& partial_;
+  bool as_given_ = true;
+  Geometry resolved_;
+};
+
+/// All sums of parts but that of both regions.
+class ThinSums {
+ public:
+  ThinSums(const Geometry& p, const Geometry& q, const Options& options, PartialSums& partial,
+           std::vector<Geometry>& sums)
+      : operands_{&p, &q}, options_(options), partial_(partial), sums_(sums) {}
+
+  void run() {
+    for (const int operand : {0, 1}) {
+      const Geometry& other = of(1 - operand);
+      if (!of(operand).region.empty() && !other.polylines.empty()) {
+        partial_.sweep(operand, other.polylines, sums_.emplace_back().region);
+      }
+    }
+    if (!of(0).polylines.empty() && !of(1).polylines.empty()) {
+      Geometry loose;
+      partial_.add_polylines(of(0).polylines, of(1).polylines, loose);
+      sums_.push_back(resolve(loose, {FillRule::kAutomatic, false, options_.cancel}));
+    }
+    // Two points meet once: with the second operand's points everything of the first is moved.
+    move({of(0).region, of(0).polylines, of(0).points}, of(1).points);
+    move({of(1).region, of(1).polylines, {}}, of(0).points);
+  }
+
+ private:
+  [[nodiscard]] const Geometry& of(int operand) const {
+    return *operands_[static_cast<std::size_t>(operand)];
+  }
+  void move(const Geometry& geometry, const std::vector<Point>& points) {
+    if (geometry.empty() || points.empty()) return;
+    std::uint64_t size = geometry.region.vertex_count() + geometry.points.size();
+    for (const Polyline& polyline : geometry.polylines) size += polyline.size();
+    const std::uint64_t most = options_.limits.max_segments;
+    if (size > most / points.size()) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "an operand moved by the points of the other has more than " +
+                      std::to_string(most) + " vertices (Limits::max_segments)");
+    }
+    for (const Point& by : points) {
+      partial_.stop_if_asked();
+      sums_.push_back(moved(geometry, by));
+    }
+  }
+
+  std::array<const Geometry*, 2> operands_;
+  const Options& options_;
+  PartialSums& partial_;
+  std::vector<Geometry>& sums_;
+};
+
+/// What the sum's thin operands cover is no tight place any more.
+void uncover(const Geometry& sum, Geometry& tight) {
+  if (!tight.has_thin_parts()) return;
+  const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
+  Geometry left = unite(both);
+  tight.polylines = std::move(left.polylines);
+  tight.points = std::move(left.points);
+}
+
+}  // namespace
+
+void forget_origins(Region& region) {
+  if (region.has_origins()) RegionAccess::clear_origins(region);
+}
+
+void sum_geometries(const Geometry& p, const Geometry& q, const Options& options,
+                    PartialSums& partial, Geometry& result) {
+  result.region.clear();
+  result.polylines.clear();
+  result.points.clear();
+  if (options.tight != nullptr) *options.tight = {};
+  Reader first(0, p, options, partial);
+  Reader second(1, q, options, partial);
+  first.read();
+  second.read();
+  // Moved by a point, a region is a result as it is: in canonical form.
+  if (!second.geometry().points.empty()) first.resolve();
+  if (!first.geometry().points.empty()) second.resolve();
+  const Geometry& a = first.geometry();
+  const Geometry& b = second.geometry();
+  if (a.empty() || b.empty()) return;
+
+  if (!a.region.empty() && !b.region.empty()) partial.add_regions(result.region);
+  if (!first.is_as_given() || !second.is_as_given()) forget_origins(result.region);
+  if (!a.has_thin_parts() && !b.has_thin_parts()) return;
+  std::vector<Geometry> sums;
+  ThinSums(a, b, options, partial, sums).run();
+  if (options.tight != nullptr) {
+    const Geometry thin = unite(sums);
+    uncover(thin, *options.tight);
+    sums.assign(1, thin);
+  }
+  if (!result.region.empty()) sums.push_back({std::move(result.region), {}, {}});
+  partial.stop_if_asked();
+  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums);
+  forget_origins(result.region);
+}
+
+}  // namespace minksum
