@@ -1,8 +1,9 @@
-// Reading and writing regions as text. Target minksum::io.
+// Reading and writing regions and geometries as text. Target minksum::io.
 #pragma once
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,19 +30,33 @@ class ReadError : public Error {
 /// Limits on what is read; exceeding one is a ReadError(kLimitExceeded) that names it.
 struct ReadLimits {
   std::size_t max_bytes = std::size_t{1} << 30;
-  int max_depth = 32;  ///< nesting of parentheses, brackets and braces
+  std::size_t max_vertices = std::size_t{1} << 30;  ///< of rings and polylines, and points
+  int max_depth = 32;                               ///< nesting of parentheses, brackets and braces
 };
 
 /// The format that the text seems to be in, by its first characters; WKT if it says nothing.
 [[nodiscard]] Format detect_format(std::string_view text);
+
 /// Reads areas, polylines and points: WKT, GeoJSON, `.poly` or `.dat`, told by content.
+///
+/// Numbers are read exactly. Only the form of the text is checked: rings may cross themselves and
+/// each other, and may have one vertex or two; `resolve` says what they mean. In `.dat`, rings of
+/// fewer than three vertices are looked for only if the text makes no sense without them.
 [[nodiscard]] Geometry read_geometry(std::string_view text, const ReadLimits& limits = {});
 /// Reads a file, or standard input for "-". Messages do not name the file: the caller knows it.
 [[nodiscard]] Geometry read_geometry_file(const std::string& path, const ReadLimits& limits = {});
-/// Reads a region: WKT, GeoJSON, `.poly` or `.dat`, told by content. Numbers are read exactly.
+
+/// Reads a region: as above, but polylines and points, and rings of fewer than three vertices, are
+/// errors.
 [[nodiscard]] Region read(std::string_view text, const ReadLimits& limits = {});
-/// Reads a file, or standard input for "-". Messages do not name the file: the caller knows it.
 [[nodiscard]] Region read_file(const std::string& path, const ReadLimits& limits = {});
+
+/// The text of a file, or of standard input for "-".
+[[nodiscard]] std::string load_text(const std::string& path, const ReadLimits& limits = {});
+/// The `properties` of a text that is one GeoJSON Feature or a FeatureCollection of one, as they
+/// are written there ("null" if it has none); nothing if it is anything else. Throws ReadError.
+[[nodiscard]] std::optional<std::string> feature_properties(std::string_view text,
+                                                            const ReadLimits& limits = {});
 
 /// How coordinates are written.
 struct Coordinates {
@@ -53,7 +68,8 @@ struct Coordinates {
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region.
 void write(std::ostream& out, const Region& region, Format format, const Coordinates& style = {});
 [[nodiscard]] std::string to_wkt(const Region& region, const Coordinates& style = {});
-/// The same with thin parts. `.poly` has no form for these: Error(kBadInput).
+/// The same with thin parts: a collection if there are several kinds of parts. What is written with
+/// exact coordinates and read again is equal. `.poly` has no form for thin parts: Error(kBadInput).
 void write(std::ostream& out, const Geometry& geometry, Format format,
            const Coordinates& style = {});
 [[nodiscard]] std::string to_wkt(const Geometry& geometry, const Coordinates& style = {});

@@ -1,6 +1,5 @@
 // CGAL's `.dat` polygons: numbers alone, in one of two layouts.
 #include <optional>
-#include <utility>
 
 #include "io/formats.hpp"
 #include "io/number.hpp"
@@ -16,14 +15,24 @@ enum class Layout {
 
 class DatReader {
  public:
-  DatReader(std::string_view text, Layout layout, Region* region)
-      : cursor_(text), layout_(layout), region_(region) {}
+  DatReader(std::string_view text, Layout layout, Rules rules)
+      : cursor_(text), layout_(layout), fewest_(fewest_vertices(rules)) {}
 
-  /// Reads to the end of the text, into the region if there is one. Throws ReadError.
-  void read() {
+  /// Reads to the end of the text, without storing anything. Throws ReadError.
+  void try_to_read() { read(nullptr); }
+  [[nodiscard]] Geometry read(const ReadLimits& limits, Rules rules) {
+    GeometryBuilder builder(cursor_, limits, rules);
+    read(&builder);
+    return builder.take();
+  }
+  [[nodiscard]] std::size_t position() const { return cursor_.position(); }
+
+ private:
+  void read(GeometryBuilder* builder) {
+    builder_ = builder;
     cursor_.skip_space_and_comments();
     do {
-      if (region_ != nullptr) region_->begin_polygon();
+      if (builder_ != nullptr) builder_->begin_polygon();
       ring();
       if (layout_ == Layout::kWithHoles) {
         const std::size_t holes = count("the number of holes");
@@ -32,24 +41,22 @@ class DatReader {
       cursor_.skip_space_and_comments();
     } while (!cursor_.at_end());
   }
-  [[nodiscard]] std::size_t position() const { return cursor_.position(); }
 
- private:
   void ring() {
     cursor_.skip_space_and_comments();
     const std::size_t start = cursor_.position();
     const std::size_t points = count("the number of points of a ring");
-    if (points < 3) {
-      cursor_.fail(ErrorCode::kBadInput,
-                   "a ring has " + std::to_string(points) + (points == 1 ? " point" : " points") +
-                       ", it needs at least 3",
-                   start);
+    if (points < fewest_) {
+      cursor_.fail(
+          ErrorCode::kBadInput,
+          "a ring has " + counted_points(points) + ", it needs at least " + std::to_string(fewest_),
+          start);
     }
-    if (region_ != nullptr) region_->begin_ring();
+    if (builder_ != nullptr) builder_->begin_ring();
     for (std::size_t i = 0; i < points; ++i) {
       const Number x = coordinate();
       const Number y = coordinate();
-      if (region_ != nullptr) add_vertex(*region_, x, y);
+      if (builder_ != nullptr) builder_->add_vertex(x, y);
     }
   }
 
@@ -75,40 +82,42 @@ class DatReader {
 
   TextCursor cursor_;
   Layout layout_;
-  Region* region_;
+  std::size_t fewest_;
+  GeometryBuilder* builder_ = nullptr;
 };
 
 struct Attempt {
+  Layout layout = Layout::kSimple;
   std::optional<ReadError> error;
   std::size_t reached = 0;
 };
 
-Attempt try_layout(std::string_view text, Layout layout) {
-  DatReader reader(text, layout, nullptr);
+Attempt try_layout(std::string_view text, Layout layout, Rules rules) {
+  DatReader reader(text, layout, rules);
   try {
-    reader.read();
+    reader.try_to_read();
   } catch (const ReadError& error) {
-    return {error, reader.position()};
+    return {layout, error, reader.position()};
   }
-  return {std::nullopt, text.size()};
+  return {layout, std::nullopt, text.size()};
+}
+
+// The layout that fits; if neither does, the one that got further is the likelier meaning.
+Attempt try_layouts(std::string_view text, Rules rules) {
+  Attempt simple = try_layout(text, Layout::kSimple, rules);
+  if (!simple.error) return simple;
+  Attempt with_holes = try_layout(text, Layout::kWithHoles, rules);
+  return !with_holes.error || with_holes.reached > simple.reached ? with_holes : simple;
 }
 
 }  // namespace
 
-Region read_dat(std::string_view text) {
-  const Attempt simple = try_layout(text, Layout::kSimple);
-  Layout layout = Layout::kSimple;
-  if (simple.error) {
-    const Attempt with_holes = try_layout(text, Layout::kWithHoles);
-    // Neither fits: the one that got further is the likelier meaning.
-    if (with_holes.error) {
-      throw with_holes.reached > simple.reached ? *with_holes.error : *simple.error;
-    }
-    layout = Layout::kWithHoles;
-  }
-  Region region;
-  DatReader(text, layout, &region).read();
-  return region;
+Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules) {
+  // What is a region is read as that one: tiny rings could make the other layout fit as well.
+  Attempt attempt = try_layouts(text, Rules::kRegion);
+  if (attempt.error && rules == Rules::kGeometry) attempt = try_layouts(text, rules);
+  if (attempt.error) throw *attempt.error;
+  return DatReader(text, attempt.layout, rules).read(limits, rules);
 }
 
 }  // namespace minksum::io

@@ -1,5 +1,6 @@
-// GeoJSON (RFC 7946): polygons, multipolygons and what contains them.
+// GeoJSON (RFC 7946): all its geometries, and what contains them.
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "io/formats.hpp"
@@ -22,17 +23,17 @@ constexpr std::size_t kAbsent = std::string_view::npos;
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(std::string_view text, const ReadLimits& limits)
-      : json_(text, limits.max_depth), builder_(region_) {}
+  GeoJsonReader(std::string_view text, const ReadLimits& limits, Rules rules)
+      : json_(text, limits.max_depth), builder_(json_.text(), limits, rules) {}
 
-  Region read() {
+  Geometry read() {
     if (json_.peek() == '[') {
       json_.text().fail("expected a GeoJSON object with a member \"type\", found an array");
     }
     object(Expected::kAnything);
     json_.skip_space();
     if (!json_.text().at_end()) json_.text().fail_expected("the end of the text");
-    return std::move(region_);
+    return builder_.take();
   }
 
  private:
@@ -122,10 +123,10 @@ class GeoJsonReader {
       fail_at(members.type_at, "expected a Feature, found the type " + quoted(type));
     }
     if (type == "Polygon" || type == "MultiPolygon" || type == "GeometryCollection") return;
-    for (const char* other : {"Point", "MultiPoint", "LineString", "MultiLineString"}) {
-      if (type != other) continue;
-      fail_at(members.type_at,
-              "a region needs polygons: " + type + " operands are not supported yet");
+    for (const char* thin : {"Point", "MultiPoint", "LineString", "MultiLineString"}) {
+      if (type != thin) continue;
+      if (builder_.rules() == Rules::kGeometry) return;
+      fail_at(members.type_at, "a region needs polygons: " + type + " has no area");
     }
     fail_at(members.type_at, "unknown type " + quoted(type));
   }
@@ -136,6 +137,14 @@ class GeoJsonReader {
       polygon();
     } else if (type == "MultiPolygon") {
       json_.array("an array of polygons", [this] { polygon(); });
+    } else if (type == "Point") {
+      point();
+    } else if (type == "MultiPoint") {
+      json_.array("an array of positions", [this] { add_point(); });
+    } else if (type == "LineString") {
+      line();
+    } else if (type == "MultiLineString") {
+      json_.array("an array of lines", [this] { line(); });
     } else if (type == "Feature") {
       object(Expected::kGeometry);
     } else if (type == "FeatureCollection") {
@@ -160,12 +169,37 @@ class GeoJsonReader {
   }
 
   void ring() {
-    builder_.begin_ring(json_.text());
-    json_.array("an array of positions", [this] { position(); });
-    builder_.end_ring(json_.text());
+    builder_.begin_closed_ring();
+    json_.array("an array of positions", [this] {
+      auto [x, y] = position();
+      builder_.add_to_closed_ring(std::move(x), std::move(y));
+    });
+    builder_.end_closed_ring();
   }
 
-  void position() {
+  void line() {
+    builder_.begin_line();
+    json_.array("an array of positions", [this] {
+      const auto [x, y] = position();
+      builder_.add_to_line(x, y);
+    });
+    builder_.end_line();
+  }
+
+  void add_point() {
+    const auto [x, y] = position();
+    builder_.add_point(x, y);
+  }
+
+  // `[]` is the empty point.
+  void point() {
+    const std::size_t start = json_.text().position();
+    if (json_.accept('[') && json_.accept(']')) return;
+    json_.text().move_to(start);
+    add_point();
+  }
+
+  std::pair<Number, Number> position() {
     json_.expect('[', "a position [x, y]");
     Number x = coordinate();
     json_.expect(',', "',' and the second coordinate");
@@ -174,7 +208,7 @@ class GeoJsonReader {
       json_.text().fail("a position has three coordinates; only two are supported");
     }
     json_.expect(']', "']'");
-    builder_.add(std::move(x), std::move(y));
+    return {std::move(x), std::move(y)};
   }
 
   // A JSON number, or any number in quotes: "1/3".
@@ -195,8 +229,7 @@ class GeoJsonReader {
   }
 
   JsonCursor json_;
-  Region region_;
-  ClosedRingBuilder builder_;
+  GeometryBuilder builder_;
 };
 
 void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
@@ -221,15 +254,7 @@ void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
   writer.text(']');
 }
 
-}  // namespace
-
-Region read_geojson(std::string_view text, const ReadLimits& limits) {
-  return GeoJsonReader(text, limits).read();
-}
-
-void write_geojson(std::ostream& out, const Region& region, const Coordinates& style) {
-  Writer writer(out, style);
-  writer.quote_quotients();
+void append_region(Writer& writer, const Region& region) {
   if (region.empty()) {
     writer.text(R"({"type": "Polygon", "coordinates": []})");
   } else if (region.polygon_count() == 1) {
@@ -244,6 +269,82 @@ void write_geojson(std::ostream& out, const Region& region, const Coordinates& s
     }
     writer.text("]}");
   }
+}
+
+void append_position(Writer& writer, const Point& point) {
+  writer.text('[');
+  writer.point(point, ',');
+  writer.text(']');
+}
+
+void append_positions(Writer& writer, std::span<const Point> points) {
+  writer.text('[');
+  bool first = true;
+  for (const Point& point : points) {
+    if (!first) writer.text(", ");
+    first = false;
+    append_position(writer, point);
+  }
+  writer.text(']');
+}
+
+void append_polylines(Writer& writer, std::span<const Polyline> polylines) {
+  if (polylines.size() == 1) {
+    writer.text(R"({"type": "LineString", "coordinates": )");
+    append_positions(writer, polylines[0]);
+  } else {
+    writer.text(R"({"type": "MultiLineString", "coordinates": [)");
+    bool first = true;
+    for (const Polyline& polyline : polylines) {
+      if (!first) writer.text(", ");
+      first = false;
+      append_positions(writer, polyline);
+    }
+    writer.text(']');
+  }
+  writer.text('}');
+}
+
+void append_multipoint(Writer& writer, std::span<const Point> points) {
+  if (points.size() == 1) {
+    writer.text(R"({"type": "Point", "coordinates": )");
+    append_position(writer, points[0]);
+  } else {
+    writer.text(R"({"type": "MultiPoint", "coordinates": )");
+    append_positions(writer, points);
+  }
+  writer.text('}');
+}
+
+}  // namespace
+
+Geometry read_geojson(std::string_view text, const ReadLimits& limits, Rules rules) {
+  return GeoJsonReader(text, limits, rules).read();
+}
+
+void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
+  Writer writer(out, style);
+  writer.quote_quotients();
+  const bool collection = geometry.kinds() > 1;
+  if (collection) writer.text(R"({"type": "GeometryCollection", "geometries": [)");
+  const char* separator = "";
+  const auto separate = [&] {
+    writer.text(separator);
+    separator = ", ";
+  };
+  if (!geometry.region.empty() || geometry.kinds() == 0) {
+    separate();
+    append_region(writer, geometry.region);
+  }
+  if (!geometry.polylines.empty()) {
+    separate();
+    append_polylines(writer, geometry.polylines);
+  }
+  if (!geometry.points.empty()) {
+    separate();
+    append_multipoint(writer, geometry.points);
+  }
+  if (collection) writer.text("]}");
   writer.flush();
 }
 

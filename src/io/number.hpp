@@ -1,8 +1,8 @@
-// Numbers in texts, read exactly, and the rings that they make.
+// Numbers in texts, read exactly.
 #pragma once
 
 #include "io/text_cursor.hpp"
-#include "minksum/region.hpp"
+#include "minksum/rational.hpp"
 
 namespace minksum::io {
 
@@ -25,28 +25,5 @@ enum class NumberSyntax {
 [[nodiscard]] Number scan_number(TextCursor& cursor, NumberSyntax syntax);
 /// Reads a count: digits alone.
 [[nodiscard]] std::size_t scan_count(TextCursor& cursor, const std::string& what);
-
-void add_vertex(Region& region, const Number& x, const Number& y);
-
-/// Builds polygons from rings that repeat their first point at the end (WKT, GeoJSON).
-class ClosedRingBuilder {
- public:
-  explicit ClosedRingBuilder(Region& region) : region_(region) {}
-  void begin_polygon();
-  /// `cursor` stands at the ring's opening bracket: where its faults are reported.
-  void begin_ring(const TextCursor& cursor);
-  void add(Number x, Number y);
-  void end_ring(const TextCursor& cursor);
-
- private:
-  [[nodiscard]] std::string name() const;
-
-  Region& region_;
-  std::size_t ring_ = 0;
-  std::size_t start_ = 0;
-  std::size_t points_ = 0;
-  Number first_x_, first_y_;
-  Number last_x_, last_y_;  // held back: the closing point is not a vertex
-};
 
 }  // namespace minksum::io

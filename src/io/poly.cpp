@@ -13,9 +13,10 @@ namespace {
 
 class PolyReader {
  public:
-  explicit PolyReader(std::string_view text) : cursor_(text) {}
+  PolyReader(std::string_view text, const ReadLimits& limits, Rules rules)
+      : cursor_(text), builder_(cursor_, limits, rules) {}
 
-  Region read() {
+  Geometry read() {
     cursor_.skip_space_and_comments();
     const std::size_t chains = scan_count(cursor_, "the number of chains");
     for (chain_ = 0; chain_ < chains; ++chain_) {
@@ -25,7 +26,7 @@ class PolyReader {
     if (!cursor_.at_end()) {
       cursor_.fail_expected("the end of the text after " + std::to_string(chains) + " chains");
     }
-    return std::move(region_);
+    return builder_.take();
   }
 
  private:
@@ -33,10 +34,10 @@ class PolyReader {
     cursor_.skip_space_and_comments();
     const std::size_t start = cursor_.position();
     const std::size_t count = scan_count(cursor_, "the number of points of " + name());
-    if (count < 3) {
+    if (const std::size_t fewest = fewest_vertices(builder_.rules()); count < fewest) {
       cursor_.fail(ErrorCode::kBadInput,
-                   name() + " has " + std::to_string(count) + (count == 1 ? " point" : " points") +
-                       ", a chain needs at least 3",
+                   name() + " has " + counted_points(count) + ", a chain needs at least " +
+                       std::to_string(fewest),
                    start);
     }
     begin_ring();
@@ -54,12 +55,12 @@ class PolyReader {
       cursor_.fail_expected("'out' or 'in'");
     }
     if (kind == "OUT") {
-      region_.begin_polygon();
-    } else if (region_.polygon_count() == 0) {
+      builder_.begin_polygon();
+    } else if (builder_.polygon_count() == 0) {
       cursor_.fail(ErrorCode::kBadInput, name() + " is a hole, but no outer chain comes before it",
                    start);
     }
-    region_.begin_ring();
+    builder_.begin_ring();
   }
 
   Number coordinate() {
@@ -91,14 +92,14 @@ class PolyReader {
       }
       seen_[index - 1] = true;
       const auto& [x, y] = points_[index - 1];
-      add_vertex(region_, x, y);
+      builder_.add_vertex(x, y);
     }
   }
 
   [[nodiscard]] std::string name() const { return "chain " + std::to_string(chain_ + 1); }
 
   TextCursor cursor_;
-  Region region_;
+  GeometryBuilder builder_;
   std::size_t chain_ = 0;
   std::vector<std::pair<Number, Number>> points_;
   std::vector<bool> seen_;
@@ -106,7 +107,9 @@ class PolyReader {
 
 }  // namespace
 
-Region read_poly(std::string_view text) { return PolyReader(text).read(); }
+Geometry read_poly(std::string_view text, const ReadLimits& limits, Rules rules) {
+  return PolyReader(text, limits, rules).read();
+}
 
 void write_poly(std::ostream& out, const Region& region, const Coordinates& style) {
   Writer writer(out, style);

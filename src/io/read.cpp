@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <system_error>
 
 #include "io/formats.hpp"
@@ -77,33 +76,7 @@ std::string read_all(std::FILE* file, const ReadLimits& limits, std::size_t expe
   }
 }
 
-std::string load(const std::string& path, const ReadLimits& limits) {
-  if (path == "-") return read_all(stdin, limits, 0);
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(path, unknown);
-  const std::size_t expected = unknown ? 0 : static_cast<std::size_t>(size);
-  if (expected > limits.max_bytes) fail_too_large(limits.max_bytes);
-  errno = 0;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) fail_unreadable(errno);
-  return read_all(file.get(), limits, expected + 1);
-}
-
-}  // namespace
-
-Format detect_format(std::string_view text) {
-  TextCursor cursor(without_mark(text));
-  cursor.skip_space();
-  const char first = cursor.peek();
-  if (first == '{' || first == '[') return Format::kGeoJson;
-  cursor.skip_space_and_comments();
-  const char c = cursor.peek();
-  if (!is_digit(c) && first != '#') return Format::kWkt;
-  return looks_like_poly(cursor) ? Format::kPoly : Format::kDat;
-}
-
-Region read(std::string_view text, const ReadLimits& limits) {
+Geometry read_by_rules(std::string_view text, const ReadLimits& limits, Rules rules) {
   if (text.size() > limits.max_bytes) fail_too_large(limits.max_bytes);
   check_encoding(text);
   const std::string_view content = without_mark(text);
@@ -116,40 +89,61 @@ Region read(std::string_view text, const ReadLimits& limits) {
   }
   switch (detect_format(content)) {
     case Format::kGeoJson:
-      return read_geojson(content, limits);
+      return read_geojson(content, limits, rules);
     case Format::kPoly:
-      return read_poly(content);
+      return read_poly(content, limits, rules);
     case Format::kDat:
-      return read_dat(content);
+      return read_dat(content, limits, rules);
     default:
-      return read_wkt(content, limits);
+      return read_wkt(content, limits, rules);
   }
+}
+
+}  // namespace
+
+std::string load_text(const std::string& path, const ReadLimits& limits) {
+  if (path == "-") return read_all(stdin, limits, 0);
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  const std::size_t expected = unknown ? 0 : static_cast<std::size_t>(size);
+  if (expected > limits.max_bytes) fail_too_large(limits.max_bytes);
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) fail_unreadable(errno);
+  return read_all(file.get(), limits, expected + 1);
+}
+
+Format detect_format(std::string_view text) {
+  TextCursor cursor(without_mark(text));
+  cursor.skip_space();
+  const char first = cursor.peek();
+  if (first == '{' || first == '[') return Format::kGeoJson;
+  cursor.skip_space_and_comments();
+  const char c = cursor.peek();
+  if (!is_digit(c) && first != '#') return Format::kWkt;
+  return looks_like_poly(cursor) ? Format::kPoly : Format::kDat;
+}
+
+std::optional<std::string> feature_properties(std::string_view text, const ReadLimits& limits) {
+  if (detect_format(text) != Format::kGeoJson) return {};
+  return geojson_properties(without_mark(text), limits);
+}
+
+Geometry read_geometry(std::string_view text, const ReadLimits& limits) {
+  return read_by_rules(text, limits, Rules::kGeometry);
+}
+
+Geometry read_geometry_file(const std::string& path, const ReadLimits& limits) {
+  return read_geometry(load_text(path, limits), limits);
+}
+
+Region read(std::string_view text, const ReadLimits& limits) {
+  return read_by_rules(text, limits, Rules::kRegion).region;
 }
 
 Region read_file(const std::string& path, const ReadLimits& limits) {
-  return read(load(path, limits), limits);
-}
-
-void write(std::ostream& out, const Region& region, Format format, const Coordinates& style) {
-  switch (format) {
-    case Format::kWkt:
-      return write_wkt(out, region, style);
-    case Format::kGeoJson:
-      return write_geojson(out, region, style);
-    case Format::kPoly:
-      return write_poly(out, region, style);
-    case Format::kSvg:
-      return write_svg(out, region);
-    case Format::kDat:
-      break;
-  }
-  throw Error(ErrorCode::kBadInput, "regions are not written as .dat");
-}
-
-std::string to_wkt(const Region& region, const Coordinates& style) {
-  std::ostringstream out;
-  write_wkt(out, region, style);
-  return std::move(out).str();
+  return read(load_text(path, limits), limits);
 }
 
 }  // namespace minksum::io

@@ -1,11 +1,12 @@
-// A picture of a region: one path, y upwards, fitted into a frame of a thousand units.
+// A picture of a geometry: areas as one path, lines, dots; y upwards, fitted into a frame of a
+// thousand units.
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <span>
 
 #include "io/formats.hpp"
 #include "io/writer.hpp"
-#include "minksum/measure.hpp"
 
 namespace minksum::io {
 
@@ -14,8 +15,32 @@ namespace {
 constexpr double kFrame = 1000;
 constexpr double kMargin = 30;
 
-// From the region's coordinates to the picture's. Works on halves so that the box of two huge
-// doubles does not overflow.
+// Halves of doubles: so that the extent of two huge ones does not overflow.
+struct HalfBox {
+  double min_x = std::numeric_limits<double>::infinity();
+  double min_y = min_x;
+  double max_x = -min_x;
+  double max_y = -min_x;
+
+  explicit HalfBox(const GeometryView& geometry) {
+    for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) {
+      include(geometry.region.x(v), geometry.region.y(v));
+    }
+    for (const Polyline& polyline : geometry.polylines) include(polyline);
+    include(geometry.points);
+  }
+  void include(std::span<const Point> points) {
+    for (const Point& point : points) include(point.x.to_double(), point.y.to_double());
+  }
+  void include(double x, double y) {
+    min_x = std::min(min_x, x / 2);
+    min_y = std::min(min_y, y / 2);
+    max_x = std::max(max_x, x / 2);
+    max_y = std::max(max_y, y / 2);
+  }
+};
+
+// From the geometry's coordinates to the picture's.
 struct View {
   double min_x = 0;
   double max_y = 0;
@@ -23,13 +48,13 @@ struct View {
   double width = kFrame;
   double height = kFrame;
 
-  explicit View(const Region& region) {
-    const std::optional<Box> box = bounding_box(region);
-    if (!box) return;
-    min_x = box->min.x.to_double() / 2;
-    max_y = box->max.y.to_double() / 2;
-    const double wide = box->max.x.to_double() / 2 - min_x;
-    const double high = max_y - box->min.y.to_double() / 2;
+  explicit View(const GeometryView& geometry) {
+    if (geometry.kinds() == 0) return;
+    const HalfBox box(geometry);
+    min_x = box.min_x;
+    max_y = box.max_y;
+    const double wide = box.max_x - box.min_x;
+    const double high = box.max_y - box.min_y;
     const double longer = std::max(wide, high);
     const double inner = kFrame - 2 * kMargin;
     if (longer > 0 && std::isfinite(longer) && std::isfinite(inner / longer)) {
@@ -48,33 +73,80 @@ double rounded(double value) {
   return std::isfinite(result) ? result : 0;
 }
 
+class SvgWriter {
+ public:
+  SvgWriter(std::ostream& out, const GeometryView& geometry)
+      : geometry_(geometry), view_(geometry), writer_(out, {}) {}
+
+  void write() {
+    writer_.text(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )");
+    pair(view_.width, view_.height);
+    writer_.text("\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
+    if (!geometry_.region.empty() || geometry_.kinds() == 0) region();
+    if (!geometry_.polylines.empty()) polylines();
+    points();
+    writer_.text("</svg>\n");
+    writer_.flush();
+  }
+
+ private:
+  // Blue and vermilion of the Okabe-Ito palette: told apart by all common kinds of colour vision.
+  void region() {
+    writer_.text(R"(<path fill="#0072B2" fill-opacity="0.3" fill-rule="evenodd" stroke="#0072B2" )"
+                 R"(stroke-width="1.5" stroke-linejoin="round" d=")");
+    const Region& region = geometry_.region;
+    for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
+      char command = 'M';
+      for (const std::size_t vertex : region.vertices_of(ring)) {
+        step(command, region.x(vertex), region.y(vertex));
+      }
+      if (command != 'M') writer_.text("Z\n");
+    }
+    writer_.text("\"/>\n");
+  }
+
+  void polylines() {
+    writer_.text(R"(<path fill="none" stroke="#D55E00" stroke-width="2.5" )"
+                 R"(stroke-linejoin="round" stroke-linecap="round" d=")");
+    for (const Polyline& polyline : geometry_.polylines) {
+      char command = 'M';
+      for (const Point& point : polyline) step(command, point.x.to_double(), point.y.to_double());
+      writer_.text('\n');
+    }
+    writer_.text("\"/>\n");
+  }
+
+  void points() {
+    for (const Point& point : geometry_.points) {
+      writer_.text(R"(<circle fill="#D55E00" r="4" cx=")");
+      writer_.real(rounded(view_.x(point.x.to_double())));
+      writer_.text(R"(" cy=")");
+      writer_.real(rounded(view_.y(point.y.to_double())));
+      writer_.text("\"/>\n");
+    }
+  }
+
+  // Moves to the first vertex of a path, draws to the others.
+  void step(char& command, double x, double y) {
+    writer_.text(command);
+    command = 'L';
+    pair(view_.x(x), view_.y(y));
+  }
+  void pair(double x, double y) {
+    writer_.real(rounded(x));
+    writer_.text(' ');
+    writer_.real(rounded(y));
+  }
+
+  const GeometryView& geometry_;
+  View view_;
+  Writer writer_;
+};
+
 }  // namespace
 
-void write_svg(std::ostream& out, const Region& region) {
-  const View view(region);
-  Writer writer(out, {});
-  const auto pair = [&writer](double x, double y) {
-    writer.real(rounded(x));
-    writer.text(' ');
-    writer.real(rounded(y));
-  };
-  writer.text(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )");
-  pair(view.width, view.height);
-  writer.text("\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
-  // Blue of the Okabe-Ito palette: told apart by all common kinds of colour vision.
-  writer.text(R"(<path fill="#0072B2" fill-opacity="0.3" fill-rule="evenodd" stroke="#0072B2" )"
-              R"(stroke-width="1.5" stroke-linejoin="round" d=")");
-  for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
-    bool first = true;
-    for (const std::size_t vertex : region.vertices_of(ring)) {
-      writer.text(first ? 'M' : 'L');
-      first = false;
-      pair(view.x(region.x(vertex)), view.y(region.y(vertex)));
-    }
-    if (!first) writer.text("Z\n");
-  }
-  writer.text("\"/>\n</svg>\n");
-  writer.flush();
+void write_svg(std::ostream& out, const GeometryView& geometry) {
+  SvgWriter(out, geometry).write();
 }
 
 }  // namespace minksum::io

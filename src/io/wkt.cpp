@@ -1,5 +1,6 @@
-// Well-known text: polygons, multipolygons and collections of them.
+// Well-known text: polygons, lines, points, several of each, and collections.
 #include <array>
+#include <span>
 #include <utility>
 
 #include "io/formats.hpp"
@@ -12,15 +13,15 @@ namespace {
 
 class WktReader {
  public:
-  WktReader(std::string_view text, const ReadLimits& limits)
-      : cursor_(text), limits_(limits), builder_(region_) {}
+  WktReader(std::string_view text, const ReadLimits& limits, Rules rules)
+      : cursor_(text), limits_(limits), builder_(cursor_, limits, rules) {}
 
-  Region read() {
+  Geometry read() {
     skip_srid();
     geometry();
     cursor_.skip_space();
     if (!cursor_.at_end()) cursor_.fail_expected("the end of the text");
-    return std::move(region_);
+    return builder_.take();
   }
 
  private:
@@ -47,22 +48,46 @@ class WktReader {
       cursor_.fail(ErrorCode::kBadInput,
                    word + ' ' + dimension + " is not supported: only two coordinates are", start);
     }
-    if (word == "POLYGON") {
-      if (!accept_empty()) polygon();
-    } else if (word == "MULTIPOLYGON") {
-      if (!accept_empty()) list([this] { multipolygon_member(); });
-    } else if (word == "GEOMETRYCOLLECTION") {
+    if (word == "GEOMETRYCOLLECTION") {
       const DepthGuard guard(cursor_, depth_, limits_.max_depth);
       if (!accept_empty()) list([this] { geometry(); });
-    } else {
+    } else if (!areas(word) && (builder_.rules() == Rules::kRegion || !thin_parts(word))) {
       cursor_.move_to(start);
-      fail_not_polygons(word);
+      fail_other(word);
     }
+  }
+
+  // All of these: whether the word is one that is known, and then what follows it is taken.
+  bool areas(const std::string& word) {
+    if (word == "POLYGON") {
+      maybe_empty([this] { polygon(); });
+    } else if (word == "MULTIPOLYGON") {
+      maybe_empty([this] { list([this] { maybe_empty([this] { polygon(); }); }); });
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  bool thin_parts(const std::string& word) {
+    if (word == "POINT") {
+      maybe_empty([this] { point_in_parentheses(); });
+    } else if (word == "MULTIPOINT") {
+      maybe_empty([this] { list([this] { maybe_empty([this] { multipoint_member(); }); }); });
+    } else if (word == "LINESTRING") {
+      maybe_empty([this] { line(); });
+    } else if (word == "MULTILINESTRING") {
+      maybe_empty([this] { list([this] { maybe_empty([this] { line(); }); }); });
+    } else {
+      return false;
+    }
+    return true;
   }
 
   // Z, M or ZM after the word, or at its end.
   std::string take_dimension(std::string& word) {
-    for (const char* type : {"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION"}) {
+    for (const char* type : {"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "POINT", "MULTIPOINT",
+                             "LINESTRING", "MULTILINESTRING"}) {
       for (const char* dimension : {"Z", "M", "ZM"}) {
         if (word != std::string(type) + dimension) continue;
         word = type;
@@ -77,17 +102,20 @@ class WktReader {
     return {};
   }
 
-  [[noreturn]] void fail_not_polygons(const std::string& word) {
-    constexpr std::array<std::string_view, 14> kOthers = {
-        "POINT",        "LINESTRING",    "LINEARRING", "MULTIPOINT",       "MULTILINESTRING",
-        "CURVE",        "COMPOUNDCURVE", "MULTICURVE", "CIRCULARSTRING",   "CURVEPOLYGON",
-        "MULTISURFACE", "TRIANGLE",      "TIN",        "POLYHEDRALSURFACE"};
+  [[noreturn]] void fail_other(const std::string& word) {
+    for (const char* thin : {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING"}) {
+      if (word == thin) cursor_.fail("a region needs polygons: " + word + " has no area");
+    }
+    constexpr std::array<std::string_view, 10> kOthers = {
+        "LINEARRING",   "CURVE",        "COMPOUNDCURVE", "MULTICURVE", "CIRCULARSTRING",
+        "CURVEPOLYGON", "MULTISURFACE", "TRIANGLE",      "TIN",        "POLYHEDRALSURFACE"};
     for (const std::string_view other : kOthers) {
-      if (word != other) continue;
-      cursor_.fail("a region needs polygons: " + word + " operands are not supported yet");
+      if (word == other) cursor_.fail(word + " is not supported");
     }
     check_depth_here();
-    cursor_.fail_expected("POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION");
+    cursor_.fail_expected(builder_.rules() == Rules::kRegion
+                              ? "POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION"
+                              : "POLYGON, LINESTRING, POINT, MULTI... or GEOMETRYCOLLECTION");
   }
 
   bool accept_empty() {
@@ -120,8 +148,9 @@ class WktReader {
     if (!cursor_.accept(')')) cursor_.fail_expected("',' or ')'");
   }
 
-  void multipolygon_member() {
-    if (!accept_empty()) polygon();
+  template <typename Content>
+  void maybe_empty(Content content) {
+    if (!accept_empty()) content();
   }
 
   void polygon() {
@@ -131,10 +160,46 @@ class WktReader {
 
   void ring() {
     cursor_.skip_space();
-    builder_.begin_ring(cursor_);
+    builder_.begin_closed_ring();
     if (accept_empty()) cursor_.fail("a ring may not be EMPTY");
-    list([this] { point(); });
-    builder_.end_ring(cursor_);
+    list([this] {
+      auto [x, y] = position();
+      builder_.add_to_closed_ring(std::move(x), std::move(y));
+    });
+    builder_.end_closed_ring();
+  }
+
+  void line() {
+    cursor_.skip_space();
+    builder_.begin_line();
+    list([this] {
+      const auto [x, y] = position();
+      builder_.add_to_line(x, y);
+    });
+    builder_.end_line();
+  }
+
+  void point() {
+    const auto [x, y] = position();
+    builder_.add_point(x, y);
+  }
+
+  void point_in_parentheses() {
+    cursor_.skip_space();
+    if (!cursor_.accept('(')) cursor_.fail_expected("'(' or EMPTY");
+    point();
+    cursor_.skip_space();
+    if (!cursor_.accept(')')) cursor_.fail_expected("')'");
+  }
+
+  // Both `(1 2), (3 4)` and `1 2, 3 4` are in use.
+  void multipoint_member() {
+    cursor_.skip_space();
+    if (cursor_.peek() == '(') {
+      point_in_parentheses();
+    } else {
+      point();
+    }
   }
 
   Number coordinate() {
@@ -142,15 +207,18 @@ class WktReader {
     return scan_number(cursor_, NumberSyntax::kLenient);
   }
 
-  void point() {
+  std::pair<Number, Number> position() {
     cursor_.skip_space();
     Number x = coordinate();
     if (!is_space(cursor_.peek())) cursor_.fail_expected("a space and the second coordinate");
     cursor_.skip_space();
     Number y = coordinate();
-    builder_.add(std::move(x), std::move(y));
     const char next = cursor_.peek();
-    if (next == ',' || next == ')') return;  // what follows nearly always
+    if (next != ',' && next != ')') fail_on_third_coordinate(next);  // these follow nearly always
+    return {std::move(x), std::move(y)};
+  }
+
+  void fail_on_third_coordinate(char next) {
     cursor_.skip_space();
     const char after = cursor_.peek();
     if (is_space(next) && (is_digit(after) || after == '-' || after == '+' || after == '.')) {
@@ -160,8 +228,7 @@ class WktReader {
 
   TextCursor cursor_;
   const ReadLimits& limits_;
-  Region region_;
-  ClosedRingBuilder builder_;
+  GeometryBuilder builder_;
   int depth_ = 0;
 };
 
@@ -183,28 +250,89 @@ void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
   writer.text(')');
 }
 
-}  // namespace
-
-Region read_wkt(std::string_view text, const ReadLimits& limits) {
-  return WktReader(text, limits).read();
+void append_region(Writer& writer, const Region& region) {
+  const std::size_t count = region.polygon_count();
+  if (region.empty()) return writer.text("POLYGON EMPTY");
+  if (count == 1) {
+    writer.text("POLYGON ");
+    return append_polygon(writer, region, 0);
+  }
+  writer.text("MULTIPOLYGON (");
+  for (const std::size_t polygon : region.polygons()) {
+    if (polygon > 0) writer.text(", ");
+    append_polygon(writer, region, polygon);
+  }
+  writer.text(')');
 }
 
-void write_wkt(std::ostream& out, const Region& region, const Coordinates& style) {
-  Writer writer(out, style);
-  const std::size_t count = region.polygon_count();
-  if (region.empty()) {
-    writer.text("POLYGON EMPTY");
-  } else if (count == 1) {
-    writer.text("POLYGON ");
-    append_polygon(writer, region, 0);
-  } else {
-    writer.text("MULTIPOLYGON (");
-    for (const std::size_t polygon : region.polygons()) {
-      if (polygon > 0) writer.text(", ");
-      append_polygon(writer, region, polygon);
-    }
-    writer.text(')');
+void append_points(Writer& writer, std::span<const Point> points) {
+  writer.text('(');
+  bool first = true;
+  for (const Point& point : points) {
+    if (!first) writer.text(", ");
+    first = false;
+    writer.point(point, ' ');
   }
+  writer.text(')');
+}
+
+void append_polylines(Writer& writer, std::span<const Polyline> polylines) {
+  if (polylines.size() == 1) {
+    writer.text("LINESTRING ");
+    return append_points(writer, polylines[0]);
+  }
+  writer.text("MULTILINESTRING (");
+  bool first = true;
+  for (const Polyline& polyline : polylines) {
+    if (!first) writer.text(", ");
+    first = false;
+    append_points(writer, polyline);
+  }
+  writer.text(')');
+}
+
+void append_multipoint(Writer& writer, std::span<const Point> points) {
+  if (points.size() == 1) {
+    writer.text("POINT ");
+    return append_points(writer, points);
+  }
+  // Parentheses around each, as OGC has it.
+  writer.text("MULTIPOINT (");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) writer.text(", ");
+    append_points(writer, points.subspan(i, 1));
+  }
+  writer.text(')');
+}
+
+}  // namespace
+
+Geometry read_wkt(std::string_view text, const ReadLimits& limits, Rules rules) {
+  return WktReader(text, limits, rules).read();
+}
+
+void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
+  Writer writer(out, style);
+  const bool collection = geometry.kinds() > 1;
+  if (collection) writer.text("GEOMETRYCOLLECTION (");
+  const char* separator = "";
+  const auto separate = [&] {
+    writer.text(separator);
+    separator = ", ";
+  };
+  if (!geometry.region.empty() || geometry.kinds() == 0) {
+    separate();
+    append_region(writer, geometry.region);
+  }
+  if (!geometry.polylines.empty()) {
+    separate();
+    append_polylines(writer, geometry.polylines);
+  }
+  if (!geometry.points.empty()) {
+    separate();
+    append_multipoint(writer, geometry.points);
+  }
+  if (collection) writer.text(')');
   writer.flush();
 }
 

@@ -80,24 +80,42 @@ void Writer::exact(const Rational& value) {
   text('"' + value.to_string() + '"');
 }
 
-void Writer::coordinate(const Region& region, std::size_t vertex, bool is_x) {
-  if (style_.style == Coordinates::Style::kDouble) {
-    const double value = is_x ? region.x(vertex) : region.y(vertex);
-    if (!std::isfinite(value)) {
-      throw Error(ErrorCode::kLimitExceeded,
-                  "a coordinate is beyond the range of doubles; exact coordinates can be written");
-    }
-    return real(value);
+void Writer::nearest(double value) {
+  if (!std::isfinite(value)) {
+    throw Error(ErrorCode::kLimitExceeded,
+                "a coordinate is beyond the range of doubles; exact coordinates can be written");
   }
-  const Rational value = is_x ? region.exact_x(vertex) : region.exact_y(vertex);
-  if (style_.style == Coordinates::Style::kExact) return exact(value);
-  text(value.to_decimal(style_.digits));
+  real(value);
+}
+
+void Writer::coordinate(const Rational& value) {
+  switch (style_.style) {
+    case Coordinates::Style::kDouble:
+      return nearest(value.to_double());
+    case Coordinates::Style::kExact:
+      return exact(value);
+    case Coordinates::Style::kDecimal:
+      return text(value.to_decimal(style_.digits));
+  }
+}
+
+void Writer::coordinate(const Region& region, std::size_t vertex, bool is_x) {
+  if (style_.style == Coordinates::Style::kDouble) {  // without a Rational
+    return nearest(is_x ? region.x(vertex) : region.y(vertex));
+  }
+  coordinate(is_x ? region.exact_x(vertex) : region.exact_y(vertex));
 }
 
 void Writer::point(const Region& region, std::size_t vertex, char separator) {
   coordinate(region, vertex, true);
   text(separator);
   coordinate(region, vertex, false);
+}
+
+void Writer::point(const Point& point, char separator) {
+  coordinate(point.x);
+  text(separator);
+  coordinate(point.y);
 }
 
 void Writer::flush() {

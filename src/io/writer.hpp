@@ -24,6 +24,7 @@ class Writer {
   void count(std::size_t value);
   /// x, separator, y.
   void point(const Region& region, std::size_t vertex, char separator);
+  void point(const Point& point, char separator);
   /// For JSON: numbers that are no finite decimals become strings.
   void quote_quotients() { json_ = true; }
   /// A double in its shortest form.
@@ -36,6 +37,8 @@ class Writer {
 
   void exact(const Rational& value);
   void coordinate(const Region& region, std::size_t vertex, bool is_x);
+  void coordinate(const Rational& value);
+  void nearest(double value);
 
   std::ostream& out_;
   Coordinates style_;

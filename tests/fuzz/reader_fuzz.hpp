@@ -2,13 +2,16 @@
 // was read, written exactly and read again, is equal.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "minksum/io.hpp"
 #include "minksum/measure.hpp"
@@ -22,21 +25,32 @@ inline void require(bool condition, const char* what) {
 }
 
 // Numbers near the limits of reading can need more digits as a quotient than a reader takes.
-inline bool can_come_back(const Region& region) {
+inline bool can_come_back(const Point& point) {
   constexpr std::size_t kBits = 13'000;
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-    if (region.exact_x(v).bits() > kBits || region.exact_y(v).bits() > kBits) return false;
-  }
-  return true;
+  return point.x.bits() <= kBits && point.y.bits() <= kBits;
 }
 
-inline void check_region(const Region& region) {
-  if (!can_come_back(region)) return;
-  for (const Format format : {Format::kWkt, Format::kGeoJson, Format::kPoly}) {
-    std::ostringstream out;
-    write(out, region, format, {Coordinates::Style::kExact});
-    require(read(out.str()) == region, "exact text comes back equal");
+inline bool can_come_back(const Geometry& geometry) {
+  const auto all = [](const std::vector<Point>& points) {
+    return std::all_of(points.begin(), points.end(),
+                       [](const Point& p) { return can_come_back(p); });
+  };
+  for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) {
+    if (!can_come_back(geometry.region.point(v))) return false;
   }
+  return all(geometry.points) &&
+         std::all_of(geometry.polylines.begin(), geometry.polylines.end(), all);
+}
+
+inline void check_geometry(const Geometry& geometry) {
+  if (!can_come_back(geometry)) return;
+  for (const Format format : {Format::kWkt, Format::kGeoJson, Format::kPoly}) {
+    if (format == Format::kPoly && geometry.has_thin_parts()) continue;
+    std::ostringstream out;
+    write(out, geometry, format, {Coordinates::Style::kExact});
+    require(read_geometry(out.str()) == geometry, "exact text comes back equal");
+  }
+  const Region& region = geometry.region;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
     require(region.exact_x(v).to_double() == region.x(v), "x is the nearest double");
     require(region.exact_y(v).to_double() == region.y(v), "y is the nearest double");
@@ -44,22 +58,33 @@ inline void check_region(const Region& region) {
   require(bounding_box(region).has_value() == !region.empty(), "only the empty have no box");
 }
 
-/// `prefix` leads the bytes to one reader; it may be empty.
-inline int fuzz_reader(std::string_view prefix, const std::uint8_t* data, std::size_t size) {
-  std::string text(prefix);
-  for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(data[i]);
-  Region region;
+/// What `read_it` makes of the text; nothing if that is a ReadError as it should be.
+template <typename Read>
+auto try_to_read(const std::string& text, Read read_it) -> std::optional<decltype(read_it(text))> {
   try {
-    region = read(text);
+    return read_it(text);
   } catch (const ReadError& error) {
     require(error.code() == ErrorCode::kBadInput || error.code() == ErrorCode::kLimitExceeded,
             "a fault of the text has a code for that");
     require(error.line() >= 1 && error.column() >= 1, "a fault has a place");
     require(std::string_view(error.what()).find('\n') == std::string_view::npos,
             "a message is one line");
-    return 0;
+    return {};
   }
-  check_region(region);
+}
+
+/// `prefix` leads the bytes to one reader; it may be empty.
+inline int fuzz_reader(std::string_view prefix, const std::uint8_t* data, std::size_t size) {
+  std::string text(prefix);
+  for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(data[i]);
+  const auto region = try_to_read(text, [](const std::string& t) { return read(t); });
+  const auto geometry = try_to_read(text, [](const std::string& t) { return read_geometry(t); });
+  if (region) {
+    require(geometry && *geometry == Geometry{*region, {}, {}}, "a region is that geometry");
+  }
+  if (!geometry) return 0;
+  static_cast<void>(feature_properties(text));
+  check_geometry(*geometry);
   return 0;
 }
 

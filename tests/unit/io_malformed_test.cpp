@@ -83,12 +83,11 @@ std::vector<Malformed> wkt_table() {
       {"polygon_z", "POLYGON Z ((0 0 0, 1 0 0, 0 1 0, 0 0 0))", kBad, "POLYGON Z is not supported"},
       {"polygon_zm", "POLYGONZM EMPTY", kBad, "POLYGON ZM is not supported"},
       {"multipolygon_m", "MultiPolygon M EMPTY", kBad, "MULTIPOLYGON M is not supported"},
-      {"point", "POINT (1 2)", kBad, "POINT operands are not supported yet"},
-      {"linestring", "LINESTRING (0 0, 1 1)", kBad,
-       "a region needs polygons: LINESTRING operands are not supported yet", 1, 1},
+      {"point", "POINT (1 2)", kBad, "a region needs polygons: POINT has no area", 1, 1},
+      {"linestring", "LINESTRING (0 0, 1 1)", kBad, "LINESTRING has no area", 1, 1},
       {"line_in_collection", "GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1))", kBad,
-       "LINESTRING operands are not supported yet", 1, 21},
-      {"curve", "CURVEPOLYGON EMPTY", kBad, "CURVEPOLYGON operands are not supported yet"},
+       "LINESTRING has no area", 1, 21},
+      {"curve", "CURVEPOLYGON EMPTY", kBad, "CURVEPOLYGON is not supported", 1, 1},
       {"bad_srid", "SRID=x;POLYGON EMPTY", kBad, "number of the reference system"},
       {"extra_parenthesis", "POLYGON (((0 0, 1 0, 0 1, 0 0)))", kBad,
        "expected a number, found "
@@ -134,9 +133,9 @@ std::vector<Malformed> geojson_table() {
        "the geometry of a Feature is null"},
       {"null_coordinates", polygon_json("null"), kBad, "coordinates of a Polygon is null"},
       {"point_type", R"({"type":"Point","coordinates":[1,2]})", kBad,
-       "Point operands are not supported yet", 1, 9},
+       "a region needs polygons: Point has no area", 1, 9},
       {"line_in_feature", R"({"type":"Feature","geometry":{"type":"LineString"}})", kBad,
-       "LineString operands are not supported yet"},
+       "LineString has no area"},
       {"feature_as_geometry", R"({"type":"Feature","geometry":{"type":"Feature","geometry":null}})",
        kBad, "a Feature may not stand here"},
       {"geometry_as_feature",
@@ -224,10 +223,49 @@ std::vector<Malformed> plain_table() {
   };
 }
 
-void check(const Malformed& row) {
+// Texts that are no geometries either.
+std::vector<Malformed> geometry_table() {
+  const auto json = [](const std::string& type, const std::string& coordinates) {
+    return R"({"type":")" + type + R"(","coordinates":)" + coordinates + "}";
+  };
+  return {
+      {"word", "PINT (1 2)", kBad,
+       "expected POLYGON, LINESTRING, POINT, MULTI... or GEOMETRYCOLLECTION, found 'PINT'", 1, 1},
+      {"linear_ring", "LINEARRING (0 0, 1 0, 0 0)", kBad, "LINEARRING is not supported", 1, 1},
+      {"point_z", "POINT Z (1 2 3)", kBad, "POINT Z is not supported: only two coordinates are"},
+      {"line_m", "LINESTRINGM EMPTY", kBad, "LINESTRING M is not supported"},
+      {"point_heights", "POINT (1 2 3)", kBad, "three coordinates; only two are", 1, 12},
+      {"multipoint_z", "MULTIPOINT ZM ((1 2 3 4))", kBad, "MULTIPOINT ZM is not supported"},
+      {"point_open", "POINT (1 2", kBad, "expected ')', found the end of the text", 1, 11},
+      {"two_points", "POINT (1 2, 3 4)", kBad, "expected ')', found ','", 1, 11},
+      {"bare_point", "POINT 1 2", kBad, "expected '(' or EMPTY", 1, 7},
+      {"half_point", "MULTIPOINT (1 2, 3)", kBad, "a space and the second coordinate", 1, 19},
+      {"nan_point", "POINT (nan nan)", kBad, "must be a finite number", 1, 8},
+      {"line_of_one", "MULTILINESTRING ((0 0, 1 1),\n (2 2))", kBad,
+       "a line has 1 point, it needs at least 2", 2, 2},
+      {"open_ring", "POLYGON ((0 0, 1 0))", kBad, "polygon 1, ring 1 is not closed", 1, 10},
+      {"empty_ring", "POLYGON (EMPTY)", kBad, "a ring may not be EMPTY"},
+      {"deep", "MULTILINESTRING ((((1 2))))", kBad, "expected a number, found '('"},
+      {"parentheses", "MULTIPOINT " + std::string(100'000, '('), kLimit, "deeper than the limit"},
+      {"json_line_of_one", json("LineString", "[[0,0]]"), kBad, "a line has 1 point", 1, 36},
+      {"json_empty_ring", json("Polygon", "[[]]"), kBad, "ring 1 has 0 points, a ring needs"},
+      {"json_flat_line", json("LineString", "[0,0]"), kBad, "expected a position [x, y]"},
+      {"json_deep_point", json("Point", "[[0,0]]"), kBad, "arrays are nested too deep"},
+      {"json_point_height", json("Point", "[0,0,0]"), kBad, "three coordinates"},
+      {"json_null_point", json("Point", "null"), kBad, "the coordinates of a Point is null"},
+      {"json_no_points", R"({"type":"MultiPoint"})", kBad, "has no member \"coordinates\""},
+      {"json_feature", R"({"type":"Feature","geometry":{"type":"Blob"}})", kBad, "unknown type"},
+      {"poly_no_points", "1\n0 out\n\n", kBad, "chain 1 has 0 points, a chain needs at least 1"},
+      {"dat_no_points", "0\n0 0\n", kBad, "a ring has 0 points, it needs at least 1", 1, 1},
+      {"dat_cut", "2\n0 0\n1\n", kBad, "found the end of the text"},
+  };
+}
+
+template <typename Read>
+void check(const Malformed& row, Read read_it) {
   try {
-    static_cast<void>(read(row.text));
-    FAIL() << row.name << ": no error";
+    read_it(row.text);
+    ADD_FAILURE() << row.name << ": no error";
   } catch (const ReadError& error) {
     EXPECT_EQ(error.code(), row.code) << row.name << ": " << error.what();
     EXPECT_NE(std::string(error.what()).find(row.message), std::string::npos)
@@ -240,6 +278,10 @@ void check(const Malformed& row) {
   }
 }
 
+void check(const Malformed& row) {
+  check(row, [](const std::string& text) { static_cast<void>(read(text)); });
+}
+
 TEST(Malformed, Wkt) {
   for (const Malformed& row : wkt_table()) check(row);
 }
@@ -250,6 +292,12 @@ TEST(Malformed, GeoJson) {
 
 TEST(Malformed, PolyAndDat) {
   for (const Malformed& row : plain_table()) check(row);
+}
+
+TEST(Malformed, Geometries) {
+  for (const Malformed& row : geometry_table()) {
+    check(row, [](const std::string& text) { static_cast<void>(read_geometry(text)); });
+  }
 }
 
 // Every prefix of a good text is an error or a region, and never anything worse.

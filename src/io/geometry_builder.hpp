@@ -1,0 +1,72 @@
+// Geometries under construction, and the rules that readers keep to.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "io/number.hpp"
+#include "minksum/geometry.hpp"
+#include "minksum/io.hpp"
+
+namespace minksum::io {
+
+/// What a text may hold.
+enum class Rules {
+  kRegion,    ///< polygons alone; rings of three vertices or more
+  kGeometry,  ///< polylines and points too; rings of one vertex or more, to be read by `resolve`
+};
+
+/// Fewest vertices of a ring.
+[[nodiscard]] inline std::size_t fewest_vertices(Rules rules) {
+  return rules == Rules::kRegion ? 3 : 1;
+}
+
+/// "3 points", "1 point".
+[[nodiscard]] std::string counted_points(std::size_t count);
+
+/// Takes the vertices of rings, polylines and points as they are read; counts them.
+class GeometryBuilder {
+ public:
+  /// `cursor` is the reader's: faults are reported where it stands.
+  GeometryBuilder(const TextCursor& cursor, const ReadLimits& limits, Rules rules)
+      : cursor_(cursor), max_vertices_(limits.max_vertices), rules_(rules) {}
+
+  [[nodiscard]] Rules rules() const { return rules_; }
+  [[nodiscard]] std::size_t polygon_count() const { return geometry_.region.polygon_count(); }
+  void begin_polygon();
+
+  /// A ring without repetition of its first vertex.
+  void begin_ring() { geometry_.region.begin_ring(); }
+  void add_vertex(const Number& x, const Number& y);
+
+  /// A ring that repeats its first vertex at the end (WKT, GeoJSON). Begun where it starts.
+  void begin_closed_ring();
+  void add_to_closed_ring(Number x, Number y);
+  void end_closed_ring();
+
+  void begin_line();
+  void add_to_line(const Number& x, const Number& y);
+  /// A line without vertices is none.
+  void end_line();
+
+  void add_point(const Number& x, const Number& y);
+
+  [[nodiscard]] Geometry take() { return std::move(geometry_); }
+
+ private:
+  void count_vertex();
+  [[nodiscard]] std::string ring_name() const;
+
+  const TextCursor& cursor_;
+  std::size_t max_vertices_;
+  Rules rules_;
+  Geometry geometry_;
+  std::size_t vertices_ = 0;
+  std::size_t ring_ = 0;
+  std::size_t start_ = 0;   // of the ring or line
+  std::size_t points_ = 0;  // of the ring so far
+  Number first_x_, first_y_;
+  Number last_x_, last_y_;  // held back: the closing point is not a vertex
+};
+
+}  // namespace minksum::io
