@@ -28,6 +28,7 @@ struct SumArguments {
   std::string trace;    ///< a folder; empty = none
   int repeat = 1;
   bool verbose = false;
+  io::ReadLimits limits;
   Options options;
 };
 
@@ -35,6 +36,7 @@ struct SumArguments {
 struct InfoArguments {
   std::string file;
   bool json = false;
+  io::ReadLimits limits;
 };
 
 /// Both return an exit code, and throw what `report_failure` (failure.hpp) can name.

@@ -1,8 +1,10 @@
 #include "failure.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <utility>
 
 namespace minksum::cli {
 namespace {
@@ -38,13 +40,54 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-int tell(ExitCode code, const std::string& message) noexcept {
-  try {
-    std::fprintf(stderr, "minksum: %s\n", one_line(message).c_str());
-  } catch (...) {
-    std::fputs("minksum: out of memory\n", stderr);
-  }
+int tell(ExitCode code, const std::string& message) {
+  std::fprintf(stderr, "minksum: %s\n", one_line(message).c_str());
   return code;
+}
+
+int tell_out_of_memory(std::optional<std::uint64_t> limit) noexcept {
+  if (!limit) {
+    std::fputs("minksum: out of memory\n", stderr);
+    return kLimitExceeded;
+  }
+  static constexpr const char* kUnits[] = {"", "K", "M", "G", "T"};
+  std::uint64_t size = *limit;
+  std::size_t unit = 0;
+  for (; unit < 4 && size >= 1024 && size % 1024 == 0; size /= 1024) ++unit;
+  std::fprintf(stderr, "minksum: out of memory: the limit is %llu%s bytes (--max-memory)\n",
+               static_cast<unsigned long long>(size), kUnits[unit]);
+  return kLimitExceeded;
+}
+
+// The message with the option that sets the limit, not with the member that does so in the library.
+std::string with_option(std::string message) {
+  constexpr std::pair<const char*, const char*> kOptions[] = {{"vertices", "--max-vertices"},
+                                                              {"segments", "--max-segments"},
+                                                              {"crossings", "--max-crossings"},
+                                                              {"bytes", "--max-bytes"}};
+  for (const auto& [subject, option] : kOptions) {
+    if (message.find(subject) == std::string::npos) continue;
+    message.resize(std::min(message.size(), message.find(" (Limits::")));
+    return message + " (" + option + ')';
+  }
+  return message;
+}
+
+int tell_exception() {
+  try {
+    throw;
+  } catch (const Failure& failure) {
+    return tell(failure.code(), failure.what());
+  } catch (const Error& error) {
+    const Failure failure = failure_of(error, "");
+    return tell(failure.code(), failure.what());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::length_error&) {  // more elements than a vector can have
+    throw std::bad_alloc();
+  } catch (const std::exception& error) {
+    return tell(kInternal, std::string("internal error: ") + error.what());
+  }
 }
 
 }  // namespace
@@ -77,42 +120,26 @@ Failure failure_of(const Error& error, const std::string& file) {
     line += part;
   };
   if (const std::string place = describe(error.culprit()); !place.empty()) append(place + ":");
-  append(error.what());
+  append(error.code() == ErrorCode::kLimitExceeded ? with_option(error.what()) : error.what());
   return Failure(exit_code_of(error.code()), line);
 }
 
-Region read_operand(const std::string& file) {
+Region read_operand(const std::string& file, const io::ReadLimits& limits) {
   try {
-    return io::read_file(file);
+    return io::read_file(file, limits);
   } catch (const Error& error) {
     throw failure_of(error, file);
   }
 }
 
-int report_failure() noexcept {
+int report_failure(std::optional<std::uint64_t> memory_limit) noexcept {
   try {
-    throw;
-  } catch (const Failure& failure) {
-    return tell(failure.code(), failure.what());
-  } catch (const Error& error) {
-    try {
-      const Failure failure = failure_of(error, "");
-      return tell(failure.code(), failure.what());
-    } catch (...) {
-      return tell(kInternal, "internal error");
-    }
+    return tell_exception();
   } catch (const std::bad_alloc&) {
-    return tell(kLimitExceeded, "out of memory");
-  } catch (const std::length_error&) {
-    return tell(kLimitExceeded, "out of memory");
-  } catch (const std::exception& error) {
-    try {
-      return tell(kInternal, std::string("internal error: ") + error.what());
-    } catch (...) {
-      return tell(kInternal, "internal error");
-    }
+    return tell_out_of_memory(memory_limit);
   } catch (...) {
-    return tell(kInternal, "internal error");
+    std::fputs("minksum: internal error\n", stderr);
+    return kInternal;
   }
 }
 

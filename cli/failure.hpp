@@ -1,6 +1,8 @@
 // Failures in one line: which file, where in it, what.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -26,9 +28,10 @@ class Failure : public std::runtime_error {
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
 /// Reads an operand; what goes wrong is thrown as a Failure that names the file.
-[[nodiscard]] Region read_operand(const std::string& file);
+[[nodiscard]] Region read_operand(const std::string& file, const io::ReadLimits& limits);
 
 /// Tells the exception being handled on standard error, in one line; returns the exit code.
-int report_failure() noexcept;
+/// Needs no memory to say that there is none; `memory_limit` in bytes, if there is one.
+int report_failure(std::optional<std::uint64_t> memory_limit) noexcept;
 
 }  // namespace minksum::cli

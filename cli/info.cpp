@@ -44,6 +44,7 @@ std::string readable(const Rational& value) {
     if (Rational::parse(text) == value) return text;
   }
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
   text.precision(17);
   text << value.to_string() << " (about " << value.to_double() << ")";
   return text.str();
@@ -51,6 +52,7 @@ std::string readable(const Rational& value) {
 
 std::string described(const Fault& fault) {
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
   text.precision(17);
   if (const std::string place = describe(fault.place); !place.empty()) text << place << ": ";
   text << fault.message << " (near " << fault.x << " " << fault.y << ")";
@@ -115,7 +117,7 @@ void write_json(std::ostream& out, const std::string& file, const Findings& find
 }  // namespace
 
 int run_info(const InfoArguments& arguments) {
-  const Region region = read_operand(arguments.file);
+  const Region region = read_operand(arguments.file, arguments.limits);
   const Findings findings = examine(region);
   write_output("", [&](std::ostream& out) {
     if (arguments.json) {

@@ -7,11 +7,12 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <ostream>
+#include <streambuf>
 #include <system_error>
 
 #include "failure.hpp"
+#include "process.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -47,13 +48,79 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-void write_stream(std::ostream& out, const std::string& shown,
-                  const std::function<void(std::ostream&)>& write) {
-  errno = 0;
+// Writes to a file descriptor. Unlike a file stream's, its buffer needs no memory of the heap, and
+// the first failure is thrown, with its reason.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  DescriptorBuffer(int descriptor, const std::string& shown)
+      : descriptor_(descriptor), shown_(shown) {
+    setp(buffer_, buffer_ + sizeof buffer_);
+  }
+
+ protected:
+  int_type overflow(int_type c) override {
+    sync();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) {
+      *pptr() = traits_type::to_char_type(c);
+      pbump(1);
+    }
+    return traits_type::not_eof(c);
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    if (size <= epptr() - pptr()) {
+      std::memcpy(pptr(), text, static_cast<std::size_t>(size));
+      pbump(static_cast<int>(size));
+    } else {
+      sync();
+      write_all(text, static_cast<std::size_t>(size));
+    }
+    return size;
+  }
+  int sync() override {
+    const auto size = static_cast<std::size_t>(pptr() - pbase());
+    setp(buffer_, buffer_ + sizeof buffer_);
+    write_all(buffer_, size);
+    return 0;
+  }
+
+ private:
+  void write_all(const char* text, std::size_t size) {
+    while (size > 0) {
+      const ssize_t written = ::write(descriptor_, text, size);
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail(shown_, "cannot be written", errno);
+      text += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+
+  int descriptor_;
+  const std::string& shown_;
+  char buffer_[1 << 13];
+};
+
+void write_descriptor(int descriptor, const std::string& shown,
+                      const std::function<void(std::ostream&)>& write) {
+  DescriptorBuffer buffer(descriptor, shown);
+  std::ostream out(&buffer);
+  out.exceptions(std::ios::badbit);  // so that what is thrown below passes through the stream
   write(out);
   out.flush();
-  if (!out) fail(shown, "cannot be written", errno != 0 ? errno : EIO);
 }
+
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+  ~Descriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
 
 // The rights of the file that is replaced, or those that any new file gets.
 mode_t rights_for(const fs::path& place) {
@@ -64,33 +131,18 @@ mode_t rights_for(const fs::path& place) {
   return 0666 & ~mask;
 }
 
-// A file beside `place`, there as long as it has not been moved to it.
-class Beside {
- public:
-  explicit Beside(const fs::path& place) : place_(place), name_(place.string() + ".XXXXXX") {
-    const int file = ::mkstemp(name_.data());
-    if (file < 0) fail(place.string(), "cannot be written", errno);
-    ::fchmod(file, rights_for(place));
-    ::close(file);
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  const fs::path place = real_place(path);
+  TemporaryFile file(folder_of(place).string(), path);
+  write_descriptor(file.descriptor(), path, write);
+  ::fchmod(file.descriptor(), rights_for(place));
+  // Without this, the loss of power soon after could leave an empty file in the old one's place.
+  // Where a file system cannot do it (EINVAL, ENOTSUP), there is nothing to wait for.
+  if (::fsync(file.descriptor()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
+    fail(path, "cannot be written", errno);
   }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
-  ~Beside() {
-    if (!moved_) ::unlink(name_.c_str());
-  }
-  [[nodiscard]] const std::string& name() const { return name_; }
-  void move_into_place() {
-    if (::rename(name_.c_str(), place_.c_str()) != 0) {
-      fail(place_.string(), "cannot be written", errno);
-    }
-    moved_ = true;
-  }
-
- private:
-  fs::path place_;
-  std::string name_;
-  bool moved_ = false;
-};
+  if (const int reason = file.move_to(place.string())) fail(path, "cannot be written", reason);
+}
 
 }  // namespace
 
@@ -113,22 +165,12 @@ void check_writable(const std::string& path) {
 }
 
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  if (is_standard_output(path)) {
-    write_stream(std::cout, "standard output", write);
-    return;
-  }
+  if (is_standard_output(path)) return write_descriptor(STDOUT_FILENO, "standard output", write);
   check_writable(path);
-  if (is_special(path)) {
-    std::ofstream file(path, std::ios::binary);
-    write_stream(file, path, write);
-    return;
-  }
-  Beside beside(real_place(path));
-  {
-    std::ofstream file(beside.name(), std::ios::binary | std::ios::trunc);
-    write_stream(file, path, write);
-  }
-  beside.move_into_place();
+  if (!is_special(path)) return write_file(path, write);
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_NOCTTY));
+  if (file.get() < 0) fail(path, "cannot be written", errno);
+  write_descriptor(file.get(), path, write);
 }
 
 void make_folder(const std::string& path) {

@@ -1,6 +1,7 @@
 // minksum sum: read two regions, add them, write the sum and what is asked for beside it.
 #include <chrono>
 #include <cstdio>
+#include <new>
 #include <optional>
 #include <ostream>
 
@@ -30,6 +31,14 @@ Failure sum_failure(const Error& error, const SumArguments& arguments) {
   return failure_of(error, operand == 0 || operand == 1 ? arguments.operands[operand] : "");
 }
 
+[[noreturn]] void fail(const Error& error, const SumArguments& arguments) {
+  // So the library tells it where it throws nothing; the program has a line for this.
+  if (error.code() == ErrorCode::kLimitExceeded && error.what() == std::string("out of memory")) {
+    throw std::bad_alloc();
+  }
+  throw sum_failure(error, arguments);
+}
+
 // Runs the sum `repeat` times in the same memory; `statistics` and `result` are the last run's.
 void compute(const SumArguments& arguments, const Region (&operands)[2], Region& result,
              Statistics& statistics, Seconds& seconds) {
@@ -43,7 +52,7 @@ void compute(const SumArguments& arguments, const Region (&operands)[2], Region&
     const Stopwatch watch;
     const Outcome outcome = minkowski_sum(operands[0], operands[1], options, workspace, result);
     sums.push_back(watch.seconds());
-    if (!outcome.ok()) throw sum_failure(*outcome.error, arguments);
+    if (!outcome.ok()) fail(*outcome.error, arguments);
     for (int i = 0; i < kStageCount; ++i) stages[i].push_back(statistics.stage_seconds[i]);
   }
   seconds.sum = median(sums);
@@ -78,8 +87,8 @@ int run_sum(const SumArguments& arguments) {
 
   Seconds seconds;
   const Stopwatch reading;
-  const Region operands[2] = {read_operand(arguments.operands[0]),
-                              read_operand(arguments.operands[1])};
+  const Region operands[2] = {read_operand(arguments.operands[0], arguments.limits),
+                              read_operand(arguments.operands[1], arguments.limits)};
   seconds.read = reading.seconds();
 
   Region result;
@@ -88,7 +97,7 @@ int run_sum(const SumArguments& arguments) {
     compute(arguments, operands, result, statistics, seconds);
     if (!arguments.trace.empty()) compute_and_write_trace(arguments, operands);
   } catch (const Error& error) {
-    throw sum_failure(error, arguments);
+    fail(error, arguments);
   }
 
   const Stopwatch writing;

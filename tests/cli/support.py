@@ -22,12 +22,21 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run(*arguments, stdin=b"", cwd=None):
-    """Runs the program; a crash shows as a negative return code, a hang as TimeoutExpired."""
+def run(*arguments, stdin=b"", cwd=None, before=None):
+    """Runs the program; a crash shows as a negative return code, a hang as TimeoutExpired.
+
+    `before` is called in the new process, before the program takes its place.
+    """
     if isinstance(stdin, str):
         stdin = stdin.encode()
+
+    def prepare():
+        limit_memory()
+        if before:
+            before()
+
     return subprocess.run([PROGRAM, *map(str, arguments)], input=stdin, capture_output=True,
-                          timeout=SECONDS, cwd=cwd, preexec_fn=limit_memory, check=False)
+                          timeout=SECONDS, cwd=cwd, preexec_fn=prepare, check=False)
 
 
 class ProgramTest(unittest.TestCase):

@@ -1,0 +1,26 @@
+// The options of `minksum sum`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "commands.hpp"
+#include "limits.hpp"
+
+namespace minksum::cli {
+
+/// Options as they are typed; turned into SumArguments when all of them are known.
+struct TypedSum {
+  std::string format;
+  std::string coordinates = "double";
+  bool no_cover = false;
+  bool no_filter = false;
+};
+
+/// Adds the subcommand; parsing fills the other three.
+CLI::App* add_sum(CLI::App& app, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits);
+
+/// What no option can see by itself. Throws a Failure for wrong usage.
+void settle(SumArguments& arguments, const TypedSum& typed);
+
+}  // namespace minksum::cli
