@@ -29,6 +29,7 @@ struct KeptSegment {
   Segment segment;
   std::uint32_t joined;  ///< 0, or one more than its number among those joined
   std::uint32_t line;    ///< equal for parallel segments, of either sense, and only for them
+  DirectionRank rank;
   bool meets_cover;      ///< false if it is near no covered cell
 };
 

@@ -16,7 +16,7 @@ inline KeptSegment place_segment(const Operands& o, const Segment& segment) {
   const DirectionRank rank = o.rank[e];
   const std::uint32_t line = std::min(o.place[rank], o.reverse_place[rank]);
   return {{x[e] + x[v], y[e] + y[v]}, {x[f] + x[v], y[f] + y[v]}, {dx[e], dy[e]}, segment, 0, line,
-          false};
+          rank, false};
 }
 
 /// A segment in cell units.

@@ -26,21 +26,49 @@ PieceId successor(const Spoke& back, std::span<const Spoke> spokes, const Direct
   return best / 2;
 }
 
-}  // namespace
-
-void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
-                Loops& loops) {
-  const DirectionCircle circle(operands, arrangement);
+/// Sets the successor of each piece, or none.
+void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
+                 LoopScratch& scratch) {
+  constexpr std::uint32_t kFew = 2;  // then there is no choice
+  const auto& pieces = arrangement.pieces;
+  auto& ends = scratch.ends;
+  ends.assign(arrangement.nodes.size(), NodeEnds{});
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    NodeEnds& from = ends[pieces[p].from];
+    from.out = p;
+    ++from.degree;
+    ++ends[pieces[p].to].degree;
+  }
+  scratch.next.resize(pieces.size());
+  bool any_choice = false;
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    const NodeEnds& at = ends[pieces[p].to];
+    any_choice |= at.degree > kFew;
+    // The only piece to go on with may run back over this one.
+    const bool ahead = at.out != kNoPiece &&
+                       circle.reverse(circle.rank(p)) != circle.place(circle.rank(at.out));
+    scratch.next[p] = ahead ? at.out : kNoPiece;
+  }
+  if (!any_choice) return;
   list_incidence(
-      arrangement, circle, [](PieceId) { return true; }, scratch.incidence);
-  const std::size_t n = arrangement.pieces.size();
-  scratch.next.resize(n);
-  for (NodeId node = 0; node < arrangement.nodes.size(); ++node) {
+      arrangement, circle, [&](PieceId, NodeId node) { return ends[node].degree > kFew; },
+      scratch.incidence);
+  for (NodeId node = 0; node < ends.size(); ++node) {
+    if (ends[node].degree <= kFew) continue;
     const std::span<const Spoke> spokes = scratch.incidence.at(node);
     for (const Spoke& spoke : spokes) {
       if (spoke.incoming()) scratch.next[spoke.piece()] = successor(spoke, spokes, circle);
     }
   }
+}
+
+}  // namespace
+
+void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
+                Loops& loops) {
+  const DirectionCircle circle(operands, arrangement);
+  link_pieces(arrangement, circle, scratch);
+  const std::size_t n = arrangement.pieces.size();
   loops.pieces.clear();
   loops.begin.assign(1, 0);
   loops.positive.clear();

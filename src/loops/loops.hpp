@@ -33,8 +33,7 @@ class DirectionCircle {
   explicit DirectionCircle(const Operands& operands, const Arrangement& arrangement)
       : operands_(&operands), arrangement_(&arrangement) {}
   [[nodiscard]] DirectionRank rank(PieceId piece) const {
-    const KeptId segment = arrangement_->pieces[piece].segment;
-    return operands_->rank[arrangement_->kept[segment].segment.edge];
+    return arrangement_->kept[arrangement_->pieces[piece].segment].rank;
   }
   /// Place of a direction, or of its reverse, on a circle of `size()` places.
   [[nodiscard]] std::uint32_t place(DirectionRank rank) const { return operands_->place[rank]; }
@@ -75,7 +74,7 @@ struct Incidence {
     return std::span(spokes).subspan(begin[node], begin[node + 1] - begin[node]);
   }
 };
-/// Lists the pieces for which `take(piece)` holds.
+/// Lists the pieces for which `take(piece, node)` holds at their nodes.
 template <class Take>
 void list_incidence(const Arrangement& arrangement, const DirectionCircle& circle, Take take,
                     Incidence& incidence) {
@@ -83,23 +82,31 @@ void list_incidence(const Arrangement& arrangement, const DirectionCircle& circl
   const auto& pieces = arrangement.pieces;
   begin.assign(arrangement.nodes.size() + 2, 0);
   for (PieceId p = 0; p < pieces.size(); ++p) {
-    if (!take(p)) continue;
-    ++begin[pieces[p].from + 2];
-    ++begin[pieces[p].to + 2];
+    if (take(p, pieces[p].from)) ++begin[pieces[p].from + 2];
+    if (take(p, pieces[p].to)) ++begin[pieces[p].to + 2];
   }
   for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
   incidence.spokes.resize(begin.back());
   for (PieceId p = 0; p < pieces.size(); ++p) {
-    if (!take(p)) continue;
-    const DirectionRank rank = circle.rank(p);
-    incidence.spokes[begin[pieces[p].from + 1]++] = {circle.place(rank), 2 * p};
-    incidence.spokes[begin[pieces[p].to + 1]++] = {circle.reverse(rank), 2 * p + 1};
+    if (take(p, pieces[p].from)) {
+      incidence.spokes[begin[pieces[p].from + 1]++] = {circle.place(circle.rank(p)), 2 * p};
+    }
+    if (take(p, pieces[p].to)) {
+      incidence.spokes[begin[pieces[p].to + 1]++] = {circle.reverse(circle.rank(p)), 2 * p + 1};
+    }
   }
   begin.pop_back();
 }
 
+/// What ends at a node.
+struct NodeEnds {
+  PieceId out = kNoPiece;  ///< the last that was seen
+  std::uint32_t degree = 0;
+};
+
 struct LoopScratch {
-  Incidence incidence;
+  std::vector<NodeEnds> ends;  ///< by node
+  Incidence incidence;         ///< of nodes where more than two pieces end
   std::vector<PieceId> next;
   std::vector<std::uint8_t> visited;
 };

@@ -32,7 +32,7 @@ class RingExtractor {
     }
     accept(loops, filtered);
     list_incidence(
-        arrangement_, circle_, [&](PieceId p) { return scratch_.accepted[p] != 0; },
+        arrangement_, circle_, [&](PieceId p, NodeId) { return scratch_.accepted[p] != 0; },
         scratch_.incidence);
     scratch_.stack_place.assign(arrangement_.nodes.size(), kNotOnStack);
     std::uint32_t walk = 0;

@@ -51,6 +51,7 @@ std::vector<KeptSegment> segments_of(const Operands& o, const Convolution& convo
                     s,
                     0,
                     o.place[o.rank[s.edge]],
+                    o.rank[s.edge],
                     false});
   }
   return kept;
