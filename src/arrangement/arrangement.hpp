@@ -50,8 +50,10 @@ struct Piece {
 /// Kept segments split at their nodes.
 ///
 /// Complete where it matters: every point of the sum's boundary at which two kept segments meet is
-/// one node, found on both. (Crossings inside the cover may be missing: pieces that run through it
-/// are not boundary, and the filters reject loops made of them.) No two pieces have the same ends:
+/// one node, found on both. Crossings inside the cover may be missing, and pieces that run through it,
+/// or begin or end on the left of another segment, are: they are not boundary. A loop that such pieces
+/// would have kept from closing is made of pieces that are not boundary either: those that are follow
+/// each other around a free face, and nothing is within it. No two pieces have the same ends:
 /// of equal ones one stays; opposite ones have the sum on both sides and are dropped.
 struct Arrangement {
   /// First those that were split, then the members of joined ones: pieces refer to the members.
@@ -80,7 +82,8 @@ struct Event {
   std::uint32_t point;  ///< see ArrangementScratch
 };
 
-/// A proper crossing of two kept segments, at `lambda` along the first.
+/// A proper crossing of two kept segments, at `lambda` along the first. That one comes from the left
+/// of the second; so the second comes from the right of the first.
 struct Crossing {
   KeptId first;
   KeptId second;
@@ -142,7 +145,8 @@ struct BinScratch {
 /// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
 /// come the crossings. Equal points are united in a forest whose roots are their smallest members.
 struct ArrangementScratch {
-  UniformGrid grid;  ///< of the cells below
+  UniformGrid grid;   ///< of the cells below
+  bool whole = false;   ///< pieces inside the sum are wanted as well
   BinScratch bin;
   JoinScratch join;
   KeptId line_count = 0;                   ///< kept segments that are split; members come after

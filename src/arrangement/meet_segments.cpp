@@ -1,6 +1,7 @@
 #include "arrangement/meet_segments.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace minksum {
 namespace {
@@ -28,6 +29,7 @@ SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const Options& options,
 
 void SegmentMeeter::meet(KeptId s, KeptId t) {
   if (kept_[s].line == kept_[t].line) return meet_parallel(s, t);
+  if (meet_at_ends(s, t)) return;
   const Sides of_t = sides(s, t);
   if (of_t.apart()) return;
   const Sides of_s = sides(t, s);
@@ -37,6 +39,27 @@ void SegmentMeeter::meet(KeptId s, KeptId t) {
   if (of_s.start == kZero) return touch(t, of_t, 2 * s);
   if (of_s.end == kZero) return touch(t, of_t, 2 * s + 1);
   cross_at(s, of_s, t, of_t);
+}
+
+/// Unites an end that both of two segments have, if it is seen at once: the common case of neighbours
+/// in the convolution. Not parallel, they have no other point in common.
+bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
+  const KeptSegment& ks = kept_[s];
+  const KeptSegment& kt = kept_[t];
+  // Bits are compared, without branches: which ends meet is hard to foresee.
+  const auto apart = [](const Vec<double>& p, const Vec<double>& q) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    return (bits(p.x) ^ bits(q.x)) | (bits(p.y) ^ bits(q.y));
+  };
+  const std::uint32_t common = (apart(ks.a, kt.a) == 0 ? 1U : 0U) | (apart(ks.a, kt.b) == 0 ? 2U : 0U) |
+                               (apart(ks.b, kt.a) == 0 ? 4U : 0U) | (apart(ks.b, kt.b) == 0 ? 8U : 0U);
+  if (common == 0) return false;
+  const auto first = static_cast<std::uint32_t>(std::countr_zero(common));
+  const std::uint32_t of_s = 2 * s + (first >> 1);
+  const std::uint32_t of_t = 2 * t + (first & 1);
+  if (bounds_.difference != 0 && vertex(of_s) != vertex(of_t)) return false;
+  unite(scratch_.parent, of_s, of_t);
+  return true;
 }
 
 /// Where the ends of t lie relative to s.
@@ -144,7 +167,11 @@ void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides&
                                                " crossings (Limits::max_crossings)");
   }
   scratch_.parent.push_back(point);
-  scratch_.crossings.push_back({s, t, on_s.lambda, doubted(on_s.error)});
+  if (of_s.start == kPositive) {
+    scratch_.crossings.push_back({s, t, on_s.lambda, doubted(on_s.error)});
+  } else {
+    scratch_.crossings.push_back({t, s, on_t.lambda, doubted(on_t.error)});
+  }
   scratch_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
   scratch_.events.push_back({on_t.lambda, doubted(on_t.error), t, point});
 }

@@ -68,6 +68,7 @@ class SegmentMeeter {
   [[nodiscard]] Sides sides(KeptId s, KeptId t);
   [[nodiscard]] Sign side(KeptId s, std::uint32_t point, double& value, double& bound);
   [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool meet_at_ends(KeptId s, KeptId t);
   void touch(KeptId s, const Sides& of_s, std::uint32_t point);
   void meet_parallel(KeptId s, KeptId t);
   void meet_on_line(KeptId s, std::uint32_t point);

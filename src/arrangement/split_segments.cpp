@@ -107,8 +107,7 @@ class Splitter {
     }
   }
 
-  NodeId node_of(std::uint32_t point) {
-    const std::uint32_t root = find_root(scratch_.parent, point);
+  NodeId node_of(std::uint32_t root) {
     NodeId& id = scratch_.node_of_point[root];
     if (id == kNoNode) {
       id = static_cast<NodeId>(result_.nodes.size());
@@ -135,12 +134,19 @@ class Splitter {
     const KeptSegment& k = result_.kept[s];
     Event last{0, 0, s, 2 * s};
     std::uint32_t from = find_root(scratch_.parent, last.point);
+    if (!k.meets_cover && k.joined == 0 && events_of(s).empty()) {
+      const std::uint32_t to = find_root(scratch_.parent, 2 * s + 1);
+      if (to == from) return;
+      const NodeId from_node = node_of(from);
+      return add_piece(from_node, node_of(to), s);
+    }
     Vec<double> from_at = k.a;
     KeptId maker = k.joined == 0 ? s : scratch_.join.joined[k.joined - 1].first;
     const auto add = [&](const Event& event, const Vec<double>& to_at) {
       const std::uint32_t to = find_root(scratch_.parent, event.point);
       if (to == from) return;
-      if (!k.meets_cover || !is_covered(from_at, to_at)) {
+      if (!is_inside(s, last.point, event.point) &&
+          (!k.meets_cover || !is_covered(from_at, to_at))) {
         if (k.joined != 0) maker = member_after(s, last, maker);
         const NodeId from_node = node_of(from);
         add_piece(from_node, node_of(to), maker);
@@ -172,6 +178,20 @@ class Splitter {
     return member;
   }
 
+  /// Whether a piece of s begins, or ends, with a crossing to or from the left of another segment: the
+  /// sum's interior is there, all along that segment. (Of joined segments that is not known where one
+  /// ends and the next begins.)
+  [[nodiscard]] bool is_inside(KeptId s, std::uint32_t begin, std::uint32_t end) const {
+    if (scratch_.whole) return false;
+    const auto is_left_of = [&](KeptId other) { return result_.kept[other].joined == 0; };
+    if (begin >= ends_) {
+      const Crossing& c = scratch_.crossings[begin - ends_];
+      if (c.second == s && is_left_of(c.first)) return true;
+    }
+    if (end < ends_) return false;
+    const Crossing& c = scratch_.crossings[end - ends_];
+    return c.first == s && is_left_of(c.second);
+  }
   [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {
     if (!cover_.active) return false;
     bool covered = false;
