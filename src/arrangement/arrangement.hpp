@@ -11,6 +11,7 @@
 #include "arrangement/cell_box.hpp"
 #include "convolution/convolution.hpp"
 #include "cover/cover.hpp"
+#include "grid/box_pairs.hpp"
 
 namespace minksum {
 
@@ -146,7 +147,9 @@ struct BinScratch {
 /// come the crossings. Equal points are united in a forest whose roots are their smallest members.
 struct ArrangementScratch {
   UniformGrid grid;   ///< of the cells below
+  bool swept = false;   ///< there are none: all segments are swept at once
   bool whole = false;   ///< pieces inside the sum are wanted as well
+  BoxPairScratch pairs;
   BinScratch bin;
   JoinScratch join;
   KeptId line_count = 0;                   ///< kept segments that are split; members come after
@@ -194,7 +197,7 @@ void arrange_convex(const Operands& operands, Arrangement& arrangement);
 void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
                 std::vector<KeptSegment>& kept);
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
-/// of a size that suits the segments.
+/// of a size that suits the segments, and none are needed if boxes of segments hardly overlap.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   ArrangementScratch& scratch, Arrangement& arrangement);
 /// The same from the leaves of a divided cover. O(segments listed).

@@ -106,6 +106,41 @@ class HiddenSegments {
   std::array<const std::uint64_t*, kLevels + 1> bits_{};  ///< the last is clear: what is too long
 };
 
+/// How far segments go, all together.
+class Extent {
+ public:
+  Extent(const Operands& o, const std::vector<KeptSegment>& kept)
+      : width_(o.extent[0].x + o.extent[1].x), height_(o.extent[0].y + o.extent[1].y),
+        count_(static_cast<double>(kept.size())) {
+    for (const KeptSegment& s : kept) {
+      across_ += std::abs(s.d.x);
+      up_ += std::abs(s.d.y);
+    }
+  }
+  /// Cells about as wide and as high together as the segments are on average, but not more than
+  /// segments.
+  [[nodiscard]] UniformGrid grid() const {
+    const double most = std::sqrt(count_);
+    const double side = std::max(width_, height_) * count_ / (across_ + up_);
+    const double kept = side >= 1 ? std::min(side, most) : 1;
+    return UniformGrid::over(width_, height_, static_cast<int>(std::min(kept, 0x1p12)));
+  }
+  /// Whether a box overlaps few others, and few stand over each other: if they lie anywhere.
+  [[nodiscard]] bool boxes_are_small() const {
+    constexpr double kMostOverlaps = 8;
+    constexpr double kMostInColumn = 400;
+    return across_ <= kMostInColumn * width_ &&
+           2 * across_ * up_ <= kMostOverlaps * count_ * width_ * height_;
+  }
+
+ private:
+  double width_;
+  double height_;
+  double count_;
+  double across_ = 0;
+  double up_ = 0;
+};
+
 class Binner {
  public:
   Binner(const Operands& o, const Cover& cover, ArrangementScratch& scratch,
@@ -119,7 +154,6 @@ class Binner {
         kept_(arrangement.kept) {}
 
   void run(const Convolution& convolution) {
-    grid_ = covers_any_ ? cover_.grid : grid_for(convolution.segments);
     kept_.clear();
     items_.clear();
     HiddenSegments(o_, cover_, scratch_.bin)
@@ -134,17 +168,24 @@ class Binner {
       if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
     }
     join_lines(o_, joins, scratch_.join, kept_);
+    const Extent extent(o_, kept_);
+    grid_ = covers_any_ ? cover_.grid : extent.grid();
+    scratch_.swept = !covers_any_ && extent.boxes_are_small();
+    if (!scratch_.swept) list_all_cells();
+    scratch_.line_count = static_cast<KeptId>(kept_.size());
+    append_members();
+    if (!scratch_.swept) sort_by_cells();
+  }
+
+ private:
+  void list_all_cells() {
     KeptId count = 0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       if (list_cells(kept_[i], count)) kept_[count++] = kept_[i];
     }
     kept_.resize(count);
-    scratch_.line_count = count;
-    append_members();
-    sort_by_cells();
   }
 
- private:
   /// Directions that several edges have: only segments of such can be equal.
   void list_shared_directions(bool wanted) {
     auto& shared = scratch_.bin.shared;
@@ -154,22 +195,6 @@ class Binner {
       const DirectionRank rank = o_.rank[o_.by_direction[i]];
       if (rank == o_.rank[o_.by_direction[i - 1]]) shared[rank] = 1;
     }
-  }
-
-  /// Cells about as wide and as high together as the segments are on average, but not more than
-  /// segments.
-  [[nodiscard]] UniformGrid grid_for(const std::vector<Segment>& segments) const {
-    const double width = o_.extent[0].x + o_.extent[1].x;
-    const double height = o_.extent[0].y + o_.extent[1].y;
-    const auto count = static_cast<double>(segments.size());
-    double length = 0;
-    for (const Segment& s : segments) {
-      length += std::abs(o_.sites.dx[s.edge]) + std::abs(o_.sites.dy[s.edge]);
-    }
-    const double most = std::sqrt(count);
-    const double side = std::max(width, height) * count / length;
-    const double kept = side >= 1 ? std::min(side, most) : 1;
-    return UniformGrid::over(width, height, static_cast<int>(std::min(kept, 0x1p12)));
   }
 
   void append_members() {

@@ -27,7 +27,13 @@ class CrossingFinder {
     std::iota(scratch_.parent.begin(), scratch_.parent.end(), 0U);
     scratch_.line_parent.resize(kept_.size());
     std::iota(scratch_.line_parent.begin(), scratch_.line_parent.end(), 0U);
-    cover_.divided ? solve_leaves() : solve_cells();
+    if (cover_.divided) {
+      solve_leaves();
+    } else if (scratch_.swept) {
+      solve_all();
+    } else {
+      solve_cells();
+    }
   }
 
  private:
@@ -35,6 +41,22 @@ class CrossingFinder {
   static constexpr std::size_t kFew = 64;  // pairs of boxes cost less than dividing them
   static constexpr int kMaxDepth = 7;      // below that a part's side nears the slack
 
+  /// All pairs whose boxes overlap, at once.
+  void solve_all() {
+    meeter_.enter({});
+    const std::span lines(kept_.data(), scratch_.line_count);
+    Vec<double> extent{};
+    for (const KeptSegment& s : lines) {
+      extent = {std::max({extent.x, s.a.x, s.b.x}), std::max({extent.y, s.a.y, s.b.y})};
+    }
+    BoxPairs pairs(extent.x, extent.y, meeter_.doubt(), scratch_.pairs);
+    for (const KeptSegment& s : lines) {
+      pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
+                std::max(s.a.y, s.b.y));
+    }
+    pairs.for_each(
+        [&](KeptId s, KeptId t) { meeter_.meet(std::min(s, t), std::max(s, t)); }, stop_);
+  }
   void solve_cells() {
     std::uint32_t begin = 0;
     for (const std::uint32_t cell : scratch_.cells) {

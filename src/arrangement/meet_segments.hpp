@@ -34,6 +34,8 @@ class SegmentMeeter {
   void meet(KeptId s, KeptId t);
   /// Segments are listed in every part within this distance.
   [[nodiscard]] double slack() const { return slack_; }
+  /// A bound on the error of a segment's place.
+  [[nodiscard]] double doubt() const { return bounds_.position; }
 
  private:
   /// Where the ends of a segment lie relative to another one's line.
