@@ -8,7 +8,7 @@ namespace minksum {
 namespace {
 
 /// Below this many segments a cover costs more than it saves.
-constexpr std::size_t kSegmentsWorthACover = 400;
+constexpr std::size_t kSegmentsWorthACover = 850;
 constexpr std::size_t kSegmentsWorthDividing = 100;
 constexpr int kMaxSide = 2048;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
