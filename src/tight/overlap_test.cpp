@@ -20,7 +20,7 @@ bool OverlapTest::overlaps(const Placement& x) {
   ++number_;
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = x.error + 4 * (bounds.position + bounds.magnitude * 0x1p-49);
-  return boundaries_show_overlap() || a_ring_is_inside();
+  return boundaries_show_overlap() || a_ring_is_inside(0) || a_ring_is_inside(1);
 }
 
 bool OverlapTest::near(const BoxTree::Box& p, const BoxTree::Box& q) const {
@@ -173,26 +173,48 @@ Sign OverlapTest::compare(SiteId a, SiteId b, Axis axis) {
   return predicates_.kernel().compare(x_.node->point, {false, {}, {}, v}, axis);
 }
 
-bool OverlapTest::a_ring_is_inside() {
-  for (std::size_t r = 0; r < o_.rings.size(); ++r) {
-    if (scratch_.met[r] == number_) continue;
-    const int other = r < o_.first_rings ? 1 : 0;
-    const BoxTree& tree = trees_.tree[other];
-    const BoxTree::Box& all = tree.box(tree.levels() - 1, 0);
-    const BoxTree::Box& box = trees_.ring_boxes[r];
-    // What is inside is in the box.
-    if (x_.at.x - box.x1 < all.x0 - doubt_ || x_.at.x - box.x0 > all.x1 + doubt_ ||
-        x_.at.y - box.y1 < all.y0 - doubt_ || x_.at.y - box.y0 > all.y1 + doubt_) {
-      continue;
+bool OverlapTest::a_ring_is_inside(int operand) {
+  const std::size_t first = operand == 0 ? 0 : o_.first_rings;
+  const std::size_t last = operand == 0 ? o_.first_rings : o_.rings.size();
+  constexpr std::size_t kFew = 8;
+  if (last - first <= kFew) {
+    for (std::size_t r = first; r < last; ++r) {
+      if (is_inside(r, 1 - operand)) return true;
     }
-    if (inside(o_.rings[r].begin, other)) return true;
+    return false;
+  }
+  // What is inside has all its edges in the other one's box.
+  const BoxTree& other = trees_.tree[1 - operand];
+  const BoxTree::Box& all = other.box(other.levels() - 1, 0);
+  const auto misses = [&](const BoxTree::Box& box) {
+    return operand == 0 ? !near(box, all) : !near(all, box);
+  };
+  const BoxTree& tree = trees_.tree[operand];
+  const SiteId end = o_.rings[last - 1].end;
+  for (SiteId e = tree.skip_edges(o_.rings[first].begin, end, misses); e < end;
+       e = tree.skip_edges(e, end, misses)) {
+    const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
+    for (; e < leaf_end; ++e) {
+      const std::uint32_t r = scratch_.ring_of[e];
+      if (e == o_.rings[r].begin && is_inside(r, 1 - operand)) return true;
+    }
   }
   return false;
 }
 
+/// Whether a ring touches nothing and is inside the other operand.
+bool OverlapTest::is_inside(std::size_t ring, int operand) {
+  if (scratch_.met[ring] == number_) return false;
+  const BoxTree& tree = trees_.tree[operand];
+  const BoxTree::Box& all = tree.box(tree.levels() - 1, 0);
+  const BoxTree::Box& box = trees_.ring_boxes[ring];
+  return (operand == 0 ? near(all, box) : near(box, all)) &&
+         has_inside(operand, o_.rings[ring].begin);
+}
+
 /// Whether x − `vertex`, which is on no edge of an operand, is inside it: parity along a ray to the
 /// right. (Polygons do not overlap, see `fill_holes`.)
-bool OverlapTest::inside(SiteId vertex, int operand) {
+bool OverlapTest::has_inside(int operand, SiteId vertex) {
   const BoxTree& tree = trees_.tree[operand];
   const Vec<double> at{x_.at.x - o_.sites.x[vertex], x_.at.y - o_.sites.y[vertex]};
   const auto misses = [&](const BoxTree::Box& box) {

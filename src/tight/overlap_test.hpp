@@ -50,12 +50,14 @@ class OverlapTest {
   };
 
   [[nodiscard]] bool boundaries_show_overlap();
+  /// Whether a box of P and one of x − Q may meet.
   [[nodiscard]] bool near(const BoxTree::Box& p, const BoxTree::Box& q) const;
   [[nodiscard]] bool leaves_overlap(std::size_t leaf_p, std::size_t leaf_q);
   [[nodiscard]] bool parts_overlap(const Part& e, const Part& f);
   [[nodiscard]] bool overlap_on_line(const Part& e, const Part& f);
-  [[nodiscard]] bool a_ring_is_inside();
-  [[nodiscard]] bool inside(SiteId vertex, int operand);
+  [[nodiscard]] bool a_ring_is_inside(int operand);
+  [[nodiscard]] bool is_inside(std::size_t ring, int operand);
+  [[nodiscard]] bool has_inside(int operand, SiteId vertex);
 
   template <class Visit>
   [[nodiscard]] bool any_part(SiteId edge, int operand, Visit visit) const;

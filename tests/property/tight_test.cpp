@@ -212,4 +212,58 @@ TEST(RandomTightPairs, AgreeWithBruteForce) {
             << ", lines: " << tally.with_lines << ", both: " << tally.with_both << '\n';
 }
 
+Pair larger_pair(Random& random) {
+  switch (random.below(5)) {
+    case 0: {
+      const int teeth = random.between(4, 10);
+      const Region a = comb(teeth, random.between(1, 2), random.between(4, 30));
+      return {a, random.one_in(2) ? a : comb(random.between(4, teeth), 1, random.between(4, 30)),
+              "combs"};
+    }
+    case 1:
+      return {spiral(random.between(3, 6)), comb(random.between(3, 7), 1, random.between(4, 20)),
+              "spiral and comb"};
+    case 2:
+      return {spiral(random.between(3, 6)), spiral(random.between(2, 5)), "spirals"};
+    case 3:
+      return {random_cells(random, random.between(7, 11), random.between(7, 11), random.one_in(2),
+                           false),
+              small_part(random), "cells and part"};
+    default:
+      return {random_cells(random, random.between(5, 8), random.between(5, 8), random.one_in(2), false),
+              random_cells(random, random.between(3, 6), random.between(3, 6), random.one_in(2),
+                           false),
+              "cells and cells"};
+  }
+}
+
+// Large enough for covers of both kinds to hide most of the segments: nothing is lost by that.
+TEST(LargerTightPairs, CoverHidesNothing) {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
+    Random random(seed * 7919);
+    Pair pair = larger_pair(random);
+    if (random.one_in(2)) pair.q = scaled(pair.q, -1);
+    if (random.one_in(4)) pair.q = turned(pair.q);
+    if (random.one_in(4)) pair.p = scaled(pair.p, 2);
+    const std::string about = note(seed * 7919, pair);
+    const Region sum = minkowski_sum(pair.p, pair.q);
+    Options options;
+    options.cover = false;
+    const Geometry truth = tight_places(pair.p, pair.q, options, sum, about);
+    tally.count(truth);
+    options.cover = true;
+    for (const int grid : {0, 16, 100, 400}) {
+      options.grid = grid;
+      options.check = grid == 16 && seed % 10 == 0;
+      EXPECT_EQ(text_of(tight_places(pair.p, pair.q, options, sum, about)), text_of(truth))
+          << "grid " << grid << ' ' << about;
+    }
+    // The other way round: other ends of parallel edges count.
+    EXPECT_EQ(text_of(tight_places(pair.q, pair.p, {}, sum, about)), text_of(truth)) << about;
+  }
+  std::cout << "larger pairs with tight points: " << tally.with_points
+            << ", lines: " << tally.with_lines << ", both: " << tally.with_both << '\n';
+}
+
 }  // namespace
