@@ -10,6 +10,7 @@
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 #include "tight/tight.hpp"
+#include "unit/prepare_operands.hpp"
 
 namespace {
 
@@ -157,6 +158,104 @@ TEST(TightPlaces, OtherMethodsRefuse) {
       EXPECT_EQ(error.code(), ErrorCode::kBadInput);
     }
   }
+}
+
+TEST(TightPlaces, PreparedOperandsAndReusedMemory) {
+  const Region sheet = frame({{{2, 2}, {2, 4}, {4, 4}, {4, 2}}}, 2);
+  const PreparedRegion p(sheet);
+  const PreparedRegion q(parse_wkt(kSquare));
+  Geometry tight;
+  Options options;
+  options.tight = &tight;
+  (void)minkowski_sum(p, q, options);
+  EXPECT_EQ(text_of(tight), "(3 3)");
+  Workspace workspace;
+  Region sum;
+  ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
+  EXPECT_EQ(text_of(tight), "(3 3)");
+  ASSERT_TRUE(minkowski_sum(q, q, options, workspace, sum).ok());
+  EXPECT_EQ(text_of(tight), "");
+  ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
+  ASSERT_TRUE(minkowski_sum(p, PreparedRegion(Region{}), options, workspace, sum).ok());
+  EXPECT_TRUE(tight.empty());
+}
+
+/// All stages' results of one sum, for the checker.
+struct Stages {
+  Options options;
+  Geometry geometry;
+  Operands operands;
+  Arrangement arrangement;
+  Loops loops;
+  FilteredLoops filtered;
+  TightPlaces places;
+
+  Stages(const Region& p, const Region& q) {
+    const std::function<void()> go_on = [] {};
+    options.tight = &geometry;
+    prepare_operands(p, q, options, operands);
+    ConvolutionScratch convolution_scratch;
+    Convolution convolution;
+    reduced_convolution(operands, options.limits, convolution_scratch, convolution);
+    CoverScratch cover_scratch;
+    Cover cover;
+    cover_interior(operands, convolution, options, cover_scratch, cover);
+    Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+    ArrangementScratch arrangement_scratch;
+    arrange(operands, convolution, cover, options, go_on, predicates, arrangement_scratch,
+            arrangement);
+    LoopScratch loop_scratch;
+    find_loops(operands, arrangement, loop_scratch, loops);
+    BoxTrees trees;
+    filter_loops(operands, arrangement, loops, go_on, predicates, trees, filtered);
+    TightScratch scratch;
+    find_tight_places(operands, arrangement, loops, filtered, go_on, predicates, trees, scratch,
+                      places);
+  }
+  [[nodiscard]] std::optional<std::string> fault() const {
+    return check(places, arrangement, loops, filtered, operands);
+  }
+};
+
+TEST(TightPlaces, CheckerRejects) {
+  // A room with a slot that ends in it, and a room that fits exactly.
+  const Region rooms = parse_wkt(
+      "POLYGON ((0 0, 20 0, 20 8, 0 8, 0 0), (2 2, 2 5, 10 5, 10 3, 5 3, 5 2, 2 2), "
+      "(14 2, 14 4, 16 4, 16 2, 14 2))");
+  const Stages good(rooms, parse_wkt(kSquare));
+  ASSERT_EQ(good.fault(), std::nullopt);
+  ASSERT_GE(good.places.slits.size(), 1U);
+  ASSERT_EQ(good.places.nodes.size(), 1U);
+  const auto fault_after = [&](auto damage) {
+    Stages s(rooms, parse_wkt(kSquare));
+    damage(s);
+    return s.fault().value_or("");
+  };
+  EXPECT_EQ(fault_after([](Stages& s) { s.places.slits.clear(); }), "a slit was misjudged");
+  EXPECT_EQ(fault_after([](Stages& s) { s.places.slits.push_back(s.places.slits[0]); }),
+            "a slit is listed twice");
+  EXPECT_EQ(fault_after([](Stages& s) { s.places.slits.push_back(1000); }), "a slit is not there");
+  EXPECT_EQ(fault_after([](Stages& s) { s.places.nodes.push_back(s.places.nodes[0]); }),
+            "a point is on the boundary or a slit, or listed twice");
+  EXPECT_EQ(fault_after([](Stages& s) {
+              s.places.nodes.push_back(s.arrangement.slits[s.places.slits[0]].to);
+            }),
+            "a point is on the boundary or a slit, or listed twice");
+  EXPECT_EQ(fault_after([](Stages& s) { s.places.nodes.push_back(100000); }),
+            "a point is not there");
+  // Most other points of the sum's inside are in the sum of the insides.
+  std::size_t not_tight = 0;
+  for (NodeId node = 0; node < good.arrangement.nodes.size(); ++node) {
+    const std::string fault = fault_after([node](Stages& s) { s.places.nodes = {node}; });
+    if (fault == "a point is not tight") ++not_tight;
+  }
+  EXPECT_GE(not_tight, 1U);
+  for (SiteId v = 0; v < good.operands.split; ++v) {
+    const SumVertex pinch{v, good.operands.split};
+    const std::string fault = fault_after([&](Stages& s) { s.places.pinches = {pinch}; });
+    if (fault == "a pinch is not tight") ++not_tight;
+  }
+  EXPECT_GE(not_tight, 2U);
 }
 
 struct Expected {
