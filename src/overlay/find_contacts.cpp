@@ -14,14 +14,20 @@ struct Item {
   SegmentId segment;
 };
 
-/// A segment's line in doubles, to cut boxes with.
+/// A segment in doubles: to cut boxes with its line, and to see which pairs are far apart.
 struct Slant {
-  double x, y;     ///< its lower end
-  double slope;    ///< dy / dx
-  double inverse;  ///< dx / dy
-  double error;    ///< of a y on it (and an x) by slope: error · (1 + |slope|)
-  bool by_x;       ///< wide enough for `slope` to be good
+  double x, y;         ///< its lower end
+  double x2, y2;       ///< its upper end
+  double dx, dy;
+  double slope;        ///< dy / dx
+  double inverse;      ///< dx / dy
+  double cut_error;    ///< of a y on it by its slope: this · (1 + |slope|), and so for x
+  double side_error;   ///< of `side`
+  bool by_x;           ///< wide enough for `slope` to be good
   bool by_y;
+
+  /// The cross product of the segment and the way from its lower end to a point.
+  [[nodiscard]] double side(double px, double py) const { return dx * (py - y) - dy * (px - x); }
 };
 
 class ContactFinder {
@@ -31,7 +37,9 @@ class ContactFinder {
         contacts_(contacts) {}
 
   void run() {
+    measure();
     slants_.reserve(segments_.list.size());
+    items_.reserve(2 * segments_.list.size());
     for (SegmentId s = 0; s < segments_.list.size(); ++s) add(s);
     add_lone_points();
     divide(0, items_.size(), 0);
@@ -48,7 +56,7 @@ class ContactFinder {
   }
 
  private:
-  static constexpr std::size_t kFew = 12;
+  static constexpr std::size_t kFew = 16;
   static constexpr int kMaxDepth = 96;
   static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
 
@@ -80,15 +88,39 @@ class ContactFinder {
       return std::max(u.value + 2 * u.error, v.value + 2 * v.error);
     };
     items_.push_back({low(a.x, b.x), high(a.x, b.x), low(a.y, b.y), high(a.y, b.y), s});
-    const double dx = b.x.value - a.x.value;
-    const double dy = b.y.value - a.y.value;
-    const double largest = std::max({std::fabs(a.x.value), std::fabs(b.x.value),
-                                     std::fabs(a.y.value), std::fabs(b.y.value)});
+    Slant slant{};
+    slant.x = a.x.value;
+    slant.y = a.y.value;
+    slant.x2 = b.x.value;
+    slant.y2 = b.y.value;
+    slant.dx = slant.x2 - slant.x;
+    slant.dy = slant.y2 - slant.y;
+    slant.slope = slant.dy / slant.dx;
+    slant.inverse = slant.dx / slant.dy;
+    const double largest = std::max({std::fabs(slant.x), std::fabs(slant.x2), std::fabs(slant.y),
+                                     std::fabs(slant.y2)});
     // Coordinates are off by 2^-52 of the largest, so over such a width a slope is off by 2^-21 of
     // itself at most, and a cut by some such errors, times the slope.
     const double enough = largest * 0x1p-30 + 0x1p-900;
-    slants_.push_back({a.x.value, a.y.value, dy / dx, dx / dy, largest * 0x1p-46 + 0x1p-900,
-                       std::fabs(dx) > enough, std::fabs(dy) > enough});
+    slant.by_x = std::fabs(slant.dx) > enough;
+    slant.by_y = std::fabs(slant.dy) > enough;
+    slant.cut_error = largest * 0x1p-46 + 0x1p-900;
+    // Any point is at most 2·extent away along each axis; it and both ends are off by
+    // `position_error`, and each of the six roundings by 2^-53.
+    const double length = std::fabs(slant.dx) + std::fabs(slant.dy);
+    slant.side_error = 16 * position_error_ * extent_ +
+                       length * (4 * position_error_ + 0x1p-49 * extent_) + 0x1p-900;
+    slants_.push_back(slant);
+  }
+
+  /// Bounds for all points.
+  void measure() {
+    for (PointId p = 0; p < segments_.sources.size(); ++p) {
+      for (const Bounded& c : {predicates_.point(p).x, predicates_.point(p).y}) {
+        extent_ = std::max(extent_, std::fabs(c.value));
+        position_error_ = std::max(position_error_, c.error);
+      }
+    }
   }
 
   /// Divides the items [begin, end) of the stack; leaves the stack as it was but for their order.
@@ -130,7 +162,7 @@ class ContactFinder {
       right += (by_x ? item.max_x : item.max_y) >= at ? 1 : 0;
     }
     const std::size_t count = end - begin;
-    if (std::max(left, right) == count || left + right > count + count / 2) return false;
+    if (std::max(left, right) == count || left + right > count + count * 2 / 5) return false;
     for (const bool low : {true, false}) {
       const std::size_t first = items_.size();
       for (std::size_t i = begin; i < end; ++i) {
@@ -151,7 +183,7 @@ class ContactFinder {
     const Slant& slant = slants_[item.segment];
     if (!slant.by_x) return true;
     const double y = slant.y + (at - slant.x) * slant.slope;
-    const double error = slant.error * (1 + std::fabs(slant.slope));
+    const double error = slant.cut_error * (1 + std::fabs(slant.slope));
     // A rising segment is lower on the left.
     if ((slant.slope > 0) == low) {
       item.max_y = std::min(item.max_y, y + error);
@@ -167,7 +199,7 @@ class ContactFinder {
     const Slant& slant = slants_[item.segment];
     if (!slant.by_y) return true;
     const double x = slant.x + (at - slant.y) * slant.inverse;
-    const double error = slant.error * (1 + std::fabs(slant.inverse));
+    const double error = slant.cut_error * (1 + std::fabs(slant.inverse));
     if ((slant.inverse > 0) == low) {
       item.max_x = std::min(item.max_x, x + error);
     } else {
@@ -186,10 +218,21 @@ class ContactFinder {
       const Item a = items_[i];
       for (std::size_t j = i + 1; j < end && items_[j].min_x <= a.max_x; ++j) {
         const Item& b = items_[j];
-        if (b.min_y <= a.max_y && a.min_y <= b.max_y) test(a.segment, b.segment);
+        if (b.min_y > a.max_y || a.min_y > b.max_y) continue;
+        if (beside(slants_[a.segment], slants_[b.segment])) continue;
+        if (beside(slants_[b.segment], slants_[a.segment])) continue;
+        test(a.segment, b.segment);
       }
       if (end - begin > 1024) cancellation_.check();
     }
+  }
+
+  /// Whether all of t is certainly on one side of the line of s.
+  [[nodiscard]] static bool beside(const Slant& s, const Slant& t) {
+    const double low = s.side(t.x, t.y);
+    const double high = s.side(t.x2, t.y2);
+    return (low > s.side_error && high > s.side_error) ||
+           (low < -s.side_error && high < -s.side_error);
   }
 
   void test(SegmentId s, SegmentId t) {
@@ -252,6 +295,8 @@ class ContactFinder {
   const Predicates& predicates_;
   Cancellation& cancellation_;
   Contacts& contacts_;
+  double extent_ = 0;          // of coordinates, from the origin
+  double position_error_ = 0;  // of coordinates
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
   std::size_t look_again_at_ = kMaxCrossings;
