@@ -134,6 +134,12 @@ void find_contacts(const Segments& segments,
 void sweep(const Segments& segments, Inside inside,
            Cancellation& cancellation, Subdivision& subdivision);
 
+/// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them
+/// counter-clockwise, and both neighbours of a face agree on it; what is wrong, if not. Every pair
+/// of pieces is looked at: for tests.
+[[nodiscard]] std::optional<std::string> check(const Segments& segments,
+                                               const Subdivision& subdivision);
+
 /// The closed area, in canonical form.
 void extract_area(const Segments& segments,
                   const Subdivision& subdivision, Region& area);

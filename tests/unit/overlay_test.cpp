@@ -1,0 +1,174 @@
+// Fill rules and boolean operations on shapes that one can draw.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "minksum/boolean.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/resolve.hpp"
+#include "support/messes.hpp"
+#include "support/shapes.hpp"
+
+namespace {
+
+using namespace minksum;
+using test::make_polygon;
+using test::make_region;
+using test::rectangle;
+
+Geometry resolved(const Region& region, FillRule rule = FillRule::kAutomatic,
+                  bool regularize = false) {
+  ResolveOptions options;
+  options.fill = rule;
+  options.regularize = regularize;
+  return resolve({region, {}, {}}, options);
+}
+
+Point point(const Rational& x, const Rational& y) { return {x, y}; }
+
+TEST(Resolve, BowTieCrossesAtAFraction) {
+  const Region bow_tie = make_polygon({{0, 0}, {3, 2}, {3, 0}, {0, 1}});
+  const Geometry result = resolved(bow_tie);
+  ASSERT_EQ(result.region.polygon_count(), 2U);
+  EXPECT_EQ(result.region.polygon(0).outer[1], point(1, Rational(2, 3)));
+  EXPECT_FALSE(result.has_thin_parts());
+  EXPECT_EQ(resolved(bow_tie, FillRule::kEvenOdd), result);
+}
+
+TEST(Resolve, PentagramByRule) {
+  const Region star = make_polygon({{0, 30}, {18, -24}, {-29, 9}, {29, 9}, {-18, -24}});
+  const Region hull = resolved(star, FillRule::kNonZero).region;
+  EXPECT_EQ(hull.hole_count(), 0U);
+  EXPECT_EQ(hull.vertex_count(), 10U);
+  EXPECT_EQ(resolved(star, FillRule::kEvenOdd).region.polygon_count(), 5U);
+  EXPECT_EQ(resolved(star, FillRule::kNegative).region, hull);  // it runs clockwise
+  const Geometry positive = resolved(star, FillRule::kPositive);
+  EXPECT_TRUE(positive.region.empty());
+  EXPECT_TRUE(positive.has_thin_parts());  // the ring's own points
+  EXPECT_TRUE(resolved(star, FillRule::kPositive, true).empty());
+}
+
+TEST(Resolve, SpikesAndCollapsedRings) {
+  // A square with an antenna from its side, one into its inside, and a ring that is a segment.
+  const Region region = make_region(
+      {{{{0, 0}, {2, 0}, {2, 1}, {4, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {1, 2}, {0, 2}}},
+       {{{7, 0}, {9, 0}, {8, 0}}},
+       {{{5, 5}, {5, 5}}}});
+  const Geometry result = resolved(region);
+  EXPECT_EQ(result.region, rectangle(0, 0, 2, 2));
+  ASSERT_EQ(result.polylines.size(), 2U);
+  EXPECT_EQ(result.polylines[0], (Polyline{{2, 1}, {4, 1}}));
+  EXPECT_EQ(result.polylines[1], (Polyline{{7, 0}, {9, 0}}));
+  EXPECT_EQ(result.points, (std::vector<Point>{{5, 5}}));
+  const Geometry regular = resolved(region, FillRule::kAutomatic, true);
+  EXPECT_EQ(regular.region, result.region);
+  EXPECT_FALSE(regular.has_thin_parts());
+}
+
+TEST(Resolve, AntennaThroughAHole) {
+  const Region region =
+      make_polygon({{0, 0}, {6, 0}, {6, 3}, {-1, 3}, {6, 3}, {6, 6}, {0, 6}},
+                   {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}});
+  const Geometry result = resolved(region);
+  EXPECT_EQ(result.region.hole_count(), 1U);
+  EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}, {{2, 3}, {4, 3}}}));
+}
+
+TEST(Resolve, PolylinesAndPoints) {
+  Geometry geometry;
+  geometry.polylines = {{{0, 0}, {1, 0}, {2, 0}, {2, 2}}, {{2, 2}, {0, 2}, {0, 0}},
+                        {{9, 0}, {5, 0}}, {{7, -1}, {7, 1}}, {{3, 3}, {3, 3}}};
+  geometry.points = {{8, 0}, {2, 1}, {4, 4}, {4, 4}};
+  const Geometry result = resolve(geometry);
+  const std::vector<Polyline> expected = {
+      {{0, 0}, {0, 2}, {2, 2}, {2, 0}, {0, 0}},  // closed, towards the smaller neighbour
+      {{5, 0}, {7, 0}}, {{7, -1}, {7, 0}}, {{7, 0}, {7, 1}}, {{7, 0}, {9, 0}}};
+  EXPECT_EQ(result.polylines, expected);
+  EXPECT_EQ(result.points, (std::vector<Point>{{3, 3}, {4, 4}}));
+}
+
+TEST(Resolve, StrictNamesThePlace) {
+  EXPECT_NO_THROW(resolved(rectangle(0, 0, 1, 1), FillRule::kStrict));
+  try {
+    resolved(make_region({{{{0, 0}, {1, 0}, {0, 1}}}, {{{5, 0}, {8, 2}, {8, 0}, {5, 1}}}}),
+             FillRule::kStrict);
+    FAIL() << "a bow tie was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.culprit().polygon, 1U);
+    EXPECT_NE(error.culprit().vertex, Culprit::kNone);
+  }
+}
+
+TEST(Resolve, AnyMagnitude) {
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  const double huge = 1.7e308;
+  const double tiny = 5e-324;
+  for (const auto& [x, y] : {std::pair{-huge, -huge}, {huge, tiny}, {huge, -huge}, {-huge, huge}}) {
+    region.add_vertex(x, y);
+  }
+  const Geometry result = resolved(region);
+  EXPECT_EQ(result.region.polygon_count(), 2U);
+  EXPECT_EQ(resolved(result.region, FillRule::kStrict), result);
+}
+
+TEST(Resolve, Cancelled) {
+  ResolveOptions options;
+  options.cancel.emplace();
+  options.cancel->cancel();
+  try {
+    (void)resolve({rectangle(0, 0, 1, 1), {}, {}}, options);
+    FAIL() << "it went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kCancelled);
+  }
+}
+
+TEST(Resolve, NamesOfRules) {
+  EXPECT_STREQ(to_string(FillRule::kEvenOdd), "evenodd");
+  EXPECT_STREQ(to_string(FillRule::kStrict), "strict");
+}
+
+TEST(Boolean, TwoSquares) {
+  const Region a = rectangle(0, 0, 2, 2);
+  const Region b = rectangle(1, 1, 3, 3);
+  EXPECT_EQ(intersect(a, b), rectangle(1, 1, 2, 2));
+  EXPECT_EQ(area(unite(a, b)), 7);
+  EXPECT_EQ(subtract(a, b),
+            make_polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
+  EXPECT_EQ(symmetric_difference(a, b).polygon_count(), 2U);
+  EXPECT_TRUE(contains(a, rectangle(0, 0, 1, 1)));
+  EXPECT_FALSE(contains(a, b));
+  EXPECT_TRUE(contains(a, Region()));
+  EXPECT_TRUE(intersect(a, rectangle(2, 0, 3, 2)).empty());  // a common side has no area
+  EXPECT_EQ(unite(a, rectangle(2, 0, 3, 2)), rectangle(0, 0, 3, 2));
+}
+
+TEST(Boolean, HolesAndIslands) {
+  const Region frame =
+      make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {6, 3}, {6, 6}, {3, 6}}});
+  const Region rest = subtract(rectangle(0, 0, 9, 9), frame);
+  EXPECT_EQ(rest, rectangle(3, 3, 6, 6));
+  EXPECT_EQ(unite(frame, rest), rectangle(0, 0, 9, 9));
+  const Region island = unite(frame, rectangle(4, 4, 5, 5));
+  EXPECT_EQ(island.polygon_count(), 2U);
+  EXPECT_EQ(symmetric_difference(rectangle(0, 0, 9, 9), rest), unite(frame, frame));
+}
+
+TEST(Boolean, UnionOfThinAndThick) {
+  const std::vector<Geometry> all = {{rectangle(0, 0, 2, 2), {}, {}},
+                                     {{}, {{{-1, 1}, {5, 1}}}, {{1, 1}, {5, 5}}},
+                                     {rectangle(4, 0, 6, 2), {}, {}}};
+  const Geometry result = unite(all);
+  EXPECT_EQ(result.region.polygon_count(), 2U);
+  EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 1}, {0, 1}}, {{2, 1}, {4, 1}}}));
+  EXPECT_EQ(result.points, (std::vector<Point>{{5, 5}}));
+}
+
+TEST(Boolean, ResultsHaveNoOrigins) {
+  EXPECT_FALSE(unite(rectangle(0, 0, 2, 2), rectangle(1, 1, 3, 3)).has_origins());
+}
+
+}  // namespace
