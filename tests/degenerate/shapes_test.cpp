@@ -50,6 +50,7 @@ void expect_agreement(const std::string& a, const std::string& b, std::size_t& s
     const Geometry resolved_p = reference::brute_force_resolve(p, FillRule::kAutomatic);
     const Geometry resolved_q = reference::brute_force_resolve(q, FillRule::kAutomatic);
     if (is_too_much(resolved_p, resolved_q)) {
+      std::cout << a << " and " << b << ": too many pieces for brute force\n";
       ++skipped;
       return;
     }
@@ -85,7 +86,7 @@ TEST(DegenerateShapes, ListedPairsAgree) {
     expect_agreement(name("A"), name("B"), skipped);
     ++count;
   }
-  std::cout << count << " pairs, " << skipped << " of them without brute force: too long\n";
+  std::cout << count << " pairs, " << skipped << " of them without brute force\n";
   EXPECT_GT(count, 100U);
 }
 
@@ -102,7 +103,7 @@ TEST(DegenerateShapes, EachWithTenOthersAgrees) {
       ++count;
     }
   }
-  std::cout << count << " pairs, " << skipped << " of them without brute force: too long\n";
+  std::cout << count << " pairs, " << skipped << " of them without brute force\n";
 }
 
 }  // namespace

@@ -1,0 +1,184 @@
+// The sum of geometries as a call: how operands are read, what is refused, what is reported.
+#include <gtest/gtest.h>
+
+#include "minksum/minkowski_sum.hpp"
+#include "support/geometries.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+const Region kBowTie = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+const Region kSquare = rectangle(0, 0, 2, 2);
+
+Options with_fill(FillRule rule) {
+  Options options;
+  options.fill = rule;
+  return options;
+}
+
+TEST(GeometrySum, OriginsAreThereIfOperandsAreUsedAsGiven) {
+  const Geometry square{kSquare, {}, {}};
+  const Geometry sum = minkowski_sum(square, square);
+  EXPECT_TRUE(sum.region.has_origins());
+  EXPECT_EQ(sum.region, minkowski_sum(kSquare, kSquare));
+  EXPECT_FALSE(minkowski_sum(Geometry{kBowTie, {}, {}}, square).region.has_origins());
+  EXPECT_FALSE(minkowski_sum(square, make_lines({{{0, 0}, {1, 3}}})).region.has_origins());
+  EXPECT_FALSE(minkowski_sum(square, make_lines({}, {{0, 0}})).region.has_origins());
+  EXPECT_FALSE(
+      minkowski_sum(square, square, with_fill(FillRule::kNonZero)).region.has_origins());
+}
+
+TEST(GeometrySum, FillRulesSayWhatRingsMean) {
+  // Two rings of one direction, one in the other: a hole by parity, none by winding.
+  Region nested;
+  nested.begin_polygon();
+  for (const std::int64_t k : {0, 3}) {
+    nested.begin_ring();
+    for (const auto& [x, y] : Outline{{k, k}, {9 - k, k}, {9 - k, 9 - k}, {k, 9 - k}}) {
+      nested.add_vertex(x, y);
+    }
+  }
+  const Geometry p{nested, {}, {}};
+  const Geometry q{rectangle(0, 0, 1, 1), {}, {}};
+  const Region solid = rectangle(0, 0, 10, 10);
+  const Region hollow =
+      make_polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}});
+  const auto sum = [&](FillRule rule) { return to_text(minkowski_sum(p, q, with_fill(rule))); };
+  EXPECT_EQ(sum(FillRule::kNonZero), to_text(solid));
+  EXPECT_EQ(sum(FillRule::kPositive), to_text(solid));
+  EXPECT_EQ(sum(FillRule::kEvenOdd), to_text(hollow));
+  EXPECT_EQ(sum(FillRule::kAutomatic), to_text(hollow));
+  EXPECT_EQ(sum(FillRule::kStrict), to_text(hollow));
+}
+
+TEST(GeometrySum, SpikesAreSweptUnlessRegularized) {
+  const Geometry spiked{make_polygon({{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}}), {}, {}};
+  const Geometry unit{rectangle(0, 0, 1, 1), {}, {}};
+  EXPECT_EQ(to_text(minkowski_sum(spiked, unit)),
+            to_text(make_polygon({{0, 0}, {10, 0}, {10, 1}, {5, 1}, {5, 5}, {0, 5}})));
+  Options options;
+  options.regularize = true;
+  EXPECT_EQ(to_text(minkowski_sum(spiked, unit, options)), to_text(rectangle(0, 0, 5, 5)));
+}
+
+TEST(GeometrySum, ThinSumsAreResolved) {
+  const Geometry cross = minkowski_sum(make_lines({{{0, 0}, {4, 0}}}, {{0, 9}, {1, 9}}),
+                                       make_lines({{{0, 0}, {2, 0}}, {{0, 0}, {0, 1}}}));
+  // A rectangle, with what sticks out of it, and the points' translates above.
+  EXPECT_EQ(to_text(cross),
+            "MULTIPOLYGON (((0 0, 4 0, 4 1, 0 1, 0 0))) LINESTRING (0 10, 0 9, 1 9) "
+            "LINESTRING (1 9, 1 10) LINESTRING (1 9, 3 9) LINESTRING (4 0, 6 0)");
+}
+
+TEST(GeometrySum, StrictRefusesWithThePlace) {
+  const Geometry square{kSquare, {}, {}};
+  const Geometry bow_tie{kBowTie, {}, {}};
+  Workspace workspace;
+  Geometry sum = square;
+  const Options strict = with_fill(FillRule::kStrict);
+  for (const int operand : {0, 1}) {
+    const Outcome outcome = minkowski_sum(operand == 0 ? bow_tie : square,
+                                          operand == 0 ? square : bow_tie, strict, workspace, sum);
+    ASSERT_FALSE(outcome.ok());
+    EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
+    EXPECT_EQ(outcome.error->culprit().operand, operand);
+    EXPECT_EQ(outcome.error->culprit().ring, 0U);
+    EXPECT_TRUE(sum.empty());
+  }
+  // Beside an empty operand as well; and thin parts are no fault.
+  EXPECT_FALSE(minkowski_sum(bow_tie, Geometry{}, strict, workspace, sum).ok());
+  Geometry flagged = square;
+  flagged.polylines = make_lines({{{2, 2}, {5, 2}}}).polylines;
+  ASSERT_TRUE(minkowski_sum(flagged, square, strict, workspace, sum).ok());
+  EXPECT_EQ(to_text(sum), to_text(make_polygon(
+                              {{0, 0}, {4, 0}, {4, 2}, {7, 2}, {7, 4}, {0, 4}})));
+}
+
+TEST(GeometrySum, AWorkspaceServesAllKindsInTurn) {
+  const std::vector<Geometry> operands{{kSquare, {}, {}},
+                                       {kBowTie, {}, {}},
+                                       make_lines({{{0, 0}, {3, 1}, {4, 5}}}, {{8, 8}}),
+                                       make_lines({{{0, 0}, {5, 0}}}),
+                                       make_lines({}, {{1, 2}, {3, 3}}),
+                                       {}};
+  Workspace workspace;
+  Geometry sum;
+  for (const Geometry& p : operands) {
+    for (const Geometry& q : operands) {
+      ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, sum).ok());
+      EXPECT_EQ(to_text(sum), to_text(minkowski_sum(p, q)));
+      EXPECT_EQ(sum.empty(), p.empty() || q.empty());
+    }
+  }
+}
+
+TEST(GeometrySum, LimitsHoldForThinPartsToo) {
+  Options options;
+  options.limits.max_segments = 3;
+  Workspace workspace;
+  Geometry sum;
+  const Geometry square{kSquare, {}, {}};
+  const Geometry zig = make_lines({{{0, 0}, {3, 1}, {0, 2}, {3, 3}}});
+  const Geometry across = make_lines({{{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}});
+  const Geometry dots = make_lines({}, {{0, 0}, {5, 5}, {9, 9}});
+  for (const auto& [p, q] : {std::pair{square, zig}, {zig, zig}, {across, across}, {square, dots},
+                             {dots, zig}}) {
+    for (const Method method : {Method::kReduced, Method::kSigned}) {
+      options.method = method;
+      const Outcome outcome = minkowski_sum(p, q, options, workspace, sum);
+      ASSERT_FALSE(outcome.ok()) << to_text(p) << ' ' << to_text(q);
+      EXPECT_EQ(outcome.error->code(), ErrorCode::kLimitExceeded);
+      EXPECT_TRUE(sum.empty());
+    }
+  }
+}
+
+TEST(GeometrySum, StopsWhenAsked) {
+  Options options;
+  options.cancel.emplace();
+  options.cancel->cancel();
+  Workspace workspace;
+  Geometry sum;
+  const Geometry lines = make_lines({{{0, 0}, {3, 1}}});
+  const std::vector<Geometry> operands{{kSquare, {}, {}}, {kBowTie, {}, {}}, lines,
+                                       make_lines({}, {{1, 1}})};
+  for (const Geometry& p : operands) {
+    const Outcome outcome = minkowski_sum(p, lines, options, workspace, sum);
+    ASSERT_FALSE(outcome.ok()) << to_text(p);
+    EXPECT_EQ(outcome.error->code(), ErrorCode::kCancelled);
+  }
+}
+
+TEST(GeometrySum, ThinPartsCoverTightPlaces) {
+  const Region framed = make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}},
+                                     {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}});
+  const Geometry square{rectangle(-1, -1, 1, 1), {}, {}};
+  Geometry tight;
+  Options options;
+  options.tight = &tight;
+  const Region filled = rectangle(-1, -1, 7, 7);
+  EXPECT_EQ(minkowski_sum(Geometry{framed, {}, {}}, square, options).region, filled);
+  EXPECT_EQ(to_text(tight), to_text(make_lines({}, {{3, 3}})));
+  // A point in the hole is in the way; one that is far away is not.
+  for (const auto& [x, covers] : {std::pair{3, true}, {20, false}}) {
+    const Geometry with_point{framed, {}, {Point{x, 3}}};
+    EXPECT_EQ(minkowski_sum(with_point, square, options).region.polygon_count(), covers ? 1U : 2U);
+    EXPECT_EQ(tight.points.size(), covers ? 0U : 1U);
+  }
+}
+
+TEST(GeometrySum, StatisticsAreThoseOfTheAreas) {
+  Statistics statistics;
+  Options options;
+  options.statistics = &statistics;
+  Geometry flagged{kSquare, make_lines({{{2, 2}, {5, 2}}}).polylines, {}};
+  static_cast<void>(minkowski_sum(flagged, flagged, options));
+  EXPECT_EQ(statistics.convolution_segments, 8U);
+  EXPECT_GT(statistics.seconds, 0);
+  static_cast<void>(minkowski_sum(make_lines({{{0, 0}, {5, 2}}}), flagged, options));
+  EXPECT_EQ(statistics.convolution_segments, 0U);
+}
+
+}  // namespace
