@@ -22,6 +22,7 @@ class ContactFinder {
         faults_(faults) {}
 
   void find_contacts() {
+    scratch_.touches.clear();
     Vec<double> extent{};
     for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
@@ -198,7 +199,8 @@ class ContactFinder {
     if (ring_of(e) == ring_of(v)) return report("ring touches itself", v);
     const Sign before = predicates_.orientation(e, e1, o_.previous[v]);
     const Sign after = predicates_.orientation(e, e1, o_.sites.next[v]);
-    if (before * after == kNegative) report("rings cross", v);
+    if (before * after == kNegative) return report("rings cross", v);
+    scratch_.touches.push_back({v, e, false});
   }
 
   void touch_at_vertices(SiteId v, SiteId w) {
@@ -208,8 +210,9 @@ class ContactFinder {
     }
     // Both edges of w must leave into the same of the two sectors between the edges of v.
     if (left_of(v, w, kPositive) != left_of(v, o_.previous[w], kNegative)) {
-      report("rings cross", std::min(v, w));
+      return report("rings cross", std::min(v, w));
     }
+    scratch_.touches.push_back({v, w, true});
   }
   /// Whether the direction of `edge` (reversed for kNegative) points into the sector left of v.
   bool left_of(SiteId v, SiteId edge, Sign sense) {

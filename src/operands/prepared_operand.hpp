@@ -32,6 +32,13 @@ struct KeyedEdge {
 };
 inline constexpr double kKeyError = 0x1p-48;
 
+/// A vertex of one ring that lies on another: on the edge `other`, or on the vertex `other`.
+struct RingTouch {
+  SiteId vertex;
+  SiteId other;
+  bool at_vertex;
+};
+
 /// Memory that preparing needs in passing, kept from call to call.
 struct OperandScratch {
   std::vector<SiteId> all;  ///< 0, 1, 2, ...
@@ -47,6 +54,7 @@ struct OperandScratch {
   std::vector<SiteId> stamp;       ///< by edge: the ring that last asked for it
   std::vector<std::size_t> around;  ///< rings
   std::vector<std::size_t> on;
+  std::vector<RingTouch> touches;  ///< where rings touch without crossing; may repeat itself
 };
 
 /// All that can be known of an operand before the other one is.
