@@ -18,7 +18,7 @@ enum class RoundingSide {
 
 struct RoundOptions {
   RoundingSide side = RoundingSide::kNearest;
-  /// Digits after the point; without it, to doubles.
+  /// Digits after the point, 0 to 4096; without it, to doubles.
   std::optional<int> decimals;
   std::optional<CancelToken> cancel;
 };
@@ -26,21 +26,34 @@ struct RoundOptions {
 /// What rounding did.
 struct RoundingReport {
   bool exact = false;          ///< nothing had to be rounded
-  bool snapped = false;        ///< coordinate by coordinate would not have been valid, or not safe
+  bool snapped = false;        ///< vertex by vertex would not have been valid, or not safe
   bool topology_kept = false;  ///< as many polygons, each with as many holes, as the exact region
-  double largest_move = 0;     ///< of the boundary, rounded up: no point of either is further off
+  /// No boundary point of the result is farther than this from the exact boundary, and no point
+  /// farther from either that belongs to one of the two regions only. Rounded up.
+  double largest_move = 0;
   double bound = 0;            ///< what `largest_move` cannot exceed
 };
 
-/// A region whose coordinates are doubles, or decimals with so many digits; valid by OGC's rules.
+/// A region whose coordinates are doubles, or decimals with so many digits; valid by OGC's rules, and
+/// canonical (see Region). The exact one must be legal (see `validate`).
 ///
-/// With kNearest every coordinate is the nearest one by itself, if that keeps the region valid and its
-/// topology; else the boundary is snap-rounded (Hobby 1999; Guibas, Marimont 1998): every vertex and
-/// every crossing to the nearest point of a uniform grid, and edges to the rounded vertices that they
-/// pass, so that nothing crosses; what collapses is dropped. `bound` says how far that can move.
-/// kOutside and kInside grow or shrink the region by as little as makes the rounding safe.
-/// Thin parts of a geometry are rounded to the nearest, whatever the side.
-/// Throws Error: kBadInput if a coordinate is beyond the doubles, kCancelled.
+/// Let u be a decimal step, or the last place of the coordinates' largest as a double.
+/// - kNearest: every coordinate to the nearest by itself, if that keeps the region valid and rings as
+///   they are oriented: `bound` is u/√2. Else the boundary is snap-rounded (Hobby 1999; Guibas,
+///   Marimont 1998): vertices to the nearest points of a grid of step u, and edges to the rounded
+///   vertices that they pass closely, so that nothing crosses; what collapses goes. `bound` is the
+///   same.
+/// - kOutside, kInside: every vertex that has to move goes to a corner of its cell of the target,
+///   chosen such that no edge moves inwards (outwards), if there is such a choice and the region
+///   stays valid. Vertices that are of the target stay. Else the region is grown (shrunk) by u/2
+///   along each axis and snap-rounded. `bound` is u·√2.
+///
+/// Thin parts of a geometry are rounded to the nearest, whatever the side; where they meet a region
+/// that moves, or one another, all is snap-rounded together. The geometry must be resolved.
+///
+/// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum with a
+/// square (for a side) and of `resolve`. Throws Error: kBadInput if the region is not legal, or a
+/// coordinate or its rounded value is beyond the doubles; kLimitExceeded; kCancelled.
 [[nodiscard]] Region round(const Region& region, const RoundOptions& options = {},
                            RoundingReport* report = nullptr);
 [[nodiscard]] Geometry round(const Geometry& geometry, const RoundOptions& options = {},

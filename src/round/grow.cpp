@@ -1,0 +1,34 @@
+#include "round/grow.hpp"
+
+#include "minksum/boolean.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/minkowski_sum.hpp"
+
+namespace minksum {
+namespace {
+
+Region box(const Point& low, const Point& high) {
+  Polygon polygon;
+  polygon.outer = {low, {high.x, low.y}, high, {low.x, high.y}};
+  return Region(polygon);
+}
+
+Region square(const Rational& half) { return box({-half, -half}, {half, half}); }
+
+}  // namespace
+
+Region grown(const Region& region, const Rational& half) {
+  return minkowski_sum(region, square(half));
+}
+
+Region shrunk(const Region& region, const Rational& half) {
+  const auto around = bounding_box(region);
+  if (!around) return {};
+  // Any frame will do that the region does not touch.
+  const Rational margin = half + half;
+  const Region frame = box({around->min.x - margin, around->min.y - margin},
+                           {around->max.x + margin, around->max.y + margin});
+  return subtract(frame, grown(subtract(frame, region), half));
+}
+
+}  // namespace minksum

@@ -1,0 +1,20 @@
+// A region made larger or smaller by half a step of a grid.
+#pragma once
+
+#include "minksum/region.hpp"
+
+namespace minksum {
+
+/// region ⊕ B, where B is the square |x| ≤ half, |y| ≤ half. Every boundary point of the result has
+/// at least the distance `half` from every point of the region, and more than that from every inner
+/// point, in the metric of the larger difference of coordinates. So if boundary points then move by
+/// at most `half` along each axis, in straight lines, none passes an inner point of the region, its
+/// winding number stays 1, and what the moved rings enclose contains the region.
+[[nodiscard]] Region grown(const Region& region, const Rational& half);
+
+/// The closure of the points x with x ⊕ B in the region: the complement of its grown complement. What
+/// was said of the latter's boundary is true here of points outside the region: moved rings enclose
+/// none of them.
+[[nodiscard]] Region shrunk(const Region& region, const Rational& half);
+
+}  // namespace minksum

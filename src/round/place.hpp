@@ -1,0 +1,67 @@
+// Coordinates as they are rounded: to a double, or to an integer number of decimal steps.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "minksum/region.hpp"
+#include "region/rational_access.hpp"
+
+namespace minksum {
+
+/// What coordinates are rounded to: doubles, or multiples of 10^-decimals.
+struct Target {
+  std::optional<int> decimals;
+
+  [[nodiscard]] bool is_decimal() const { return decimals.has_value(); }
+  /// The unit of `Place` and of `RoundedVertex::off`: 1, or one decimal step.
+  [[nodiscard]] Rational unit() const;
+};
+
+/// A coordinate of the target, in its unit.
+struct Place {
+  double value = 0;  ///< itself; of a decimal, the double nearest to `integer`
+  BigInt integer;    ///< of a decimal only
+};
+
+/// A vertex, where it goes, and how far that is.
+struct RoundedVertex {
+  Place x;
+  Place y;
+  /// Exact less rounded, in the target's unit: the nearest double, but 0 only if there is no
+  /// difference.
+  double off_x = 0;
+  double off_y = 0;
+  [[nodiscard]] bool moved() const { return off_x != 0 || off_y != 0; }
+};
+
+/// One for each vertex of a region.
+using RoundedVertices = std::vector<RoundedVertex>;
+
+/// Every coordinate to the nearest of the target, ties to even. O(n). Throws Error(kBadInput) naming
+/// the vertex if a coordinate is beyond the doubles, and those are the target.
+[[nodiscard]] RoundedVertices round_vertices(const Region& region, const Target& target);
+
+/// The same for one coordinate; infinite if it is beyond the doubles.
+[[nodiscard]] Place nearest_place(const Rational& value, const Target& target);
+
+/// The number that a place means.
+[[nodiscard]] Rational value_of(const Place& place, const Target& target);
+/// The place next to this one, up or down. Beyond the largest double comes infinity.
+[[nodiscard]] Place next_place(const Place& place, bool up, const Target& target);
+
+/// Appends a vertex.
+void add_vertex(Region& region, const Place& x, const Place& y, const Target& target);
+/// A region of the same rings with the rounded vertices.
+[[nodiscard]] Region with_vertices(const Region& region, const RoundedVertices& vertices,
+                                   const Target& target);
+
+/// How far any vertex is from its place, rounded up.
+[[nodiscard]] double largest_move(const RoundedVertices& vertices, const Target& target);
+/// A double that is no less than a length computed in doubles with a relative error below 2^-50.
+[[nodiscard]] double rounded_up(double length);
+/// A double that is no less than the number.
+[[nodiscard]] double rounded_up(const Rational& value);
+
+}  // namespace minksum

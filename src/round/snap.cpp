@@ -1,0 +1,185 @@
+#include "round/snap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "minksum/resolve.hpp"
+#include "round/hot_pixels.hpp"
+
+namespace minksum {
+namespace {
+
+Rational power_of_two(int exponent) {
+  const BigInt power = BigInt(1) << static_cast<unsigned>(std::abs(exponent));
+  return exponent < 0 ? RationalAccess::make_reduced(1, power)
+                      : RationalAccess::make_reduced(power, 1);
+}
+
+Rational magnitude(const Rational& value) { return value.sign() < 0 ? -value : value; }
+
+template <class Visit>
+void for_each_point(const Geometry& geometry, Visit visit) {
+  for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) visit(geometry.region.point(v));
+  for (const Polyline& line : geometry.polylines) std::for_each(line.begin(), line.end(), visit);
+  std::for_each(geometry.points.begin(), geometry.points.end(), visit);
+}
+
+class Snapper {
+ public:
+  Snapper(const Geometry& geometry, const SnapGrid& grid, const std::optional<CancelToken>& cancel)
+      : geometry_(geometry), grid_(grid), cancel_(cancel), points_(points_of(geometry, grid)),
+        pixels_(points_) {}
+
+  Snapped run() {
+    Snapped result;
+    ResolveOptions options;
+    options.cancel = cancel_;
+    options.fill = FillRule::kPositive;
+    options.regularize = true;
+    Geometry areas;
+    areas.region = snapped_rings();
+    result.geometry.region = resolve(areas, options).region;
+    if (geometry_.has_thin_parts()) {
+      snap_thin_parts(result.geometry);
+      options.fill = FillRule::kAutomatic;
+      options.regularize = false;
+      result.geometry = resolve(result.geometry, options);
+    }
+    measure(result);
+    return result;
+  }
+
+ private:
+  static std::vector<SnapPoint> points_of(const Geometry& geometry, const SnapGrid& grid) {
+    std::vector<SnapPoint> points;
+    const Rational steps = Rational(1) / grid.step();
+    for_each_point(geometry, [&](const Point& p) {
+      points.push_back(snap_point(p.x * steps, p.y * steps));
+    });
+    return points;
+  }
+
+  /// Every ring as a polygon of its own: only winding numbers count.
+  Region snapped_rings() {
+    Region rings;
+    const Region& region = geometry_.region;
+    for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
+      const IndexRange vertices = region.vertices_of(ring);
+      chain_.clear();
+      for (const std::size_t v : vertices) {
+        extend_chain(v, v + 1 == vertices.front() + vertices.size() ? vertices.front() : v + 1);
+      }
+      chain_.pop_back();
+      if (chain_.size() < 3) continue;  // a point, or an edge there and back
+      rings.begin_polygon();
+      rings.begin_ring();
+      for (const PixelId pixel : chain_) {
+        add_vertex(rings, place(pixels_.centre(pixel).x), place(pixels_.centre(pixel).y),
+                   grid_.target);
+      }
+    }
+    return rings;
+  }
+
+  void snap_thin_parts(Geometry& result) {
+    std::size_t next = geometry_.region.vertex_count();
+    for (const Polyline& line : geometry_.polylines) {
+      chain_.clear();
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) extend_chain(next + i, next + i + 1);
+      next += line.size();
+      if (chain_.size() < 2) {
+        if (!chain_.empty()) result.points.push_back(centre(chain_[0]));
+        continue;
+      }
+      Polyline snapped;
+      for (const PixelId pixel : chain_) snapped.push_back(centre(pixel));
+      result.polylines.push_back(std::move(snapped));
+    }
+    for (std::size_t i = 0; i < geometry_.points.size(); ++i) {
+      result.points.push_back(centre(pixels_.pixel_of(next + i)));
+    }
+  }
+
+  /// Appends what the edge between two points becomes; a pixel that the chain is at already is not
+  /// repeated.
+  void extend_chain(std::size_t a, std::size_t b) {
+    if (cancel_ && cancel_->cancelled()) {
+      throw Error(ErrorCode::kCancelled, "cancelled", {}, "round");
+    }
+    pixels_.list_met(points_[a], a, points_[b], b, met_);
+    const bool apart = pixels_.pixel_of(a) != pixels_.pixel_of(b);
+    bent_ |= met_.size() > (apart ? 2U : 1U);
+    for (const PixelId pixel : met_) {
+      if (chain_.empty() || chain_.back() != pixel) chain_.push_back(pixel);
+    }
+  }
+
+  [[nodiscard]] Place place(const BigInt& centre) const {
+    Place place;
+    if (grid_.target.is_decimal()) {
+      place.integer = centre;
+      return place;
+    }
+    const auto steps = static_cast<double>(static_cast<std::int64_t>(centre));
+    place.value = std::ldexp(steps, grid_.exp2);
+    if (!std::isfinite(place.value)) {
+      throw Error(ErrorCode::kBadInput, "a rounded coordinate is beyond the largest double");
+    }
+    return place;
+  }
+  [[nodiscard]] Point centre(PixelId pixel) const {
+    const Vec<BigInt>& centre = pixels_.centre(pixel);
+    return {value_of(place(centre.x), grid_.target), value_of(place(centre.y), grid_.target)};
+  }
+
+  void measure(Snapped& result) const {
+    double steps = bent_ ? rounded_up(std::sqrt(0.5)) : 0;
+    for (const SnapPoint& p : points_) {
+      if (p.offset.x.sign() == 0 && p.offset.y.sign() == 0) continue;
+      steps = std::max(steps, rounded_up(std::hypot(p.near_offset.x, p.near_offset.y)));
+    }
+    result.exact = steps == 0;
+    if (!result.exact) result.largest_move = rounded_up(steps * rounded_up(grid_.step()));
+  }
+
+  const Geometry& geometry_;
+  const SnapGrid& grid_;
+  const std::optional<CancelToken>& cancel_;
+  std::vector<SnapPoint> points_;  ///< of the region, the polylines, the points
+  HotPixels pixels_;
+  std::vector<PixelId> met_;
+  std::vector<PixelId> chain_;
+  bool bent_ = false;
+};
+
+}  // namespace
+
+Rational SnapGrid::step() const { return target.is_decimal() ? target.unit() : power_of_two(exp2); }
+
+SnapGrid snap_grid(const Geometry& geometry, const Target& target) {
+  SnapGrid grid{target, 0};
+  if (target.is_decimal()) return grid;
+  Rational largest;
+  for_each_point(geometry, [&](const Point& p) {
+    largest = std::max({largest, magnitude(p.x), magnitude(p.y)});
+  });
+  constexpr int kLowest = -1074;
+  grid.exp2 = kLowest;
+  if (largest.sign() == 0) return grid;
+  const double nearest = largest.to_double();
+  if (!std::isfinite(nearest)) {
+    throw Error(ErrorCode::kBadInput, "a coordinate is beyond the largest double");
+  }
+  if (nearest != 0) grid.exp2 = std::max(std::ilogb(nearest) - 52, kLowest);
+  // Integers up to 2^53 times the step are doubles; a vertex may be moved a step outwards.
+  if (largest / grid.step() + 2 > Rational(std::int64_t{1} << 53)) ++grid.exp2;
+  return grid;
+}
+
+Snapped snap(const Geometry& geometry, const SnapGrid& grid,
+             const std::optional<CancelToken>& cancel) {
+  return Snapper(geometry, grid, cancel).run();
+}
+
+}  // namespace minksum
