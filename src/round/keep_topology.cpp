@@ -35,7 +35,9 @@ class Classes {
 
 class Settler {
  public:
-  Settler(const Region& exact, const Region& moved) : exact_(exact), moved_(moved) {}
+  Settler(const Region& exact, const Region& moved)
+      : exact_(exact), moved_(moved),
+        keeps_origins_(exact.has_origins() && exact.vertex_count() == moved.vertex_count()) {}
 
   Settlement run() {
     std::vector<Fault> faults;
@@ -54,7 +56,6 @@ class Settler {
     return std::any_of(operand_.rings.begin(), operand_.rings.end(), [&](const OperandRing& ring) {
       const bool reversed =
           operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];
-      if (!reversed && exact_.has_origins()) return false;  // a result: directed as it should be
       const std::size_t source = RegionAccess::ring_of(moved_, operand_.vertex_source[ring.begin]);
       return reversed != (counter_clockwise(exact_, source) == ring.is_hole());
     });
@@ -150,7 +151,7 @@ class Settler {
     const StoredCoordinate& x = RegionAccess::x(moved_, v);
     const StoredCoordinate& y = RegionAccess::y(moved_, v);
     // Coordinates with digits of their own are too long for anybody who asks for origins.
-    if (!exact_.has_origins() || x.denominator_limbs != 0 || y.denominator_limbs != 0) {
+    if (!keeps_origins_ || x.denominator_limbs != 0 || y.denominator_limbs != 0) {
       RegionAccess::copy_vertex(result, moved_, v);
     } else {
       RegionAccess::add_vertex(result, x, y, exact_.origin(operand_.edge_source[site]));
@@ -159,6 +160,7 @@ class Settler {
 
   const Region& exact_;
   const Region& moved_;
+  bool keeps_origins_;
   OperandScratch scratch_;
   PreparedOperand operand_;
   std::vector<SiteId> first_;  ///< by ring: its smallest vertex

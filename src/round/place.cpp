@@ -159,6 +159,13 @@ Place next_place(const Place& place, bool up, const Target& target) {
   return {next == 0 ? 0.0 : next, {}};
 }
 
+Place shifted_place(const Place& place, double steps, double step, const Target& target) {
+  if (target.is_decimal()) {
+    return decimal_place(BigInt(place.integer + static_cast<std::int64_t>(steps)));
+  }
+  return {place.value + steps * step + 0.0, {}};
+}
+
 void add_vertex(Region& region, const Place& x, const Place& y, const Target& target) {
   if (!target.is_decimal()) {
     region.add_vertex(x.value, y.value);
@@ -186,13 +193,12 @@ Region with_vertices(const Region& region, const RoundedVertices& vertices, cons
   return result;
 }
 
-double largest_move(const RoundedVertices& vertices, const Target& target) {
+double largest_move(const RoundedVertices& vertices) {
   double largest = 0;
   for (const RoundedVertex& v : vertices) {
     if (v.moved()) largest = std::max(largest, rounded_up(std::hypot(v.off_x, v.off_y)));
   }
-  if (largest == 0 || !target.is_decimal()) return largest;
-  return rounded_up(largest * rounded_up(target.unit()));
+  return largest;
 }
 
 double rounded_up(double length) { return std::nextafter(length * (1 + 0x1p-49), HUGE_VAL); }

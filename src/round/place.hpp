@@ -51,14 +51,18 @@ using RoundedVertices = std::vector<RoundedVertex>;
 /// The place next to this one, up or down. Beyond the largest double comes infinity.
 [[nodiscard]] Place next_place(const Place& place, bool up, const Target& target);
 
+/// A place some steps away; a step of doubles is `step` there, if that is a place.
+[[nodiscard]] Place shifted_place(const Place& place, double steps, double step,
+                                  const Target& target);
+
 /// Appends a vertex.
 void add_vertex(Region& region, const Place& x, const Place& y, const Target& target);
 /// A region of the same rings with the rounded vertices.
 [[nodiscard]] Region with_vertices(const Region& region, const RoundedVertices& vertices,
                                    const Target& target);
 
-/// How far any vertex is from its place, rounded up.
-[[nodiscard]] double largest_move(const RoundedVertices& vertices, const Target& target);
+/// How far any vertex is from its place, in the target's unit, rounded up.
+[[nodiscard]] double largest_move(const RoundedVertices& vertices);
 /// A double that is no less than a length computed in doubles with a relative error below 2^-50.
 [[nodiscard]] double rounded_up(double length);
 /// A double that is no less than the number.

@@ -56,6 +56,12 @@ double half_place(const RoundedVertices& vertices, const Target& target) {
   return std::max(std::ldexp(1.0, last_place - 1), std::ldexp(1.0, kLowest));
 }
 
+/// A length in the target's unit, rounded up.
+double in_units(double length, const Target& target) {
+  if (length == 0 || !target.is_decimal()) return length;
+  return rounded_up(length * rounded_up(target.unit()));
+}
+
 [[noreturn]] void refuse(const Region& region) {
   const auto faults = validate(region, 1);
   if (faults.empty()) {
@@ -83,17 +89,26 @@ Region canonical(const Region& region, const RoundOptions& options) {
 /// Vertex by vertex; nothing if that is not valid, or not safe.
 std::optional<Region> round_by_vertices(const Region& region, const Target& target,
                                         const RoundOptions& options, RoundingReport& report) {
-  RoundedVertices vertices = round_vertices(region, target);
+  const RoundedVertices vertices = round_vertices(region, target);
   report.exact = std::none_of(vertices.begin(), vertices.end(),
                               [](const RoundedVertex& v) { return v.moved(); });
-  const bool sided = options.side != RoundingSide::kNearest;
-  if (sided && !report.exact && !choose_side(region, options.side, target, vertices)) return {};
+  const bool sided = options.side != RoundingSide::kNearest && !report.exact;
+  const double half = half_place(vertices, target);
+  Sided moved;
+  if (sided) {
+    auto chosen = choose_side(region, options.side, target, vertices,
+                              target.is_decimal() ? 1 : 2 * half);
+    if (!chosen) return {};
+    moved = std::move(*chosen);
+  } else {
+    moved = {with_vertices(region, vertices, target), largest_move(vertices)};
+  }
   stop_if_asked(options);
-  Settlement settled = settle(region, with_vertices(region, vertices, target));
+  Settlement settled = settle(region, moved.region);
   if (settled.outcome == Settled::kInvalid) return {};
   if (settled.outcome == Settled::kCut) settled.region = resolved(settled.region, options);
-  report.largest_move = largest_move(vertices, target);
-  report.bound = diagonal(half_place(vertices, target) * (sided ? 2 : 1));
+  report.largest_move = in_units(moved.largest_move, target);
+  report.bound = diagonal(half * (options.side != RoundingSide::kNearest ? 2 : 1));
   return std::move(settled.region);
 }
 

@@ -183,10 +183,13 @@ TEST(Round, LargestDoubles) {
   const Region rounded = round(wide);
   EXPECT_EQ(rounded.vertex_count(), 3U);
   EXPECT_TRUE(contains(wide, round(wide, to_doubles(RoundingSide::kInside))));
-  // No double is far enough out for the upper corner.
-  EXPECT_THROW((void)round(wide, to_doubles(RoundingSide::kOutside)), Error);
-  const Region half = scaled(wide, Rational(1, 2));
-  EXPECT_TRUE(contains(round(half, to_doubles(RoundingSide::kOutside)), half));
+  EXPECT_TRUE(contains(round(wide, to_doubles(RoundingSide::kOutside)), wide));
+  // No double is far enough out for this one.
+  const Region wider = polygon({{Rational(0), Rational(0)}, {x + Rational(1, 3), Rational(0)},
+                                {Rational(0), x}});
+  EXPECT_EQ(round(wider).exact_x(1), x);
+  EXPECT_THROW((void)round(wider, to_doubles(RoundingSide::kOutside)), Error);
+  EXPECT_TRUE(contains(wider, round(wider, to_doubles(RoundingSide::kInside))));
 }
 
 TEST(Round, SmallestDoubles) {
