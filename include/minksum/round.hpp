@@ -31,14 +31,15 @@ struct RoundingReport {
   /// No boundary point of the result is farther than this from the exact boundary, and no point
   /// farther from either that belongs to one of the two regions only. Rounded up.
   double largest_move = 0;
-  double bound = 0;            ///< what `largest_move` cannot exceed
+  double bound = 0;  ///< what `largest_move` cannot exceed
 };
 
-/// A region whose coordinates are doubles, or decimals with so many digits; valid by OGC's rules, and
-/// canonical (see Region). The exact one must be legal (see `validate`).
+/// A region whose coordinates are doubles, or decimals with so many digits; valid by OGC's rules,
+/// and canonical (see Region). The exact one must be legal (see `validate`).
 ///
 /// Let u be a decimal step, or the last place of the coordinates' largest as a double.
-/// - kNearest: every coordinate to the nearest by itself, if that keeps the region valid and rings as
+/// - kNearest: every coordinate to the nearest by itself, if that keeps the region valid and rings
+/// as
 ///   they are oriented: `bound` is u/√2. Else the boundary is snap-rounded (Hobby 1999; Guibas,
 ///   Marimont 1998): vertices to the nearest points of a grid of step u, and edges to the rounded
 ///   vertices that they pass closely, so that nothing crosses; what collapses goes. `bound` is the
@@ -51,9 +52,9 @@ struct RoundingReport {
 /// Thin parts of a geometry are rounded to the nearest, whatever the side; where they meet a region
 /// that moves, or one another, all is snap-rounded together. The geometry must be resolved.
 ///
-/// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum with a
-/// square (for a side) and of `resolve`. Throws Error: kBadInput if the region is not legal, or a
-/// coordinate or its rounded value is beyond the doubles; kLimitExceeded; kCancelled.
+/// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum
+/// with a square (for a side) and of `resolve`. Throws Error: kBadInput if the region is not legal,
+/// or a coordinate or its rounded value is beyond the doubles; kLimitExceeded; kCancelled.
 [[nodiscard]] Region round(const Region& region, const RoundOptions& options = {},
                            RoundingReport* report = nullptr);
 [[nodiscard]] Geometry round(const Geometry& geometry, const RoundOptions& options = {},

@@ -28,8 +28,12 @@ class RingChooser {
  public:
   RingChooser(const Region& region, const Target& target, const RoundedVertices& nearest,
               double step, std::size_t ring, bool forward)
-      : region_(region), target_(target), nearest_(nearest), step_(step),
-        ring_(region.vertices_of(ring)), forward_(forward) {}
+      : region_(region),
+        target_(target),
+        nearest_(nearest),
+        step_(step),
+        ring_(region.vertices_of(ring)),
+        forward_(forward) {}
 
   bool run() {
     const std::size_t n = ring_.size();
@@ -92,7 +96,8 @@ class RingChooser {
     if (!moves_right(choice.back(), nearest_of(after_), choice.back())) return false;
     if (!corners_.empty() && !edge_allowed(corners_.back(), choice.front())) return false;
     if (choice.size() == 2 && !edge_allowed(choice.front(), choice.back())) return false;
-    if (is_last_ && !edge_allowed(choice.back(), corners_.empty() ? choice.front() : corners_.front())) {
+    if (is_last_ &&
+        !edge_allowed(choice.back(), corners_.empty() ? choice.front() : corners_.front())) {
       return false;
     }
     const double move = distance_moved(choice, v);
@@ -120,8 +125,8 @@ class RingChooser {
     return result;
   }
 
-  /// Places along the middle of the notch at a reflex vertex, farther and farther away from it. That
-  /// the way is computed roughly does not matter: every place is judged exactly.
+  /// Places along the middle of the notch at a reflex vertex, farther and farther away from it.
+  /// That the way is computed roughly does not matter: every place is judged exactly.
   bool go_up_notch(std::size_t v, const Vec<double>& in, const Vec<double>& out) {
     const RoundedVertex& nearest = nearest_[v];
     const Vec<double> cell{size_of_cell(nearest.x), size_of_cell(nearest.y)};
@@ -159,22 +164,24 @@ class RingChooser {
   [[nodiscard]] double size_of_cell(const Place& place) const {
     return target_.is_decimal() ? 1 : next_place(place, true, target_).value - place.value;
   }
-  /// Places differ by multiples of the smaller's last place, and the nearest one is off by half of it
-  /// at most: nothing cancels, and the offset has a relative error below 2^-50.
+  /// Places differ by multiples of the smaller's last place, and the nearest one is off by half of
+  /// it at most: nothing cancels, and the offset has a relative error below 2^-50.
   void set_offsets(Corner& corner) const {
     const RoundedVertex& nearest = nearest_[corner.source];
     const auto difference = [&](const Place& from, const Place& to) {
-      return target_.is_decimal() ? static_cast<double>(static_cast<std::int64_t>(
-                                        BigInt(from.integer - to.integer)))
-                                  : from.value - to.value;
+      return target_.is_decimal()
+                 ? static_cast<double>(static_cast<std::int64_t>(BigInt(from.integer - to.integer)))
+                 : from.value - to.value;
     };
     corner.to.off_x = nearest.off_x + difference(nearest.x, corner.to.x);
     corner.to.off_y = nearest.off_y + difference(nearest.y, corner.to.y);
     if (!target_.is_decimal()) {
-      make_sure(nearest.off_x, [&] { return region_.exact_x(corner.source); }, corner.to.x,
-                corner.to.off_x);
-      make_sure(nearest.off_y, [&] { return region_.exact_y(corner.source); }, corner.to.y,
-                corner.to.off_y);
+      make_sure(
+          nearest.off_x, [&] { return region_.exact_x(corner.source); }, corner.to.x,
+          corner.to.off_x);
+      make_sure(
+          nearest.off_y, [&] { return region_.exact_y(corner.source); }, corner.to.y,
+          corner.to.off_y);
     }
   }
   /// Next to 0 a nearest offset stands for anything smaller than all doubles.
@@ -201,13 +208,12 @@ class RingChooser {
   }
 
   /// Sign of e × d: e is the edge from p to v, exact or rounded; d the move of `end`.
-  [[nodiscard]] Sign sign(const Corner& p, const Corner& v, const Corner& end,
-                          bool rounded) const {
+  [[nodiscard]] Sign sign(const Corner& p, const Corner& v, const Corner& end, bool rounded) const {
     if (!end.to.moved()) return kZero;
     const double bound = error_bound(p.to, v.to, end.to, rounded);
-    const Vec<double> e = rounded ? Vec<double>{v.to.x.value - p.to.x.value,
-                                                v.to.y.value - p.to.y.value}
-                                  : edge(p, v);
+    const Vec<double> e =
+        rounded ? Vec<double>{v.to.x.value - p.to.x.value, v.to.y.value - p.to.y.value}
+                : edge(p, v);
     // The move is the offset turned round.
     const double value = e.y * end.to.off_x - e.x * end.to.off_y;
     if (value > bound) return kPositive;
@@ -221,8 +227,8 @@ class RingChooser {
             (v.to.y.value - p.to.y.value) + (v.to.off_y - p.to.off_y)};
   }
 
-  /// Places are exact here, and offsets have a relative error of 2^-50. So a component of an edge is
-  /// off by less than 2^-49 of its terms' sizes, and the product by less than 2^-47 of its own,
+  /// Places are exact here, and offsets have a relative error of 2^-50. So a component of an edge
+  /// is off by less than 2^-49 of its terms' sizes, and the product by less than 2^-47 of its own,
   /// unless numbers are so small that they lose digits.
   static double error_bound(const RoundedVertex& p, const RoundedVertex& v,
                             const RoundedVertex& end, bool rounded) {
@@ -252,12 +258,13 @@ class RingChooser {
     const Point to = rounded ? place(v) : region_.point(v.source);
     const Point start = region_.point(end.source);
     const Point stop = place(end);
-    const Rational product = (to.x - from.x) * (stop.y - start.y) -
-                             (to.y - from.y) * (stop.x - start.x);
+    const Rational product =
+        (to.x - from.x) * (stop.y - start.y) - (to.y - from.y) * (stop.x - start.x);
     return static_cast<Sign>(product.sign());
   }
 
-  /// How far any of a vertex's places is from the vertex's edges, or less than that far; rounded up.
+  /// How far any of a vertex's places is from the vertex's edges, or less than that far; rounded
+  /// up.
   [[nodiscard]] double distance_moved(const Choice& choice, std::size_t v) const {
     double largest = 0;
     for (const Corner& corner : choice) {
@@ -271,8 +278,8 @@ class RingChooser {
     }
     return largest;
   }
-  /// From a place to the point of its vertex's edge (which is e, from the vertex) next to it, as far
-  /// as that can be computed in doubles: any point of the edge gives an upper bound.
+  /// From a place to the point of its vertex's edge (which is e, from the vertex) next to it, as
+  /// far as that can be computed in doubles: any point of the edge gives an upper bound.
   [[nodiscard]] static double distance(const Corner& corner, const Vec<double>& e) {
     const double x = -corner.to.off_x;
     const double y = -corner.to.off_y;
@@ -281,7 +288,8 @@ class RingChooser {
     if (part > 1) part = 1;
     const double along_x = part * e.x;
     const double along_y = part * e.y;
-    const double error = (std::abs(x) + std::abs(y) + std::abs(along_x) + std::abs(along_y)) * 0x1p-46;
+    const double error =
+        (std::abs(x) + std::abs(y) + std::abs(along_x) + std::abs(along_y)) * 0x1p-46;
     return rounded_up(std::hypot(x - along_x, y - along_y) + error);
   }
 

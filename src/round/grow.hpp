@@ -12,9 +12,9 @@ namespace minksum {
 /// winding number stays 1, and what the moved rings enclose contains the region.
 [[nodiscard]] Region grown(const Region& region, const Rational& half);
 
-/// The closure of the points x with x ⊕ B in the region: the complement of its grown complement. What
-/// was said of the latter's boundary is true here of points outside the region: moved rings enclose
-/// none of them.
+/// The closure of the points x with x ⊕ B in the region: the complement of its grown complement.
+/// What was said of the latter's boundary is true here of points outside the region: moved rings
+/// enclose none of them.
 [[nodiscard]] Region shrunk(const Region& region, const Rational& half);
 
 }  // namespace minksum

@@ -33,7 +33,8 @@ bool before(const Vec<BigInt>& a, const Vec<BigInt>& b) {
 }
 bool equal(const Vec<BigInt>& a, const Vec<BigInt>& b) { return a.x == b.x && a.y == b.y; }
 
-/// The parameters t at which a + t·d is in [-1/2, 1/2), cut down axis by axis; t in [0, 1] at first.
+/// The parameters t at which a + t·d is in [-1/2, 1/2), cut down axis by axis; t in [0, 1] at
+/// first.
 class Parameters {
  public:
   void cut(const Rational& a, const Rational& d) {
@@ -83,9 +84,9 @@ class Parameters {
 ///
 /// Relative to the pixel's centre both ends are known within m·2^-51, where m ≥ 1 bounds their
 /// coordinates, and so their difference within m·2^-49. The cross product of the two is off by less
-/// than m²·2^-47, and so is half the difference's size in both axes. The segment misses the pixel if
-/// it is beside it along an axis or along its own normal; it meets it if that is true of none, with
-/// borders counted neither way.
+/// than m²·2^-47, and so is half the difference's size in both axes. The segment misses the pixel
+/// if it is beside it along an axis or along its own normal; it meets it if that is true of none,
+/// with borders counted neither way.
 std::optional<bool> meets_by_doubles(const Vec<double>& a, const Vec<double>& b) {
   const double m = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), 1.0});
   const double doubt = m * 0x1p-50;
@@ -124,9 +125,9 @@ SnapPoint snap_point(const Rational& x, const Rational& y) {
 bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInt>& centre) {
   const Vec<BigInt> to_a{a.centre.x - centre.x, a.centre.y - centre.y};
   const Vec<BigInt> to_b{b.centre.x - centre.x, b.centre.y - centre.y};
-  const auto answer = meets_by_doubles(
-      {to_double(to_a.x) + a.near_offset.x, to_double(to_a.y) + a.near_offset.y},
-      {to_double(to_b.x) + b.near_offset.x, to_double(to_b.y) + b.near_offset.y});
+  const auto answer =
+      meets_by_doubles({to_double(to_a.x) + a.near_offset.x, to_double(to_a.y) + a.near_offset.y},
+                       {to_double(to_b.x) + b.near_offset.x, to_double(to_b.y) + b.near_offset.y});
   if (answer) return *answer;
   const auto exact = [](const BigInt& centre_coordinate, const Rational& offset) {
     return RationalAccess::make(centre_coordinate, 1) + offset;
@@ -171,7 +172,8 @@ void HotPixels::place_in_cells() {
   const auto unit = static_cast<unsigned>(bits > kBits ? bits - kBits : 0);
   Vec<double> extent{};
   for (const auto& c : centres_) {
-    near_.push_back({to_double(BigInt(c.x - low.x) >> unit), to_double(BigInt(c.y - low.y) >> unit)});
+    near_.push_back(
+        {to_double(BigInt(c.x - low.x) >> unit), to_double(BigInt(c.y - low.y) >> unit)});
     extent = {std::max(extent.x, near_.back().x), std::max(extent.y, near_.back().y)};
   }
   // A pixel that a segment meets is within one step of the line between its ends' pixels' centres,
@@ -185,7 +187,8 @@ void HotPixels::place_in_cells() {
   margin_ = kReach <= grid_.cell * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
   cell_begin_.assign(static_cast<std::size_t>(grid_.size()) + 1, 0);
   const auto cell_of = [&](PixelId p) {
-    return static_cast<std::size_t>(grid_.row(near_[p].y)) * static_cast<std::size_t>(grid_.columns) +
+    return static_cast<std::size_t>(grid_.row(near_[p].y)) *
+               static_cast<std::size_t>(grid_.columns) +
            static_cast<std::size_t>(grid_.column(near_[p].x));
   };
   for (PixelId p = 0; p < centres_.size(); ++p) ++cell_begin_[cell_of(p) + 1];

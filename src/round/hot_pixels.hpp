@@ -41,7 +41,7 @@ class HotPixels {
   std::vector<PixelId> pixel_of_;     ///< by point
   std::vector<Vec<double>> near_;     ///< by pixel: the centre in units of the cells' grid
   UniformGrid grid_;
-  double margin_ = 0;                 ///< of a walk, in cells
+  double margin_ = 0;  ///< of a walk, in cells
   std::vector<std::uint32_t> cell_begin_;
   std::vector<PixelId> in_cells_;
   std::vector<std::uint32_t> stamp_;  ///< by pixel: the walk that saw it last

@@ -36,7 +36,8 @@ class Classes {
 class Settler {
  public:
   Settler(const Region& exact, const Region& moved)
-      : exact_(exact), moved_(moved),
+      : exact_(exact),
+        moved_(moved),
         keeps_origins_(exact.has_origins() && exact.vertex_count() == moved.vertex_count()) {}
 
   Settlement run() {
@@ -50,12 +51,11 @@ class Settler {
   }
 
  private:
-  /// Whether some ring has lost its orientation. Cleaning directs rings by their kind; it has turned
-  /// one round if edges carry the names of the vertices at their ends.
+  /// Whether some ring has lost its orientation. Cleaning directs rings by their kind; it has
+  /// turned one round if edges carry the names of the vertices at their ends.
   [[nodiscard]] bool turned_over() const {
     return std::any_of(operand_.rings.begin(), operand_.rings.end(), [&](const OperandRing& ring) {
-      const bool reversed =
-          operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];
+      const bool reversed = operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];
       const std::size_t source = RegionAccess::ring_of(moved_, operand_.vertex_source[ring.begin]);
       return reversed != (counter_clockwise(exact_, source) == ring.is_hole());
     });
@@ -168,8 +168,6 @@ class Settler {
 
 }  // namespace
 
-Settlement settle(const Region& exact, const Region& moved) {
-  return Settler(exact, moved).run();
-}
+Settlement settle(const Region& exact, const Region& moved) { return Settler(exact, moved).run(); }
 
 }  // namespace minksum

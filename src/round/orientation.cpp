@@ -35,8 +35,8 @@ bool counter_clockwise(const Region& region, std::size_t ring) {
   };
   const Point next = neighbour(1);
   const Point previous = neighbour(n - 1);
-  const Rational turn = (next.x - at.x) * (previous.y - at.y) -
-                        (next.y - at.y) * (previous.x - at.x);
+  const Rational turn =
+      (next.x - at.x) * (previous.y - at.y) - (next.y - at.y) * (previous.x - at.x);
   return turn.sign() > 0;
 }
 

@@ -93,9 +93,8 @@ BigInt nearest_integer(BigInt& numerator, const BigInt& denominator) {
 
 Place decimal_place(BigInt integer) {
   Place place;
-  place.value = bit_length(integer) < 64
-                    ? static_cast<double>(static_cast<std::int64_t>(integer))
-                    : nearest_double(integer.sign() < 0, mp::abs(integer), 1);
+  place.value = bit_length(integer) < 64 ? static_cast<double>(static_cast<std::int64_t>(integer))
+                                         : nearest_double(integer.sign() < 0, mp::abs(integer), 1);
   place.integer = std::move(integer);
   return place;
 }

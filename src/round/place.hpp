@@ -39,8 +39,8 @@ struct RoundedVertex {
 /// One for each vertex of a region.
 using RoundedVertices = std::vector<RoundedVertex>;
 
-/// Every coordinate to the nearest of the target, ties to even. O(n). Throws Error(kBadInput) naming
-/// the vertex if a coordinate is beyond the doubles, and those are the target.
+/// Every coordinate to the nearest of the target, ties to even. O(n). Throws Error(kBadInput)
+/// naming the vertex if a coordinate is beyond the doubles, and those are the target.
 [[nodiscard]] RoundedVertices round_vertices(const Region& region, const Target& target);
 
 /// The same for one coordinate; infinite if it is beyond the doubles.

@@ -43,7 +43,8 @@ std::vector<std::size_t> topology(const Region& region) {
 /// √2 · length, rounded up.
 double diagonal(double length) { return rounded_up(length * std::sqrt(2.0)); }
 
-/// Half of a double's last place at the magnitude of the largest coordinate, or half a decimal step.
+/// Half of a double's last place at the magnitude of the largest coordinate, or half a decimal
+/// step.
 double half_place(const RoundedVertices& vertices, const Target& target) {
   if (target.is_decimal()) return rounded_up(target.unit() * Rational(1, 2));
   double largest = 0;
@@ -96,8 +97,8 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
   const double half = half_place(vertices, target);
   Sided moved;
   if (sided) {
-    auto chosen = choose_side(region, options.side, target, vertices,
-                              target.is_decimal() ? 1 : 2 * half);
+    auto chosen =
+        choose_side(region, options.side, target, vertices, target.is_decimal() ? 1 : 2 * half);
     if (!chosen) return {};
     moved = std::move(*chosen);
   } else {
@@ -135,13 +136,14 @@ Geometry round_by_snapping(const Geometry& geometry, const Target& target,
   const bool moved_first = options.side != RoundingSide::kNearest;
   report.snapped = true;
   report.exact = snapped.exact && !moved_first;
-  report.largest_move = moved_first ? rounded_up(snapped.largest_move + diagonal(step / 2))
-                                    : snapped.largest_move;
+  report.largest_move =
+      moved_first ? rounded_up(snapped.largest_move + diagonal(step / 2)) : snapped.largest_move;
   report.bound = diagonal(moved_first ? step : step / 2);
   return std::move(snapped.geometry);
 }
 
-// -- Thin parts ------------------------------------------------------------------------------------
+// -- Thin parts
+// ------------------------------------------------------------------------------------
 template <class Visit>
 void for_each_thin_point(const Geometry& geometry, Visit visit) {
   for (const Polyline& line : geometry.polylines) std::for_each(line.begin(), line.end(), visit);
@@ -193,7 +195,8 @@ bool is_on_target(const Geometry& geometry, const Target& target) {
   const RoundedVertices vertices = round_vertices(geometry.region, target);
   bool all = std::none_of(vertices.begin(), vertices.end(),
                           [](const RoundedVertex& v) { return v.moved(); });
-  for_each_thin_point(geometry, [&](const Point& p) { all = all && nearest_point(p, target) == p; });
+  for_each_thin_point(geometry,
+                      [&](const Point& p) { all = all && nearest_point(p, target) == p; });
   return all;
 }
 

@@ -28,7 +28,10 @@ void for_each_point(const Geometry& geometry, Visit visit) {
 class Snapper {
  public:
   Snapper(const Geometry& geometry, const SnapGrid& grid, const std::optional<CancelToken>& cancel)
-      : geometry_(geometry), grid_(grid), cancel_(cancel), points_(points_of(geometry, grid)),
+      : geometry_(geometry),
+        grid_(grid),
+        cancel_(cancel),
+        points_(points_of(geometry, grid)),
         pixels_(points_) {}
 
   Snapped run() {
@@ -54,9 +57,8 @@ class Snapper {
   static std::vector<SnapPoint> points_of(const Geometry& geometry, const SnapGrid& grid) {
     std::vector<SnapPoint> points;
     const Rational steps = Rational(1) / grid.step();
-    for_each_point(geometry, [&](const Point& p) {
-      points.push_back(snap_point(p.x * steps, p.y * steps));
-    });
+    for_each_point(geometry,
+                   [&](const Point& p) { points.push_back(snap_point(p.x * steps, p.y * steps)); });
     return points;
   }
 

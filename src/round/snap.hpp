@@ -28,16 +28,17 @@ struct Snapped {
 
 /// Snap-rounds a resolved geometry, whose region is canonical. Polylines meet nothing but at ends.
 ///
-/// A pixel is the half-open square of side `step` around a grid point; *hot* are those with a vertex.
-/// Each edge becomes the chain of the centres of the hot pixels that it meets, in their order. (J. D.
-/// Hobby, "Practical segment intersection with finite precision output", Comput. Geom. 13, 1999;
-/// L. Guibas, D. Marimont, "Rounding arrangements dynamically", IJCGA 8, 1998.) As the edges meet at
-/// vertices only, chains never cross: this is theorem 1 of the latter. They may coincide.
+/// A pixel is the half-open square of side `step` around a grid point; *hot* are those with a
+/// vertex. Each edge becomes the chain of the centres of the hot pixels that it meets, in their
+/// order. (J. D. Hobby, "Practical segment intersection with finite precision output", Comput.
+/// Geom. 13, 1999; L. Guibas, D. Marimont, "Rounding arrangements dynamically", IJCGA 8, 1998.) As
+/// the edges meet at vertices only, chains never cross: this is theorem 1 of the latter. They may
+/// coincide.
 ///
 /// Along an edge, points move in straight lines, those in a hot pixel that the chain visits to its
-/// centre, those between linearly: so no point moves by more than half a step along an axis. The new
-/// region is where the moved rings have a positive winding number. A point that changes sides was
-/// passed by the boundary, and is as close to it as that.
+/// centre, those between linearly: so no point moves by more than half a step along an axis. The
+/// new region is where the moved rings have a positive winding number. A point that changes sides
+/// was passed by the boundary, and is as close to it as that.
 ///
 /// O(n log n + k) for n vertices and k pairs of an edge and a hot pixel close to each other.
 [[nodiscard]] Snapped snap(const Geometry& geometry, const SnapGrid& grid,

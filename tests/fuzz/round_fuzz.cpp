@@ -13,8 +13,8 @@ namespace {
 
 using namespace minksum;
 
-/// A byte is one vertex, or ends a ring or a polygon: 16 columns and rows of different width, so that
-/// steps of rounding and of the shape go against each other.
+/// A byte is one vertex, or ends a ring or a polygon: 16 columns and rows of different width, so
+/// that steps of rounding and of the shape go against each other.
 class ShapeReader {
  public:
   ShapeReader(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
@@ -49,8 +49,8 @@ void expect(bool truth, const Region& exact, const RoundOptions& options, const 
             const std::string& what) {
   if (truth) return;
   std::fprintf(stderr, "violated: %s\n%s, %d digits\nexact %s\nrounded %s\n", what.c_str(),
-               to_string(options.side), options.decimals.value_or(-1),
-               test::to_text(exact).c_str(), test::to_text(rounded).c_str());
+               to_string(options.side), options.decimals.value_or(-1), test::to_text(exact).c_str(),
+               test::to_text(rounded).c_str());
   std::abort();
 }
 
@@ -80,7 +80,8 @@ void try_rounding(const Region& exact, const RoundOptions& options) {
   require(validate(rounded, 1).empty(), "it is legal");
   require(report.largest_move <= report.bound, "it keeps its bound");
   RoundingReport again;
-  require(round(rounded, options, &again) == rounded && again.exact, "a second time changes nothing");
+  require(round(rounded, options, &again) == rounded && again.exact,
+          "a second time changes nothing");
   if (options.side == RoundingSide::kOutside) require(contains(rounded, exact), "it is outside");
   if (options.side == RoundingSide::kInside) require(contains(exact, rounded), "it is inside");
 }

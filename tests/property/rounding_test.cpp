@@ -150,8 +150,8 @@ Region random_sum(Random& random) {
 
 void round_every_way(const Region& exact, bool by_reference, Tally& tally) {
   for (const RoundingSide side : kSides) {
-    for (const std::optional<int> decimals : {std::optional<int>{}, std::optional<int>{3},
-                                              std::optional<int>{0}}) {
+    for (const std::optional<int> decimals :
+         {std::optional<int>{}, std::optional<int>{3}, std::optional<int>{0}}) {
       RoundOptions options;
       options.side = side;
       options.decimals = decimals;

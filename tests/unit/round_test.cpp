@@ -37,9 +37,7 @@ Region polygon(Ring outer, std::vector<Ring> holes = {}) {
   return Region(Polygon{std::move(outer), std::move(holes)});
 }
 
-Region third_triangle() {
-  return polygon({point("0", "0"), point("1/3", "0"), point("0", "2/3")});
-}
+Region third_triangle() { return polygon({point("0", "0"), point("1/3", "0"), point("0", "2/3")}); }
 
 TEST(Round, NearestDoubles) {
   RoundingReport report;
@@ -114,22 +112,22 @@ TEST(Round, WhatCollapsesGoes) {
 
 TEST(Round, EdgesGoByTheVerticesThatTheyPassed) {
   // The notch's tip at (5, 1/3) is above the lower edge; rounded, it would touch it.
-  const Region notched = polygon({point("0", "0"), point("9", "0"), point("9", "9"),
-                                  point("16/3", "9"), point("5", "1/3"), point("4", "9"),
-                                  point("0", "9")});
+  const Region notched =
+      polygon({point("0", "0"), point("9", "0"), point("9", "9"), point("16/3", "9"),
+               point("5", "1/3"), point("4", "9"), point("0", "9")});
   RoundingReport report;
   const Region rounded = round(notched, to_decimals(0), &report);
   EXPECT_TRUE(report.snapped);
   EXPECT_FALSE(report.topology_kept);
-  EXPECT_EQ(rounded, make_region({{{{0, 0}, {5, 0}, {4, 9}, {0, 9}}},
-                                  {{{5, 0}, {9, 0}, {9, 9}, {5, 9}}}}));
+  EXPECT_EQ(rounded,
+            make_region({{{{0, 0}, {5, 0}, {4, 9}, {0, 9}}}, {{{5, 0}, {9, 0}, {9, 9}, {5, 9}}}}));
 }
 
 TEST(Round, RingsThatComeToTouchMayCutAPolygon) {
   // A hole from wall to wall, a quarter away from both.
-  const Region ring = polygon({point("0", "0"), point("8", "0"), point("8", "8"), point("0", "8")},
-                              {{point("1/4", "4"), point("4", "3"), point("31/4", "4"),
-                                point("4", "5")}});
+  const Region ring =
+      polygon({point("0", "0"), point("8", "0"), point("8", "8"), point("0", "8")},
+              {{point("1/4", "4"), point("4", "3"), point("31/4", "4"), point("4", "5")}});
   RoundingReport report;
   const Region rounded = round(ring, to_decimals(0), &report);
   EXPECT_FALSE(report.topology_kept);
@@ -139,15 +137,13 @@ TEST(Round, RingsThatComeToTouchMayCutAPolygon) {
 }
 
 TEST(Round, OutsideAndInsideMoveTheVerticesThatMust) {
-  const Region square = polygon({point("0", "0"), point("10/3", "0"), point("10/3", "10/3"),
-                                 point("0", "10/3")});
+  const Region square =
+      polygon({point("0", "0"), point("10/3", "0"), point("10/3", "10/3"), point("0", "10/3")});
   RoundingReport report;
-  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kOutside), &report),
-            rectangle(0, 0, 4, 4));
+  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kOutside), &report), rectangle(0, 0, 4, 4));
   EXPECT_FALSE(report.snapped);
   EXPECT_LT(report.largest_move, 0.943);
-  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kInside), &report),
-            rectangle(0, 0, 3, 3));
+  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kInside), &report), rectangle(0, 0, 3, 3));
   EXPECT_LT(report.largest_move, 0.472);
 }
 
@@ -178,15 +174,15 @@ TEST(Round, BeyondTheDoubles) {
 TEST(Round, LargestDoubles) {
   const double largest = std::numeric_limits<double>::max();
   const Rational x(largest);
-  const Region wide = polygon({{Rational(0), Rational(0)}, {x, Rational(0)},
-                               {x - Rational(1, 3), x}});
+  const Region wide =
+      polygon({{Rational(0), Rational(0)}, {x, Rational(0)}, {x - Rational(1, 3), x}});
   const Region rounded = round(wide);
   EXPECT_EQ(rounded.vertex_count(), 3U);
   EXPECT_TRUE(contains(wide, round(wide, to_doubles(RoundingSide::kInside))));
   EXPECT_TRUE(contains(round(wide, to_doubles(RoundingSide::kOutside)), wide));
   // No double is far enough out for this one.
-  const Region wider = polygon({{Rational(0), Rational(0)}, {x + Rational(1, 3), Rational(0)},
-                                {Rational(0), x}});
+  const Region wider =
+      polygon({{Rational(0), Rational(0)}, {x + Rational(1, 3), Rational(0)}, {Rational(0), x}});
   EXPECT_EQ(round(wider).exact_x(1), x);
   EXPECT_THROW((void)round(wider, to_doubles(RoundingSide::kOutside)), Error);
   EXPECT_TRUE(contains(wider, round(wider, to_doubles(RoundingSide::kInside))));
@@ -195,7 +191,8 @@ TEST(Round, LargestDoubles) {
 TEST(Round, SmallestDoubles) {
   const Rational smallest(std::numeric_limits<double>::denorm_min());
   const Rational half = smallest * Rational(1, 2);
-  const Region tiny = polygon({{Rational(0), Rational(0)}, {smallest * 9 + half, Rational(0)},
+  const Region tiny = polygon({{Rational(0), Rational(0)},
+                               {smallest * 9 + half, Rational(0)},
                                {Rational(0), smallest * 5}});
   RoundingReport report;
   const Region rounded = round(tiny, {}, &report);
@@ -247,7 +244,8 @@ TEST(Round, SidesHaveNames) {
   EXPECT_STREQ(to_string(RoundingSide::kInside), "inside");
 }
 
-// -- Thin parts ------------------------------------------------------------------------------------
+// -- Thin parts
+// ------------------------------------------------------------------------------------
 
 TEST(RoundGeometry, PathsAndPointsGoToTheNearest) {
   Geometry thin;
@@ -304,7 +302,8 @@ TEST(RoundGeometry, PathsStayWhereTheyEndOnAnEdge) {
   }
 }
 
-// -- The parts -------------------------------------------------------------------------------------
+// -- The parts
+// -------------------------------------------------------------------------------------
 
 TEST(Settle, Judges) {
   const Region exact = make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{1, 4}, {4, 3}, {7, 4}}});
@@ -329,8 +328,9 @@ TEST(Settle, ThreeRingsAtOnePointCutNothing) {
 
 TEST(Settle, AChainOfHolesCutsAtItsEnd) {
   const auto with = [](std::int64_t last) {
-    return make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
-                        {{{0, 4}, {3, 3}, {3, 5}}, {{3, 4}, {6, 3}, {6, 5}}, {{6, 4}, {last, 3}, {8, 5}}});
+    return make_polygon(
+        {{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+        {{{0, 4}, {3, 3}, {3, 5}}, {{3, 4}, {6, 3}, {6, 5}}, {{6, 4}, {last, 3}, {8, 5}}});
   };
   EXPECT_EQ(settle(with(8), with(8)).outcome, Settled::kKept);
   EXPECT_EQ(settle(with(8), with(9)).outcome, Settled::kCut);
@@ -343,14 +343,14 @@ TEST(HotPixels, AreHalfOpen) {
     return meets_pixel(snap_point(a.x, a.y), snap_point(b.x, b.y), {0, 0});
   };
   EXPECT_TRUE(meets("-1", "0", "1", "0"));
-  EXPECT_TRUE(meets("-1", "-1/2", "1", "-1/2"));   // along the lower side
-  EXPECT_FALSE(meets("-1", "1/2", "1", "1/2"));    // along the upper side
+  EXPECT_TRUE(meets("-1", "-1/2", "1", "-1/2"));  // along the lower side
+  EXPECT_FALSE(meets("-1", "1/2", "1", "1/2"));   // along the upper side
   EXPECT_TRUE(meets("-1/2", "-1", "-1/2", "1"));
   EXPECT_FALSE(meets("1/2", "-1", "1/2", "1"));
-  EXPECT_TRUE(meets("-1", "0", "0", "-1"));        // through the lower left corner
-  EXPECT_FALSE(meets("0", "1", "1", "0"));         // through the upper right one
-  EXPECT_FALSE(meets("-1", "0", "0", "1"));        // upper left
-  EXPECT_FALSE(meets("0", "-1", "1", "0"));        // lower right
+  EXPECT_TRUE(meets("-1", "0", "0", "-1"));  // through the lower left corner
+  EXPECT_FALSE(meets("0", "1", "1", "0"));   // through the upper right one
+  EXPECT_FALSE(meets("-1", "0", "0", "1"));  // upper left
+  EXPECT_FALSE(meets("0", "-1", "1", "0"));  // lower right
   EXPECT_TRUE(meets("-1", "0", "-1/2", "0"));
   EXPECT_FALSE(meets("1", "0", "1/2", "0"));
   EXPECT_TRUE(meets("-1e30", "-1e30", "1e30", "999999999999999999999999999999.99"));
