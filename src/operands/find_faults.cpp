@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "grid/box_pairs.hpp"
 #include "grid/uniform_grid.hpp"
 #include "operands/prepared_operand.hpp"
 #include "region/region_access.hpp"
@@ -24,8 +25,14 @@ class ContactFinder {
   void find_contacts() {
     scratch_.touches.clear();
     Vec<double> extent{};
+    double across = 0;
     for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
+    for (const double dx : o_.sites.dx) across += std::abs(dx);
+    // Where rings lie in each other is asked of cells. Else they pay only if many edges lie over each
+    // other.
+    constexpr double kMostInColumn = 200;
+    if (o_.rings.size() == 1 && across <= kMostInColumn * extent.x) return sweep(extent);
     // Of few edges pairs cost less than cells.
     const double edges = o_.size();
     const double cells = edges < 100 ? edges / 4 : edges;
@@ -55,6 +62,21 @@ class ContactFinder {
   }
 
  private:
+  /// All pairs whose boxes overlap.
+  void sweep(const Vec<double>& extent) {
+    const auto& [x, y, dx, dy, next] = o_.sites;
+    BoxPairs pairs(extent.x, extent.y, o_.bounds.position, scratch_.pairs);
+    for (SiteId e = 0; e < o_.size(); ++e) {
+      const SiteId f = next[e];
+      pairs.add(std::min(x[e], x[f]), std::min(y[e], y[f]), std::max(x[e], x[f]),
+                std::max(y[e], y[f]));
+    }
+    pairs.for_each(
+        [&](SiteId e, SiteId f) {
+          if (!full()) contact(std::min(e, f), std::max(e, f));
+        },
+        [] {});
+  }
   /// All pairs whose x ranges overlap, from left to right: cells may be crowded.
   void find_contacts_in(std::span<SiteId> edges) {
     const auto& x = o_.sites.x;

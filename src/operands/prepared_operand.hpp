@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grid/box_pairs.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/validity.hpp"
 #include "predicate/predicates.hpp"
@@ -51,6 +52,7 @@ struct OperandScratch {
   std::vector<std::pair<std::uint32_t, SiteId>> cell_entries;
   std::vector<std::uint32_t> cell_begin;
   std::vector<SiteId> in_cells;
+  BoxPairScratch pairs;
   std::vector<SiteId> stamp;       ///< by edge: the ring that last asked for it
   std::vector<std::size_t> around;  ///< rings
   std::vector<std::size_t> on;
