@@ -39,10 +39,7 @@ class RadixSort {
   explicit RadixSort(OperandScratch& scratch) : scratch_(scratch) {}
 
   void run(std::vector<KeyedEdge>& edges) {
-    if (edges.size() < kWorthIt) {
-      std::sort(edges.begin(), edges.end(), by_key);
-      return;
-    }
+    if (edges.size() < kWorthIt) return sort_few(edges);
     scratch_.keyed.resize(edges.size());
     for (int pass = 0; pass < kPasses; ++pass) {
       distribute(edges, scratch_.keyed, pass);
@@ -62,6 +59,27 @@ class RadixSort {
   static constexpr int kPasses = 2;
   static std::uint32_t digits(const KeyedEdge& e) {
     return static_cast<std::uint32_t>(e.key * (1 << (kDigitBits * kPasses - 2)));
+  }
+  /// Roughly in order by one digit, then each put where it belongs.
+  void sort_few(std::vector<KeyedEdge>& edges) {
+    constexpr std::size_t kRanges = 128;
+    const auto range = [](const KeyedEdge& e) {
+      return static_cast<std::size_t>(static_cast<std::int32_t>(e.key * (kRanges / 4)));
+    };
+    auto& place = scratch_.counts;
+    place.assign(kRanges + 2, 0);  // a key may be 4 after rounding
+    for (const KeyedEdge& e : edges) ++place[range(e) + 1];
+    for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
+    auto& sorted = scratch_.keyed;
+    sorted.resize(edges.size());
+    for (const KeyedEdge& e : edges) sorted[place[range(e)]++] = e;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      const KeyedEdge edge = sorted[i];
+      std::size_t j = i;
+      for (; j > 0 && by_key(edge, sorted[j - 1]); --j) sorted[j] = sorted[j - 1];
+      sorted[j] = edge;
+    }
+    std::copy(sorted.begin(), sorted.end(), edges.begin());
   }
   static void sort_run(std::span<KeyedEdge> run) {
     if (!std::is_sorted(run.begin(), run.end(), by_key)) std::sort(run.begin(), run.end(), by_key);
