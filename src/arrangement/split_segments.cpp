@@ -111,22 +111,26 @@ class Splitter {
     NodeId& id = scratch_.node_of_point[root];
     if (id == kNoNode) {
       id = static_cast<NodeId>(result_.nodes.size());
-      result_.nodes.push_back(make_node(root));
+      make_node(root, result_.nodes.emplace_back());
     }
     return id;
   }
-  [[nodiscard]] Node make_node(std::uint32_t root) const {
+  /// In its place: a copy of what was just written in parts would have to wait for them.
+  void make_node(std::uint32_t root, Node& node) const {
+    node.point.is_crossing = root >= ends_;
     if (root < ends_) {
-      const SumVertex vertex = vertex_of(root);
-      return {
-          {false, {}, {}, vertex}, predicates_.position(vertex), predicates_.bounds().difference};
+      node.point.vertex = vertex_of(root);
+      node.at = predicates_.position(node.point.vertex);
+      node.error = predicates_.bounds().difference;
+      return;
     }
     const Crossing& c = scratch_.crossings[root - ends_];
     const KeptSegment& s = result_.kept[c.first];
     const double reach = std::max(std::abs(s.d.x), std::abs(s.d.y));
-    return {{true, s.segment, result_.kept[c.second].segment, {}},
-            {s.a.x + c.lambda * s.d.x, s.a.y + c.lambda * s.d.y},
-            c.error * reach + predicates_.bounds().position};
+    node.point.first = s.segment;
+    node.point.second = result_.kept[c.second].segment;
+    node.at = {s.a.x + c.lambda * s.d.x, s.a.y + c.lambda * s.d.y};
+    node.error = c.error * reach + predicates_.bounds().position;
   }
 
   /// Pieces of one segment, but for those that run through covered cells: they are not boundary.
@@ -254,10 +258,10 @@ class Splitter {
     for (std::size_t first = 0, last = 0; first < incidents.size(); first = last) {
       while (last < incidents.size() && incidents[last].point == incidents[first].point) ++last;
       const std::uint32_t root = incidents[first].point;
-      if (turns_are_small(std::span(incidents).subspan(first, last - first)) &&
-          !is_covered(make_node(root))) {
-        result_.crowded.push_back(node_of(root));
-      }
+      if (!turns_are_small(std::span(incidents).subspan(first, last - first))) continue;
+      Node node;
+      make_node(root, node);
+      if (!is_covered(node)) result_.crowded.push_back(node_of(root));
     }
   }
   /// Whether each of these directions, sorted, is followed by another within half a circle.
