@@ -11,8 +11,8 @@ namespace minksum::overlay {
 ///
 /// Each operation adds a bound on its own rounding: u·|result| for u = 2^-53, and kTiny for results
 /// that underflow. Bounds are computed in doubles, too: some more roundings, each by a factor of at
-/// most 1 ± u, which kInflate covers many times over. Overflow makes the error infinite or no number, and
-/// then nothing is certain any more.
+/// most 1 ± u, which kInflate covers many times over. Overflow makes the error infinite or no
+/// number, and then nothing is certain any more.
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -22,26 +22,26 @@ struct Bounded {
   static constexpr double kTiny = 0x1p-1000;
 
   friend Bounded operator+(const Bounded& a, const Bounded& b) {
-    const double value = a.value + b.value;
-    return {value, (a.error + b.error) * kInflate + std::fabs(value) * kRounding};
+    const double result = a.value + b.value;
+    return {result, (a.error + b.error) * kInflate + std::fabs(result) * kRounding};
   }
   friend Bounded operator-(const Bounded& a, const Bounded& b) {
-    const double value = a.value - b.value;
-    return {value, (a.error + b.error) * kInflate + std::fabs(value) * kRounding};
+    const double result = a.value - b.value;
+    return {result, (a.error + b.error) * kInflate + std::fabs(result) * kRounding};
   }
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    const double value = a.value * b.value;
-    const double carried = std::fabs(a.value) * b.error + std::fabs(b.value) * a.error +
-                           a.error * b.error;
-    return {value, carried * kInflate + std::fabs(value) * kRounding + kTiny};
+    const double result = a.value * b.value;
+    const double carried =
+        std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error;
+    return {result, carried * kInflate + std::fabs(result) * kRounding + kTiny};
   }
   /// |A/B − a/b| = |(A − a) − (a/b)·(B − b)| / |B|. Infinite error if b may be 0.
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
-    const double value = a.value / b.value;
+    const double result = a.value / b.value;
     const double least = (std::fabs(b.value) - b.error) / kInflate;
     if (!(least > 0)) return {0, HUGE_VAL};
-    const double carried = (a.error + std::fabs(value) * b.error) / least;
-    return {value, carried * kInflate + std::fabs(value) * kRounding + kTiny};
+    const double carried = (a.error + std::fabs(result) * b.error) / least;
+    return {result, carried * kInflate + std::fabs(result) * kRounding + kTiny};
   }
 
   /// Whether the sign is certain, and not 0.

@@ -36,9 +36,10 @@ struct Approximation {
 
 /// Holds the exact coordinates of all points and decides by them.
 ///
-/// Points are homogeneous, (X : Y : W) with W > 0, and lines are their cross products; so no formula
-/// divides. There is one implementation (exact_points_of.hpp) and an instance of it for each rung: 30, 61 and 125
-/// bits of coordinate in integers of fixed width, and integers of any size.
+/// Points are homogeneous, (X : Y : W) with W > 0, and lines are their cross products; so no
+/// formula divides. There is one implementation (exact_points_of.hpp) and an instance of it for
+/// each rung: 30, 61 and 125 bits of coordinate in integers of fixed width, and integers of any
+/// size.
 class ExactPoints {
  public:
   virtual ~ExactPoints() = default;

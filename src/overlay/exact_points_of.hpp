@@ -19,11 +19,11 @@ namespace minksum::overlay {
 //   X₁·W₂ − X₂·W₁                5B + 3
 struct NarrowRung {
   static constexpr int kBits = 30;
-  using Length = std::int64_t;   // coordinates and A, B
-  using Area = std::int64_t;     // C, W and line · point
-  using Volume = Int128;         // X, Y of a crossing
-  using Side = Int128;           // line · crossing
-  using Order = WideInt<3>;      // X₁·W₂ − X₂·W₁
+  using Length = std::int64_t;  // coordinates and A, B
+  using Area = std::int64_t;    // C, W and line · point
+  using Volume = Int128;        // X, Y of a crossing
+  using Side = Int128;          // line · crossing
+  using Order = WideInt<3>;     // X₁·W₂ − X₂·W₁
   using AreaSum = Int128;
 };
 struct MediumRung {
@@ -84,7 +84,8 @@ inline BigInt to_big(Int128 value) { return to_big(WideInt<2>(value)); }
 inline BigInt to_big(std::int64_t value) { return BigInt(value); }
 inline BigInt to_big(const BigInteger& value) { return BigInt(value); }
 
-/// How the rung's coordinates and the given ones go together: given = (own + offset)·2^exp2·10^exp10.
+/// How the rung's coordinates and the given ones go together:
+/// given = (own + offset)·2^exp2·10^exp10.
 struct Frame {
   BigInt offset_x = 0;
   BigInt offset_y = 0;
@@ -155,8 +156,7 @@ class ExactPointsOf final : public ExactPoints {
   [[nodiscard]] Sign cross(const Ends& s, const Ends& t) const override {
     const Line l = line_of(s);
     const Line m = line_of(t);
-    return sign_of(
-        Area(widen<Area>(l.a) * widen<Area>(m.b) - widen<Area>(l.b) * widen<Area>(m.a)));
+    return sign_of(Area(widen<Area>(l.a) * widen<Area>(m.b) - widen<Area>(l.b) * widen<Area>(m.a)));
   }
   [[nodiscard]] Sign area_sign(std::span<const PointId> ring) const override {
     if constexpr (kHomogeneous) {
@@ -254,8 +254,7 @@ class ExactPointsOf final : public ExactPoints {
     return p;
   }
   static Sign compare(const Volume& n, const Area& d, const Volume& m, const Area& e) {
-    return sign_of(
-        Order(widen<Order>(n) * widen<Order>(e) - widen<Order>(m) * widen<Order>(d)));
+    return sign_of(Order(widen<Order>(n) * widen<Order>(e) - widen<Order>(m) * widen<Order>(d)));
   }
   /// The sum of the sides' cross products from `begin` to `end`: halves are added, so that the
   /// product of all denominators is a product of numbers of like size.

@@ -103,8 +103,8 @@ class AreaExtractor {
     if (ring.corners.size() < 3) broken("a ring of the area has no inside");
     // Both pieces at the smallest node go to the right: a ring around its inside leaves it by the
     // lower one.
-    ring.outer = s_.pieces[steps.front().piece].place_at_low <
-                 s_.pieces[steps.back().piece].place_at_low;
+    ring.outer =
+        s_.pieces[steps.front().piece].place_at_low < s_.pieces[steps.back().piece].place_at_low;
     Walk& whole = walks_[walk];
     whole.leftmost = std::min(whole.leftmost, steps.front().from);
     if (ring.outer) {

@@ -61,8 +61,7 @@ class ThinExtractor {
     }
     path.push_back(at);
     const bool closed = path.front() == path.back();
-    const bool backwards =
-        closed ? path[path.size() - 2] < path[1] : path.back() < path.front();
+    const bool backwards = closed ? path[path.size() - 2] < path[1] : path.back() < path.front();
     if (backwards) std::reverse(path.begin(), path.end());
     paths_.push_back(std::move(path));
   }
@@ -97,9 +96,9 @@ class ThinExtractor {
 
   const Segments& segments_;
   const Subdivision& s_;
-  std::vector<std::uint8_t> done_;           // by piece
-  std::vector<std::uint32_t> thin_degree_;   // by node
-  std::vector<std::uint8_t> on_area_;        // by node
+  std::vector<std::uint8_t> done_;          // by piece
+  std::vector<std::uint32_t> thin_degree_;  // by node
+  std::vector<std::uint8_t> on_area_;       // by node
   std::vector<Path> paths_;
 };
 

@@ -16,14 +16,14 @@ struct Item {
 
 /// A segment in doubles: to cut boxes with its line, and to see which pairs are far apart.
 struct Slant {
-  double x, y;         ///< its lower end
-  double x2, y2;       ///< its upper end
+  double x, y;    ///< its lower end
+  double x2, y2;  ///< its upper end
   double dx, dy;
-  double slope;        ///< dy / dx
-  double inverse;      ///< dx / dy
-  double cut_error;    ///< of a y on it by its slope: this · (1 + |slope|), and so for x
-  double side_error;   ///< of `side`
-  bool by_x;           ///< wide enough for `slope` to be good
+  double slope;       ///< dy / dx
+  double inverse;     ///< dx / dy
+  double cut_error;   ///< of a y on it by its slope: this · (1 + |slope|), and so for x
+  double side_error;  ///< of `side`
+  bool by_x;          ///< wide enough for `slope` to be good
   bool by_y;
 
   /// The cross product of the segment and the way from its lower end to a point.
@@ -33,7 +33,9 @@ struct Slant {
 class ContactFinder {
  public:
   ContactFinder(const Segments& segments, Cancellation& cancellation, Contacts& contacts)
-      : segments_(segments), predicates_(segments.predicates), cancellation_(cancellation),
+      : segments_(segments),
+        predicates_(segments.predicates),
+        cancellation_(cancellation),
         contacts_(contacts) {}
 
   void run() {
@@ -42,7 +44,7 @@ class ContactFinder {
     items_.reserve(2 * segments_.list.size());
     for (SegmentId s = 0; s < segments_.list.size(); ++s) add(s);
     add_lone_points();
-    divide(0, items_.size(), 0);
+    divide(0, items_.size(), kMaxPoor);
     const auto touch_order = [](const Touch& a, const Touch& b) {
       return a.segment != b.segment ? a.segment < b.segment : a.point < b.point;
     };
@@ -57,7 +59,7 @@ class ContactFinder {
 
  private:
   static constexpr std::size_t kFew = 16;
-  static constexpr int kMaxDepth = 96;
+  static constexpr int kMaxPoor = 4;
   static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
 
   [[nodiscard]] const Ends& ends(SegmentId s) const {
@@ -97,8 +99,8 @@ class ContactFinder {
     slant.dy = slant.y2 - slant.y;
     slant.slope = slant.dy / slant.dx;
     slant.inverse = slant.dx / slant.dy;
-    const double largest = std::max({std::fabs(slant.x), std::fabs(slant.x2), std::fabs(slant.y),
-                                     std::fabs(slant.y2)});
+    const double largest = std::max(
+        {std::fabs(slant.x), std::fabs(slant.x2), std::fabs(slant.y), std::fabs(slant.y2)});
     // Coordinates are off by 2^-52 of the largest, so over such a width a slope is off by 2^-21 of
     // itself at most, and a cut by some such errors, times the slope.
     const double enough = largest * 0x1p-30 + 0x1p-900;
@@ -124,8 +126,13 @@ class ContactFinder {
   }
 
   /// Divides the items [begin, end) of the stack; leaves the stack as it was but for their order.
-  void divide(std::size_t begin, std::size_t end, int depth) {
-    if (end - begin <= kFew || depth >= kMaxDepth) return test_all(begin, end);
+  ///
+  /// A division is poor if many segments are in both halves. Crowds of segments that run side by
+  /// side, or through one point, are not worth dividing; but a poor division may be what the next
+  /// ones need. So only some more poor than good ones are made on the way to a cell: `poor` is how
+  /// many are left. All of them together multiply the work by less than two.
+  void divide(std::size_t begin, std::size_t end, int poor) {
+    if (end - begin <= kFew) return test_all(begin, end);
     Item box = items_[begin];
     for (std::size_t i = begin + 1; i < end; ++i) {
       const Item& item = items_[i];
@@ -135,8 +142,38 @@ class ContactFinder {
       box.max_y = std::max(box.max_y, item.max_y);
     }
     const bool wide = box.max_x - box.min_x >= box.max_y - box.min_y;
-    if (split(begin, end, wide, depth) || split(begin, end, !wide, depth)) return;
-    test_all(begin, end);
+    const Division first = division(begin, end, wide);
+    const Division second = division(begin, end, !wide);
+    const bool use_first = first.in_both <= second.in_both;
+    const Division& best = use_first ? first : second;
+    const std::size_t count = end - begin;
+    const bool is_poor = best.in_both > count * 2 / 5;
+    const bool is_good = best.in_both < count / 6;
+    if (best.in_one == 0 || best.in_both > count * 3 / 4 || (is_poor && poor == 0)) {
+      return test_all(begin, end);
+    }
+    split(begin, end, use_first ? wide : !wide, best.at,
+          std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0)));
+  }
+
+  struct Division {
+    double at = 0;
+    std::size_t in_both = 0;
+    std::size_t in_one = 0;  ///< in the half that has fewer, and not in the other
+  };
+  [[nodiscard]] Division division(std::size_t begin, std::size_t end, bool by_x) const {
+    Division result;
+    result.at = middle(begin, end, by_x);
+    std::size_t low = 0;
+    std::size_t high = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Item& item = items_[i];
+      low += (by_x ? item.max_x : item.max_y) < result.at ? 1U : 0U;
+      high += (by_x ? item.min_x : item.min_y) > result.at ? 1U : 0U;
+    }
+    result.in_both = end - begin - low - high;
+    result.in_one = std::min(low, high);
+    return result;
   }
 
   /// The median of the boxes' middles, of a sample.
@@ -152,27 +189,16 @@ class ContactFinder {
     return sample[kSample / 2];
   }
 
-  bool split(std::size_t begin, std::size_t end, bool by_x, int depth) {
-    const double at = middle(begin, end, by_x);
-    std::size_t left = 0;
-    std::size_t right = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Item& item = items_[i];
-      left += (by_x ? item.min_x : item.min_y) <= at ? 1 : 0;
-      right += (by_x ? item.max_x : item.max_y) >= at ? 1 : 0;
-    }
-    const std::size_t count = end - begin;
-    if (std::max(left, right) == count || left + right > count + count * 2 / 5) return false;
+  void split(std::size_t begin, std::size_t end, bool by_x, double at, int poor) {
     for (const bool low : {true, false}) {
       const std::size_t first = items_.size();
       for (std::size_t i = begin; i < end; ++i) {
         Item item = items_[i];
         if (by_x ? cut_x(item, at, low) : cut_y(item, at, low)) items_.push_back(item);
       }
-      divide(first, items_.size(), depth + 1);
+      divide(first, items_.size(), poor);
       items_.resize(first);
     }
-    return true;
   }
 
   /// Leaves the part on one side of x = at; false if there is none.
@@ -219,20 +245,29 @@ class ContactFinder {
       for (std::size_t j = i + 1; j < end && items_[j].min_x <= a.max_x; ++j) {
         const Item& b = items_[j];
         if (b.min_y > a.max_y || a.min_y > b.max_y) continue;
-        if (beside(slants_[a.segment], slants_[b.segment])) continue;
-        if (beside(slants_[b.segment], slants_[a.segment])) continue;
+        if (beside(a.segment, b.segment)) continue;
+        if (beside(b.segment, a.segment)) continue;
         test(a.segment, b.segment);
       }
       if (end - begin > 1024) cancellation_.check();
     }
   }
 
-  /// Whether all of t is certainly on one side of the line of s.
-  [[nodiscard]] static bool beside(const Slant& s, const Slant& t) {
-    const double low = s.side(t.x, t.y);
-    const double high = s.side(t.x2, t.y2);
-    return (low > s.side_error && high > s.side_error) ||
-           (low < -s.side_error && high < -s.side_error);
+  /// Whether all of t is certainly on one side of the line of s, or half of it is and the other half
+  /// is an end that they share.
+  [[nodiscard]] bool beside(SegmentId s, SegmentId t) const {
+    const Slant& line = slants_[s];
+    const Slant& other = slants_[t];
+    const double low = line.side(other.x, other.y);
+    const double high = line.side(other.x2, other.y2);
+    if ((low > line.side_error && high > line.side_error) ||
+        (low < -line.side_error && high < -line.side_error)) {
+      return true;
+    }
+    const Ends& a = ends(s);
+    const Ends& b = ends(t);
+    if (a.low == b.low || a.high == b.low) return std::fabs(high) > line.side_error;
+    return (a.low == b.high || a.high == b.high) && std::fabs(low) > line.side_error;
   }
 
   void test(SegmentId s, SegmentId t) {

@@ -28,9 +28,8 @@ std::vector<PointId> merge_points(std::vector<Source> sources, Segments& segment
   std::vector<PointId> order(sources.size());
   std::iota(order.begin(), order.end(), 0U);
   const Predicates& predicates = segments.predicates;
-  std::sort(order.begin(), order.end(), [&](PointId a, PointId b) {
-    return a != b && predicates.compare(a, b) == kNegative;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](PointId a, PointId b) { return a != b && predicates.compare(a, b) == kNegative; });
   std::vector<PointId> point_of(sources.size());
   std::vector<PointId> distinct;
   for (const PointId p : order) {

@@ -117,8 +117,7 @@ std::unique_ptr<ExactPoints> load_homogeneous(std::span<const Source> sources) {
   }
   // The largest is about 2^100: far from overflow when three of them are multiplied.
   Frame frame;
-  frame.approximate_exp2 =
-      log2_largest == std::numeric_limits<int>::min() ? 0 : 100 - log2_largest;
+  frame.approximate_exp2 = log2_largest == std::numeric_limits<int>::min() ? 0 : 100 - log2_largest;
   return std::make_unique<ExactPointsOf<ArbitraryRung>>(std::move(points), std::move(weights),
                                                         std::move(frame));
 }

@@ -40,14 +40,14 @@ struct Chain {
   bool belongs = false;  ///< its own points are in the result, inside or not
 };
 
-/// The closure of the points that `inside` says, and the points of chains that belong; resolved (see
-/// Geometry). Exact for all coordinates that a region holds; origins are not kept.
+/// The closure of the points that `inside` says, and the points of chains that belong; resolved
+/// (see Geometry). Exact for all coordinates that a region holds; origins are not kept.
 ///
 /// The steps, each in a file of that name: load_points (coordinates on the narrowest rung of number
-/// types), find_contacts (where segments meet), subdivide (nodes and pieces), sweep (winding numbers
-/// on both sides of each piece), extract_area and extract_thin.
-/// O((n + c) log n) for n vertices and c contacts if segments are not much crowded: pairs are looked
-/// for in cells that are divided until they hold a few segments, or are seen not to divide them.
+/// types), find_contacts (where segments meet), subdivide (nodes and pieces), sweep (winding
+/// numbers on both sides of each piece), extract_area and extract_thin.
+/// O((n + c) log n) for n vertices and c contacts where segments are not much crowded: pairs are
+/// looked for in cells that are divided until they hold a few segments, or do not divide them.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, Inside inside,
                               const std::optional<CancelToken>& cancel);
 

@@ -38,7 +38,8 @@ class Predicates {
   [[nodiscard]] const ExactPoints& exact() const { return *exact_; }
 
   [[nodiscard]] Sign orientation(const Ends& line, PointId p) const {
-    const Bounded area = cross(points_[line.low], points_[line.high], points_[line.low], points_[p]);
+    const Bounded area =
+        cross(points_[line.low], points_[line.high], points_[line.low], points_[p]);
     return area.certain() ? area.sign() : exact_->orientation(line, p);
   }
   [[nodiscard]] Sign orientation(const Ends& line, const ApproximatePlace& at,
@@ -47,8 +48,7 @@ class Predicates {
     return area.certain() ? area.sign() : exact_->orientation(line, place);
   }
   [[nodiscard]] Sign cross(const Ends& s, const Ends& t) const {
-    const Bounded area =
-        cross(points_[s.low], points_[s.high], points_[t.low], points_[t.high]);
+    const Bounded area = cross(points_[s.low], points_[s.high], points_[t.low], points_[t.high]);
     return area.certain() ? area.sign() : exact_->cross(s, t);
   }
   [[nodiscard]] Sign compare(PointId a, PointId b) const {

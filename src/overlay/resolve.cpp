@@ -36,12 +36,18 @@ void require_legal(const Region& region) {
 
 const char* to_string(FillRule rule) {
   switch (rule) {
-    case FillRule::kAutomatic: return "automatic";
-    case FillRule::kEvenOdd: return "evenodd";
-    case FillRule::kNonZero: return "nonzero";
-    case FillRule::kPositive: return "positive";
-    case FillRule::kNegative: return "negative";
-    case FillRule::kStrict: return "strict";
+    case FillRule::kAutomatic:
+      return "automatic";
+    case FillRule::kEvenOdd:
+      return "evenodd";
+    case FillRule::kNonZero:
+      return "nonzero";
+    case FillRule::kPositive:
+      return "positive";
+    case FillRule::kNegative:
+      return "negative";
+    case FillRule::kStrict:
+      return "strict";
   }
   return "";
 }

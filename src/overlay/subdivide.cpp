@@ -11,8 +11,11 @@ class Subdivider {
  public:
   Subdivider(const Segments& segments, const Contacts& contacts, Cancellation& cancellation,
              Subdivision& result)
-      : segments_(segments), predicates_(segments.predicates), contacts_(contacts),
-        cancellation_(cancellation), result_(result) {}
+      : segments_(segments),
+        predicates_(segments.predicates),
+        contacts_(contacts),
+        cancellation_(cancellation),
+        result_(result) {}
 
   void run() {
     number_nodes();
@@ -136,8 +139,7 @@ class Subdivider {
     auto& pieces = result_.pieces;
     const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
     if (end - begin > 1) {
-      std::sort(at(begin), at(end),
-                [](const Piece& a, const Piece& b) { return a.high < b.high; });
+      std::sort(at(begin), at(end), [](const Piece& a, const Piece& b) { return a.high < b.high; });
     }
     std::size_t kept = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -150,13 +152,12 @@ class Subdivider {
       }
     }
     const auto idle = [](const Piece& p) { return p.change == Winding{} && !p.belongs; };
-    kept -= static_cast<std::size_t>(at(to + kept) -
-                                     std::remove_if(at(to), at(to + kept), idle));
+    kept -= static_cast<std::size_t>(at(to + kept) - std::remove_if(at(to), at(to + kept), idle));
     if (kept > 1) {
       std::sort(at(to), at(to + kept), [&](const Piece& a, const Piece& b) {
-        return a.segment != b.segment && predicates_.cross(segments_.list[a.segment].ends,
-                                                           segments_.list[b.segment].ends) ==
-                                             kPositive;
+        return a.segment != b.segment &&
+               predicates_.cross(segments_.list[a.segment].ends, segments_.list[b.segment].ends) ==
+                   kPositive;
       });
     }
     return kept;

@@ -30,8 +30,8 @@ struct Segment {
 /// Distinct points in lexicographic order, and the segments between them.
 struct Segments {
   Predicates predicates;
-  std::vector<Source> sources;           ///< by point: one vertex that is there
-  std::vector<std::uint8_t> belongs;     ///< by point: it is in the result whatever is around it
+  std::vector<Source> sources;        ///< by point: one vertex that is there
+  std::vector<std::uint8_t> belongs;  ///< by point: it is in the result whatever is around it
   std::vector<Segment> list;
 };
 
@@ -69,8 +69,8 @@ struct Piece {
   // By the sweep:
   bool inside_above = false;  ///< the face on the left, seen from low to high
   bool inside_below = false;
-  /// The nearest piece of the area's boundary straight below, through pieces that are inside on both
-  /// sides; kNone for what is not inside.
+  /// The nearest piece of the area's boundary straight below, through pieces that are inside on
+  /// both sides; kNone for what is not inside.
   PieceId ground = kNone;
   std::uint32_t place_at_low = 0;  ///< in Subdivision::around
   std::uint32_t place_at_high = 0;
@@ -82,8 +82,8 @@ struct Piece {
 /// Nodes are in lexicographic order, so that numbers of nodes compare as their places do.
 struct Subdivision {
   std::vector<Node> nodes;
-  std::vector<Piece> pieces;                ///< by low node, then counter-clockwise
-  std::vector<std::uint32_t> first_piece;   ///< by node, and one more: pieces that start there
+  std::vector<Piece> pieces;               ///< by low node, then counter-clockwise
+  std::vector<std::uint32_t> first_piece;  ///< by node, and one more: pieces that start there
 
   // By the sweep:
   std::vector<PieceId> around;              ///< pieces counter-clockwise around each node, from
@@ -119,20 +119,20 @@ class Cancellation {
 /// Points that are equal become one, equal segments as well, and closed chains are directed.
 [[nodiscard]] Segments list_segments(std::span<const Chain> chains);
 
-/// All touches and crossings. Cells are divided at medians, with each segment's box cut to the cell:
-/// a pair that meets does so in some cell, where both boxes hold the point.
-void find_contacts(const Segments& segments,
-                   Cancellation& cancellation, Contacts& contacts);
+/// All touches and crossings. Cells are divided at medians, with each segment's box cut to the
+/// cell: a pair that meets does so in some cell, where both boxes hold the point.
+void find_contacts(const Segments& segments, Cancellation& cancellation, Contacts& contacts);
 
-/// Cuts segments at their contacts. Nodes are equal if their exact places are. O((n + c) log (n + c))
-[[nodiscard]] Subdivision subdivide(const Segments& segments,
-                                    const Contacts& contacts, Cancellation& cancellation);
+/// Cuts segments at their contacts. Nodes are equal if their exact places are.
+/// O((n + c) log (n + c)) for n segments and c contacts.
+[[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts,
+                                    Cancellation& cancellation);
 
 /// Fills in what the sweep finds: a line moves over the nodes in their order and keeps the pieces
-/// that it meets in a balanced tree; as none cross, their order changes at nodes only. Only where no piece
-/// ends is a place looked for, by exact comparison. O(n log n)
-void sweep(const Segments& segments, Inside inside,
-           Cancellation& cancellation, Subdivision& subdivision);
+/// that it meets in a balanced tree; as none cross, their order changes at nodes only. Only where
+/// no piece ends is a place looked for, by exact comparison. O(n log n)
+void sweep(const Segments& segments, Inside inside, Cancellation& cancellation,
+           Subdivision& subdivision);
 
 /// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them
 /// counter-clockwise, and both neighbours of a face agree on it; what is wrong, if not. Every pair
@@ -141,11 +141,9 @@ void sweep(const Segments& segments, Inside inside,
                                                const Subdivision& subdivision);
 
 /// The closed area, in canonical form.
-void extract_area(const Segments& segments,
-                  const Subdivision& subdivision, Region& area);
+void extract_area(const Segments& segments, const Subdivision& subdivision, Region& area);
 
 /// What belongs and is outside of the area, as maximal polylines and points.
-void extract_thin(const Segments& segments,
-                  const Subdivision& subdivision, Geometry& geometry);
+void extract_thin(const Segments& segments, const Subdivision& subdivision, Geometry& geometry);
 
 }  // namespace minksum::overlay

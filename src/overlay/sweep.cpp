@@ -34,8 +34,8 @@ class Sweep {
 
   void pass(NodeId v) {
     list_ended(v);
-    const bool met = !ended_.empty() || s_.nodes[v].belongs ||
-                     s_.first_piece[v] != s_.first_piece[v + 1];
+    const bool met =
+        !ended_.empty() || s_.nodes[v].belongs || s_.first_piece[v] != s_.first_piece[v + 1];
     const SlotId under = !ended_.empty() ? status_.below(ended_.front())
                          : met           ? search(v)
                                          : Status::kGround;
@@ -60,8 +60,7 @@ class Sweep {
     ended_.clear();
     if (ending_[v] == kNone) return;
     const auto ends_here = [&](SlotId slot) {
-      return slot != Status::kGround && slot != kNone &&
-             s_.pieces[status_.piece(slot)].high == v;
+      return slot != Status::kGround && slot != kNone && s_.pieces[status_.piece(slot)].high == v;
     };
     SlotId slot = slot_of_[ending_[v]];
     while (ends_here(status_.below(slot))) slot = status_.below(slot);
@@ -124,9 +123,9 @@ class Sweep {
   Cancellation& cancellation_;
   Subdivision& s_;
   Status status_;
-  std::vector<SlotId> slot_of_;   // by piece
-  std::vector<Winding> above_;    // by piece
-  std::vector<PieceId> ending_;   // by node
+  std::vector<SlotId> slot_of_;  // by piece
+  std::vector<Winding> above_;   // by piece
+  std::vector<PieceId> ending_;  // by node
   std::vector<SlotId> ended_;
 };
 

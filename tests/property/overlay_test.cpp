@@ -77,8 +77,7 @@ TEST(Overlay, ResolveOfFractionsIsAsByBruteForce) {
     Case c = random_case(random);
     c.mess = transformed(c.mess, random_projection(random));
     SCOPED_TRACE(note(i, c));
-    EXPECT_EQ(to_text(resolved(c)),
-              to_text(brute_force_resolve(c.mess, c.rule, c.regularize)));
+    EXPECT_EQ(to_text(resolved(c)), to_text(brute_force_resolve(c.mess, c.rule, c.regularize)));
   }
 }
 

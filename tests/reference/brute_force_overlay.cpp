@@ -87,7 +87,8 @@ bool hit(const Pt& from, const Pt& towards, const Edge& edge, Number& distance) 
     return distance > 0;
   }
   const Number part = a / (a - b);
-  distance = along({edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)});
+  distance =
+      along({edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)});
   return distance > 0;
 }
 
@@ -271,10 +272,14 @@ class Overlay {
 
 bool filled(FillRule rule, int winding) {
   switch (rule) {
-    case FillRule::kEvenOdd: return winding % 2 != 0;
-    case FillRule::kPositive: return winding > 0;
-    case FillRule::kNegative: return winding < 0;
-    default: return winding != 0;
+    case FillRule::kEvenOdd:
+      return winding % 2 != 0;
+    case FillRule::kPositive:
+      return winding > 0;
+    case FillRule::kNegative:
+      return winding < 0;
+    default:
+      return winding != 0;
   }
 }
 

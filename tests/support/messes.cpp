@@ -48,11 +48,16 @@ std::function<Point(const Point&)> random_scaling(Random& random) {
   const auto power = [](int exponent) { return Rational(std::ldexp(1.0, exponent)); };
   return [=](const Point& p) -> Point {
     switch (kind) {
-      case 0: return p;
-      case 1: return {p.x * Rational((std::int64_t{1} << 56) + seed), p.y * Rational(seed)};
-      case 2: return {p.x * Rational(Decimal{seed, -7}) + 1, p.y * Rational(Decimal{3, -2}) - 5};
-      case 3: return {p.x * power(70) + power(-30), p.y * power(-40)};
-      default: return {p.x * power(900), p.y * power(-900)};
+      case 0:
+        return p;
+      case 1:
+        return {p.x * Rational((std::int64_t{1} << 56) + seed), p.y * Rational(seed)};
+      case 2:
+        return {p.x * Rational(Decimal{seed, -7}) + 1, p.y * Rational(Decimal{3, -2}) - 5};
+      case 3:
+        return {p.x * power(70) + power(-30), p.y * power(-40)};
+      default:
+        return {p.x * power(900), p.y * power(-900)};
     }
   };
 }

@@ -146,8 +146,9 @@ Steps run_steps(const Geometry& geometry) {
   steps.segments = list_segments(chains_of(geometry, store));
   find_contacts(steps.segments, cancellation, steps.contacts);
   steps.subdivision = subdivide(steps.segments, steps.contacts, cancellation);
-  sweep(steps.segments, [](const Winding& w) { return w.first != 0; }, cancellation,
-        steps.subdivision);
+  sweep(
+      steps.segments, [](const Winding& w) { return w.first != 0; }, cancellation,
+      steps.subdivision);
   return steps;
 }
 
@@ -155,8 +156,8 @@ TEST(OverlaySteps, SubdivisionsPassTheirChecker) {
   for (std::uint64_t seed = 1; seed <= 1000 && !HasFailure(); ++seed) {
     Random random(seed);
     Geometry mess = test::random_mess(random);
-    mess = test::transformed(mess, random.one_in(4) ? test::random_projection(random)
-                                                    : test::random_scaling(random));
+    mess = test::transformed(
+        mess, random.one_in(4) ? test::random_projection(random) : test::random_scaling(random));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::to_text(mess));
     const Steps steps = run_steps(mess);
     EXPECT_EQ(check(steps.segments, steps.subdivision).value_or(""), "");
@@ -184,7 +185,9 @@ TEST(OverlaySteps, NoContactIsMissed) {
     std::size_t touches = 0;
     for (std::size_t s = 0; s < list.size(); ++s) {
       for (std::size_t t = s + 1; t < list.size(); ++t) {
-        const auto side = [&](const Ends& line, PointId p) { return int{exact.orientation(line, p)}; };
+        const auto side = [&](const Ends& line, PointId p) {
+          return int{exact.orientation(line, p)};
+        };
         const Ends a = list[s].ends;
         const Ends b = list[t].ends;
         if (side(a, b.low) * side(a, b.high) < 0 && side(b, a.low) * side(b, a.high) < 0) {
@@ -265,8 +268,8 @@ TEST(OverlayStatus, KeepsItsOrder) {
     std::set<PieceId> lower;
     for (int k = 0; k < height; ++k) lower.insert(expected[static_cast<std::size_t>(k)].second);
     const SlotId found = status.search([&](PieceId p) { return lower.contains(p); });
-    EXPECT_EQ(found, height == 0 ? Status::kGround
-                                 : expected[static_cast<std::size_t>(height - 1)].first);
+    EXPECT_EQ(found,
+              height == 0 ? Status::kGround : expected[static_cast<std::size_t>(height - 1)].first);
   }
 }
 

@@ -66,9 +66,8 @@ TEST(Resolve, SpikesAndCollapsedRings) {
 }
 
 TEST(Resolve, AntennaThroughAHole) {
-  const Region region =
-      make_polygon({{0, 0}, {6, 0}, {6, 3}, {-1, 3}, {6, 3}, {6, 6}, {0, 6}},
-                   {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}});
+  const Region region = make_polygon({{0, 0}, {6, 0}, {6, 3}, {-1, 3}, {6, 3}, {6, 6}, {0, 6}},
+                                     {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}});
   const Geometry result = resolved(region);
   EXPECT_EQ(result.region.hole_count(), 1U);
   EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}, {{2, 3}, {4, 3}}}));
@@ -76,13 +75,19 @@ TEST(Resolve, AntennaThroughAHole) {
 
 TEST(Resolve, PolylinesAndPoints) {
   Geometry geometry;
-  geometry.polylines = {{{0, 0}, {1, 0}, {2, 0}, {2, 2}}, {{2, 2}, {0, 2}, {0, 0}},
-                        {{9, 0}, {5, 0}}, {{7, -1}, {7, 1}}, {{3, 3}, {3, 3}}};
+  geometry.polylines = {{{0, 0}, {1, 0}, {2, 0}, {2, 2}},
+                        {{2, 2}, {0, 2}, {0, 0}},
+                        {{9, 0}, {5, 0}},
+                        {{7, -1}, {7, 1}},
+                        {{3, 3}, {3, 3}}};
   geometry.points = {{8, 0}, {2, 1}, {4, 4}, {4, 4}};
   const Geometry result = resolve(geometry);
   const std::vector<Polyline> expected = {
       {{0, 0}, {0, 2}, {2, 2}, {2, 0}, {0, 0}},  // closed, towards the smaller neighbour
-      {{5, 0}, {7, 0}}, {{7, -1}, {7, 0}}, {{7, 0}, {7, 1}}, {{7, 0}, {9, 0}}};
+      {{5, 0}, {7, 0}},
+      {{7, -1}, {7, 0}},
+      {{7, 0}, {7, 1}},
+      {{7, 0}, {9, 0}}};
   EXPECT_EQ(result.polylines, expected);
   EXPECT_EQ(result.points, (std::vector<Point>{{3, 3}, {4, 4}}));
 }
@@ -136,8 +141,7 @@ TEST(Boolean, TwoSquares) {
   const Region b = rectangle(1, 1, 3, 3);
   EXPECT_EQ(intersect(a, b), rectangle(1, 1, 2, 2));
   EXPECT_EQ(area(unite(a, b)), 7);
-  EXPECT_EQ(subtract(a, b),
-            make_polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
+  EXPECT_EQ(subtract(a, b), make_polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
   EXPECT_EQ(symmetric_difference(a, b).polygon_count(), 2U);
   EXPECT_TRUE(contains(a, rectangle(0, 0, 1, 1)));
   EXPECT_FALSE(contains(a, b));
