@@ -5,6 +5,8 @@
 
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/round.hpp"
 
 namespace minksum::cli {
 
@@ -23,6 +25,10 @@ struct SumArguments {
   std::string output;       ///< empty = standard output
   io::Format format = io::Format::kWkt;
   io::Coordinates coordinates;
+  RoundingSide rounding = RoundingSide::kNearest;  ///< but for exact coordinates
+  bool keep_properties = false;                    ///< write a Feature with those of P
+  std::string tight;                               ///< empty = none
+  io::Format tight_format = io::Format::kWkt;
   std::string stats;    ///< empty = none
   std::string picture;  ///< empty = none
   std::string trace;    ///< a folder; empty = none
@@ -37,6 +43,7 @@ struct InfoArguments {
   std::string file;
   bool json = false;
   io::ReadLimits limits;
+  ResolveOptions resolve;
 };
 
 /// Both return an exit code, and throw what `report_failure` (failure.hpp) can name.

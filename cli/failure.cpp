@@ -124,9 +124,10 @@ Failure failure_of(const Error& error, const std::string& file) {
   return Failure(exit_code_of(error.code()), line);
 }
 
-Region read_operand(const std::string& file, const io::ReadLimits& limits) {
+ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) {
   try {
-    return io::read_file(file, limits);
+    const std::string text = io::load_text(file, limits);
+    return {io::read_geometry(text, limits), io::feature_properties(text, limits)};
   } catch (const Error& error) {
     throw failure_of(error, file);
   }

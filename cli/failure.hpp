@@ -27,8 +27,13 @@ class Failure : public std::runtime_error {
 /// The failure that `error` is, if it came about while reading or using `file`.
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
+/// An operand as a file gives it.
+struct ReadOperand {
+  Geometry geometry;
+  std::optional<std::string> properties;  ///< see io::feature_properties
+};
 /// Reads an operand; what goes wrong is thrown as a Failure that names the file.
-[[nodiscard]] Region read_operand(const std::string& file, const io::ReadLimits& limits);
+[[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits);
 
 /// Tells the exception being handled on standard error, in one line; returns the exit code.
 /// Needs no memory to say that there is none; `memory_limit` in bytes, if there is one.

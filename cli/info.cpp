@@ -1,6 +1,4 @@
-// minksum info: what a file holds, and whether it is a legal operand.
-#include <algorithm>
-#include <iostream>
+// minksum info: what a file holds, whether its polygons are valid, and what they mean.
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -8,8 +6,10 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "minksum/measure.hpp"
+#include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
 #include "output_file.hpp"
+#include "sum_picture.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -20,20 +20,49 @@ constexpr std::size_t kMaxFaults = 100;
 // A decimal is easier to read than a fraction, if it is short.
 constexpr int kMaxReadableDigits = 40;
 
+// What the polygons mean, by the fill rule.
+struct Meaning {
+  Geometry geometry;
+  Rational area;
+};
+
 struct Findings {
-  std::size_t parts = 0;
-  std::size_t holes = 0;
-  std::size_t vertices = 0;
+  const Geometry& geometry;
   std::optional<Box> box;
   Rational area;
   std::size_t bits = 0;
   std::vector<Fault> faults;
+  std::optional<Meaning> meaning;  ///< none if the rule is strict and there are faults
 };
 
-Findings examine(const Region& region) {
-  return {region.polygon_count(),      region.hole_count(), region.vertex_count(),
-          bounding_box(region),        area(region),        coordinate_bits(region),
-          validate(region, kMaxFaults)};
+// All vertices as rings: for measures of a region that do not ask what its rings are like.
+Region all_vertices(const Geometry& geometry) {
+  Region all = geometry.region;
+  const auto add = [&all](const std::vector<Point>& points) {
+    if (points.empty()) return;
+    all.begin_polygon();
+    all.begin_ring();
+    for (const Point& point : points) all.add_vertex(point.x, point.y);
+  };
+  for (const Polyline& polyline : geometry.polylines) add(polyline);
+  add(geometry.points);
+  return all;
+}
+
+Findings examine(const Geometry& geometry, const ResolveOptions& options) {
+  const Region all = geometry.has_thin_parts() ? all_vertices(geometry) : Region();
+  const Region& vertices = geometry.has_thin_parts() ? all : geometry.region;
+  Findings findings{geometry,
+                    bounding_box(vertices),
+                    area(geometry.region),
+                    coordinate_bits(vertices),
+                    validate(geometry.region, kMaxFaults),
+                    {}};
+  if (options.fill != FillRule::kStrict || findings.faults.empty()) {
+    findings.meaning.emplace().geometry = resolve(geometry, options);
+    findings.meaning->area = area(findings.meaning->geometry.region);
+  }
+  return findings;
 }
 
 // The number exactly: as a decimal if it is one of few digits, else as a fraction and about.
@@ -59,15 +88,20 @@ std::string described(const Fault& fault) {
   return text.str();
 }
 
-void write_text(std::ostream& out, const Findings& findings) {
-  out << "parts     " << findings.parts << "\nholes     " << findings.holes << "\nvertices  "
-      << findings.vertices << '\n';
+void write_text(std::ostream& out, const Findings& findings, FillRule fill) {
+  const Geometry& geometry = findings.geometry;
+  out << "parts     " << geometry.region.polygon_count() << "\nholes     "
+      << geometry.region.hole_count() << "\nvertices  " << geometry.region.vertex_count() << '\n';
+  if (geometry.has_thin_parts()) {
+    out << "polylines " << geometry.polylines.size() << "\npoints    " << geometry.points.size()
+        << '\n';
+  }
   if (findings.box) {
     const Box& box = *findings.box;
     out << "x         from " << readable(box.min.x) << " to " << readable(box.max.x)
         << "\ny         from " << readable(box.min.y) << " to " << readable(box.max.y) << '\n';
   } else {
-    out << "box       none: the region is empty\n";
+    out << "box       none: there is nothing\n";
   }
   out << "area      " << readable(findings.area) << "\nbits      " << findings.bits << '\n';
   out << "valid     " << (findings.faults.empty() ? "yes" : "no") << '\n';
@@ -75,6 +109,13 @@ void write_text(std::ostream& out, const Findings& findings) {
   if (findings.faults.size() == kMaxFaults) {
     out << "          (the first " << kMaxFaults << " faults; there may be more)\n";
   }
+  out << "meaning   ";
+  if (findings.meaning) {
+    out << summary(findings.meaning->geometry) << "; area " << readable(findings.meaning->area);
+  } else {
+    out << "none";
+  }
+  out << " (fill rule " << to_string(fill) << ")\n";
 }
 
 Json point_json(const Point& point) { return {point.x.to_string(), point.y.to_string()}; }
@@ -92,24 +133,42 @@ Json fault_json(const Fault& fault) {
   return json;
 }
 
-void write_json(std::ostream& out, const std::string& file, const Findings& findings) {
+void add_sizes(Json& json, const Geometry& geometry) {
+  json["parts"] = geometry.region.polygon_count();
+  json["holes"] = geometry.region.hole_count();
+  json["vertices"] = geometry.region.vertex_count();
+  json["polylines"] = geometry.polylines.size();
+  json["points"] = geometry.points.size();
+}
+
+void add_area(Json& json, const Rational& area) {
+  json["area"] = area.to_double();
+  json["area_exact"] = area.to_string();
+}
+
+void write_json(std::ostream& out, const InfoArguments& arguments, const Findings& findings) {
   Json json;
-  json["file"] = file;
-  json["parts"] = findings.parts;
-  json["holes"] = findings.holes;
-  json["vertices"] = findings.vertices;
+  json["file"] = arguments.file;
+  add_sizes(json, findings.geometry);
   json["box"] = nullptr;
   if (findings.box) {
     json["box"] = Json::object();
     json["box"]["min"] = point_json(findings.box->min);
     json["box"]["max"] = point_json(findings.box->max);
   }
-  json["area"] = findings.area.to_double();
-  json["area_exact"] = findings.area.to_string();
+  add_area(json, findings.area);
   json["coordinate_bits"] = findings.bits;
   json["valid"] = findings.faults.empty();
   json["faults"] = Json::array();
   for (const Fault& fault : findings.faults) json["faults"].push_back(fault_json(fault));
+  json["fill"] = to_string(arguments.resolve.fill);
+  json["meaning"] = nullptr;
+  if (findings.meaning) {
+    Json meaning;
+    add_sizes(meaning, findings.meaning->geometry);
+    add_area(meaning, findings.meaning->area);
+    json["meaning"] = meaning;
+  }
   // File names and messages may hold any bytes; JSON holds only UTF-8.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
@@ -117,13 +176,13 @@ void write_json(std::ostream& out, const std::string& file, const Findings& find
 }  // namespace
 
 int run_info(const InfoArguments& arguments) {
-  const Region region = read_operand(arguments.file, arguments.limits);
-  const Findings findings = examine(region);
+  const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
+  const Findings findings = examine(geometry, arguments.resolve);
   write_output("", [&](std::ostream& out) {
     if (arguments.json) {
-      write_json(out, arguments.file, findings);
+      write_json(out, arguments, findings);
     } else {
-      write_text(out, findings);
+      write_text(out, findings, arguments.resolve.fill);
     }
   });
   if (findings.faults.empty()) return kFine;

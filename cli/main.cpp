@@ -22,18 +22,20 @@ Errors are one line on standard error: "minksum: FILE:LINE:COLUMN: what", or
 and ring 1 is the outer one.)";
 
 void add_info(CLI::App& app, InfoArguments& arguments, ProcessLimits& limits) {
-  CLI::App* info =
-      app.add_subcommand("info", "What a region is: parts, holes, box, exact area, validity, bits");
-  info->footer("\nExit code 2 if the region is not valid; all faults are listed.\n");
-  info->add_option("FILE", arguments.file, "The region, or - for standard input")
+  CLI::App* info = app.add_subcommand(
+      "info", "What a geometry is: parts, holes, box, exact area, validity, bits");
+  info->footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
+  info->add_option("FILE", arguments.file, "The geometry, or - for standard input")
       ->required()
       ->type_name("FILE");
   info->add_flag("--json", arguments.json, "As JSON");
+  add_fill_option(*info, arguments.resolve.fill);
+  info->add_flag("--regularize", arguments.resolve.regularize, "Drop polylines, points and spikes");
   add_limit_options(*info, limits, false);
 }
 
 int run(int argc, char** argv, ProcessLimits& limits) {
-  CLI::App app("Exact Minkowski sums of planar regions", "minksum");
+  CLI::App app("Exact Minkowski sums in the plane", "minksum");
   app.set_version_flag("--version", "minksum " MINKSUM_VERSION);
   app.require_subcommand(1);
 

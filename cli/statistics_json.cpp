@@ -1,6 +1,7 @@
 #include "statistics_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "minksum/measure.hpp"
@@ -11,11 +12,51 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json size_json(const Region& region) {
+Json size_json(const Geometry& geometry) {
   Json json;
-  json["vertices"] = region.vertex_count();
-  json["holes"] = region.hole_count();
-  json["parts"] = region.polygon_count();
+  json["vertices"] = geometry.region.vertex_count();
+  json["holes"] = geometry.region.hole_count();
+  json["parts"] = geometry.region.polygon_count();
+  json["polylines"] = geometry.polylines.size();
+  json["points"] = geometry.points.size();
+  return json;
+}
+
+double length(const std::vector<Polyline>& polylines) {
+  double sum = 0;
+  for (const Polyline& polyline : polylines) {
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      sum += std::hypot((polyline[i].x - polyline[i - 1].x).to_double(),
+                        (polyline[i].y - polyline[i - 1].y).to_double());
+    }
+  }
+  return sum;
+}
+
+Json result_json(const SumArguments& arguments, const SumRun& run) {
+  Json json = size_json(run.exact);
+  json["area"] = approximate_area(run.exact.region);
+  // The common denominator of thousands of crossings has hundreds of thousands of digits, and takes
+  // longer than the sum: only for those who ask for exact numbers.
+  if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
+    json["area_exact"] = area(run.exact.region).to_string();
+  }
+  if (run.tight) {
+    json["tight_points"] = run.tight->points.size();
+    json["tight_polylines"] = run.tight->polylines.size();
+    json["tight_length"] = length(run.tight->polylines);
+  }
+  return json;
+}
+
+Json rounding_json(RoundingSide side, const RoundingReport& report) {
+  Json json;
+  json["side"] = minksum::to_string(side);
+  json["exact"] = report.exact;
+  json["snapped"] = report.snapped;
+  json["topology_kept"] = report.topology_kept;
+  json["largest_move"] = report.largest_move;
+  json["bound"] = report.bound;
   return json;
 }
 
@@ -23,6 +64,7 @@ Json seconds_json(const Seconds& seconds) {
   Json json;
   json["read"] = seconds.read;
   json["sum"] = seconds.sum;
+  json["round"] = seconds.round;
   json["write"] = seconds.write;
   Json stages;
   for (int i = 0; i < kStageCount; ++i) {
@@ -93,26 +135,20 @@ const char* to_string(Arithmetic arithmetic) {
   return "?";
 }
 
-nlohmann::ordered_json statistics_json(const SumArguments& arguments, const Region (&operands)[2],
-                                       const Region& result, const Statistics& statistics,
-                                       const Seconds& seconds) {
+nlohmann::ordered_json statistics_json(const SumArguments& arguments, const SumRun& run) {
   Json json;
   for (int i = 0; i < 2; ++i) {
-    Json operand = size_json(operands[i]);
+    Json operand = size_json(run.operands[i]);
     operand["file"] = arguments.operands[i];
     json["operands"].push_back(operand);
   }
-  json["result"] = size_json(result);
-  json["result"]["area"] = approximate_area(result);
-  // The common denominator of thousands of crossings has hundreds of thousands of digits, and takes
-  // longer than the sum: only for those who ask for exact numbers.
-  if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
-    json["result"]["area_exact"] = area(result).to_string();
-  }
-  json["seconds"] = seconds_json(seconds);
-  json["counts"] = counts_json(statistics);
-  json["arithmetic"] = arithmetic_json(statistics);
+  json["result"] = result_json(arguments, run);
+  if (run.rounding) json["rounding"] = rounding_json(arguments.rounding, *run.rounding);
+  json["seconds"] = seconds_json(run.seconds);
+  json["counts"] = counts_json(run.statistics);
+  json["arithmetic"] = arithmetic_json(run.statistics);
   json["method"] = to_string(arguments.options.method);
+  json["fill"] = minksum::to_string(arguments.options.fill);
   json["repeat"] = arguments.repeat;
   json["version"] = MINKSUM_VERSION;
   return json;

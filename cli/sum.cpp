@@ -1,4 +1,4 @@
-// minksum sum: read two regions, add them, write the sum and what is asked for beside it.
+// minksum sum: read two geometries, add them, write the sum and what is asked for beside it.
 #include <chrono>
 #include <cstdio>
 #include <new>
@@ -14,6 +14,8 @@
 
 namespace minksum::cli {
 namespace {
+
+using Style = io::Coordinates::Style;
 
 class Stopwatch {
  public:
@@ -39,87 +41,127 @@ Failure sum_failure(const Error& error, const SumArguments& arguments) {
   throw sum_failure(error, arguments);
 }
 
+void read_operands(const SumArguments& arguments, SumRun& run) {
+  const Stopwatch watch;
+  for (int i = 0; i < 2; ++i) {
+    ReadOperand operand = read_operand(arguments.operands[i], arguments.limits);
+    run.operands[i] = std::move(operand.geometry);
+    if (i == 0) run.properties = std::move(operand.properties);
+  }
+  run.seconds.read = watch.seconds();
+  if (arguments.keep_properties && !run.properties) {
+    throw failure_of(
+        Error(ErrorCode::kBadInput, "--keep-properties needs a single GeoJSON Feature"),
+        arguments.operands[0]);
+  }
+}
+
 // Runs the sum `repeat` times in the same memory; `statistics` and `result` are the last run's.
-void compute(const SumArguments& arguments, const Region (&operands)[2], Region& result,
-             Statistics& statistics, Seconds& seconds) {
+void compute(const SumArguments& arguments, SumRun& run) {
   Workspace workspace;
   std::vector<double> sums;
   std::vector<double> stages[kStageCount];
-  for (int run = 0; run < arguments.repeat; ++run) {
-    statistics = Statistics();
+  for (int i = 0; i < arguments.repeat; ++i) {
+    run.statistics = Statistics();
     Options options = arguments.options;
-    options.statistics = &statistics;
+    options.statistics = &run.statistics;
+    if (!arguments.tight.empty()) options.tight = &run.tight.emplace();
     const Stopwatch watch;
-    const Outcome outcome = minkowski_sum(operands[0], operands[1], options, workspace, result);
+    const Outcome outcome =
+        minkowski_sum(run.operands[0], run.operands[1], options, workspace, run.exact);
     sums.push_back(watch.seconds());
     if (!outcome.ok()) fail(*outcome.error, arguments);
-    for (int i = 0; i < kStageCount; ++i) stages[i].push_back(statistics.stage_seconds[i]);
+    for (int s = 0; s < kStageCount; ++s) stages[s].push_back(run.statistics.stage_seconds[s]);
   }
-  seconds.sum = median(sums);
-  for (int i = 0; i < kStageCount; ++i) seconds.stages[i] = median(stages[i]);
+  run.seconds.sum = median(sums);
+  for (int s = 0; s < kStageCount; ++s) run.seconds.stages[s] = median(stages[s]);
 }
 
 // Tracing takes a run of its own, so that the times are those of plain runs.
-void compute_and_write_trace(const SumArguments& arguments, const Region (&operands)[2]) {
+void compute_and_write_trace(const SumArguments& arguments, const SumRun& run) {
   Trace trace;
   Options options = arguments.options;
   options.trace = &trace;
-  const Region result = minkowski_sum(operands[0], operands[1], options);
-  write_trace(arguments.trace, operands[0], operands[1], result, trace);
+  static_cast<void>(minkowski_sum(run.operands[0], run.operands[1], options));
+  write_trace(arguments.trace, drawing_of(run, arguments.options), trace);
 }
 
-void tell_summary(const Region (&operands)[2], const Region& result, const SumArguments& arguments,
-                  const Seconds& seconds) {
-  std::fprintf(stderr, "P      %s\nQ      %s\nP + Q  %s\n", summary(operands[0]).c_str(),
-               summary(operands[1]).c_str(), summary(result).c_str());
+// What is written: rounded as a whole, so that it stays valid.
+void round_result(const SumArguments& arguments, SumRun& run) {
+  if (arguments.coordinates.style == Style::kExact) return;
+  const Stopwatch watch;
+  RoundOptions options;
+  options.side = arguments.rounding;
+  if (arguments.coordinates.style == Style::kDecimal) {
+    options.decimals = arguments.coordinates.digits;
+  }
+  run.rounded = round(run.exact, options, &run.rounding.emplace());
+  options.side = RoundingSide::kNearest;
+  if (run.tight) run.rounded_tight = round(*run.tight, options);
+  run.seconds.round = watch.seconds();
+}
+
+void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
+                    const io::Coordinates& coordinates, const std::string* properties = nullptr) {
+  write_output(file, [&](std::ostream& out) {
+    if (properties != nullptr) {
+      out << R"({"type": "Feature", "properties": )" << *properties << R"(, "geometry": )";
+    }
+    io::write(out, geometry, format, coordinates);
+    if (properties != nullptr) out << '}';
+    if (format == io::Format::kWkt || format == io::Format::kGeoJson) out << '\n';
+  });
+}
+
+void write_results(const SumArguments& arguments, SumRun& run) {
+  const Stopwatch watch;
+  write_geometry(arguments.output, run.rounding ? run.rounded : run.exact, arguments.format,
+                 arguments.coordinates, arguments.keep_properties ? &*run.properties : nullptr);
+  run.seconds.write = watch.seconds();
+  if (run.tight) {
+    write_geometry(arguments.tight, run.rounding ? run.rounded_tight : *run.tight,
+                   arguments.tight_format, arguments.coordinates);
+  }
+  if (!arguments.picture.empty()) {
+    const std::string picture = sum_picture(drawing_of(run, arguments.options));
+    write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+  }
+  if (!arguments.stats.empty()) {
+    const auto json = statistics_json(arguments, run);
+    write_output(arguments.stats, [&](std::ostream& out) {
+      out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    });
+  }
+}
+
+void tell_summary(const SumArguments& arguments, const SumRun& run) {
+  std::fprintf(stderr, "P      %s\nQ      %s\nP + Q  %s\n", summary(run.operands[0]).c_str(),
+               summary(run.operands[1]).c_str(), summary(run.exact).c_str());
+  if (run.tight) std::fprintf(stderr, "tight  %s\n", summary(*run.tight).c_str());
   const std::string runs =
       arguments.repeat > 1 ? " (median of " + std::to_string(arguments.repeat) + " runs)" : "";
-  std::fprintf(stderr, "time   %s%s\n", readable_seconds(seconds.sum).c_str(), runs.c_str());
+  std::fprintf(stderr, "time   %s%s\n", readable_seconds(run.seconds.sum).c_str(), runs.c_str());
 }
 
 }  // namespace
 
 int run_sum(const SumArguments& arguments) {
-  for (const std::string* path : {&arguments.output, &arguments.stats, &arguments.picture}) {
+  for (const std::string* path :
+       {&arguments.output, &arguments.tight, &arguments.stats, &arguments.picture}) {
     check_writable(*path);
   }
   if (!arguments.trace.empty()) make_folder(arguments.trace);
-
-  Seconds seconds;
-  const Stopwatch reading;
-  const Region operands[2] = {read_operand(arguments.operands[0], arguments.limits),
-                              read_operand(arguments.operands[1], arguments.limits)};
-  seconds.read = reading.seconds();
-
-  Region result;
-  Statistics statistics;
+  SumRun run;
+  read_operands(arguments, run);
   try {
-    compute(arguments, operands, result, statistics, seconds);
-    if (!arguments.trace.empty()) compute_and_write_trace(arguments, operands);
+    compute(arguments, run);
+    if (!arguments.trace.empty()) compute_and_write_trace(arguments, run);
+    round_result(arguments, run);
   } catch (const Error& error) {
     fail(error, arguments);
   }
-
-  const Stopwatch writing;
-  write_output(arguments.output, [&](std::ostream& out) {
-    io::write(out, result, arguments.format, arguments.coordinates);
-    const bool one_line =
-        arguments.format == io::Format::kWkt || arguments.format == io::Format::kGeoJson;
-    if (one_line) out << '\n';
-  });
-  seconds.write = writing.seconds();
-
-  if (!arguments.picture.empty()) {
-    const std::string picture = sum_picture(operands[0], operands[1], result);
-    write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
-  }
-  if (!arguments.stats.empty()) {
-    const auto json = statistics_json(arguments, operands, result, statistics, seconds);
-    write_output(arguments.stats, [&](std::ostream& out) {
-      out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-    });
-  }
-  if (arguments.verbose) tell_summary(operands, result, arguments, seconds);
+  write_results(arguments, run);
+  if (arguments.verbose) tell_summary(arguments, run);
   return kFine;
 }
 

@@ -13,12 +13,16 @@ namespace minksum::cli {
 struct TypedSum {
   std::string format;
   std::string coordinates = "double";
+  std::string round;
   bool no_cover = false;
   bool no_filter = false;
 };
 
 /// Adds the subcommand; parsing fills the other three.
 CLI::App* add_sum(CLI::App& app, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits);
+
+/// Adds --fill, for any subcommand.
+CLI::Option* add_fill_option(CLI::App& command, FillRule& fill);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(SumArguments& arguments, const TypedSum& typed);

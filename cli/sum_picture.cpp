@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "minksum/resolve.hpp"
 #include "svg_picture.hpp"
 
 namespace minksum::cli {
@@ -14,9 +15,9 @@ constexpr double kMargin = 24;
 constexpr double kGap = 40;
 constexpr double kCaption = 44;  // two lines of text above each region
 
-Extent extent_of(const Region& region) {
+Extent extent_of(const Geometry& geometry) {
   Extent extent;
-  extent.include(region);
+  extent.include(geometry);
   return extent;
 }
 
@@ -37,7 +38,7 @@ struct Layout {
 };
 
 // The largest scale at which both columns fit the width, and the higher one fits the height.
-Layout lay_out(const Region& p, const Region& q, const Region* sum) {
+Layout lay_out(const Geometry& p, const Geometry& q, const Geometry* sum) {
   Layout layout;
   layout.extents[0] = extent_of(p);
   layout.extents[1] = extent_of(q);
@@ -59,23 +60,40 @@ Layout lay_out(const Region& p, const Region& q, const Region* sum) {
   return layout;
 }
 
-void draw(SvgPicture& picture, const Region& region, const Extent& extent, double left, double top,
-          double scale, const char* name, const char* style) {
-  picture.text(left, top + 14, "title", name);
-  picture.text(left, top + 32, "note", summary(region));
-  if (region.empty()) return;
-  picture.region(region, Placement(extent, left, top + kCaption, scale), style);
+// Where one of the three is drawn, and how.
+struct Place {
+  const Extent& extent;
+  double left;
+  double top;
+  double scale;
+  const char* name;
+  const char* style;
+};
+
+void draw(SvgPicture& picture, const Geometry& geometry, const Place& place,
+          const Geometry* tight = nullptr) {
+  picture.text(place.left, place.top + 14, "title", place.name);
+  std::string note = summary(geometry);
+  if (tight != nullptr) note += "; tight places: " + (tight->empty() ? "none" : summary(*tight));
+  picture.text(place.left, place.top + 32, "note", note);
+  if (place.extent.empty) return;
+  const Placement placement(place.extent, place.left, place.top + kCaption, place.scale);
+  picture.geometry(geometry, placement, place.style);
+  if (tight != nullptr) picture.thin_parts(*tight, placement, "tight");
 }
 
-std::string picture_of(const Region& p, const Region& q, const Region* sum) {
-  const Layout layout = lay_out(p, q, sum);
+std::string picture_of(const Drawing& drawing, const Geometry* sum) {
+  const Layout layout = lay_out(drawing.p, drawing.q, sum);
   SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? "P ⊕ Q" : "P and Q");
-  draw(picture, p, layout.extents[0], kMargin, kMargin, layout.scale, "P", "first");
-  draw(picture, q, layout.extents[1], kMargin, kMargin + kCaption + layout.height(0) + kGap,
-       layout.scale, "Q", "second");
+  draw(picture, drawing.p, {layout.extents[0], kMargin, kMargin, layout.scale, "P", "first"});
+  draw(picture, drawing.q,
+       {layout.extents[1], kMargin, kMargin + kCaption + layout.height(0) + kGap, layout.scale, "Q",
+        "second"});
   if (sum != nullptr) {
-    draw(picture, *sum, layout.extents[2], kMargin + layout.left_column + kGap, kMargin,
-         layout.scale, "P ⊕ Q", "sum");
+    draw(picture, *sum,
+         {layout.extents[2], kMargin + layout.left_column + kGap, kMargin, layout.scale, "P ⊕ Q",
+          "sum"},
+         drawing.tight);
   }
   return std::move(picture).finish();
 }
@@ -86,25 +104,33 @@ std::string counted(std::size_t number, const char* one, const char* many) {
 
 }  // namespace
 
-std::string sum_picture(const Region& p, const Region& q, const Region& sum) {
-  return picture_of(p, q, &sum);
+Drawing drawing_of(const SumRun& run, const Options& options) {
+  const ResolveOptions reading{options.fill, options.regularize, {}};
+  return {resolve(run.operands[0], reading), resolve(run.operands[1], reading), run.exact,
+          run.tight ? &*run.tight : nullptr};
 }
 
-std::string operands_picture(const Region& p, const Region& q) { return picture_of(p, q, nullptr); }
+std::string sum_picture(const Drawing& drawing) { return picture_of(drawing, &drawing.sum); }
 
-std::string summary(const Region& region) {
-  if (region.empty()) return "empty";
-  std::string text = counted(region.vertex_count(), "vertex", "vertices");
-  if (region.hole_count() > 0) text += ", " + counted(region.hole_count(), "hole", "holes");
-  if (region.polygon_count() > 1) {
-    text += ", " + counted(region.polygon_count(), "part", "parts");
-  }
-  return text;
+std::string operands_picture(const Drawing& drawing) { return picture_of(drawing, nullptr); }
+
+std::string summary(const Geometry& geometry) {
+  std::string text;
+  const auto add = [&text](std::size_t number, const char* one, const char* many) {
+    text += (text.empty() ? "" : ", ") + counted(number, one, many);
+  };
+  const Region& region = geometry.region;
+  if (!region.empty()) add(region.vertex_count(), "vertex", "vertices");
+  if (region.hole_count() > 0) add(region.hole_count(), "hole", "holes");
+  if (region.polygon_count() > 1) add(region.polygon_count(), "part", "parts");
+  if (!geometry.polylines.empty()) add(geometry.polylines.size(), "polyline", "polylines");
+  if (!geometry.points.empty()) add(geometry.points.size(), "point", "points");
+  return text.empty() ? "empty" : text;
 }
 
 std::string grouped(std::uint64_t number) {
   std::string digits = std::to_string(number);
-  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");
+  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, 1, ',');
   return digits;
 }
 

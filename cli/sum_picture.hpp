@@ -3,18 +3,29 @@
 
 #include <string>
 
-#include "minksum/region.hpp"
+#include "minksum/geometry.hpp"
+#include "minksum/minkowski_sum.hpp"
+#include "sum_run.hpp"
 
 namespace minksum::cli {
 
+/// What a picture shows: operands as they were understood, their sum, tight places if asked for.
+struct Drawing {
+  Geometry p;
+  Geometry q;
+  const Geometry& sum;
+  const Geometry* tight = nullptr;
+};
+[[nodiscard]] Drawing drawing_of(const SumRun& run, const Options& options);
+
 /// Draws P, Q and P ⊕ Q. Throws Error(kLimitExceeded) if doubles cannot hold the picture.
-[[nodiscard]] std::string sum_picture(const Region& p, const Region& q, const Region& sum);
+[[nodiscard]] std::string sum_picture(const Drawing& drawing);
 
 /// The operands alone.
-[[nodiscard]] std::string operands_picture(const Region& p, const Region& q);
+[[nodiscard]] std::string operands_picture(const Drawing& drawing);
 
-/// "1,815 vertices, 18 holes", "3 parts, ...".
-[[nodiscard]] std::string summary(const Region& region);
+/// "1,815 vertices, 18 holes", "3 parts, ...", "2 polylines, 1 point".
+[[nodiscard]] std::string summary(const Geometry& geometry);
 
 /// 1234567 as "1,234,567".
 [[nodiscard]] std::string grouped(std::uint64_t number);

@@ -20,6 +20,9 @@ path,circle{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-lineca
 .first{fill:#0072b2;fill-opacity:.22;stroke:#0072b2}
 .second{fill:#d55e00;fill-opacity:.22;stroke:#d55e00}
 .sum{fill:#009e73;fill-opacity:.24;stroke:#00694d}
+.tight{stroke:#a3346f;fill:#a3346f}
+path.thin{fill:none;stroke-width:2.2}
+circle.dot{fill-opacity:1}
 .pale{fill:#777;fill-opacity:.1;stroke:none}
 .edge-first{stroke:#0072b2;stroke-width:.6}
 .edge-second{stroke:#d55e00;stroke-width:.6}
@@ -33,7 +36,7 @@ path,circle{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-lineca
 @media (prefers-color-scheme:dark){
 text{fill:#b5b5b5}.title{fill:#eee}.ground{fill:#16181c}
 .first{fill:#56b4e9;stroke:#56b4e9}.second{fill:#ff9950;stroke:#ff9950}
-.sum{fill:#2fd6a5;stroke:#2fd6a5}.pale{fill:#aaa}
+.sum{fill:#2fd6a5;stroke:#2fd6a5}.tight{fill:#e79cc5;stroke:#e79cc5}.pale{fill:#aaa}
 .edge-first{stroke:#56b4e9}.edge-second{stroke:#ff9950}
 .dropped,.grid{stroke:#777}.covered{fill:#2fd6a5}.node{fill:#eee}
 .accepted{fill:#2fd6a5;stroke:#2fd6a5}
@@ -83,8 +86,13 @@ void Extent::include(const Extent& other) {
   include(other.max_x, other.max_y);
 }
 
-void Extent::include(const Region& region) {
+void Extent::include(const Geometry& geometry) {
+  const Region& region = geometry.region;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) include(region.x(v), region.y(v));
+  for (const Polyline& polyline : geometry.polylines) {
+    for (const Point& point : polyline) include(point.x.to_double(), point.y.to_double());
+  }
+  for (const Point& point : geometry.points) include(point.x.to_double(), point.y.to_double());
 }
 
 Placement::Placement(const Extent& extent, double left, double top, double scale)
@@ -138,6 +146,34 @@ void SvgPicture::region(const Region& region, const Placement& placement, std::s
     }
   }
   end_path();
+}
+
+void SvgPicture::thin_parts(const Geometry& geometry, const Placement& placement,
+                            std::string_view style) {
+  if (!geometry.polylines.empty()) {
+    begin_path(std::string("thin ").append(style));
+    for (const Polyline& polyline : geometry.polylines) {
+      bool first = true;
+      for (const Point& point : polyline) {
+        const double x = placement.x(point.x.to_double());
+        const double y = placement.y(point.y.to_double());
+        if (first) {
+          move_to(x, y);
+        } else {
+          line_to(x, y);
+        }
+        first = false;
+      }
+    }
+    end_path();
+  }
+  if (geometry.points.empty()) return;
+  std::vector<Trace::Vertex> points;
+  for (const Point& point : geometry.points) {
+    points.push_back({point.x.to_double(), point.y.to_double()});
+  }
+  constexpr double kRadius = 3;
+  dots(points, placement, kRadius, std::string("dot ").append(style));
 }
 
 void SvgPicture::ring(std::span<const Trace::Vertex> vertices, const Placement& placement,

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "minksum/region.hpp"
+#include "minksum/geometry.hpp"
 #include "minksum/trace.hpp"
 
 namespace minksum::cli {
@@ -20,7 +20,7 @@ struct Extent {
 
   void include(double x, double y);
   void include(const Extent& other);
-  void include(const Region& region);
+  void include(const Geometry& geometry);
   [[nodiscard]] double width() const { return max_x - min_x; }
   [[nodiscard]] double height() const { return max_y - min_y; }
 };
@@ -47,12 +47,19 @@ class Placement {
 [[nodiscard]] double fitting_scale(const Extent& extent, double width, double height);
 
 /// A picture under construction. `style` is one of the classes in svg_picture.cpp:
-/// first, second, sum, outline, edge-first, edge-second, tick-..., dropped, covered, node, hole...
+/// first, second, sum, tight, outline, edge-first, edge-second, tick-..., dropped, covered, node,
+/// hole...
 class SvgPicture {
  public:
   SvgPicture(double width, double height, std::string_view title);
 
   void region(const Region& region, const Placement& placement, std::string_view style);
+  /// Polylines as strokes and points as dots, thicker than outlines, in the colour of the style.
+  void thin_parts(const Geometry& geometry, const Placement& placement, std::string_view style);
+  void geometry(const Geometry& geometry, const Placement& placement, std::string_view style) {
+    if (!geometry.region.empty()) region(geometry.region, placement, style);
+    thin_parts(geometry, placement, style);
+  }
   void ring(std::span<const Trace::Vertex> vertices, const Placement& placement,
             std::string_view style);
   /// All segments that `chosen` accepts, as one path.

@@ -26,7 +26,12 @@ std::string number(double value) {
   return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
 }
 
-std::string position(const Vertex& v) { return "[" + number(v.x) + "," + number(v.y) + "]"; }
+// Appended piece by piece: for `"[" + text`, g++ 12 warns of a copy that cannot happen.
+std::string position(const Vertex& v) {
+  std::string text = "[";
+  text.append(number(v.x)).append(",").append(number(v.y)).append("]");
+  return text;
+}
 
 // A GeoJSON FeatureCollection, feature by feature.
 class Features {
@@ -42,7 +47,8 @@ class Features {
   void add(const Segment& segment) {
     add(std::string("\"edge_of\":\"") + (segment.edge_of_first ? "P" : "Q") +
             "\",\"kept\":" + (segment.kept ? "true" : "false"),
-        "LineString", "[" + position(segment.from) + "," + position(segment.to) + "]");
+        "LineString",
+        std::string("[").append(position(segment.from)) + "," + position(segment.to) + "]");
   }
   void add(const Trace::Loop& loop) {
     std::string ring = "[[";
@@ -63,10 +69,9 @@ class Features {
 
 class TraceWriter {
  public:
-  TraceWriter(std::string folder, const Region& p, const Region& q, const Region& sum,
-              const Trace& trace)
-      : folder_(std::move(folder)), p_(p), q_(q), sum_(sum), trace_(trace) {
-    extent_.include(sum);
+  TraceWriter(std::string folder, const Drawing& drawing, const Trace& trace)
+      : folder_(std::move(folder)), drawing_(drawing), trace_(trace) {
+    extent_.include(drawing.sum);
     for (const Segment& s : trace.convolution) {
       extent_.include(s.from.x, s.from.y);
       extent_.include(s.to.x, s.to.y);
@@ -112,14 +117,14 @@ class TraceWriter {
   }
 
   void write_operands() const {
-    save("1-operands.svg", operands_picture(p_, q_));
+    save("1-operands.svg", operands_picture(drawing_));
     write_output(folder_ + "/1-operands.geojson", [this](std::ostream& out) {
       out << "{\"type\":\"FeatureCollection\",\"features\":[";
       const char* separator = "\n";
-      for (const Region* region : {&p_, &q_}) {
+      for (const Geometry* geometry : {&drawing_.p, &drawing_.q}) {
         out << separator << "{\"type\":\"Feature\",\"properties\":{\"operand\":\""
-            << (region == &p_ ? "P" : "Q") << "\"},\"geometry\":";
-        io::write(out, *region, io::Format::kGeoJson);
+            << (geometry == &drawing_.p ? "P" : "Q") << "\"},\"geometry\":";
+        io::write(out, *geometry, io::Format::kGeoJson);
         out << "}";
         separator = ",\n";
       }
@@ -189,7 +194,7 @@ class TraceWriter {
                  grouped(by_nesting) + " by nesting (pink), " + grouped(by_collision) +
                      " by collision (yellow)",
                  [this](SvgPicture& picture, const Placement& placement) {
-                   picture.region(sum_, placement, "pale");
+                   picture.region(drawing_.sum.region, placement, "pale");
                    paint_loops(picture, placement, "", "nesting", "collision");
                  });
     save_features("6-rejected", [this](Features& features) {
@@ -200,12 +205,15 @@ class TraceWriter {
   }
 
   void write_result() const {
-    save_picture("7-result", "Result: P ⊕ Q", summary(sum_),
+    save_picture("7-result", "Result: P ⊕ Q", summary(drawing_.sum),
                  [this](SvgPicture& picture, const Placement& placement) {
-                   picture.region(sum_, placement, "sum");
+                   picture.geometry(drawing_.sum, placement, "sum");
+                   if (drawing_.tight != nullptr) {
+                     picture.thin_parts(*drawing_.tight, placement, "tight");
+                   }
                  });
     write_output(folder_ + "/7-result.geojson", [this](std::ostream& out) {
-      io::write(out, sum_, io::Format::kGeoJson);
+      io::write(out, drawing_.sum, io::Format::kGeoJson);
       out << '\n';
     });
   }
@@ -221,9 +229,7 @@ class TraceWriter {
   }
 
   std::string folder_;
-  const Region& p_;
-  const Region& q_;
-  const Region& sum_;
+  const Drawing& drawing_;
   const Trace& trace_;
   Extent extent_;
   double scale_ = 1;
@@ -266,9 +272,8 @@ void TraceWriter::write_cover() const {
 
 }  // namespace
 
-void write_trace(const std::string& folder, const Region& p, const Region& q, const Region& sum,
-                 const Trace& trace) {
-  TraceWriter(folder, p, q, sum, trace).write_all();
+void write_trace(const std::string& folder, const Drawing& drawing, const Trace& trace) {
+  TraceWriter(folder, drawing, trace).write_all();
 }
 
 }  // namespace minksum::cli

@@ -44,13 +44,13 @@ TABLE = [
     ("WKT comma for a point", "POLYGON ((0 0, 1,5 0, 1 1, 0 0))", 2, ":1:"),
     ("WKT open ring", "POLYGON ((0 0, 1 0, 1 1, 0 1))", 2, "polygon 1, ring 1"),
     ("WKT open hole", "POLYGON ((0 0, 9 0, 9 9, 0 0), (4 1, 5 1, 5 2))", 2, "polygon 1, ring 2"),
-    ("WKT ring of one point", "POLYGON ((0 0))", 2, "point"),
-    ("WKT ring of two points", "POLYGON ((0 0, 1 1, 0 0))", 2, "points"),
+    ("WKT line of one point", "LINESTRING (0 0)", 2, ":1:12: a line has 1 point"),
     ("WKT empty ring", "POLYGON (())", 2, ":1:11:"),
-    ("WKT point", "POINT (1 2)", 2, "POINT"),
-    ("WKT line", "LINESTRING (0 0, 1 1)", 2, "LINESTRING"),
+    ("WKT point of two points", "POINT (1 2, 3 4)", 2, ":1:11:"),
+    ("WKT point Z", "POINT Z (1 2 3)", 2, "POINT Z"),
     ("WKT curve", "CURVEPOLYGON ((0 0, 1 0, 1 1, 0 0))", 2, "CURVEPOLYGON"),
-    ("WKT collection with a point", f"GEOMETRYCOLLECTION ({SQUARE}, POINT (0 0))", 2, "POINT"),
+    ("WKT collection with a curve", f"GEOMETRYCOLLECTION ({SQUARE}, CIRCULARSTRING (0 0, 1 1, "
+     "2 0))", 2, ":1:58: CIRCULARSTRING is not supported"),
     ("10 MB of opening parentheses", lambda: b"(" * 10_000_000, 3, "32"),
     ("10 MB of nested WKT", lambda: b"POLYGON " + b"(" * 10_000_000, 3, "32"),
     ("deep collections", lambda: b"GEOMETRYCOLLECTION (" * 100_000, 3, "32"),
@@ -77,8 +77,8 @@ TABLE = [
      ":1:"),
     ("GeoJSON NaN", '{"type":"Polygon","coordinates":[[[NaN,0],[1,0],[1,1],[NaN,0]]]}', 2, ":1:"),
     ("GeoJSON open ring", geojson("Polygon", [RING[:-1]]), 2, "polygon 1, ring 1"),
-    ("GeoJSON ring of three points", geojson("Polygon", [[[0, 0], [1, 0], [0, 0]]]), 2, "points"),
-    ("GeoJSON point", geojson("Point", [0, 0]), 2, "Point"),
+    ("GeoJSON line of one point", geojson("LineString", [[0, 0]]), 2, "a line has 1 point"),
+    ("GeoJSON point with a height", geojson("Point", [0, 0, 1]), 2, "coordinates"),
     ("GeoJSON feature without geometry", '{"type":"Feature","properties":{},"geometry":null}', 2,
      "geometry"),
     ("GeoJSON number 1e400000", '{"type":"Polygon","coordinates":[[[1e400000,0],[1,0],[1,1],[0,0]]]}',
@@ -96,30 +96,35 @@ TABLE = [
     (".dat cut", "4 0 0 1 0 1 1", 2, ":"),
     (".dat with a word", "3 0 0 1 zero 1 1", 2, ":1:"),
     (".dat with a huge count", "99999999999999999999 0 0", 3, "digits"),
-    # -- no valid region --------------------------------------------------------------------------
-    ("bow-tie", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", 2, "polygon 1, ring 1, vertex"),
-    ("ring without area", "POLYGON ((0 0, 1 1, 2 2, 0 0))", 2, "polygon 1, ring 1"),
-    ("one point four times", "POLYGON ((1 1, 1 1, 1 1, 1 1))", 2, "polygon 1, ring 1"),
-    ("spike", "POLYGON ((0 0, 4 0, 4 4, 4 9, 4 4, 0 4, 0 0))", 2, "polygon 1, ring 1, vertex"),
-    ("figure of eight that touches itself", "POLYGON ((0 0, 2 2, 4 0, 4 4, 2 2, 0 4, 0 0))", 2,
+]
+
+# Polygons that are not valid: name, content, fragment. Only `--fill strict` refuses them.
+INVALID = [
+    ("ring of one point", "POLYGON ((0 0))", "polygon 1, ring 1"),
+    ("ring of two points", "POLYGON ((0 0, 1 1, 0 0))", "polygon 1, ring 1"),
+    ("bow-tie", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", "polygon 1, ring 1, vertex"),
+    ("ring without area", "POLYGON ((0 0, 1 1, 2 2, 0 0))", "polygon 1, ring 1"),
+    ("one point four times", "POLYGON ((1 1, 1 1, 1 1, 1 1))", "polygon 1, ring 1"),
+    ("spike", "POLYGON ((0 0, 4 0, 4 4, 4 9, 4 4, 0 4, 0 0))", "polygon 1, ring 1, vertex"),
+    ("figure of eight that touches itself", "POLYGON ((0 0, 2 2, 4 0, 4 4, 2 2, 0 4, 0 0))",
      "polygon 1, ring 1, vertex"),
-    ("hole outside", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (6 6, 7 6, 7 7, 6 6))", 2,
+    ("hole outside", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (6 6, 7 6, 7 7, 6 6))",
      "polygon 1, ring 2"),
-    ("hole across the rim", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (2 2, 6 2, 6 3, 2 2))", 2,
+    ("hole across the rim", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (2 2, 6 2, 6 3, 2 2))",
      "polygon 1, ring"),
-    ("hole that is the polygon", "POLYGON ((0 0, 4 0, 4 4, 0 0), (0 0, 4 0, 4 4, 0 0))", 2,
+    ("hole that is the polygon", "POLYGON ((0 0, 4 0, 4 4, 0 0), (0 0, 4 0, 4 4, 0 0))",
      "polygon 1, ring"),
     ("hole in a hole", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1), "
-     "(2 2, 3 2, 3 3, 2 2))", 2, "polygon 1, ring"),
+     "(2 2, 3 2, 3 3, 2 2))", "polygon 1, ring"),
     ("crossing holes", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 5 1, 5 5, 1 5, 1 1), "
-     "(4 4, 8 4, 8 8, 4 8, 4 4))", 2, "polygon 1, ring"),
+     "(4 4, 8 4, 8 8, 4 8, 4 4))", "polygon 1, ring"),
     ("overlapping parts", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), ((2 2, 6 2, 6 6, 2 6, 2 2)))",
-     2, "polygon"),
-    ("equal parts", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)), ((0 0, 4 0, 4 4, 0 0)))", 2, "polygon"),
-    ("a part within a part", "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((2 2, 3 2, 3 3, 2 2)))", 2,
+     "polygon"),
+    ("equal parts", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)), ((0 0, 4 0, 4 4, 0 0)))", "polygon"),
+    ("a part within a part", "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((2 2, 3 2, 3 3, 2 2)))",
      "polygon"),
     ("parts that share an edge", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), "
-     "((4 1, 8 1, 8 3, 4 3, 4 1)))", 2, "polygon"),
+     "((4 1, 8 1, 8 3, 4 3, 4 1)))", "polygon"),
 ]
 
 
@@ -155,6 +160,20 @@ class BadInput(ProgramTest):
                 self.assertEqual(result.returncode, code)
                 self.assertIn(fragment, result.stderr.decode(errors="replace"))
 
+    def test_invalid_polygons(self):
+        square = self.file("square.wkt", SQUARE)
+        for name, content, fragment in INVALID:
+            with self.subTest(name):
+                bad = self.file("bad.wkt", content)
+                for p, q in ((bad, square), (square, bad)):
+                    result = self.fails(2, fragment, "sum", p, q, "--fill", "strict")
+                    self.assertIn(b"bad.wkt", result.stderr)
+                result = run("info", bad)
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(fragment, result.stderr.decode())
+                for rule in ("automatic", "evenodd", "nonzero", "positive", "negative"):
+                    self.fine("sum", bad, square, "--fill", rule)
+
     def test_what_is_no_file(self):
         square = self.file("square.wkt", SQUARE)
         self.fails(2, "Is a directory", "sum", self.folder, square)
@@ -164,7 +183,8 @@ class BadInput(ProgramTest):
 
     def test_the_table_is_long_enough(self):
         self.assertGreaterEqual(len(TABLE), 40)
-        self.assertEqual(len({name for name, *_ in TABLE}), len(TABLE))
+        names = [name for name, *_ in TABLE + INVALID]
+        self.assertEqual(len(set(names)), len(names))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,10 @@ from support import FRAME, SQUARE, ProgramTest, main, run
 
 
 class Info(ProgramTest):
+    def meaning(self, content, *extra):
+        text = run("info", self.file("shape.txt", content), *extra).stdout.decode()
+        return text.splitlines()[-1].split(None, 1)[1]
+
     def test_text(self):
         text = self.fine("info", self.file("frame.wkt", FRAME))
         rows = dict(line.split(None, 1) for line in text.splitlines())
@@ -45,6 +49,33 @@ class Info(ProgramTest):
         text = run("info", bad).stdout.decode()
         self.assertIn("valid     no\n", text)
         self.assertIn("fault     polygon 2, ring 1", text)
+
+    def test_what_it_means(self):
+        self.assertEqual(self.meaning(FRAME),
+                         "8 vertices, 1 hole; area 72 (fill rule automatic)")
+        spike = "POLYGON ((0 0, 2 0, 2 2, 5 5, 2 2, 0 2, 0 0))"
+        self.assertEqual(self.meaning(spike),
+                         "4 vertices, 1 polyline; area 4 (fill rule automatic)")
+        self.assertEqual(self.meaning(spike, "--regularize"),
+                         "4 vertices; area 4 (fill rule automatic)")
+        self.assertEqual(self.meaning(spike, "--fill", "strict"), "none (fill rule strict)")
+        self.assertEqual(self.meaning("MULTIPOINT (1 1, 2 2, 1 1)", "--fill", "evenodd"),
+                         "2 points; area 0 (fill rule evenodd)")
+        self.assertEqual(self.meaning("POLYGON EMPTY"), "empty; area 0 (fill rule automatic)")
+
+    def test_thin_geometries(self):
+        text = self.fine("info", "-", stdin="GEOMETRYCOLLECTION (LINESTRING (0 0, 3 1/2), "
+                                            "POINT (-1 7))")
+        rows = dict(line.split(None, 1) for line in text.splitlines())
+        self.assertEqual((rows["parts"], rows["polylines"], rows["points"]), ("0", "1", "1"))
+        self.assertEqual((rows["x"], rows["y"]), ("from -1 to 3", "from 0 to 7"))
+        self.assertEqual((rows["area"], rows["valid"]), ("0", "yes"))
+        found = json.loads(self.fine("info", "--json", "-", stdin="LINESTRING (0 0, 4 0, 2 0)"))
+        self.assertEqual((found["polylines"], found["points"], found["fill"]), (1, 0, "automatic"))
+        self.assertEqual(found["meaning"], {"parts": 0, "holes": 0, "vertices": 0, "polylines": 1,
+                                            "points": 0, "area": 0, "area_exact": "0"})
+        result = run("info", "--json", "--fill", "strict", "-", stdin="POLYGON ((1 1))")
+        self.assertIsNone(json.loads(result.stdout)["meaning"])
 
     def test_empty_region_and_standard_input(self):
         text = self.fine("info", "-", stdin="POLYGON EMPTY")

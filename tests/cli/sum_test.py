@@ -78,6 +78,120 @@ class Results(ProgramTest):
         self.assertEqual(self.fine("sum", self.square, "-", stdin=SQUARE), SQUARES)
 
 
+class Geometries(ProgramTest):
+    def sum(self, p, q, *extra):
+        return self.fine("sum", self.file("p.txt", p), self.file("q.txt", q), *extra).rstrip("\n")
+
+    def test_thin_operands(self):
+        for p, q, expected in (
+                ("POINT (1 2)", "POINT (1/2 3)", "POINT (1.5 5)"),
+                ("MULTIPOINT (0 0, 1 0)", "MULTIPOINT (0 0, 1 0)",
+                 "MULTIPOINT ((0 0), (1 0), (2 0))"),
+                ("LINESTRING (0 0, 1 0)", "POINT (5 5)", "LINESTRING (5 5, 6 5)"),
+                ("LINESTRING (0 0, 1 0)", "LINESTRING (0 0, 3 0)", "LINESTRING (0 0, 4 0)"),
+                ("LINESTRING (0 0, 1 0)", "LINESTRING (0 0, 0 3)",
+                 "POLYGON ((0 0, 1 0, 1 3, 0 3, 0 0))"),
+                (SQUARE, "POINT (1 1)", "POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))"),
+                (SQUARE, "LINESTRING (0 0, 5 0)", "POLYGON ((0 0, 7 0, 7 2, 0 2, 0 0))"),
+                ('{"type":"Point","coordinates":[1,1]}', SQUARE,
+                 "POLYGON ((1 1, 3 1, 3 3, 1 3, 1 1))"),
+                (SQUARE, "POINT EMPTY", "POLYGON EMPTY"),
+                (f"GEOMETRYCOLLECTION ({SQUARE}, POINT (9 9))", "POINT (0 0)",
+                 f"GEOMETRYCOLLECTION ({SQUARE}, POINT (9 9))")):
+            with self.subTest(f"{p} + {q}"):
+                self.assertEqual(self.sum(p, q), expected)
+                self.assertEqual(self.sum(q, p), expected)
+
+    def test_fill_rules(self):
+        twice = "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0, 0 0, 2 0, 2 2, 0 2, 0 0))"
+        full = "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0))"
+        ell = "POLYGON ((0 2, 2 2, 2 0, 6 0, 6 6, 0 6, 0 2))"
+        for rule, expected in (("automatic", full), ("nonzero", full), ("positive", full),
+                               ("evenodd", f"GEOMETRYCOLLECTION ({ell}, LINESTRING (0 2, 0 0, 2 0))"),
+                               ("negative", "MULTILINESTRING ((0 2, 0 0, 2 0), "
+                                "(0 2, 0 6, 6 6, 6 0, 2 0), (0 2, 2 2, 2 0))")):
+            with self.subTest(rule):
+                self.assertEqual(self.sum(twice, "POINT (0 0)", "--fill", rule), expected)
+        self.assertEqual(self.sum(twice, SQUARE, "--fill", "evenodd", "--regularize"),
+                         "POLYGON ((0 2, 2 2, 2 0, 8 0, 8 8, 0 8, 0 2))")
+        self.assertEqual(self.sum(SQUARE, "POINT (0 0)", "--regularize"), "POLYGON EMPTY")
+
+    def test_formats_of_thin_results(self):
+        lines = "LINESTRING (0 0, 1 0)", "POINT (5 5)"
+        self.assertEqual(json.loads(self.sum(*lines, "--format", "geojson")),
+                         {"type": "LineString", "coordinates": [[5, 5], [6, 5]]})
+        self.assertIn("<path", self.sum(*lines, "--format", "svg"))
+        self.fails(2, "no form in .poly", "sum", self.folder / "p.txt", self.folder / "q.txt",
+                   "--format", "poly")
+
+    def test_tight_places(self):
+        out = self.folder / "sum.wkt"
+        tight = self.folder / "tight.geojson"
+        p = self.file("p.wkt", FRAME)
+        q = self.file("q.wkt", "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))")
+        stats = json.loads(self.fine("sum", p, q, "-o", out, "--tight", tight, "--stats", "-"))
+        self.assertEqual(json.loads(tight.read_text()), {"type": "Point", "coordinates": [6, 6]})
+        self.assertEqual({k: v for k, v in stats["result"].items() if k.startswith("tight")},
+                         {"tight_points": 1, "tight_polylines": 0, "tight_length": 0})
+        q = self.file("q.wkt", "POLYGON ((0 0, 2 0, 2 3, 0 3, 0 0))")
+        self.assertEqual(self.fine("sum", p, q, "-o", out, "--tight", "-"), "LINESTRING (5 6, 6 6)\n")
+        q = self.file("q.wkt", SQUARE)
+        picture = self.folder / "picture.svg"
+        self.assertEqual(self.fine("sum", p, q, "-o", out, "--tight", "-", "--svg", picture),
+                         "POLYGON EMPTY\n")
+        self.assertIn("tight places: none", picture.read_text())
+        stats = json.loads(self.fine("sum", p, q, "-o", out, "--stats", "-"))
+        self.assertNotIn("tight_points", stats["result"])
+
+    def test_rounding(self):
+        out = self.folder / "sum.wkt"
+        p = self.file("p.wkt", "POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3, 0 0))")
+        q = self.file("q.wkt", "POINT (0 0)")
+        near = "POLYGON ((0.00 0.00, 0.33 0.00, 0.33 0.33, 0.00 0.33, 0.00 0.00))\n"
+        stats = json.loads(self.fine("sum", p, q, "-o", out, "--coords", "decimal:2", "--stats",
+                                     "-"))
+        self.assertEqual(out.read_text(), near)
+        self.assertEqual(list(stats["rounding"]),
+                         ["side", "exact", "snapped", "topology_kept", "largest_move", "bound"])
+        self.assertEqual(stats["rounding"]["side"], "nearest")
+        self.assertFalse(stats["rounding"]["exact"])
+        self.assertLessEqual(stats["rounding"]["largest_move"], stats["rounding"]["bound"])
+        for side, compare in (("outside", self.assertGreaterEqual), ("inside", self.assertLess)):
+            text = self.fine("sum", p, q, "--coords", "decimal:2", "--round", side)
+            compare(max(float(x) for x in re.findall(r"[-0-9.]+", text)), 1 / 3)
+        stats = json.loads(self.fine("sum", q, q, "-o", out, "--stats", "-"))
+        self.assertTrue(stats["rounding"]["exact"])
+        stats = json.loads(self.fine("sum", p, q, "-o", out, "--stats", "-", "--coords", "exact"))
+        self.assertNotIn("rounding", stats)
+
+    def test_properties(self):
+        geometry = '"geometry":{"type":"Point","coordinates":[1,2]}'
+        feature = '{"type":"Feature","id":7,"properties":{"price": 1.50, "name":"\\u00e9"},%s}'
+        p = self.file("p.json", feature % geometry)
+        both = self.file("both.json", '{"type":"FeatureCollection","features":[%s]}' %
+                         (feature % geometry))
+        q = self.file("q.wkt", SQUARE)
+        expected = ('{"type": "Feature", "properties": {"price": 1.50, "name":"\\u00e9"}, '
+                    '"geometry": {"type": "Polygon", "coordinates": '
+                    '[[[1,2], [3,2], [3,4], [1,4], [1,2]]]}}\n')
+        for first in (p, both):
+            self.assertEqual(self.fine("sum", first, q, "--keep-properties", "--format", "geojson"),
+                             expected)
+        self.assertNotIn("Feature", self.fine("sum", p, q, "--format", "geojson"))
+        self.fails(2, "q.wkt: --keep-properties needs a single GeoJSON Feature", "sum", q, p,
+                   "--keep-properties", "--format", "geojson")
+
+    def test_picture(self):
+        picture = self.folder / "picture.svg"
+        self.sum(f"GEOMETRYCOLLECTION ({SQUARE}, LINESTRING (4 4, 8 8), POINT (9 0))",
+                 "LINESTRING (0 0, 1 3)", "--svg", picture)
+        text = picture.read_text()
+        xml.etree.ElementTree.fromstring(text)
+        for mark in ('"region first"', '"thin first"', '"dot first"', '"thin second"',
+                     '"region sum"', '"thin sum"'):
+            self.assertIn(mark, text)
+
+
 class Statistics(ProgramTest):
     def test_keys(self):
         p, q = self.file("p.wkt", FRAME), self.file("q.wkt", TRIANGLE)
@@ -91,7 +205,7 @@ class Statistics(ProgramTest):
         self.assertEqual(found["operands"][1]["parts"], 1)
         self.assertEqual(set(found["result"]) & {"vertices", "holes", "parts", "area"},
                          {"vertices", "holes", "parts", "area"})
-        self.assertEqual(list(found["seconds"]), ["read", "sum", "write", "stages"])
+        self.assertEqual(list(found["seconds"]), ["read", "sum", "round", "write", "stages"])
         self.assertEqual(list(found["seconds"]["stages"]),
                          ["operands", "convolution", "cover", "arrangement", "loops", "filters",
                           "output"])
@@ -177,7 +291,14 @@ class Usage(ProgramTest):
                           ["sum", p, p, "--repeat", "0"], ["sum", p, p, "--repeat", "x"],
                           ["sum", p, p, "--stats", "-"], ["sum", p, p, "--svg", "-"],
                           ["sum", p, p, "--arithmetic", "float"], ["info"], ["info", p, p],
-                          ["sum", p, p, "--grid", "-1"],
+                          ["sum", p, p, "--grid", "-1"], ["sum", p, p, "--fill", "odd"],
+                          ["sum", p, p, "--round", "up"], ["info", p, "--fill", "odd"],
+                          ["sum", p, p, "--coords", "exact", "--round", "outside"],
+                          ["sum", p, p, "--keep-properties"],
+                          ["sum", p, p, "--keep-properties", "-o", self.folder / "x.wkt"],
+                          ["sum", p, p, "--tight", "-"], ["sum", p, p, "--tight", "x.poly"],
+                          ["sum", p, p, "--tight", self.folder / "x", "--method", "signed"],
+                          ["sum", p, p, "--tight", "-", "--stats", "-", "-o", self.folder / "x"],
                           ["sum", p, p, "--trace", self.folder / "t", "--method", "signed"]):
             with self.subTest(str(arguments)):
                 self.fails(1, "", *arguments)
@@ -187,7 +308,9 @@ class Usage(ProgramTest):
         for arguments in (["--help"], ["sum", "--help"], ["info", "--help"]):
             text = self.fine(*arguments)
             self.assertRegex(text, re.compile("exit codes: 0 fine, 1 wrong usage", re.I))
-        for option in ("--coords", "--method", "--stats", "--svg", "--trace", "--repeat", "--format"):
+        for option in ("--coords", "--method", "--stats", "--svg", "--trace", "--repeat", "--format",
+                       "--fill", "--regularize", "--round", "--tight", "--keep-properties",
+                       "--max-memory", "--max-segments", "--timeout"):
             self.assertIn(option, self.fine("sum", "--help"))
 
 
