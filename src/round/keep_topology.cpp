@@ -41,6 +41,7 @@ class Settler {
         keeps_origins_(exact.has_origins() && exact.vertex_count() == moved.vertex_count()) {}
 
   Settlement run() {
+    if (moved_.empty()) return {Settled::kKept, {}};
     std::vector<Fault> faults;
     load_sites(moved_, {}, operand_);
     clean_rings({}, scratch_, operand_, faults);

@@ -174,8 +174,7 @@ SnapGrid snap_grid(const Geometry& geometry, const Target& target) {
     throw Error(ErrorCode::kBadInput, "a coordinate is beyond the largest double");
   }
   if (nearest != 0) grid.exp2 = std::max(std::ilogb(nearest) - 52, kLowest);
-  // Integers up to 2^53 times the step are doubles; a vertex may be moved a step outwards.
-  if (largest / grid.step() + 2 > Rational(std::int64_t{1} << 53)) ++grid.exp2;
+  // All coordinates are below 2^53 steps, so what they are rounded to is 2^53 steps at the most.
   return grid;
 }
 
