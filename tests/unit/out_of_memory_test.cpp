@@ -9,6 +9,8 @@
 
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/round.hpp"
 
 namespace {
 // Requests that are still granted; below 0 all are.
@@ -125,6 +127,38 @@ TEST(OutOfMemory, Sums) {
     const Region expected = minkowski_sum(p, p, options);
     EXPECT_GT(fail_at_each([&] { return minkowski_sum(p, p, options) == expected; }), 5);
   }
+}
+
+TEST(OutOfMemory, Geometries) {
+  const Geometry p = io::read_geometry(
+      "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 0 4, 4 4, 0 0)), LINESTRING (1 1, 9 1, 9 7), "
+      "POINT (12 3))");
+  const Geometry q = io::read_geometry(
+      "GEOMETRYCOLLECTION (POLYGON ((0 0, 1/3 0, 0 1/3, 0 0)), "
+      "LINESTRING (0 0, -1 2))");
+  const Geometry resolved = resolve(p);
+  EXPECT_GT(fail_at_each([&] { return resolve(p) == resolved; }), 5);
+  const Geometry sum = minkowski_sum(p, q);
+  EXPECT_GT(fail_at_each([&] { return minkowski_sum(p, q) == sum; }), 5);
+  for (const auto side : {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
+    RoundOptions options;
+    options.side = side;
+    options.decimals = 1;
+    const Geometry rounded = round(sum, options);
+    EXPECT_GT(fail_at_each([&] { return round(sum, options) == rounded; }), 5);
+  }
+}
+
+TEST(OutOfMemory, TightPlaces) {
+  const Region frame = io::read("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))");
+  const Region square = io::read("POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
+  fail_at_each([&] {
+    Geometry tight;
+    Options options;
+    options.tight = &tight;
+    static_cast<void>(minkowski_sum(frame, square, options));
+    return tight.points.size() == 1;
+  });
 }
 
 // A workspace keeps what it has, and stays good. While there is no memory at all, not even the
