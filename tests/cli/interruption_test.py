@@ -37,9 +37,14 @@ class Interrupted(ProgramTest):
         return [f for f in self.folder.iterdir() if f.suffix == ".tmp"]
 
     def start(self, *arguments):
+        def prepare():
+            limit_memory()
+            for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+                signal.signal(number, signal.SIG_DFL)  # whoever runs the tests may ignore them
+
         return subprocess.Popen([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL,
                                 stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                                preexec_fn=limit_memory)
+                                preexec_fn=prepare)
 
     def expect_old_or(self, new):
         self.assertIn(self.out.read_text(), (OLD, new))
