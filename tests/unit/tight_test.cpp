@@ -138,6 +138,17 @@ TEST(TightPlaces, PartsOfAnOperand) {
   EXPECT_EQ(tight_places("MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((4 0, 6 0, 6 2, 4 2, 4 0)))",
                          kSquare),
             "(3 -1, 3 3)");
+  // The island fits the slot, but the part is too wide for the room around the island.
+  EXPECT_EQ(tight_places("MULTIPOLYGON (((0 0, 40 0, 40 40, 0 40, 0 0), "
+                         "(15 15, 15 25, 25 25, 25 15, 15 15)), "
+                         "((19 19, 21 19, 21 21, 19 21, 19 19)))",
+                         "POLYGON ((0 0, 12 0, 12 8, 7 8, 7 4, 5 4, 5 8, 0 8, 0 0))"),
+            "");
+  EXPECT_EQ(tight_places("MULTIPOLYGON (((0 0, 40 0, 40 40, 0 40, 0 0), "
+                         "(10 10, 10 30, 30 30, 30 10, 10 10)), "
+                         "((19 19, 21 19, 21 21, 19 21, 19 19)))",
+                         "POLYGON ((0 0, 12 0, 12 8, 7 8, 7 4, 5 4, 5 8, 0 8, 0 0))"),
+            "(26 25, 26 29)");
   // Corner to corner, in both operands: four quadrants.
   EXPECT_EQ(
       tight_places("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((0 0, -9 0, -9 -9, 0 -9, 0 0)))",
