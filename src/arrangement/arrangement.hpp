@@ -64,8 +64,7 @@ struct Arrangement {
   std::uint64_t crossings = 0;  ///< proper crossings of kept segments
   // Where tight places can be; filled if they are wanted.
   std::vector<Piece> slits;     ///< of each two opposite pieces one
-  std::vector<NodeId> crowded;  ///< nodes at which no half-plane holds all directions, strictly: see
-                                ///< `split_segments`
+  std::vector<NodeId> crowded;  ///< nodes whose segments' directions no closed half-plane contains
 };
 
 /// A kept segment in a cell that it touches, with a box of its part there.
@@ -209,9 +208,9 @@ void find_crossings(const Cover& cover, const Options& options,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 ///
-/// If tight places are wanted, lists slits and crowded nodes: those with whose segments' directions
-/// every turn from one to the next is by less than half a circle. All segments that are known to pass
-/// count, whether their pieces stay or not. O(c log c) for c incidences.
+/// If tight places are wanted, lists slits and crowded nodes: around these, each turn from one of
+/// their segments' directions to the next is by less than half a circle. All segments that are
+/// known to pass count, whether their pieces stay or not. O(c log c) for c incidences.
 void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
                     Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
 

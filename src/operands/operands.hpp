@@ -88,10 +88,9 @@ void list_parallel_sums(const Operands& operands, std::span<const Region, 2> wal
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Lists the sites that stay: not those of holes into which no polygon of the other operand fits.
 ///
-/// If tight places are wanted, fitting without any play is fitting, and what fits need only be some
-/// part of a polygon whose rings, by touching, cut its inside in parts. So holes are filled only where
-/// they are strictly narrower than polygons without holes; and only in operands of one polygon, so
-/// that different polygons never overlap.
+/// If tight places are wanted, what fits without any play fits, and so does part of a polygon whose
+/// rings touch and cut its inside in parts. So holes are filled only if strictly narrower than
+/// polygons without holes; and only in operands of one polygon, so that polygons never overlap.
 void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_wanted,
                 Operands& operands);
 /// Both operands' exact coordinates on their common grid.

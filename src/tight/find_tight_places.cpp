@@ -51,8 +51,9 @@ class TightFinder {
                kernel.probe_compare(probe, v, Axis::kY) == kZero;
       };
       if (std::none_of(pinches.begin(), pinches.end(), is_here)) return true;
-      position = (exact_position(probe) + predicates_.kernel().exact_parameter(
-                                              probe.segment, node(slit.from).point)) / 2;
+      position = (exact_position(probe) +
+                  predicates_.kernel().exact_parameter(probe.segment, node(slit.from).point)) /
+                 2;
       probe = {probe.segment, 0, 0, &position};
     }
     return false;
@@ -74,8 +75,8 @@ class TightFinder {
     const std::size_t begin = point == 0 ? 0 : touching.end[point - 1];
     return std::span(touching.corners).subspan(begin, touching.end[point] - begin);
   }
-  /// Whether, going around, there are corners of P, of x − Q, of P, of x − Q. (If any meet, that does
-  /// not matter.)
+  /// Whether, going around, there are corners of P, of x − Q, of P, of x − Q. (If any meet, that
+  /// does not matter.)
   [[nodiscard]] bool alternate(std::span<const Corner> of_p, std::span<const Corner> of_q) {
     auto& order = around_;
     order.clear();
@@ -119,16 +120,15 @@ bool has_holes(const Operands& operands, std::size_t first, std::size_t last) {
 
 }  // namespace
 
-void find_tight_places(const Operands& operands, const Arrangement& arrangement,
-                       const Loops& loops, const FilteredLoops& filtered,
-                       const std::function<void()>& stop, Predicates& predicates, BoxTrees& trees,
-                       TightScratch& scratch, TightPlaces& places) {
+void find_tight_places(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
+                       const FilteredLoops& filtered, const std::function<void()>& stop,
+                       Predicates& predicates, BoxTrees& trees, TightScratch& scratch,
+                       TightPlaces& places) {
   places.slits.clear();
   places.nodes.clear();
   places.pinches.clear();
-  const bool both_have_holes =
-      has_holes(operands, 0, operands.first_rings) &&
-      has_holes(operands, operands.first_rings, operands.rings.size());
+  const bool both_have_holes = has_holes(operands, 0, operands.first_rings) &&
+                               has_holes(operands, operands.first_rings, operands.rings.size());
   if (arrangement.slits.empty() && arrangement.crowded.empty() && !both_have_holes) return;
   trees.build(operands);
   for (const int operand : {0, 1}) {

@@ -103,8 +103,7 @@ bool OverlapTest::parts_overlap(const Part& e, const Part& f) {
 }
 
 bool OverlapTest::overlap_on_line(const Part& e, const Part& f) {
-  const Axis axis =
-      predicates_.component(e.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
+  const Axis axis = predicates_.component(e.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
   const Sign forward = predicates_.component(e.edge, axis);
   // Where the ends of f are, seen from those of e, along e.
   const Sign from_from = forward * compare(e.from, f.from, axis);

@@ -22,10 +22,10 @@ struct Placement {
 /// 2. at a point of both boundaries a corner of one meets a corner of the other, or
 /// 3. a vertex of a ring that does not touch the other's boundary lies in the other's inside.
 /// Each is enough. If 1 and 2 fail: a ring with a point inside the other cannot come to the other's
-/// boundary (its own inside, along it, would come there with it), so it is one of 3. If there is no such
-/// ring, each component of an inside is in one component of the rest: then both are equal and 2
-/// holds, or they are disjoint. Edges are cut where rings of their polygon touch them, so that what
-/// is inside one polygon near an edge's inner point is half a disk.
+/// boundary (its own inside, along it, would come there with it), so it is one of 3. If there is no
+/// such ring, each component of an inside is in one component of the rest: then both are equal and
+/// 2 holds, or they are disjoint. Edges are cut where rings of their polygon touch them, so that
+/// what is inside one polygon near an edge's inner point is half a disk.
 ///
 /// Edges cross or touch if and only if x lies in the closed parallelogram of both: four sides of
 /// convolution lines to x. Trees of boxes find the pairs that may.

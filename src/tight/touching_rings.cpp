@@ -85,9 +85,9 @@ class TouchFinder {
   }
   [[nodiscard]] const OperandRing& ring_of(SiteId site) const { return o_.rings[ring_index(site)]; }
   [[nodiscard]] std::uint32_t ring_index(SiteId site) const {
-    const auto after = std::upper_bound(
-        o_.rings.begin(), o_.rings.end(), site,
-        [](SiteId s, const OperandRing& ring) { return s < ring.begin; });
+    const auto after =
+        std::upper_bound(o_.rings.begin(), o_.rings.end(), site,
+                         [](SiteId s, const OperandRing& ring) { return s < ring.begin; });
     return static_cast<std::uint32_t>(after - o_.rings.begin()) - 1;
   }
 

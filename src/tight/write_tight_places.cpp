@@ -62,7 +62,9 @@ class TightWriter {
       written_[end / 2] = 1;
       const std::uint32_t other = end ^ 1U;
       const auto at = ends_at(node_of(other));
-      const std::uint32_t next = at.size() != 2 ? first : at[0].end == other ? at[1].end : at[0].end;
+      const std::uint32_t next = at.size() != 2       ? first
+                                 : at[0].end == other ? at[1].end
+                                                      : at[0].end;
       const bool closed = written_[next / 2] != 0;
       const bool straight = line(end) == line(next) && at.size() == 2;
       if (closed || !straight) path.push_back(point(node_of(other)));
@@ -79,8 +81,7 @@ class TightWriter {
   static void start_at_smallest(Polyline& closed, bool straight_at_start) {
     closed.pop_back();
     if (straight_at_start) closed.erase(closed.begin());
-    std::rotate(closed.begin(), std::min_element(closed.begin(), closed.end(), less),
-                closed.end());
+    std::rotate(closed.begin(), std::min_element(closed.begin(), closed.end(), less), closed.end());
     closed.push_back(closed.front());
   }
 

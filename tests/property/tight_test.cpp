@@ -1,5 +1,5 @@
-// Tight places against brute force on many small pairs that fit tightly. MINKSUM_PAIRS sets how many,
-// MINKSUM_SEED where to start.
+// Tight places against brute force on many small pairs that fit tightly. MINKSUM_PAIRS sets how
+// many, MINKSUM_SEED where to start.
 #include <gtest/gtest.h>
 
 #include <exception>
@@ -43,7 +43,8 @@ Region carved(Random& random, bool halves) {
   for (const std::size_t p : cells.polygons()) {
     Outline& hole = holes.emplace_back();
     for (const std::size_t v : cells.vertices_of(cells.rings_of(p).front())) {
-      hole.push_back({static_cast<std::int64_t>(cells.x(v)), static_cast<std::int64_t>(cells.y(v))});
+      hole.push_back(
+          {static_cast<std::int64_t>(cells.x(v)), static_cast<std::int64_t>(cells.y(v))});
     }
   }
   const Region around = frame(holes, 1);
@@ -230,10 +231,10 @@ Pair larger_pair(Random& random) {
                            false),
               small_part(random), "cells and part"};
     default:
-      return {random_cells(random, random.between(5, 8), random.between(5, 8), random.one_in(2), false),
-              random_cells(random, random.between(3, 6), random.between(3, 6), random.one_in(2),
-                           false),
-              "cells and cells"};
+      return {
+          random_cells(random, random.between(5, 8), random.between(5, 8), random.one_in(2), false),
+          random_cells(random, random.between(3, 6), random.between(3, 6), random.one_in(2), false),
+          "cells and cells"};
   }
 }
 

@@ -23,7 +23,7 @@ struct Line {
 struct Rest {
   std::vector<Line> boundary;  // of the union
   std::vector<Line> tight;
-  std::vector<Pt> points;      // in no open sum; alone on the edge that was looked at
+  std::vector<Pt> points;  // in no open sum; alone on the edge that was looked at
 };
 
 template <class Int>
@@ -226,8 +226,8 @@ class PathBuilder {
       };
       const Number at_a = area(t.a, t.b, s.a);
       const Number position = at_a / (at_a - area(t.a, t.b, s.b));
-      points.push_back({Number(s.a.x + position * (s.b.x - s.a.x)),
-                        Number(s.a.y + position * (s.b.y - s.a.y))});
+      points.push_back(
+          {Number(s.a.x + position * (s.b.x - s.a.x)), Number(s.a.y + position * (s.b.y - s.a.y))});
     }
     return points;
   }
@@ -258,8 +258,8 @@ class PathBuilder {
       if (turn(path[i - 1], path[i], path[i + 1]) != 0) corners.push_back(path[i]);
     }
     corners.push_back(path.back());
-    const bool turns = closed ? corners[corners.size() - 2] < corners[1]
-                              : corners.back() < corners.front();
+    const bool turns =
+        closed ? corners[corners.size() - 2] < corners[1] : corners.back() < corners.front();
     if (turns) std::reverse(corners.begin(), corners.end());
     return corners;
   }

@@ -33,15 +33,17 @@ TEST(BruteForceTight, PointsAndLines) {
             geometry({{{3, 3}, {3, 6}}}, {}));
   EXPECT_EQ(brute_force_tight_places(frame({{{2, 2}, {2, 5}, {5, 5}, {5, 2}}}, 2), square),
             Geometry{});
-  const Region slot = make_polygon(
-      {{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 2}, {2, 2}, {2, 6}, {0, 6}});
+  const Region slot =
+      make_polygon({{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 2}, {2, 2}, {2, 6}, {0, 6}});
   EXPECT_EQ(brute_force_tight_places(slot, rectangle(-1, 0, 1, 3)),
             geometry({{{3, 5}, {3, 9}}}, {}));
 }
 
 TEST(BruteForceTight, BranchesAndTurns) {
-  const Region plus = frame({{{2, 5}, {2, 7}, {5, 7}, {5, 10}, {7, 10}, {7, 7}, {10, 7}, {10, 5},
-                              {7, 5}, {7, 2}, {5, 2}, {5, 5}}}, 2);
+  const Region plus = frame(
+      {{{2, 5}, {2, 7}, {5, 7}, {5, 10}, {7, 10}, {7, 7}, {10, 7}, {10, 5}, {7, 5}, {7, 2}, {5, 2},
+        {5, 5}}},
+      2);
   EXPECT_EQ(brute_force_tight_places(plus, square),
             geometry({{{3, 6}, {6, 6}}, {{6, 3}, {6, 6}}, {{6, 6}, {6, 9}}, {{6, 6}, {9, 6}}}, {}));
   const Region angle = frame({{{2, 2}, {2, 8}, {4, 8}, {4, 4}, {8, 4}, {8, 2}}}, 2);
@@ -49,9 +51,9 @@ TEST(BruteForceTight, BranchesAndTurns) {
 }
 
 TEST(BruteForceTight, RoundAnIsland) {
-  const Region island = make_region({{{{0, 0}, {8, 0}, {8, 8}, {0, 8}},
-                                      {{1, 1}, {1, 7}, {7, 7}, {7, 1}}},
-                                     {{{3, 3}, {5, 3}, {5, 5}, {3, 5}}}});
+  const Region island =
+      make_region({{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{1, 1}, {1, 7}, {7, 7}, {7, 1}}},
+                   {{{3, 3}, {5, 3}, {5, 5}, {3, 5}}}});
   EXPECT_EQ(brute_force_tight_places(island, square),
             geometry({{{2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}}}, {}));
 }

@@ -1,4 +1,6 @@
 // Tight places of hand-made pairs: what fits without any play, and where.
+#include "tight/tight.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,7 +11,6 @@
 #include "support/data.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
-#include "tight/tight.hpp"
 #include "unit/prepare_operands.hpp"
 
 namespace {
@@ -24,7 +25,8 @@ std::string text_of(const Geometry& tight) {
   std::string text;
   const auto add = [&](const std::vector<Point>& points) {
     text += text.empty() ? "(" : " (";
-    for (std::size_t i = 0; i < points.size(); ++i) text += (i > 0 ? ", " : "") + text_of(points[i]);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      text += (i > 0 ? ", " : "") + text_of(points[i]);
     text += ")";
   };
   for (const Polyline& line : tight.polylines) add(line);
@@ -71,9 +73,10 @@ TEST(TightPlaces, SlotsAndRooms) {
   EXPECT_EQ(tight_places("POLYGON ((0 0, 6 0, 6 6, 4 6, 4 2, 2 2, 2 6, 0 6, 0 0))",
                          "POLYGON ((-1 0, 1 0, 1 3, -1 3, -1 0))"),
             "(3 5, 3 9)");
-  EXPECT_EQ(tight_places("POLYGON ((0 0, 12 0, 12 8, 0 8, 0 0), (2 2, 2 5, 10 5, 10 3, 5 3, 5 2, 2 2))",
-                         kSquare),
-            "(4 4, 9 4)");
+  EXPECT_EQ(
+      tight_places("POLYGON ((0 0, 12 0, 12 8, 0 8, 0 0), (2 2, 2 5, 10 5, 10 3, 5 3, 5 2, 2 2))",
+                   kSquare),
+      "(4 4, 9 4)");
   EXPECT_EQ(tight_places("POLYGON ((0 0, 16 0, 16 6, 0 6, 0 0), (1 1, 1 5, 5 5, 5 4, 11 4, 11 5, "
                          "15 5, 15 1, 11 1, 11 2, 5 2, 5 1, 1 1))",
                          kSquare),
@@ -81,22 +84,25 @@ TEST(TightPlaces, SlotsAndRooms) {
 }
 
 TEST(TightPlaces, TInATShapedSlot) {
-  const std::string sheet = "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), "
-                            "(2 6, 2 8, 8 8, 8 6, 6 6, 6 2, 4 2, 4 6, 2 6))";
-  EXPECT_EQ(tight_places(sheet, "POLYGON ((-2 -6, -2 -8, -8 -8, -8 -6, -6 -6, -6 -2, -4 -2, "
-                                "-4 -6, -2 -6))"),
+  const std::string sheet =
+      "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), "
+      "(2 6, 2 8, 8 8, 8 6, 6 6, 6 2, 4 2, 4 6, 2 6))";
+  EXPECT_EQ(tight_places(sheet,
+                         "POLYGON ((-2 -6, -2 -8, -8 -8, -8 -6, -6 -6, -6 -2, -4 -2, "
+                         "-4 -6, -2 -6))"),
             "(0 0)");
   // A shorter foot goes nowhere either; one that is a square moves in both bars.
-  EXPECT_EQ(tight_places(sheet, "POLYGON ((-2 -6, -2 -8, -8 -8, -8 -6, -6 -6, -6 -5, -4 -5, "
-                                "-4 -6, -2 -6))"),
+  EXPECT_EQ(tight_places(sheet,
+                         "POLYGON ((-2 -6, -2 -8, -8 -8, -8 -6, -6 -6, -6 -5, -4 -5, "
+                         "-4 -6, -2 -6))"),
             "(0 0)");
   EXPECT_EQ(tight_places(sheet, kSquare), "(3 7, 5 7) (5 3, 5 7) (5 7, 7 7)");
 }
 
 TEST(TightPlaces, PartAsLargeAsItsSheet) {
-  const Region frame_around =
-      parse_wkt("POLYGON ((-10 -10, 1010 -10, 1010 1010, -10 1010, -10 -10), "
-                "(0 0, 0 1000, 1000 1000, 1000 0, 0 0))");
+  const Region frame_around = parse_wkt(
+      "POLYGON ((-10 -10, 1010 -10, 1010 1010, -10 1010, -10 -10), "
+      "(0 0, 0 1000, 1000 1000, 1000 0, 0 0))");
   EXPECT_EQ(tight_places(frame_around, rectangle(-1000, -1000, 0, 0)), "(0 0)");
   EXPECT_EQ(tight_places(frame_around, rectangle(-1000, -600, 0, 0)), "(0 0, 0 400)");
 }
@@ -106,9 +112,10 @@ TEST(TightPlaces, CornersThatHoldWithoutParallelEdges) {
                          "POLYGON ((-2 -2, -6 -2, -5 -4, -3 -4, -2 -2))"),
             "(0 0)");
   // A diamond in a square hole: each corner on the middle of an edge.
-  EXPECT_EQ(tight_places("POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9), (-2 -2, -2 2, 2 2, 2 -2, -2 -2))",
-                         "POLYGON ((2 0, 0 2, -2 0, 0 -2, 2 0))"),
-            "(0 0)");
+  EXPECT_EQ(
+      tight_places("POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9), (-2 -2, -2 2, 2 2, 2 -2, -2 -2))",
+                   "POLYGON ((2 0, 0 2, -2 0, 0 -2, 2 0))"),
+      "(0 0)");
   // Three points of contact: a triangle turned in another.
   EXPECT_EQ(tight_places("POLYGON ((-9 -9, 19 -9, 19 19, -9 19, -9 -9), (0 0, 4 8, 12 0, 0 0))",
                          "POLYGON ((-2 -4, -8 -4, -6 0, -2 -4))"),
@@ -116,12 +123,13 @@ TEST(TightPlaces, CornersThatHoldWithoutParallelEdges) {
 }
 
 TEST(TightPlaces, RingsThatTouch) {
-  // Two crescents that hang in one another, four parts that touch at two points: only there pairs of
-  // corners of both operands alternate.
+  // Two crescents that hang in one another, four parts that touch at two points: only there pairs
+  // of corners of both operands alternate.
   const std::string crescents =
       "POLYGON ((0 0, 4 8, 0 16, -4 8, 0 0), (0 0, -2 8, 0 16, 2 8, 0 0))";
-  EXPECT_EQ(tight_places(crescents, "POLYGON ((0 0, -5 -8, 0 -16, 2 -8, 0 0), "
-                                    "(0 0, -2 -8, 0 -16, -4 -8, 0 0))"),
+  EXPECT_EQ(tight_places(crescents,
+                         "POLYGON ((0 0, -5 -8, 0 -16, 2 -8, 0 0), "
+                         "(0 0, -2 -8, 0 -16, -4 -8, 0 0))"),
             "(0 0)");
   // What fits into a hole that touches the outer ring at its corner.
   EXPECT_EQ(tight_places("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 0, 2 6, 6 6, 6 2, 0 0))",
