@@ -81,22 +81,4 @@ Geometry transformed(const Geometry& geometry, const std::function<Point(const P
   return result;
 }
 
-std::string to_text(const Geometry& geometry) {
-  std::string text = to_text(geometry.region);
-  const auto add = [&](const char* what, const std::vector<Point>& points) {
-    text += '\n';
-    text += what;
-    for (const Point& p : points) {
-      text += ' ';
-      text += p.x.to_string();
-      text += ' ';
-      text += p.y.to_string();
-      text += ',';
-    }
-  };
-  for (const Polyline& line : geometry.polylines) add("LINE", line);
-  if (!geometry.points.empty()) add("POINTS", geometry.points);
-  return text;
-}
-
 }  // namespace minksum::test

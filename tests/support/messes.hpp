@@ -2,9 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "minksum/geometry.hpp"
+#include "support/geometries.hpp"
 #include "support/random.hpp"
 
 namespace minksum::test {
@@ -24,8 +24,5 @@ namespace minksum::test {
 /// Every point replaced.
 [[nodiscard]] Geometry transformed(const Geometry& geometry,
                                    const std::function<Point(const Point&)>& f);
-
-/// Everything, exactly, to print and to compare.
-[[nodiscard]] std::string to_text(const Geometry& geometry);
 
 }  // namespace minksum::test
