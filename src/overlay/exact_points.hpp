@@ -1,11 +1,13 @@
 // Exact answers about an overlay's points, segments and crossings.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 #include "minksum/region.hpp"
+#include "number/big.hpp"
 #include "number/sign.hpp"
 
 namespace minksum::overlay {
@@ -57,6 +59,10 @@ class ExactPoints {
   [[nodiscard]] virtual Sign cross(const Ends& s, const Ends& t) const = 0;
   /// The sign of a ring's signed area.
   [[nodiscard]] virtual Sign area_sign(std::span<const PointId> ring) const = 0;
+
+  /// The line of a segment in lowest terms: equal for segments on one line. Slow.
+  using Line = std::array<BigInteger, 3>;
+  [[nodiscard]] virtual Line line(const Ends& ends) const = 0;
 
   /// The nearest doubles, in a unit and from an origin of the rung's own; what underflows is off by
   /// less than kAbsoluteError.

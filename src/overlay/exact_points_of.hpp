@@ -135,7 +135,7 @@ class ExactPointsOf final : public ExactPoints {
     return by_x != kZero ? by_x : compare(p.y, p.w, q.y, q.w);
   }
   [[nodiscard]] Sign orientation(const Ends& line, PointId point) const override {
-    const Line l = line_of(line);
+    const Coefficients l = line_of(line);
     const Own& p = points_[point];
     Area sum = widen<Area>(l.a) * widen<Area>(p.x) + widen<Area>(l.b) * widen<Area>(p.y);
     if constexpr (kHomogeneous) {
@@ -147,15 +147,15 @@ class ExactPointsOf final : public ExactPoints {
   }
   [[nodiscard]] Sign orientation(const Ends& line, const Place& place) const override {
     if (!place.is_crossing) return orientation(line, place.point());
-    const Line l = line_of(line);
+    const Coefficients l = line_of(line);
     const Homogeneous p = homogeneous(place);
     const Side sum = widen<Side>(l.a) * widen<Side>(p.x) + widen<Side>(l.b) * widen<Side>(p.y) +
                      widen<Side>(l.c) * widen<Side>(p.w);
     return sign_of(sum);
   }
   [[nodiscard]] Sign cross(const Ends& s, const Ends& t) const override {
-    const Line l = line_of(s);
-    const Line m = line_of(t);
+    const Coefficients l = line_of(s);
+    const Coefficients m = line_of(t);
     return sign_of(Area(widen<Area>(l.a) * widen<Area>(m.b) - widen<Area>(l.b) * widen<Area>(m.a)));
   }
   [[nodiscard]] Sign area_sign(std::span<const PointId> ring) const override {
@@ -166,11 +166,20 @@ class ExactPointsOf final : public ExactPoints {
       using Sum = typename Rung::AreaSum;
       Sum sum(0);
       for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Line side = line_of({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
+        const Coefficients side = line_of({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
         sum = sum + widen<Sum>(side.c);
       }
       return sign_of(sum);
     }
+  }
+
+  [[nodiscard]] Line line(const Ends& ends) const override {
+    const Coefficients l = line_of(ends);
+    Line line{BigInteger(to_big(l.a)), BigInteger(to_big(l.b)), BigInteger(to_big(l.c))};
+    // Not both a and b are 0.
+    const BigInteger divisor = gcd(gcd(line[0], line[1]), line[2]);
+    for (BigInteger& coefficient : line) coefficient /= divisor;
+    return line;
   }
 
   [[nodiscard]] bool on_grid() const override { return !kHomogeneous; }
@@ -196,7 +205,7 @@ class ExactPointsOf final : public ExactPoints {
   }
 
  private:
-  struct Line {
+  struct Coefficients {
     Length a;  // direction (b, -a)
     Length b;
     Area c;
@@ -220,11 +229,12 @@ class ExactPointsOf final : public ExactPoints {
     return result;
   }
 
-  [[nodiscard]] Line line_of(const Ends& ends) const {
+  [[nodiscard]] Coefficients line_of(const Ends& ends) const {
     const Own& p = points_[ends.low];
     const Own& q = points_[ends.high];
-    Line line{Length(p.y - q.y), Length(q.x - p.x),
-              Area(widen<Area>(p.x) * widen<Area>(q.y) - widen<Area>(p.y) * widen<Area>(q.x))};
+    Coefficients line{
+        Length(p.y - q.y), Length(q.x - p.x),
+        Area(widen<Area>(p.x) * widen<Area>(q.y) - widen<Area>(p.y) * widen<Area>(q.x))};
     if constexpr (kHomogeneous) {
       const Length& v = weights_[ends.low];
       const Length& w = weights_[ends.high];
@@ -242,8 +252,8 @@ class ExactPointsOf final : public ExactPoints {
         return {widen<Volume>(p.x), widen<Volume>(p.y), Area(1)};
       }
     }
-    const Line l = line_of(place.first);
-    const Line m = line_of(place.second);
+    const Coefficients l = line_of(place.first);
+    const Coefficients m = line_of(place.second);
     const auto volume = [](const auto& a, const auto& b) {
       return Volume(widen<Volume>(a) * widen<Volume>(b));
     };

@@ -32,19 +32,22 @@ struct Slant {
 
 class ContactFinder {
  public:
-  ContactFinder(const Segments& segments, Cancellation& cancellation, Contacts& contacts)
+  ContactFinder(const Segments& segments, std::size_t max_touches, Cancellation& cancellation,
+                Contacts& contacts)
       : segments_(segments),
         predicates_(segments.predicates),
+        max_touches_(max_touches),
         cancellation_(cancellation),
         contacts_(contacts) {}
 
-  void run() {
+  bool run() {
     measure();
     slants_.reserve(segments_.list.size());
     items_.reserve(2 * segments_.list.size());
     for (SegmentId s = 0; s < segments_.list.size(); ++s) add(s);
     add_lone_points();
     divide(0, items_.size(), kMaxPoor);
+    if (too_many()) return false;
     const auto touch_order = [](const Touch& a, const Touch& b) {
       return a.segment != b.segment ? a.segment < b.segment : a.point < b.point;
     };
@@ -55,6 +58,7 @@ class ContactFinder {
     std::sort(touches.begin(), touches.end(), touch_order);
     touches.erase(std::unique(touches.begin(), touches.end(), same_touch), touches.end());
     sort_crossings();
+    return true;
   }
 
  private:
@@ -62,6 +66,7 @@ class ContactFinder {
   static constexpr int kMaxPoor = 4;
   static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
 
+  [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
   [[nodiscard]] const Ends& ends(SegmentId s) const {
     return s < segments_.list.size() ? segments_.list[s].ends
                                      : lone_points_[s - segments_.list.size()];
@@ -132,6 +137,7 @@ class ContactFinder {
   /// ones need. So only some more poor than good ones are made on the way to a cell: `poor` is how
   /// many are left. All of them together multiply the work by less than two.
   void divide(std::size_t begin, std::size_t end, int poor) {
+    if (too_many()) return;
     if (end - begin <= kFew) return test_all(begin, end);
     Item box = items_[begin];
     for (std::size_t i = begin + 1; i < end; ++i) {
@@ -249,12 +255,13 @@ class ContactFinder {
         if (beside(b.segment, a.segment)) continue;
         test(a.segment, b.segment);
       }
+      if (too_many()) return;
       if (end - begin > 1024) cancellation_.check();
     }
   }
 
-  /// Whether all of t is certainly on one side of the line of s, or half of it is and the other half
-  /// is an end that they share.
+  /// Whether all of t is certainly on one side of the line of s, or half of it is and the other
+  /// half is an end that they share.
   [[nodiscard]] bool beside(SegmentId s, SegmentId t) const {
     const Slant& line = slants_[s];
     const Slant& other = slants_[t];
@@ -328,6 +335,7 @@ class ContactFinder {
 
   const Segments& segments_;
   const Predicates& predicates_;
+  std::size_t max_touches_;
   Cancellation& cancellation_;
   Contacts& contacts_;
   double extent_ = 0;          // of coordinates, from the origin
@@ -340,8 +348,9 @@ class ContactFinder {
 
 }  // namespace
 
-void find_contacts(const Segments& segments, Cancellation& cancellation, Contacts& contacts) {
-  ContactFinder(segments, cancellation, contacts).run();
+bool find_contacts(const Segments& segments, std::size_t max_touches, Cancellation& cancellation,
+                   Contacts& contacts) {
+  return ContactFinder(segments, max_touches, cancellation, contacts).run();
 }
 
 }  // namespace minksum::overlay

@@ -121,7 +121,14 @@ class Cancellation {
 
 /// All touches and crossings. Cells are divided at medians, with each segment's box cut to the
 /// cell: a pair that meets does so in some cell, where both boxes hold the point.
-void find_contacts(const Segments& segments, Cancellation& cancellation, Contacts& contacts);
+/// Gives up, and returns false, if it finds more than `max_touches` touches.
+[[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
+                                 Cancellation& cancellation, Contacts& contacts);
+
+/// Replaces segments that overlap on one line by segments that do not: k of them that contain each
+/// other have up to k² touches, and become at most 2k. Worth its price only for such crowds.
+/// O(n log n).
+void join_lines(Segments& segments);
 
 /// Cuts segments at their contacts. Nodes are equal if their exact places are.
 /// O((n + c) log (n + c)) for n segments and c contacts.

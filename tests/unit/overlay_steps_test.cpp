@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -135,16 +136,17 @@ std::vector<Chain> chains_of(const Geometry& geometry, ThinStore& store) {
 }
 
 struct Steps {
+  std::shared_ptr<ThinStore> store = std::make_shared<ThinStore>();  // results point into it
   Segments segments;
   Contacts contacts;
   Subdivision subdivision;
 };
-Steps run_steps(const Geometry& geometry) {
+Steps run_steps(const Geometry& geometry, bool joined = false) {
   Steps steps;
-  ThinStore store;
   Cancellation cancellation(std::nullopt);
-  steps.segments = list_segments(chains_of(geometry, store));
-  find_contacts(steps.segments, cancellation, steps.contacts);
+  steps.segments = list_segments(chains_of(geometry, *steps.store));
+  if (joined) join_lines(steps.segments);
+  EXPECT_TRUE(find_contacts(steps.segments, SIZE_MAX, cancellation, steps.contacts));
   steps.subdivision = subdivide(steps.segments, steps.contacts, cancellation);
   sweep(
       steps.segments, [](const Winding& w) { return w.first != 0; }, cancellation,
@@ -162,6 +164,39 @@ TEST(OverlaySteps, SubdivisionsPassTheirChecker) {
     const Steps steps = run_steps(mess);
     EXPECT_EQ(check(steps.segments, steps.subdivision).value_or(""), "");
   }
+}
+
+std::string result_of(const Steps& steps) {
+  Geometry result;
+  extract_area(steps.segments, steps.subdivision, result.region);
+  extract_thin(steps.segments, steps.subdivision, result);
+  return test::to_text(result);
+}
+
+TEST(OverlaySteps, JoinedLinesGiveTheSame) {
+  for (std::uint64_t seed = 1; seed <= 1000 && !HasFailure(); ++seed) {
+    Random random(seed);
+    Geometry mess = test::random_mess(random);
+    if (random.one_in(4)) mess = test::transformed(mess, test::random_projection(random));
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::to_text(mess));
+    const Steps joined = run_steps(mess, true);
+    EXPECT_EQ(check(joined.segments, joined.subdivision).value_or(""), "");
+    EXPECT_EQ(result_of(joined), result_of(run_steps(mess)));
+  }
+}
+
+TEST(OverlaySteps, NestedSegmentsHaveFewTouchesOnceJoined) {
+  Geometry nested;
+  for (int i = 0; i < 100; ++i) nested.polylines.push_back({{-i, 0}, {i + 1, i}});
+  for (int i = 0; i < 100; ++i) nested.polylines.push_back({{-i, -i}, {i + 1, i + 1}});
+  const Steps plain = run_steps(nested);
+  const Steps joined = run_steps(nested, true);
+  EXPECT_GT(plain.contacts.touches.size(), 9000U);
+  EXPECT_LT(joined.contacts.touches.size(), 500U);
+  EXPECT_EQ(result_of(joined), result_of(plain));
+  Contacts contacts;
+  Cancellation cancellation(std::nullopt);
+  EXPECT_FALSE(find_contacts(plain.segments, 9000, cancellation, contacts));
 }
 
 // Cells are divided often here; every pair is tried as well.

@@ -1,0 +1,55 @@
+// Segments that overlap on one line to segments that do not.
+#include <algorithm>
+
+#include "overlay/subdivision.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+/// What one segment adds from a point of its line on, and takes away again at its other end.
+struct Step {
+  PointId at = 0;
+  Winding change;
+  int belongs = 0;
+};
+
+/// The segments [begin, end) lie on one line: cut at all of their ends, and those of equal ends
+/// added up. Points of a line are in order if their numbers are.
+void join(std::span<const Segment> line, std::vector<Segment>& joined) {
+  std::vector<Step> steps;
+  for (const Segment& s : line) {
+    steps.push_back({s.ends.low, s.change, s.belongs ? 1 : 0});
+    steps.push_back({s.ends.high, -s.change, s.belongs ? -1 : 0});
+  }
+  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.at < b.at; });
+  Step now = steps.front();
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    const bool idle = now.change == Winding{} && now.belongs == 0;
+    if (step.at != now.at && !idle) {
+      joined.push_back({{now.at, step.at}, now.change, now.belongs > 0});
+    }
+    now = {step.at, now.change + step.change, now.belongs + step.belongs};
+  }
+}
+
+}  // namespace
+
+void join_lines(Segments& segments) {
+  const ExactPoints& exact = segments.predicates.exact();
+  std::vector<std::pair<ExactPoints::Line, Segment>> keyed;
+  keyed.reserve(segments.list.size());
+  for (const Segment& s : segments.list) keyed.emplace_back(exact.line(s.ends), s);
+  std::sort(keyed.begin(), keyed.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  segments.list.clear();
+  std::vector<Segment> line;
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    line.push_back(keyed[i].second);
+    if (i + 1 < keyed.size() && keyed[i + 1].first == keyed[i].first) continue;
+    join(line, segments.list);
+    line.clear();
+  }
+}
+
+}  // namespace minksum::overlay
