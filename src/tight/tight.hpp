@@ -15,19 +15,19 @@ namespace minksum {
 /// Where P and x − Q touch and have no play, or play along a path only.
 ///
 /// Let S = P ⊕ Q, U = P° ⊕ Q° (open, with closure S), X the complement of U. Tight are the points
-/// of closure(S° ∖ U). For x in X take all contacts p + q = x, and at each the cones of P at p
-/// and of Q at q (as open parts of the plane around 0). Near x, U is x plus the union of the sums of one
-/// cone of each, and X is x plus the intersection C of their complements. x lies in S° if C has no
-/// inner points: then it is 0 alone, or some rays. Take one polygon of each operand at a time.
+/// of closure(S° ∖ U). For x in X take all contacts p + q = x, and at each the cones of P at p and
+/// of Q at q (as open parts of the plane around 0). Near x, U is x plus the union of the sums of
+/// one cone of each, and X is x plus the intersection C of their complements. x lies in S° if C has
+/// no inner points: then it is 0 alone, or some rays. Take one polygon of each operand at a time.
 ///
 /// 1. *Segments bound X.* Take cones A of P and B of Q; A and −B are disjoint. Either one is
-///    reflex, say A: then A ⊕ B is A, bounded by the edges at p, which the convex vertex q moves. Or
-///    both are convex, and A ⊕ B is bounded by the first and the last of their rays: edges too, and the
-///    vertex that moves each is convex and has the edge's direction in its closed range. What the
-///    convolution takes is a half-open range: of parallel edges e and f, e moved by the start of f
-///    and f moved by the end of e. Follow such a contact along e to where it ends: at the end of e
-///    or at the start of f. A reflex vertex there would let the insides meet. So it is convex, and
-///    its segment passes x.
+///    reflex, say A: then A ⊕ B is A, bounded by the edges at p, which the convex vertex q moves.
+///    Or both are convex, and A ⊕ B is bounded by the first and the last of their rays: edges too,
+///    and the vertex that moves each is convex and has the edge's direction in its closed range.
+///    What the convolution takes is a half-open range: of parallel edges e and f, e moved by the
+///    start of f and f moved by the end of e. Follow such a contact along e to where it ends: at
+///    the end of e or at the start of f. A reflex vertex there would let the insides meet. So it is
+///    convex, and its segment passes x.
 /// 2. *Paths.* Let C be a line, and no segment of another direction end at x or pass it. Then C is
 ///    an intersection of half-planes along this line, of both sides, so segments of both directions
 ///    pass: a slit. Along the line this changes only where another segment ends or passes, at a
