@@ -1,11 +1,11 @@
 // minksum check: is a file the sum of two others?
-#include <cstdio>
-#include <iostream>
+#include <ostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "commands.hpp"
 #include "failure.hpp"
+#include "faults.hpp"
 #include "minksum/check.hpp"
 #include "output_file.hpp"
 
@@ -90,9 +90,11 @@ void write_json(std::ostream& out, const SumCheck& check) {
 }  // namespace
 
 int run_check(const CheckArguments& arguments) {
-  const Geometry result = read_operand(arguments.result);
-  const Geometry operands[2] = {read_operand(arguments.operands[0]),
-                                read_operand(arguments.operands[1])};
+  const auto read = [&arguments](const std::string& file) {
+    return read_operand(file, arguments.limits).geometry;
+  };
+  const Geometry result = read(arguments.result);
+  const Geometry operands[2] = {read(arguments.operands[0]), read(arguments.operands[1])};
   SumCheck check;
   try {
     check = check_sum(result, operands[0], operands[1], arguments.options);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "minksum/check.hpp"
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
@@ -17,6 +18,7 @@ enum ExitCode : int {
   kBadInput = 2,       ///< also: an output that cannot be written
   kLimitExceeded = 3,  ///< a stated limit, or memory
   kInternal = 4,
+  kWrongResult = 5,    ///< `minksum check` found an error
 };
 
 /// `minksum sum P Q ...`
@@ -46,8 +48,18 @@ struct InfoArguments {
   ResolveOptions resolve;
 };
 
-/// Both return an exit code, and throw what `report_failure` (failure.hpp) can name.
+/// `minksum check RESULT P Q`
+struct CheckArguments {
+  std::string result;
+  std::string operands[2];
+  bool json = false;
+  io::ReadLimits limits;
+  CheckOptions options;
+};
+
+/// All return an exit code, and throw what `report_failure` (failure.hpp) can name.
 int run_sum(const SumArguments& arguments);
 int run_info(const InfoArguments& arguments);
+int run_check(const CheckArguments& arguments);
 
 }  // namespace minksum::cli

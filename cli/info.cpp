@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "commands.hpp"
+#include "faults.hpp"
 #include "failure.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
@@ -79,15 +80,6 @@ std::string readable(const Rational& value) {
   return text.str();
 }
 
-std::string described(const Fault& fault) {
-  std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
-  text.precision(17);
-  if (const std::string place = describe(fault.place); !place.empty()) text << place << ": ";
-  text << fault.message << " (near " << fault.x << " " << fault.y << ")";
-  return text.str();
-}
-
 void write_text(std::ostream& out, const Findings& findings, FillRule fill) {
   const Geometry& geometry = findings.geometry;
   out << "parts     " << geometry.region.polygon_count() << "\nholes     "
@@ -119,19 +111,6 @@ void write_text(std::ostream& out, const Findings& findings, FillRule fill) {
 }
 
 Json point_json(const Point& point) { return {point.x.to_string(), point.y.to_string()}; }
-
-Json fault_json(const Fault& fault) {
-  Json json;
-  const auto add = [&json](const char* key, std::size_t index) {
-    if (index != Culprit::kNone) json[key] = index + 1;
-  };
-  add("polygon", fault.place.polygon);
-  add("ring", fault.place.ring);
-  add("vertex", fault.place.vertex);
-  json["near"] = {fault.x, fault.y};
-  json["message"] = fault.message;
-  return json;
-}
 
 void add_sizes(Json& json, const Geometry& geometry) {
   json["parts"] = geometry.region.polygon_count();

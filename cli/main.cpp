@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Exit codes: 0 fine, 1 wrong usage, 2 bad input or unwritable output,
-3 a stated limit exceeded, 4 internal error (with the stage's name).
+3 a stated limit exceeded, 4 internal error (with the stage's name),
+5 `check` found that a result is wrong.
 Errors are one line on standard error: "minksum: FILE:LINE:COLUMN: what", or
 "minksum: FILE: polygon K, ring R, vertex V: what"; all of these count from 1,
 and ring 1 is the outer one.)";
@@ -34,6 +35,45 @@ void add_info(CLI::App& app, InfoArguments& arguments, ProcessLimits& limits) {
   add_limit_options(*info, limits, false);
 }
 
+void add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) {
+  CLI::App* check = app.add_subcommand(
+      "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
+  check->footer(
+      "\nDecided by other methods than `sum` uses: validity; points near each edge and at random;\n"
+      "and, where it is small enough for the second method, the whole sum exactly. Rounded results\n"
+      "need --within. Exit code 5 if an error is found.\n");
+  const auto add_file = [check](const char* name, std::string& file, const char* what) {
+    check->add_option(name, file, what)->required()->type_name("FILE");
+  };
+  add_file("RESULT", arguments.result, "What is said to be the sum");
+  add_file("P", arguments.operands[0], "The first operand");
+  add_file("Q", arguments.operands[1], "The second operand");
+  add_fill_option(*check, arguments.options.fill);
+  check->add_flag("--regularize", arguments.options.regularize,
+                  "Drop operands' polylines, points and spikes");
+  check->add_option_function<std::string>(
+           "--within",
+           [&arguments](const std::string& text) {
+             const auto value = Rational::parse(text);
+             if (!value || value->sign() < 0) {
+               throw CLI::ValidationError("--within", "takes a number that is not negative, not '" +
+                                                          text + "'");
+             }
+             arguments.options.within = *value;
+           },
+           "How far, in x and in y, the result may be off; 0, the default: not at all")
+      ->type_name("D");
+  check->add_option("--samples", arguments.options.samples,
+                    "Random points, beside those near edges; 1000 without it")
+      ->type_name("N");
+  check->add_option("--seed", arguments.options.seed, "Seed of the random points")->type_name("N");
+  check->add_option("--proof-segments", arguments.options.limits.max_segments,
+                    "Largest signed convolution for which the whole sum is compared")
+      ->type_name("N");
+  check->add_flag("--json", arguments.json, "As JSON");
+  add_limit_options(*check, limits, false);
+}
+
 int run(int argc, char** argv, ProcessLimits& limits) {
   CLI::App app("Exact Minkowski sums in the plane", "minksum");
   app.set_version_flag("--version", "minksum " MINKSUM_VERSION);
@@ -42,8 +82,10 @@ int run(int argc, char** argv, ProcessLimits& limits) {
   SumArguments sum_arguments;
   TypedSum typed;
   InfoArguments info_arguments;
-  CLI::App* const sum = add_sum(app, sum_arguments, typed, limits);
+  CheckArguments check_arguments;
+  add_sum(app, sum_arguments, typed, limits);
   add_info(app, info_arguments, limits);
+  add_check(app, check_arguments, limits);
   for (CLI::App* const command : app.get_subcommands({})) {
     command->footer(command->get_footer() + kFooter);
   }
@@ -58,9 +100,13 @@ int run(int argc, char** argv, ProcessLimits& limits) {
     throw Failure(kWrongUsage, std::string(error.what()) + " (minksum --help)");
   }
   apply(limits);
-  if (!sum->parsed()) {
+  if (app.got_subcommand("info")) {
     info_arguments.limits = limits.read;
     return run_info(info_arguments);
+  }
+  if (app.got_subcommand("check")) {
+    check_arguments.limits = limits.read;
+    return run_check(check_arguments);
   }
   sum_arguments.limits = limits.read;
   sum_arguments.options.limits = limits.sum;

@@ -3,6 +3,7 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/cancel.hpp"
+#include "minksum/check.hpp"
 #include "minksum/error.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/measure.hpp"

@@ -1,0 +1,16 @@
+// Faults of a region, told.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "minksum/validity.hpp"
+
+namespace minksum::cli {
+
+/// "polygon 1, ring 1, vertex 3: edges cross (near 1 2)".
+[[nodiscard]] std::string described(const Fault& fault);
+/// With the keys polygon, ring, vertex (all from 1, as far as they are known), near and message.
+[[nodiscard]] nlohmann::ordered_json fault_json(const Fault& fault);
+
+}  // namespace minksum::cli
