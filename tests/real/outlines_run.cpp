@@ -1,0 +1,169 @@
+// Real outlines: each shape of some folders ⊕ a 32-gon and ⊕ the next shape, everything checked.
+//
+//   outlines_run [--folders gis,fonts,nesting] [--every N] [--max-vertices N] [--first N]
+//
+// For each sum: it is valid and canonical; points near its edges and at random agree with a test of
+// its own (check_sum); where the second method is fast enough, the sum equals what that gives; it is
+// rounded to doubles and to 3 decimals, to all three sides, and stays valid (by GEOS too, if that is
+// there) and on its side. Prints a row a sum; exit code 1 if anything is wrong, 2 without shapes.
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "minksum/boolean.hpp"
+#include "minksum/check.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/round.hpp"
+#include "support/data.hpp"
+#include "support/geos_validity.hpp"
+#include "support/shapes.hpp"
+
+namespace {
+
+using namespace minksum;
+
+struct Arguments {
+  std::vector<std::string> folders{"gis", "fonts", "nesting"};
+  std::size_t every = 1;
+  std::size_t first = 0;
+  std::size_t max_vertices = 1000000;
+  std::uint64_t proof_segments = 200000;
+};
+
+Arguments read_arguments(int count, char** values) {
+  Arguments arguments;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string name = values[i];
+    const std::string value = values[i + 1];
+    if (name == "--folders") {
+      arguments.folders.clear();
+      std::stringstream list(value);
+      for (std::string folder; std::getline(list, folder, ',');) arguments.folders.push_back(folder);
+    } else if (name == "--every") {
+      arguments.every = std::stoul(value);
+    } else if (name == "--first") {
+      arguments.first = std::stoul(value);
+    } else if (name == "--max-vertices") {
+      arguments.max_vertices = std::stoul(value);
+    } else if (name == "--proof-segments") {
+      arguments.proof_segments = std::stoul(value);
+    } else {
+      throw std::runtime_error("unknown option " + name);
+    }
+  }
+  return arguments;
+}
+
+/// A regular 32-gon, a fiftieth of the shape wide; its vertices are doubles.
+Region disc_for(const Region& shape) {
+  const Box box = *bounding_box(shape);
+  const double radius = (box.max.x - box.min.x).to_double() / 100;
+  Region disc;
+  disc.begin_polygon();
+  disc.begin_ring();
+  for (int k = 0; k < 32; ++k) {
+    const double angle = 2 * std::acos(-1.0) * k / 32;
+    disc.add_vertex(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return disc;
+}
+
+class Runner {
+ public:
+  explicit Runner(const Arguments& arguments) : arguments_(arguments) {}
+
+  void run(const std::string& name, const Region& p, const Region& q) {
+    const Geometry first{p, {}, {}};
+    const Geometry second{q, {}, {}};
+    const auto begin = std::chrono::steady_clock::now();
+    const Geometry sum = minkowski_sum(first, second);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    CheckOptions options;
+    options.samples = 200;
+    options.limits.max_segments = arguments_.proof_segments;
+    const SumCheck check = check_sum(sum, first, second, options);
+    expect(name, check.ok(), "check");
+    expect(name, !sum.has_thin_parts(), "thin parts");
+    proofs_ += check.proof == Proof::kHolds ? 1 : 0;
+    for (const auto decimals : {std::optional<int>(), std::optional<int>(3)}) {
+      for (const auto side :
+           {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
+        check_rounded(name, sum.region, side, decimals);
+      }
+    }
+    std::cout << name << '\t' << p.vertex_count() << '\t' << q.vertex_count() << '\t'
+              << sum.region.vertex_count() << '\t' << sum.region.hole_count() << '\t'
+              << seconds.count() << '\t' << check.points << '\t'
+              << (check.proof == Proof::kHolds ? "proved" : "points") << std::endl;
+    ++sums_;
+  }
+
+  [[nodiscard]] int finish() const {
+    std::cout << sums_ << " sums, " << proofs_ << " proved by the second method, " << roundings_
+              << " roundings" << (test::geos_available() ? " (valid by GEOS)" : "") << ", " << faults_
+              << " faults" << std::endl;
+    return faults_ == 0 ? 0 : 1;
+  }
+
+ private:
+  void expect(const std::string& name, bool good, const std::string& what) {
+    if (good) return;
+    ++faults_;
+    std::cout << name << ": WRONG: " << what << std::endl;
+  }
+  void check_rounded(const std::string& name, const Region& exact, RoundingSide side,
+                     std::optional<int> decimals) {
+    const std::string what = std::string("rounded, ") + to_string(side);
+    RoundOptions options;
+    options.side = side;
+    options.decimals = decimals;
+    const Region rounded = round(exact, options);
+    expect(name, validate(rounded, 1).empty(), what + ": not legal");
+    if (!decimals) expect(name, test::geos_fault(rounded).empty(), what + ": not valid by GEOS");
+    if (side == RoundingSide::kOutside) expect(name, contains(rounded, exact), what);
+    if (side == RoundingSide::kInside) expect(name, contains(exact, rounded), what);
+    ++roundings_;
+  }
+
+  Arguments arguments_;
+  std::size_t sums_ = 0;
+  std::size_t proofs_ = 0;
+  std::size_t roundings_ = 0;
+  std::size_t faults_ = 0;
+};
+
+int run(int count, char** values) {
+  const Arguments arguments = read_arguments(count, values);
+  const auto data = test::data_path();
+  if (!data) return 2;
+  Runner runner(arguments);
+  for (const std::string& folder : arguments.folders) {
+    std::vector<std::string> names;
+    for (const test::DataFile& file : test::read_manifest(*data)) {
+      const bool ours = file.name.starts_with(folder + "/");
+      if (ours && file.vertices <= arguments.max_vertices) names.push_back(file.name);
+    }
+    for (std::size_t i = arguments.first; i < names.size(); i += arguments.every) {
+      const Region shape = test::read_wkt(*data / names[i]);
+      const std::string& next = names[(i + 1) % names.size()];
+      runner.run(names[i] + " + 32-gon", shape, disc_for(shape));
+      runner.run(names[i] + " + " + next, shape, test::read_wkt(*data / next));
+    }
+  }
+  return runner.finish();
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  try {
+    return run(count, values);
+  } catch (const std::exception& error) {
+    std::cerr << "outlines_run: " << error.what() << '\n';
+    return 1;
+  }
+}
