@@ -209,6 +209,12 @@ void require_legal(const Given& p, const Given& q) {
   }
 }
 
+void require_method_for_tight(const Options& options) {
+  if (options.tight != nullptr && options.method != Method::kReduced) {
+    throw Error(ErrorCode::kBadInput, "tight places are found by Method::kReduced only");
+  }
+}
+
 void run(const Given& p, const Given& q, const Options& options, Workspace::State& state,
          Region& result) {
   Statistics own;
@@ -216,9 +222,7 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
   statistics = Statistics{};
   if (options.trace != nullptr) *options.trace = Trace{};
   if (options.tight != nullptr) *options.tight = Geometry{};
-  if (options.tight != nullptr && options.method != Method::kReduced) {
-    throw Error(ErrorCode::kBadInput, "tight places are found by Method::kReduced only");
-  }
+  require_method_for_tight(options);
   const auto begin = std::chrono::steady_clock::now();
   if (p.region.empty() || q.region.empty()) {
     require_legal(p, q);
@@ -341,6 +345,7 @@ class Sums final : public PartialSums {
 
 void run(const Geometry& p, const Geometry& q, const Options& options, Workspace::State& state,
          Geometry& result) {
+  require_method_for_tight(options);
   Sums sums(options, state);
   sum_geometries(p, q, options, sums, result);
   sums.count_time();

@@ -167,6 +167,9 @@ TEST(GeometrySum, ThinPartsCoverTightPlaces) {
     EXPECT_EQ(minkowski_sum(with_point, square, options).region.polygon_count(), covers ? 1U : 2U);
     EXPECT_EQ(tight.points.size(), covers ? 0U : 1U);
   }
+  options.method = Method::kSigned;
+  const Geometry line = make_lines({{{0, 0}, {1, 1}}});
+  EXPECT_THROW(static_cast<void>(minkowski_sum(line, line, options)), Error);
 }
 
 TEST(GeometrySum, StatisticsAreThoseOfTheAreas) {
