@@ -36,6 +36,7 @@ TEST_F(Expected, FramesThatTheSquareFitsIntoWithoutPlayLoseTheirHoles) {
   EXPECT_EQ(sum_of("frame_plus", "square2_centred"), box(-1, -1, 13, 13));
   EXPECT_EQ(sum_of("maze_tight", "square2_centred"), box(-1, -1, 15, 15));
   EXPECT_EQ(sum_of("grid_holes", "unit_square"), box(0, 0, 12, 12));
+  EXPECT_EQ(sum_of("grid_holes", "grid_holes"), box(0, 0, 22, 22));
   EXPECT_EQ(sum_of("peg_slot_a", "peg_slot_b"), box(-1, 0, 7, 9));
 }
 
