@@ -130,13 +130,16 @@ class RingChooser {
   bool go_up_notch(std::size_t v, const Vec<double>& in, const Vec<double>& out) {
     const RoundedVertex& nearest = nearest_[v];
     const Vec<double> cell{size_of_cell(nearest.x), size_of_cell(nearest.y)};
-    const auto unit = [&](double x, double y) {
-      const double length = std::hypot(x / cell.x, y / cell.y);
-      return Vec<double>{x / cell.x / length, y / cell.y / length};
+    // The larger of the cell's sides is the measure for both: with cells of unlike sides the notch
+    // would look narrower than it is.
+    const double side = std::max(cell.x, cell.y);
+    const auto unit = [](double x, double y) {
+      const double length = length_of(x, y);
+      return Vec<double>{x / length, y / length};
     };
     const Vec<double> back = unit(-in.x, -in.y);
     const Vec<double> ahead = unit(out.x, out.y);
-    const double length = std::hypot(back.x + ahead.x, back.y + ahead.y);
+    const double length = length_of(back.x + ahead.x, back.y + ahead.y);
     const Vec<double> way{(back.x + ahead.x) / length, (back.y + ahead.y) / length};
     if (!std::isfinite(way.x) || !std::isfinite(way.y)) return false;
     constexpr double kFarthest = 100;
@@ -144,8 +147,8 @@ class RingChooser {
     within_cell_ = false;
     bool found = false;
     for (double far = 0.5; far < kFarthest && !found; far *= kStretch) {
-      const double x = std::floor(nearest.off_x / cell.x + far * way.x);
-      const double y = std::floor(nearest.off_y / cell.y + far * way.y);
+      const double x = std::floor((nearest.off_x + far * side * way.x) / cell.x);
+      const double y = std::floor((nearest.off_y + far * side * way.y) / cell.y);
       for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
         Corner corner = nearest_of(v);
         corner.to.x = shifted_place(nearest.x, x + dx, cell.x, target_);
@@ -164,8 +167,8 @@ class RingChooser {
   [[nodiscard]] double size_of_cell(const Place& place) const {
     return target_.is_decimal() ? 1 : next_place(place, true, target_).value - place.value;
   }
-  /// Places differ by multiples of the smaller's last place, and the nearest one is off by half of
-  /// it at most: nothing cancels, and the offset has a relative error below 2^-50.
+  /// No place is closer to the vertex than the nearest one: so nothing cancels here, and the offset
+  /// has a relative error below 2^-50.
   void set_offsets(Corner& corner) const {
     const RoundedVertex& nearest = nearest_[corner.source];
     const auto difference = [&](const Place& from, const Place& to) {
@@ -269,7 +272,7 @@ class RingChooser {
     double largest = 0;
     for (const Corner& corner : choice) {
       if (!corner.to.moved()) continue;
-      double move = rounded_up(std::hypot(corner.to.off_x, corner.to.off_y));
+      double move = rounded_up(length_of(corner.to.off_x, corner.to.off_y));
       if (!within_cell_) {
         move = std::min(move, std::max(distance(corner, edge(nearest_of(v), nearest_of(before_))),
                                        distance(corner, edge(nearest_of(v), nearest_of(after_)))));
@@ -290,7 +293,7 @@ class RingChooser {
     const double along_y = part * e.y;
     const double error =
         (std::abs(x) + std::abs(y) + std::abs(along_x) + std::abs(along_y)) * 0x1p-46;
-    return rounded_up(std::hypot(x - along_x, y - along_y) + error);
+    return rounded_up(length_of(x - along_x, y - along_y) + error);
   }
 
   const Region& region_;

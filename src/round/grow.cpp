@@ -17,18 +17,21 @@ Region square(const Rational& half) { return box({-half, -half}, {half, half}); 
 
 }  // namespace
 
-Region grown(const Region& region, const Rational& half) {
-  return minkowski_sum(region, square(half));
+Region grown(const Region& region, const Rational& half, const std::optional<CancelToken>& cancel) {
+  Options options;
+  options.cancel = cancel;
+  return minkowski_sum(region, square(half), options);
 }
 
-Region shrunk(const Region& region, const Rational& half) {
+Region shrunk(const Region& region, const Rational& half,
+              const std::optional<CancelToken>& cancel) {
   const auto around = bounding_box(region);
   if (!around) return {};
   // Any frame will do that the region does not touch.
   const Rational margin = half + half;
   const Region frame = box({around->min.x - margin, around->min.y - margin},
                            {around->max.x + margin, around->max.y + margin});
-  return subtract(frame, grown(subtract(frame, region), half));
+  return subtract(frame, grown(subtract(frame, region), half, cancel));
 }
 
 }  // namespace minksum

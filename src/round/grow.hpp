@@ -1,6 +1,9 @@
 // A region made larger or smaller by half a step of a grid.
 #pragma once
 
+#include <optional>
+
+#include "minksum/cancel.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -10,11 +13,13 @@ namespace minksum {
 /// point, in the metric of the larger difference of coordinates. So if boundary points then move by
 /// at most `half` along each axis, in straight lines, none passes an inner point of the region, its
 /// winding number stays 1, and what the moved rings enclose contains the region.
-[[nodiscard]] Region grown(const Region& region, const Rational& half);
+[[nodiscard]] Region grown(const Region& region, const Rational& half,
+                           const std::optional<CancelToken>& cancel);
 
 /// The closure of the points x with x ⊕ B in the region: the complement of its grown complement.
 /// What was said of the latter's boundary is true here of points outside the region: moved rings
 /// enclose none of them.
-[[nodiscard]] Region shrunk(const Region& region, const Rational& half);
+[[nodiscard]] Region shrunk(const Region& region, const Rational& half,
+                            const std::optional<CancelToken>& cancel);
 
 }  // namespace minksum

@@ -195,9 +195,17 @@ Region with_vertices(const Region& region, const RoundedVertices& vertices, cons
 double largest_move(const RoundedVertices& vertices) {
   double largest = 0;
   for (const RoundedVertex& v : vertices) {
-    if (v.moved()) largest = std::max(largest, rounded_up(std::hypot(v.off_x, v.off_y)));
+    if (v.moved()) largest = std::max(largest, rounded_up(length_of(v.off_x, v.off_y)));
   }
   return largest;
+}
+
+double length_of(double x, double y) {
+  const double larger = std::max(std::abs(x), std::abs(y));
+  if (larger == 0 || !std::isfinite(larger)) return larger;
+  const double u = x / larger;
+  const double v = y / larger;
+  return larger * std::sqrt(u * u + v * v);
 }
 
 double rounded_up(double length) { return std::nextafter(length * (1 + 0x1p-49), HUGE_VAL); }

@@ -63,6 +63,8 @@ void add_vertex(Region& region, const Place& x, const Place& y, const Target& ta
 
 /// How far any vertex is from its place, in the target's unit, rounded up.
 [[nodiscard]] double largest_move(const RoundedVertices& vertices);
+/// √(x² + y²) with a relative error below 2^-50, the same on every machine.
+[[nodiscard]] double length_of(double x, double y);
 /// A double that is no less than a length computed in doubles with a relative error below 2^-50.
 [[nodiscard]] double rounded_up(double length);
 /// A double that is no less than the number.

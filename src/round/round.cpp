@@ -114,17 +114,18 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
 }
 
 /// What is to be snapped so that the result lies on the right side.
-Region sided(const Region& region, RoundingSide side, const SnapGrid& grid) {
-  if (side == RoundingSide::kNearest) return region;
+Region sided(const Region& region, const RoundOptions& options, const SnapGrid& grid) {
+  if (options.side == RoundingSide::kNearest) return region;
   const Rational half = grid.step() * Rational(1, 2);
-  return side == RoundingSide::kOutside ? grown(region, half) : shrunk(region, half);
+  return options.side == RoundingSide::kOutside ? grown(region, half, options.cancel)
+                                                : shrunk(region, half, options.cancel);
 }
 
 Geometry round_by_snapping(const Geometry& geometry, const Target& target,
                            const RoundOptions& options, RoundingReport& report) {
   const SnapGrid grid = snap_grid(geometry, target);
   Geometry base;
-  base.region = sided(canonical(geometry.region, options), options.side, grid);
+  base.region = sided(canonical(geometry.region, options), options, grid);
   base.polylines = geometry.polylines;
   base.points = geometry.points;
   ResolveOptions resolving;
@@ -168,7 +169,7 @@ double add_rounded_thin_parts(const Geometry& exact, const Target& target, Geome
       const Rational difference = a < b ? b - a : a - b;
       return difference.sign() == 0 ? 0 : rounded_up(difference);
     };
-    const double move = std::hypot(off(p.x, q.x), off(p.y, q.y));
+    const double move = length_of(off(p.x, q.x), off(p.y, q.y));
     if (move != 0) largest = std::max(largest, rounded_up(move));
     return q;
   };

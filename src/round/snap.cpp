@@ -139,7 +139,7 @@ class Snapper {
     double steps = bent_ ? rounded_up(std::sqrt(0.5)) : 0;
     for (const SnapPoint& p : points_) {
       if (p.offset.x.sign() == 0 && p.offset.y.sign() == 0) continue;
-      steps = std::max(steps, rounded_up(std::hypot(p.near_offset.x, p.near_offset.y)));
+      steps = std::max(steps, rounded_up(length_of(p.near_offset.x, p.near_offset.y)));
     }
     result.exact = steps == 0;
     if (!result.exact) result.largest_move = rounded_up(steps * rounded_up(grid_.step()));
