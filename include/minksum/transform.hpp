@@ -1,0 +1,33 @@
+// Moving, turning, mirroring and scaling, exactly.
+#pragma once
+
+#include "minksum/geometry.hpp"
+
+namespace minksum {
+
+/// (x, y) ↦ (xx·x + xy·y + dx, yx·x + yy·y + dy).
+struct Affine {
+  Rational xx = 1, xy, dx;
+  Rational yx, yy = 1, dy;
+
+  [[nodiscard]] static Affine translation(const Rational& dx, const Rational& dy);
+  [[nodiscard]] static Affine scaling(const Rational& factor);
+  /// Counter-clockwise, by the angle whose half has the tangent `half`: an exact turn by
+  /// 2·atan(half), with cosine (1 − half²)/(1 + half²) and sine 2·half/(1 + half²).
+  [[nodiscard]] static Affine rotation(const Rational& half);
+  /// Counter-clockwise, `turns` times 90 degrees.
+  [[nodiscard]] static Affine quarter_turns(int turns);
+  /// First `first`, then this.
+  [[nodiscard]] Affine after(const Affine& first) const;
+  [[nodiscard]] Point operator()(const Point& point) const;
+};
+
+/// The geometry's image. Rings and paths keep their order of vertices; the form is not canonical
+/// any more, and origins are not kept. O(n).
+[[nodiscard]] Geometry transform(const Geometry& geometry, const Affine& map);
+[[nodiscard]] Region transform(const Region& region, const Affine& map);
+/// The point mirror { −p | p ∈ geometry }.
+[[nodiscard]] Geometry reflect(const Geometry& geometry);
+[[nodiscard]] Region reflect(const Region& region);
+
+}  // namespace minksum

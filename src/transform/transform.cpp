@@ -1,0 +1,86 @@
+#include "minksum/transform.hpp"
+
+namespace minksum {
+
+Affine Affine::translation(const Rational& dx, const Rational& dy) {
+  Affine map;
+  map.dx = dx;
+  map.dy = dy;
+  return map;
+}
+
+Affine Affine::scaling(const Rational& factor) {
+  Affine map;
+  map.xx = factor;
+  map.yy = factor;
+  return map;
+}
+
+Affine Affine::rotation(const Rational& half) {
+  const Rational square = half * half;
+  const Rational whole = Rational(1) + square;
+  Affine map;
+  map.xx = (Rational(1) - square) / whole;
+  map.yx = Rational(2) * half / whole;
+  map.xy = -map.yx;
+  map.yy = map.xx;
+  return map;
+}
+
+Affine Affine::quarter_turns(int turns) {
+  constexpr int kCosine[] = {1, 0, -1, 0};
+  const int quarter = ((turns % 4) + 4) % 4;
+  Affine map;
+  map.xx = kCosine[quarter];
+  map.yy = map.xx;
+  map.yx = kCosine[(quarter + 3) % 4];
+  map.xy = -map.yx;
+  return map;
+}
+
+Affine Affine::after(const Affine& first) const {
+  Affine map;
+  map.xx = xx * first.xx + xy * first.yx;
+  map.xy = xx * first.xy + xy * first.yy;
+  map.dx = xx * first.dx + xy * first.dy + dx;
+  map.yx = yx * first.xx + yy * first.yx;
+  map.yy = yx * first.xy + yy * first.yy;
+  map.dy = yx * first.dx + yy * first.dy + dy;
+  return map;
+}
+
+Point Affine::operator()(const Point& point) const {
+  return {xx * point.x + xy * point.y + dx, yx * point.x + yy * point.y + dy};
+}
+
+Region transform(const Region& region, const Affine& map) {
+  Region image;
+  for (const std::size_t polygon : region.polygons()) {
+    image.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      image.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        const Point point = map(region.point(v));
+        image.add_vertex(point.x, point.y);
+      }
+    }
+  }
+  return image;
+}
+
+Geometry transform(const Geometry& geometry, const Affine& map) {
+  Geometry image{transform(geometry.region, map), {}, {}};
+  for (const Polyline& line : geometry.polylines) {
+    Polyline& its_image = image.polylines.emplace_back();
+    for (const Point& point : line) its_image.push_back(map(point));
+  }
+  for (const Point& point : geometry.points) image.points.push_back(map(point));
+  return image;
+}
+
+Region reflect(const Region& region) { return transform(region, Affine::scaling(Rational(-1))); }
+Geometry reflect(const Geometry& geometry) {
+  return transform(geometry, Affine::scaling(Rational(-1)));
+}
+
+}  // namespace minksum
