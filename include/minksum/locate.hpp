@@ -1,0 +1,31 @@
+// Where points lie with respect to a set, asked many times.
+#pragma once
+
+#include <memory>
+
+#include "minksum/geometry.hpp"
+
+namespace minksum {
+
+enum class Location { kOutside, kBoundary, kInside };
+
+/// A resolved geometry, prepared for point location. Copies share it; any number of threads may ask.
+///
+/// A segment tree over the heights of vertices: each edge is kept, in order from left to right, at the
+/// O(log n) nodes whose range of heights it spans (Preparata, Shamos 1985, section 2.2). O(n log n)
+/// time and memory to build.
+class PointLocator {
+ public:
+  explicit PointLocator(const Geometry& geometry);
+
+  /// Exactly where the point is: in the inside of the area, on its boundary or on a thin part, or
+  /// elsewhere. O(log² n).
+  [[nodiscard]] Location locate(const Point& point) const;
+
+  struct State;
+
+ private:
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace minksum

@@ -1,0 +1,234 @@
+#include "minksum/locate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace minksum {
+namespace {
+
+/// A point exactly, and in doubles that are off by at most `error`.
+struct Place {
+  Point exact;
+  double x;
+  double y;
+  double error;
+
+  explicit Place(Point point)
+      : exact(std::move(point)), x(exact.x.to_double()), y(exact.y.to_double()) {
+    // Twice what rounding to the nearest loses, and never 0.
+    error = 0x1p-52 * std::max(std::abs(x), std::abs(y)) + 0x1p-1073;
+  }
+};
+
+int order(const Rational& a, const Rational& b) { return (a - b).sign(); }
+
+int compare_y(const Place& a, const Place& b) {
+  if (std::abs(a.y - b.y) > 2 * (a.error + b.error)) return a.y < b.y ? -1 : 1;
+  return order(a.exact.y, b.exact.y);
+}
+int compare_x(const Place& a, const Place& b) {
+  if (std::abs(a.x - b.x) > 2 * (a.error + b.error)) return a.x < b.x ? -1 : 1;
+  return order(a.exact.x, b.exact.x);
+}
+
+/// 1 if c is left of the line from a to b, -1 if right, 0 if on it. Differences are off by less than
+/// e, so the determinant by less than 4 e (r + e) and 2^-51 r² for its own roundings; the bound is
+/// twice that, and covers underflow as it is far above the smallest doubles.
+int side(const Place& a, const Place& b, const Place& c) {
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
+  const double r = std::max({std::abs(ux), std::abs(uy), std::abs(vx), std::abs(vy)});
+  const double e = 2 * (a.error + b.error + c.error) + 0x1p-52 * r;
+  const double error = 8 * e * (r + e) + 0x1p-50 * r * r;
+  const double determinant = ux * vy - uy * vx;
+  if (error > 0x1p-1000 && std::isfinite(error) && std::abs(determinant) > error) {
+    return determinant > 0 ? 1 : -1;
+  }
+  return ((b.exact.x - a.exact.x) * (c.exact.y - a.exact.y) -
+          (b.exact.y - a.exact.y) * (c.exact.x - a.exact.x))
+      .sign();
+}
+
+}  // namespace
+
+struct PointLocator::State {
+  /// An edge that is not level, upwards; or any edge at one height.
+  struct Edge {
+    std::uint32_t low;
+    std::uint32_t high;
+    bool of_ring;
+    bool odd_before = false;  ///< whether an odd number of rings' edges come before it in its node
+  };
+  /// A closed range of one height that belongs to the boundary.
+  struct Level {
+    std::uint32_t left;
+    std::uint32_t right;
+  };
+
+  std::vector<Place> places;
+  std::vector<std::uint32_t> heights;      ///< places, one a height, from below
+  std::vector<std::vector<Level>> levels;  ///< by height: vertices and level edges
+  std::size_t leaves = 1;                  ///< leaf i: from height i (included) to i + 1 (excluded)
+  std::vector<std::vector<Edge>> nodes;    ///< 1 = root; children 2i, 2i + 1
+
+  explicit State(const Geometry& geometry) {
+    std::vector<Edge> edges;
+    add_edges(geometry, edges);
+    if (places.empty()) return;
+    const std::vector<std::uint32_t> height_of = rank_heights();
+    levels.resize(heights.size());
+    while (leaves < heights.size()) leaves *= 2;
+    nodes.resize(2 * leaves);
+    for (std::uint32_t v = 0; v < places.size(); ++v) levels[height_of[v]].push_back({v, v});
+    for (const Edge& edge : edges) {
+      const std::uint32_t low = height_of[edge.low];
+      const std::uint32_t high = height_of[edge.high];
+      if (low == high) {
+        const bool forward = compare_x(places[edge.low], places[edge.high]) <= 0;
+        levels[low].push_back(forward ? Level{edge.low, edge.high} : Level{edge.high, edge.low});
+      } else if (low < high) {
+        insert(edge, low, high);
+      } else {
+        insert({edge.high, edge.low, edge.of_ring}, high, low);
+      }
+    }
+    for (auto& level : levels) merge(level);
+    for (auto& node : nodes) sort(node);
+  }
+
+  void add_edges(const Geometry& geometry, std::vector<Edge>& edges) {
+    const Region& region = geometry.region;
+    for (const std::size_t polygon : region.polygons()) {
+      for (const std::size_t ring : region.rings_of(polygon)) {
+        const auto first = static_cast<std::uint32_t>(places.size());
+        for (const std::size_t v : region.vertices_of(ring)) places.emplace_back(region.point(v));
+        add_path(first, true, edges);
+        edges.push_back({static_cast<std::uint32_t>(places.size()) - 1, first, true});
+      }
+    }
+    for (const Polyline& line : geometry.polylines) {
+      const auto first = static_cast<std::uint32_t>(places.size());
+      for (const Point& point : line) places.emplace_back(point);
+      add_path(first, false, edges);
+    }
+    for (const Point& point : geometry.points) places.emplace_back(point);
+  }
+  void add_path(std::uint32_t first, bool of_ring, std::vector<Edge>& edges) const {
+    for (std::uint32_t v = first; v + 1 < places.size(); ++v) edges.push_back({v, v + 1, of_ring});
+  }
+
+  /// Fills `heights`; the index of each place's height.
+  std::vector<std::uint32_t> rank_heights() {
+    std::vector<std::uint32_t> sorted(places.size());
+    for (std::uint32_t v = 0; v < sorted.size(); ++v) sorted[v] = v;
+    std::sort(sorted.begin(), sorted.end(), [this](std::uint32_t a, std::uint32_t b) {
+      return compare_y(places[a], places[b]) < 0;
+    });
+    std::vector<std::uint32_t> height_of(places.size());
+    for (const std::uint32_t v : sorted) {
+      if (heights.empty() || compare_y(places[heights.back()], places[v]) != 0) {
+        heights.push_back(v);
+      }
+      height_of[v] = static_cast<std::uint32_t>(heights.size() - 1);
+    }
+    return height_of;
+  }
+
+  void insert(const Edge& edge, std::size_t first, std::size_t last) {
+    std::size_t a = first + leaves;
+    std::size_t b = last + leaves;
+    for (; a < b; a /= 2, b /= 2) {
+      if (a % 2 == 1) nodes[a++].push_back(edge);
+      if (b % 2 == 1) nodes[--b].push_back(edge);
+    }
+  }
+
+  /// Edges that span the same heights and do not cross: the one with an end further left is first.
+  void sort(std::vector<Edge>& node) const {
+    std::sort(node.begin(), node.end(), [this](const Edge& a, const Edge& b) {
+      if (a.low == b.low && a.high == b.high) return false;
+      // Where a's ends are beside b, and b's beside a; within the common heights one of these tells.
+      const int s = beside(b, a);
+      return s != 0 ? s > 0 : beside(a, b) < 0;
+    });
+    bool odd = false;
+    for (Edge& edge : node) {
+      edge.odd_before = odd;
+      odd ^= edge.of_ring;
+    }
+  }
+  /// 1 if an end of `other` at a height of `edge` is left of it, -1 if right, 0 if none tells.
+  [[nodiscard]] int beside(const Edge& edge, const Edge& other) const {
+    for (const std::uint32_t v : {other.low, other.high}) {
+      if (compare_y(places[edge.low], places[v]) > 0) continue;
+      if (compare_y(places[edge.high], places[v]) < 0) continue;
+      const int s = side(places[edge.low], places[edge.high], places[v]);
+      if (s != 0) return s;
+    }
+    return 0;
+  }
+
+  /// Ranges of one height from left to right, those that touch made one.
+  void merge(std::vector<Level>& level) const {
+    std::sort(level.begin(), level.end(), [this](const Level& a, const Level& b) {
+      return compare_x(places[a.left], places[b.left]) < 0;
+    });
+    std::size_t kept = 0;
+    for (const Level& range : level) {
+      if (kept > 0 && compare_x(places[range.left], places[level[kept - 1].right]) <= 0) {
+        Level& last = level[kept - 1];
+        if (compare_x(places[last.right], places[range.right]) < 0) last.right = range.right;
+      } else {
+        level[kept++] = range;
+      }
+    }
+    level.resize(kept);
+  }
+
+  [[nodiscard]] bool on_level(std::size_t height, const Place& at) const {
+    const auto& level = levels[height];
+    const auto after = std::partition_point(level.begin(), level.end(), [&](const Level& range) {
+      return compare_x(places[range.left], at) <= 0;
+    });
+    return after != level.begin() && compare_x(at, places[(after - 1)->right]) <= 0;
+  }
+
+  [[nodiscard]] Location locate(const Place& at) const {
+    const auto above = std::partition_point(
+        heights.begin(), heights.end(),
+        [&](std::uint32_t v) { return compare_y(places[v], at) <= 0; });
+    if (above == heights.begin()) return Location::kOutside;
+    const auto height = static_cast<std::size_t>(above - heights.begin()) - 1;
+    if (compare_y(places[heights[height]], at) == 0 && on_level(height, at)) {
+      return Location::kBoundary;
+    }
+    bool odd = false;
+    for (std::size_t n = height + leaves; n > 0; n /= 2) {
+      // Edges on whose right the point is come first, then those through it.
+      const auto& node = nodes[n];
+      const auto first = std::partition_point(node.begin(), node.end(), [&](const Edge& edge) {
+        return side(places[edge.low], places[edge.high], at) < 0;
+      });
+      if (first != node.end() && side(places[first->low], places[first->high], at) == 0) {
+        return Location::kBoundary;
+      }
+      if (first != node.end()) {
+        odd ^= first->odd_before;
+      } else if (!node.empty()) {
+        odd ^= node.back().odd_before != node.back().of_ring;
+      }
+    }
+    return odd ? Location::kInside : Location::kOutside;
+  }
+};
+
+PointLocator::PointLocator(const Geometry& geometry)
+    : state_(std::make_shared<const State>(geometry)) {}
+
+Location PointLocator::locate(const Point& point) const {
+  return state_->places.empty() ? Location::kOutside : state_->locate(Place(point));
+}
+
+}  // namespace minksum
