@@ -147,7 +147,7 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
                       PointLocator(around->sum).locate({Rational(0), Rational(0)}) ==
                           Location::kInside;
   depth.vector = nearest.point;
-  depth.distance = std::sqrt(nearest.squared.to_double());
+  depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
   depth.contact = nearest.origin;
   return depth;
