@@ -35,10 +35,9 @@ const char* to_string(Proof proof) {
 }
 
 void write_difference(std::ostream& out, const char* name, const std::optional<Difference>& part) {
-  if (!part || part->area.sign() == 0) return;
-  out << name << number(part->area.to_double());
-  if (part->at) out << " (near " << shown(*part->at) << ')';
-  out << '\n';
+  if (!part || !part->at) return;
+  out << name << number(part->area);
+  out << " (near " << shown(*part->at) << ")\n";
 }
 
 void write_text(std::ostream& out, const SumCheck& check) {
@@ -50,8 +49,8 @@ void write_text(std::ostream& out, const SumCheck& check) {
         << (wrong.in_result ? " is in the result, not in the sum\n"
                             : " is in the sum, not in the result\n");
   }
-  out << "area      " << number(check.result_area.to_double());
-  if (check.sum_area) out << ", of the sum " << number(check.sum_area->to_double());
+  out << "area      " << number(check.result_area);
+  if (check.sum_area) out << ", of the sum " << number(*check.sum_area);
   out << "\nproof     " << to_string(check.proof) << '\n';
   write_difference(out, "missing   ", check.missing);
   write_difference(out, "surplus   ", check.surplus);
@@ -61,7 +60,7 @@ void write_text(std::ostream& out, const SumCheck& check) {
 
 Json difference_json(const std::optional<Difference>& part) {
   if (!part) return nullptr;
-  Json json{{"area", part->area.to_double()}, {"area_exact", part->area.to_string()}};
+  Json json{{"area", part->area}};
   if (part->at) json["near"] = {part->at->x.to_double(), part->at->y.to_double()};
   return json;
 }
@@ -79,8 +78,8 @@ void write_json(std::ostream& out, const SumCheck& check) {
                                 {"in_result", wrong.in_result}});
   }
   json["proof"] = check.proof == Proof::kNotTried ? "not tried" : to_string(check.proof);
-  json["result_area"] = check.result_area.to_double();
-  json["sum_area"] = check.sum_area ? Json(check.sum_area->to_double()) : Json(nullptr);
+  json["result_area"] = check.result_area;
+  json["sum_area"] = check.sum_area ? Json(*check.sum_area) : Json(nullptr);
   json["missing"] = difference_json(check.missing);
   json["surplus"] = difference_json(check.surplus);
   json["thin_parts_differ"] = check.thin_parts_differ;

@@ -32,7 +32,7 @@ struct Disagreement {
 
 /// A difference of two sets: how much, and a point of its largest part.
 struct Difference {
-  Rational area;
+  double area = 0;  ///< about; 0 only if there is none
   std::optional<Point> at;
 };
 
@@ -49,10 +49,10 @@ struct SumCheck {
   std::uint64_t disagreements = 0;
   std::vector<Disagreement> examples;  ///< the first few of these
   Proof proof = Proof::kNotTried;
-  Rational result_area;
-  std::optional<Rational> sum_area;  ///< by the second method; nothing if it was not tried
-  std::optional<Difference> missing;  ///< of the sum, not in the result (areas only)
-  std::optional<Difference> surplus;  ///< of the result, not in the sum
+  double result_area = 0;              ///< to a few units in the last place; so the next
+  std::optional<double> sum_area;      ///< by the second method; nothing if it was not tried
+  std::optional<Difference> missing;   ///< of the sum, not in the result (areas only)
+  std::optional<Difference> surplus;   ///< of the result, not in the sum
   bool thin_parts_differ = false;
 
   [[nodiscard]] bool ok() const {

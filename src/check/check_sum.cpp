@@ -182,15 +182,14 @@ Point inner_point(const Region& region) {
 
 Difference difference_of(const Region& part) {
   Difference result;
-  result.area = area(part);
-  std::optional<Rational> largest;
+  double largest = -1;
   for (const std::size_t polygon : part.polygons()) {
     const Region one(part.polygon(polygon));
-    const Rational its_area = area(one);
-    if (!largest || *largest < its_area) {
-      largest = its_area;
-      result.at = inner_point(one);
-    }
+    const double its_area = approximate_area(one);
+    result.area += its_area;
+    if (its_area <= largest) continue;
+    largest = its_area;
+    result.at = inner_point(one);
   }
   return result;
 }
@@ -212,7 +211,7 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
     if (error.code() == ErrorCode::kLimitExceeded) return;
     throw;
   }
-  check.sum_area = area(sum.region);
+  check.sum_area = approximate_area(sum.region);
   check.missing = difference_of(subtract(sum.region, result.region));
   check.surplus = difference_of(subtract(result.region, sum.region));
   if (options.within.sign() == 0) {
@@ -260,7 +259,7 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
   if (check.faults.empty() && found.region.polygon_count() != result.region.polygon_count()) {
     check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, 0, 0});
   }
-  check.result_area = area(found.region);
+  check.result_area = approximate_area(found.region);
   {
     Witness witness(found, first, second, options, check);
     ask_near_edges(found.region, witness);
