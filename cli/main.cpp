@@ -39,7 +39,7 @@ void add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) 
   CLI::App* check = app.add_subcommand(
       "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
   check->footer(
-      "\nDecided by other methods than `sum` uses: validity; points near each edge and at random;\n"
+      "\nDecided by other methods than `sum` uses: validity; points near edges and at random;\n"
       "and, where it is small enough for the second method, the whole sum exactly. Rounded results\n"
       "need --within. Exit code 5 if an error is found.\n");
   const auto add_file = [check](const char* name, std::string& file, const char* what) {
@@ -65,6 +65,9 @@ void add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) 
       ->type_name("D");
   check->add_option("--samples", arguments.options.samples,
                     "Random points, beside those near edges; 1000 without it")
+      ->type_name("N");
+  check->add_option("--edges", arguments.options.edges,
+                    "Edges of the result near which points are tested; 10000 without it")
       ->type_name("N");
   check->add_option("--seed", arguments.options.seed, "Seed of the random points")->type_name("N");
   check->add_option("--proof-segments", arguments.options.limits.max_segments,

@@ -18,6 +18,8 @@ struct CheckOptions {
   /// that, and each point of the sum has one of the result. 0: they must be equal. Not negative.
   Rational within;
   std::uint64_t samples = 1000;  ///< random points, beside those near the result's edges
+  /// Edges of the result near which points are tested; if it has more, that many of them, evenly.
+  std::uint64_t edges = 10000;
   std::uint64_t seed = 1;
   /// Above these the proof is not tried.
   Limits limits{std::uint64_t{1} << 20, std::uint64_t{1} << 23};
@@ -62,7 +64,7 @@ struct SumCheck {
 
 /// Checks whether `result` is P ⊕ Q, without the method that `minkowski_sum` uses by default:
 /// - validity of the result (`validate`);
-/// - points close to each of its edges on both sides, near its vertices, and at random: is x in the
+/// - points close to its edges on both sides, its vertices, and points at random: is x in the
 ///   result exactly if P meets x − Q, decided by code of its own;
 /// - the whole sum and its area by Method::kSigned, compared exactly: a proof, where that method is
 ///   fast enough.

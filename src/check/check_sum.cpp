@@ -72,11 +72,14 @@ class Witness {
 };
 
 // A lost hole, a shifted vertex, a spurious ring: each shows next to an edge.
-void ask_near_edges(const Region& region, Witness& witness) {
+void ask_near_edges(const Region& region, std::uint64_t edges, Witness& witness) {
+  const std::uint64_t count = region.vertex_count();
+  const auto turn = [&](std::uint64_t v) { return v * edges / count; };
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {
       const IndexRange vertices = region.vertices_of(ring);
       for (const std::size_t v : vertices) {
+        if (edges < count && turn(v) == turn(v + 1)) continue;
         const std::size_t next = v + 1 < vertices.front() + vertices.size() ? v + 1 : vertices.front();
         const Point a = region.point(v);
         const Point b = region.point(next);
@@ -262,7 +265,7 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
   check.result_area = approximate_area(found.region);
   {
     Witness witness(found, first, second, options, check);
-    ask_near_edges(found.region, witness);
+    ask_near_edges(found.region, options.edges, witness);
     ask_thin_parts(found, witness);
     ask_at_random(first, second, options, witness);
   }

@@ -31,7 +31,7 @@ struct Arguments {
   std::size_t every = 1;
   std::size_t first = 0;
   std::size_t max_vertices = 1000000;
-  std::uint64_t proof_segments = 200000;
+  std::uint64_t proof_segments = 50000;
 };
 
 Arguments read_arguments(int count, char** values) {
@@ -84,6 +84,7 @@ class Runner {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     CheckOptions options;
     options.samples = 200;
+    options.edges = 300;
     options.limits.max_segments = arguments_.proof_segments;
     const SumCheck check = check_sum(sum, first, second, options);
     expect(name, check.ok(), "check");
