@@ -1,7 +1,8 @@
 // Runs a fuzz target without libFuzzer: on each seed given, on every prefix of it, and on many
-// small changes to it, always the same ones. Usage: PROGRAM SEED...
+// small changes to it, always the same ones. Usage: PROGRAM ROUNDS SEED...
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,12 +47,12 @@ std::string changed(std::string text, minksum::test::Random& random) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  constexpr int kRounds = 3000;
+  const int rounds = argc > 1 ? std::atoi(argv[1]) : 0;
   minksum::test::Random random(2011);
-  for (int seed = 1; seed < argc; ++seed) {
+  for (int seed = 2; seed < argc; ++seed) {
     const std::string text = argv[seed];
     for (std::size_t length = 0; length <= text.size(); ++length) run(text.substr(0, length));
-    for (int round = 0; round < kRounds; ++round) run(changed(text, random));
+    for (int round = 0; round < rounds; ++round) run(changed(text, random));
   }
   return 0;
 }
