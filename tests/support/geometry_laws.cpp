@@ -12,6 +12,7 @@
 #include "reference/brute_force_overlay.hpp"
 #include "reference/tight_places.hpp"
 #include "support/geometries.hpp"
+#include "support/messes.hpp"
 
 namespace minksum::test {
 namespace {
@@ -129,6 +130,29 @@ std::string broken_sum(const SumCase& sum_case) {
   const Geometry by_signs = minkowski_sum(p, q, by_winding);
   if (!(by_signs == expected)) return differ("so is the signed sum", by_signs, expected);
   return {};
+}
+
+std::string broken_scaling(const SumCase& sum_case, const std::function<Point(const Point&)>& map) {
+  const Point origin = map({Rational(0), Rational(0)});
+  const auto map_of_sum = [&](const Point& at) -> Point {
+    const Point mapped = map(at);
+    return {mapped.x + origin.x, mapped.y + origin.y};
+  };
+  const auto sum_of = [&](const Geometry& p, const Geometry& q, Geometry& tight) {
+    Options setting = sum_case.setting;
+    setting.arithmetic = Arithmetic::kAutomatic;
+    setting.tight = &tight;
+    return minkowski_sum(p, q, setting);
+  };
+  const auto& [p, q, as_given] = sum_case;
+  Geometry tight;
+  Geometry tight_of_mapped;
+  const Geometry expected = transformed(sum_of(p, q, tight), map_of_sum);
+  const Geometry found = sum_of(transformed(p, map), transformed(q, map), tight_of_mapped);
+  if (!(found == expected)) return differ("sums are scaled with operands", found, expected);
+  tight = transformed(tight, map_of_sum);
+  if (tight_of_mapped == tight) return {};
+  return differ("tight places are scaled with operands", tight_of_mapped, tight);
 }
 
 std::string broken_form(const Geometry& result) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "minksum/minkowski_sum.hpp"
@@ -29,6 +30,10 @@ struct SumCase {
 [[nodiscard]] std::string broken_sum(const SumCase& sum_case);
 /// Tight places are those of brute force.
 [[nodiscard]] std::string broken_tight(const SumCase& sum_case);
+/// With operands scaled and moved along the axes, by a map that changes no order, the sum and its
+/// tight places are scaled and moved.
+[[nodiscard]] std::string broken_scaling(const SumCase& sum_case,
+                                         const std::function<Point(const Point&)>& map);
 /// A result is resolved by its definition; large ones are not asked.
 [[nodiscard]] std::string broken_form(const Geometry& result);
 /// Rounded to doubles, 3 decimals and integers, on each side: on the target, legal, resolved, and
