@@ -21,25 +21,28 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 1000;
+constexpr int kDefaultPairs = 600;
 constexpr int kMaxFailures = 5;
 // Pairs that take brute force longer are left out.
-constexpr std::size_t kMaxWork = 220;
+constexpr std::size_t kMaxWork = 140;
 // What takes longer than the rest is done for some pairs only.
-constexpr std::uint64_t kAllLawsEvery = 8;
+constexpr std::uint64_t kAllLawsEvery = 16;
 
 Options random_setting(Random& random) {
   constexpr std::array kRules = {FillRule::kAutomatic, FillRule::kAutomatic, FillRule::kEvenOdd,
                                  FillRule::kNonZero,   FillRule::kPositive,  FillRule::kNegative};
-  constexpr std::array kArithmetics = {Arithmetic::kAutomatic, Arithmetic::kMedium,
-                                       Arithmetic::kWide, Arithmetic::kArbitrary};
+  // The last one is slow, and so is every other thing that is rarely asked for.
+  constexpr std::array kArithmetics = {Arithmetic::kAutomatic, Arithmetic::kAutomatic,
+                                       Arithmetic::kAutomatic, Arithmetic::kMedium,
+                                       Arithmetic::kMedium,    Arithmetic::kWide,
+                                       Arithmetic::kWide,      Arithmetic::kArbitrary};
   Options setting;
   setting.fill = kRules[static_cast<std::size_t>(random.below(kRules.size()))];
   setting.regularize = random.one_in(5);
   setting.arithmetic = kArithmetics[static_cast<std::size_t>(random.below(kArithmetics.size()))];
   setting.cover = !random.one_in(4);
-  setting.filter = !random.one_in(4);
-  setting.check = random.one_in(6);
+  setting.filter = !random.one_in(8);
+  setting.check = random.one_in(12);
   if (random.one_in(2)) setting.grid = random.between(1, 40);
   return setting;
 }
@@ -111,7 +114,7 @@ TEST(DegeneratePairs, ObeyAllLaws) {
     std::string fault;
     try {
       fault = first_broken_law(sum_case, seed % kAllLawsEvery == 0);
-      if (fault.empty()) fault = broken_scaling(sum_case, map);
+      if (fault.empty() && seed % 4 == 0) fault = broken_scaling(sum_case, map);
       count(sum_case, tally);
     } catch (const std::exception& error) {
       fault = error.what();
