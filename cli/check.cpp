@@ -98,8 +98,7 @@ int run_check(const CheckArguments& arguments) {
   try {
     check = check_sum(result, operands[0], operands[1], arguments.options);
   } catch (const Error& error) {
-    const int operand = error.culprit().operand;
-    throw failure_of(error, operand == 0 || operand == 1 ? arguments.operands[operand] : "");
+    fail_about(error, arguments.operands);
   }
   write_output("", [&](std::ostream& out) {
     arguments.json ? write_json(out, check) : write_text(out, check);

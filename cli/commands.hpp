@@ -21,15 +21,19 @@ enum ExitCode : int {
   kWrongResult = 5,    ///< `minksum check` found an error
 };
 
-/// `minksum sum P Q ...`
-struct SumArguments {
-  std::string operands[2];  ///< file names; "-" = standard input
-  std::string output;       ///< empty = standard output
+/// Where and how a result is written.
+struct ResultArguments {
+  std::string output;  ///< empty = standard output
   io::Format format = io::Format::kWkt;
   io::Coordinates coordinates;
   RoundingSide rounding = RoundingSide::kNearest;  ///< but for exact coordinates
-  bool keep_properties = false;                    ///< write a Feature with those of P
-  std::string tight;                               ///< empty = none
+};
+
+/// `minksum sum P Q ...`
+struct SumArguments : ResultArguments {
+  std::string operands[2];       ///< file names; "-" = standard input
+  bool keep_properties = false;  ///< write a Feature with those of P
+  std::string tight;             ///< empty = none
   io::Format tight_format = io::Format::kWkt;
   std::string stats;    ///< empty = none
   std::string picture;  ///< empty = none

@@ -124,6 +124,15 @@ Failure failure_of(const Error& error, const std::string& file) {
   return Failure(exit_code_of(error.code()), line);
 }
 
+void fail_about(const Error& error, const std::string (&operands)[2]) {
+  // So the library tells it where it throws nothing; the program has a line for this.
+  if (error.code() == ErrorCode::kLimitExceeded && error.what() == std::string("out of memory")) {
+    throw std::bad_alloc();
+  }
+  const int operand = error.culprit().operand;
+  throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : "");
+}
+
 ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) {
   try {
     const std::string text = io::load_text(file, limits);

@@ -27,6 +27,10 @@ class Failure : public std::runtime_error {
 /// The failure that `error` is, if it came about while reading or using `file`.
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
+/// Throws what `error`, raised by an operation on two operands, is: a Failure that names the file of
+/// the operand that it is about, or std::bad_alloc.
+[[noreturn]] void fail_about(const Error& error, const std::string (&operands)[2]);
+
 /// An operand as a file gives it.
 struct ReadOperand {
   Geometry geometry;

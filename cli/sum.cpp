@@ -1,13 +1,13 @@
 // minksum sum: read two geometries, add them, write the sum and what is asked for beside it.
 #include <chrono>
 #include <cstdio>
-#include <new>
 #include <optional>
 #include <ostream>
 
 #include "commands.hpp"
 #include "failure.hpp"
 #include "output_file.hpp"
+#include "result_file.hpp"
 #include "statistics_json.hpp"
 #include "sum_picture.hpp"
 #include "trace_files.hpp"
@@ -26,20 +26,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-// An error that the library raised about its operands, told with the operand's file.
-Failure sum_failure(const Error& error, const SumArguments& arguments) {
-  const int operand = error.culprit().operand;
-  return failure_of(error, operand == 0 || operand == 1 ? arguments.operands[operand] : "");
-}
-
-[[noreturn]] void fail(const Error& error, const SumArguments& arguments) {
-  // So the library tells it where it throws nothing; the program has a line for this.
-  if (error.code() == ErrorCode::kLimitExceeded && error.what() == std::string("out of memory")) {
-    throw std::bad_alloc();
-  }
-  throw sum_failure(error, arguments);
-}
 
 void read_operands(const SumArguments& arguments, SumRun& run) {
   const Stopwatch watch;
@@ -70,7 +56,7 @@ void compute(const SumArguments& arguments, SumRun& run) {
     const Outcome outcome =
         minkowski_sum(run.operands[0], run.operands[1], options, workspace, run.exact);
     sums.push_back(watch.seconds());
-    if (!outcome.ok()) fail(*outcome.error, arguments);
+    if (!outcome.ok()) fail_about(*outcome.error, arguments.operands);
     for (int s = 0; s < kStageCount; ++s) stages[s].push_back(run.statistics.stage_seconds[s]);
   }
   run.seconds.sum = median(sums);
@@ -90,27 +76,11 @@ void compute_and_write_trace(const SumArguments& arguments, const SumRun& run) {
 void round_result(const SumArguments& arguments, SumRun& run) {
   if (arguments.coordinates.style == Style::kExact) return;
   const Stopwatch watch;
-  RoundOptions options;
-  options.side = arguments.rounding;
-  if (arguments.coordinates.style == Style::kDecimal) {
-    options.decimals = arguments.coordinates.digits;
-  }
+  RoundOptions options = rounding_of(arguments);
   run.rounded = round(run.exact, options, &run.rounding.emplace());
   options.side = RoundingSide::kNearest;
   if (run.tight) run.rounded_tight = round(*run.tight, options);
   run.seconds.round = watch.seconds();
-}
-
-void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
-                    const io::Coordinates& coordinates, const std::string* properties = nullptr) {
-  write_output(file, [&](std::ostream& out) {
-    if (properties != nullptr) {
-      out << R"({"type": "Feature", "properties": )" << *properties << R"(, "geometry": )";
-    }
-    io::write(out, geometry, format, coordinates);
-    if (properties != nullptr) out << '}';
-    if (format == io::Format::kWkt || format == io::Format::kGeoJson) out << '\n';
-  });
 }
 
 void write_results(const SumArguments& arguments, SumRun& run) {
@@ -158,7 +128,7 @@ int run_sum(const SumArguments& arguments) {
     if (!arguments.trace.empty()) compute_and_write_trace(arguments, run);
     round_result(arguments, run);
   } catch (const Error& error) {
-    fail(error, arguments);
+    fail_about(error, arguments.operands);
   }
   write_results(arguments, run);
   if (arguments.verbose) tell_summary(arguments, run);

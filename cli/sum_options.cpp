@@ -1,8 +1,6 @@
 #include "sum_options.hpp"
 
-#include <filesystem>
 #include <map>
-#include <vector>
 
 #include "failure.hpp"
 
@@ -15,12 +13,6 @@ or .dat, told by content: areas, polylines, points, alone or together. Numbers a
 read exactly: 0.1 is one tenth, 1/3 a third.
 )";
 
-constexpr int kMaxDecimals = 1000;
-
-const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
-                                                    {"geojson", io::Format::kGeoJson},
-                                                    {"svg", io::Format::kSvg},
-                                                    {"poly", io::Format::kPoly}};
 const std::map<std::string, Method> kMethods = {
     {"reduced", Method::kReduced}, {"signed", Method::kSigned}, {"full", Method::kFull}};
 const std::map<std::string, Arithmetic> kArithmetics = {{"auto", Arithmetic::kAutomatic},
@@ -33,42 +25,8 @@ const std::map<std::string, FillRule> kFillRules = {
     {"automatic", FillRule::kAutomatic}, {"evenodd", FillRule::kEvenOdd},
     {"nonzero", FillRule::kNonZero},     {"positive", FillRule::kPositive},
     {"negative", FillRule::kNegative},   {"strict", FillRule::kStrict}};
-const std::map<std::string, RoundingSide> kSides = {{"nearest", RoundingSide::kNearest},
-                                                    {"outside", RoundingSide::kOutside},
-                                                    {"inside", RoundingSide::kInside}};
 
 Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
-
-io::Coordinates parse_coordinates(const std::string& text) {
-  using Style = io::Coordinates::Style;
-  if (text == "double") return {Style::kDouble};
-  if (text == "exact") return {Style::kExact};
-  const std::string prefix = "decimal:";
-  const std::string digits = text.starts_with(prefix) ? text.substr(prefix.size()) : "";
-  const bool number = !digits.empty() && digits.size() <= 4 &&
-                      digits.find_first_not_of("0123456789") == std::string::npos;
-  if (!number || std::stoi(digits) > kMaxDecimals) {
-    throw usage("--coords takes double, exact or decimal:N with N from 0 to " +
-                std::to_string(kMaxDecimals) + ", not '" + text + "'");
-  }
-  return {Style::kDecimal, std::stoi(digits)};
-}
-
-// The format that was asked for, or the one that the output's name ends in, or WKT.
-io::Format choose_format(const std::string& typed, const std::string& output) {
-  if (!typed.empty()) return kFormats.at(typed);
-  std::string ending = std::filesystem::path(output).extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  if (ending == "json") return io::Format::kGeoJson;
-  const auto found = kFormats.find(ending);
-  return found == kFormats.end() ? io::Format::kWkt : found->second;
-}
-
-std::vector<std::string> names_of(const auto& map) {
-  std::vector<std::string> names;
-  for (const auto& entry : map) names.push_back(entry.first);
-  return names;
-}
 
 void add_operand_options(CLI::App& sum, Options& options) {
   const char* const group = "What operands mean";
@@ -78,19 +36,7 @@ void add_operand_options(CLI::App& sum, Options& options) {
 }
 
 void add_output_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
-  sum.add_option("-o,--output", arguments.output, "Write the sum here, not to standard output")
-      ->type_name("FILE");
-  sum.add_option("--format", typed.format,
-                 "wkt, geojson, svg or poly; without it as the output's name ends, else wkt")
-      ->check(CLI::IsMember(names_of(kFormats)))
-      ->type_name("F");
-  sum.add_option("--coords", typed.coordinates,
-                 "double (nearest, shortest form; the default), exact (integers or p/q), decimal:N")
-      ->type_name("C");
-  sum.add_option("--round", typed.round,
-                 "nearest (the default), outside (contains the exact sum), inside (within it)")
-      ->check(CLI::IsMember(names_of(kSides)))
-      ->type_name("SIDE");
+  add_result_options(sum, arguments, typed, "sum");
   sum.add_flag("--keep-properties", arguments.keep_properties,
                "GeoJSON: a Feature with the properties of P, which is one");
   sum.add_option("--tight", arguments.tight, "Write placements without any play")
@@ -125,14 +71,7 @@ void add_test_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
 }
 
 void settle_output(SumArguments& arguments, const TypedSum& typed) {
-  arguments.coordinates = parse_coordinates(typed.coordinates);
-  if (!typed.round.empty()) {
-    if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
-      throw usage("--round has nothing to do with --coords exact, which never rounds");
-    }
-    arguments.rounding = kSides.at(typed.round);
-  }
-  arguments.format = choose_format(typed.format, arguments.output);
+  settle_result(arguments, typed);
   if (arguments.keep_properties && arguments.format != io::Format::kGeoJson) {
     throw usage("--keep-properties needs --format geojson");
   }
@@ -189,7 +128,6 @@ void settle(SumArguments& arguments, const TypedSum& typed) {
   if (arguments.operands[0] == "-" && arguments.operands[1] == "-") {
     throw usage("P and Q cannot both be standard input");
   }
-  if (arguments.output == "-") arguments.output.clear();
   settle_output(arguments, typed);
   if (!arguments.tight.empty()) settle_tight(arguments);
   if (arguments.stats == "-" && arguments.output.empty()) {

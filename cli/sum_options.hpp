@@ -2,18 +2,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
 
 #include "commands.hpp"
 #include "limits.hpp"
+#include "result_options.hpp"
 
 namespace minksum::cli {
 
 /// Options as they are typed; turned into SumArguments when all of them are known.
-struct TypedSum {
-  std::string format;
-  std::string coordinates = "double";
-  std::string round;
+struct TypedSum : TypedResult {
   bool no_cover = false;
   bool no_filter = false;
 };

@@ -1,0 +1,30 @@
+#include "result_file.hpp"
+
+#include <ostream>
+
+#include "output_file.hpp"
+
+namespace minksum::cli {
+
+RoundOptions rounding_of(const ResultArguments& arguments) {
+  RoundOptions options;
+  options.side = arguments.rounding;
+  if (arguments.coordinates.style == io::Coordinates::Style::kDecimal) {
+    options.decimals = arguments.coordinates.digits;
+  }
+  return options;
+}
+
+void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
+                    const io::Coordinates& coordinates, const std::string* properties) {
+  write_output(file, [&](std::ostream& out) {
+    if (properties != nullptr) {
+      out << R"({"type": "Feature", "properties": )" << *properties << R"(, "geometry": )";
+    }
+    io::write(out, geometry, format, coordinates);
+    if (properties != nullptr) out << '}';
+    if (format == io::Format::kWkt || format == io::Format::kGeoJson) out << '\n';
+  });
+}
+
+}  // namespace minksum::cli

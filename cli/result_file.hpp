@@ -1,0 +1,18 @@
+// Results: rounded as a whole, so that they stay valid, and written.
+#pragma once
+
+#include <string>
+
+#include "commands.hpp"
+
+namespace minksum::cli {
+
+/// How the arguments ask for rounding; not for exact coordinates, which are not rounded.
+[[nodiscard]] RoundOptions rounding_of(const ResultArguments& arguments);
+
+/// Writes a geometry whose coordinates are rounded already, or exact; with `properties`, as a
+/// GeoJSON Feature.
+void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
+                    const io::Coordinates& coordinates, const std::string* properties = nullptr);
+
+}  // namespace minksum::cli
