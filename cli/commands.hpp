@@ -1,11 +1,16 @@
 // The subcommands, and what their arguments say.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "minksum/check.hpp"
+#include "minksum/depth.hpp"
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/morphology.hpp"
+#include "minksum/nesting.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
 
@@ -61,9 +66,42 @@ struct CheckArguments {
   CheckOptions options;
 };
 
+/// `minksum dilate A B ...`, and erode, open, close
+struct MorphologyArguments : ResultArguments {
+  enum class Operation { kDilate, kErode, kOpen, kClose };
+  Operation operation = Operation::kDilate;
+  std::string operands[2];
+  std::string picture;  ///< empty = none
+  io::ReadLimits limits;
+  MorphologyOptions options;
+};
+
+/// `minksum nfp FIXED MOVING ...` and `minksum ifp BIN PART ...`
+struct NestingArguments : ResultArguments {
+  bool inner_fit = false;
+  std::string operands[2];
+  std::vector<Point> placements;  ///< to be told about, if there are any, instead of the polygon
+  std::string picture;            ///< empty = none
+  io::ReadLimits limits;
+  NestingOptions options;
+};
+
+/// `minksum depth A B ...`
+struct DepthArguments {
+  std::string operands[2];
+  std::optional<Point> along;  ///< for the time of impact
+  bool json = false;
+  std::string picture;  ///< empty = none
+  io::ReadLimits limits;
+  DepthOptions options;
+};
+
 /// All return an exit code, and throw what `report_failure` (failure.hpp) can name.
 int run_sum(const SumArguments& arguments);
 int run_info(const InfoArguments& arguments);
 int run_check(const CheckArguments& arguments);
+int run_morphology(const MorphologyArguments& arguments);
+int run_nesting(const NestingArguments& arguments);
+int run_depth(const DepthArguments& arguments);
 
 }  // namespace minksum::cli

@@ -22,8 +22,6 @@ ExitCode exit_code_of(ErrorCode code) {
   return kInternal;
 }
 
-std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
-
 // Input can put anything into a message; one line stays one line, and a terminal stays sane.
 std::string one_line(const std::string& text) {
   std::string line;
@@ -40,8 +38,8 @@ std::string one_line(const std::string& text) {
   return line;
 }
 
-int tell(ExitCode code, const std::string& message) {
-  std::fprintf(stderr, "minksum: %s\n", one_line(message).c_str());
+int fail_with(ExitCode code, const std::string& message) {
+  tell(message);
   return code;
 }
 
@@ -77,20 +75,26 @@ int tell_exception() {
   try {
     throw;
   } catch (const Failure& failure) {
-    return tell(failure.code(), failure.what());
+    return fail_with(failure.code(), failure.what());
   } catch (const Error& error) {
     const Failure failure = failure_of(error, "");
-    return tell(failure.code(), failure.what());
+    return fail_with(failure.code(), failure.what());
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::length_error&) {  // more elements than a vector can have
     throw std::bad_alloc();
   } catch (const std::exception& error) {
-    return tell(kInternal, std::string("internal error: ") + error.what());
+    return fail_with(kInternal, std::string("internal error: ") + error.what());
   }
 }
 
 }  // namespace
+
+std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+void tell(const std::string& message) {
+  std::fprintf(stderr, "minksum: %s\n", one_line(message).c_str());
+}
 
 std::string describe(const Culprit& place) {
   std::string text;

@@ -24,11 +24,17 @@ class Failure : public std::runtime_error {
 /// "polygon 1, ring 2, vertex 3", as far as it is known; all count from 1, ring 1 is the outer one.
 [[nodiscard]] std::string describe(const Culprit& place);
 
+/// "standard input" for "-".
+[[nodiscard]] std::string shown_name(const std::string& file);
+
+/// Tells on standard error, in one line, what is no failure.
+void tell(const std::string& message);
+
 /// The failure that `error` is, if it came about while reading or using `file`.
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
-/// Throws what `error`, raised by an operation on two operands, is: a Failure that names the file of
-/// the operand that it is about, or std::bad_alloc.
+/// Throws what `error`, raised by an operation on two operands, is: a Failure that names the file
+/// of the operand that it is about, or std::bad_alloc.
 [[noreturn]] void fail_about(const Error& error, const std::string (&operands)[2]);
 
 /// An operand as a file gives it.

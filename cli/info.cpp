@@ -1,7 +1,7 @@
 // minksum info: what a file holds, whether its polygons are valid, and what they mean.
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
+#include <ostream>
 
 #include "commands.hpp"
 #include "faults.hpp"
@@ -9,6 +9,7 @@
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
+#include "numbers.hpp"
 #include "output_file.hpp"
 #include "sum_picture.hpp"
 
@@ -18,9 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxFaults = 100;
-// A decimal is easier to read than a fraction, if it is short.
-constexpr int kMaxReadableDigits = 40;
-
 // What the polygons mean, by the fill rule.
 struct Meaning {
   Geometry geometry;
@@ -64,20 +62,6 @@ Findings examine(const Geometry& geometry, const ResolveOptions& options) {
     findings.meaning->area = area(findings.meaning->geometry.region);
   }
   return findings;
-}
-
-// The number exactly: as a decimal if it is one of few digits, else as a fraction and about.
-std::string readable(const Rational& value) {
-  if (value.is_integer()) return value.to_string();
-  for (int digits = 1; digits <= kMaxReadableDigits; ++digits) {
-    std::string text = value.to_decimal(digits);
-    if (Rational::parse(text) == value) return text;
-  }
-  std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
-  text.precision(17);
-  text << value.to_string() << " (about " << value.to_double() << ")";
-  return text.str();
 }
 
 void write_text(std::ostream& out, const Findings& findings, FillRule fill) {

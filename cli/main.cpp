@@ -1,7 +1,10 @@
 // The program: arguments in, exit code out. Each subcommand has a file of its own.
 #include <CLI/CLI.hpp>
+#include <functional>
+#include <map>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "failure.hpp"
@@ -10,6 +13,7 @@
 #include "output_file.hpp"
 #include "process.hpp"
 #include "sum_options.hpp"
+#include "uses_options.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -22,7 +26,7 @@ Errors are one line on standard error: "minksum: FILE:LINE:COLUMN: what", or
 "minksum: FILE: polygon K, ring R, vertex V: what"; all of these count from 1,
 and ring 1 is the outer one.)";
 
-void add_info(CLI::App& app, InfoArguments& arguments, ProcessLimits& limits) {
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments, ProcessLimits& limits) {
   CLI::App* info = app.add_subcommand(
       "info", "What a geometry is: parts, holes, box, exact area, validity, bits");
   info->footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
@@ -33,9 +37,10 @@ void add_info(CLI::App& app, InfoArguments& arguments, ProcessLimits& limits) {
   add_fill_option(*info, arguments.resolve.fill);
   info->add_flag("--regularize", arguments.resolve.regularize, "Drop polylines, points and spikes");
   add_limit_options(*info, limits, false);
+  return info;
 }
 
-void add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) {
+CLI::App* add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) {
   CLI::App* check = app.add_subcommand(
       "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
   check->footer(
@@ -75,20 +80,86 @@ void add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) 
       ->type_name("N");
   check->add_flag("--json", arguments.json, "As JSON");
   add_limit_options(*check, limits, false);
+  return check;
+}
+
+// All subcommands' arguments; `run` is that of the one that was chosen.
+struct Commands {
+  Commands(CLI::App& app, ProcessLimits& limits);
+
+  void add(CLI::App* command, std::function<int()> run) { run_of[command] = std::move(run); }
+  void add_sums(CLI::App& app, ProcessLimits& limits);
+  void add_uses(CLI::App& app, ProcessLimits& limits);
+
+  SumArguments sum;
+  TypedSum typed_sum;
+  InfoArguments info;
+  CheckArguments check;
+  MorphologyArguments morphology;
+  TypedMorphology typed_morphology;
+  NestingArguments nesting;
+  TypedNesting typed_nesting;
+  DepthArguments depth;
+  TypedDepth typed_depth;
+  std::map<const CLI::App*, std::function<int()>> run_of;
+};
+
+Commands::Commands(CLI::App& app, ProcessLimits& limits) {
+  add_sums(app, limits);
+  add_uses(app, limits);
+}
+
+void Commands::add_sums(CLI::App& app, ProcessLimits& limits) {
+  add(add_sum(app, sum, typed_sum, limits), [this, &limits] {
+    sum.limits = limits.read;
+    sum.options.limits = limits.sum;
+    settle(sum, typed_sum);
+    return run_sum(sum);
+  });
+  add(add_info(app, info, limits), [this, &limits] {
+    info.limits = limits.read;
+    return run_info(info);
+  });
+  add(add_check(app, check, limits), [this, &limits] {
+    check.limits = limits.read;
+    return run_check(check);
+  });
+}
+
+void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
+  using enum MorphologyArguments::Operation;
+  for (const auto operation : {kDilate, kErode, kOpen, kClose}) {
+    add(add_morphology(app, operation, morphology, typed_morphology, limits),
+        [this, operation, &limits] {
+          morphology.operation = operation;
+          morphology.limits = limits.read;
+          morphology.options.limits = limits.sum;
+          settle(morphology, typed_morphology);
+          return run_morphology(morphology);
+        });
+  }
+  for (const bool inner_fit : {false, true}) {
+    add(add_nesting(app, inner_fit, nesting, typed_nesting, limits), [this, inner_fit, &limits] {
+      nesting.inner_fit = inner_fit;
+      nesting.limits = limits.read;
+      nesting.options.limits = limits.sum;
+      settle(nesting, typed_nesting);
+      return run_nesting(nesting);
+    });
+  }
+  add(add_depth(app, depth, typed_depth, limits), [this, &limits] {
+    depth.limits = limits.read;
+    depth.options.limits = limits.sum;
+    settle(depth, typed_depth);
+    return run_depth(depth);
+  });
 }
 
 int run(int argc, char** argv, ProcessLimits& limits) {
   CLI::App app("Exact Minkowski sums in the plane", "minksum");
   app.set_version_flag("--version", "minksum " MINKSUM_VERSION);
   app.require_subcommand(1);
-
-  SumArguments sum_arguments;
-  TypedSum typed;
-  InfoArguments info_arguments;
-  CheckArguments check_arguments;
-  add_sum(app, sum_arguments, typed, limits);
-  add_info(app, info_arguments, limits);
-  add_check(app, check_arguments, limits);
+  const Commands commands(app, limits);
   for (CLI::App* const command : app.get_subcommands({})) {
     command->footer(command->get_footer() + kFooter);
   }
@@ -103,18 +174,7 @@ int run(int argc, char** argv, ProcessLimits& limits) {
     throw Failure(kWrongUsage, std::string(error.what()) + " (minksum --help)");
   }
   apply(limits);
-  if (app.got_subcommand("info")) {
-    info_arguments.limits = limits.read;
-    return run_info(info_arguments);
-  }
-  if (app.got_subcommand("check")) {
-    check_arguments.limits = limits.read;
-    return run_check(check_arguments);
-  }
-  sum_arguments.limits = limits.read;
-  sum_arguments.options.limits = limits.sum;
-  settle(sum_arguments, typed);
-  return run_sum(sum_arguments);
+  return commands.run_of.at(app.get_subcommands().front())();
 }
 
 }  // namespace

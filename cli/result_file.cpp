@@ -27,4 +27,13 @@ void write_geometry(const std::string& file, const Geometry& geometry, io::Forma
   });
 }
 
+Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
+  if (arguments.coordinates.style == io::Coordinates::Style::kExact) return geometry;
+  return round(geometry, rounding_of(arguments));
+}
+
+void write_geometry(const ResultArguments& arguments, const Geometry& geometry) {
+  write_geometry(arguments.output, geometry, arguments.format, arguments.coordinates);
+}
+
 }  // namespace minksum::cli

@@ -15,4 +15,9 @@ namespace minksum::cli {
 void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
                     const io::Coordinates& coordinates, const std::string* properties = nullptr);
 
+/// The geometry, which is resolved, as it is to be written; itself if nothing is to be rounded.
+[[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
+/// Writes it where and in the format that the arguments say.
+void write_geometry(const ResultArguments& arguments, const Geometry& geometry);
+
 }  // namespace minksum::cli

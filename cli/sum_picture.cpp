@@ -38,17 +38,22 @@ struct Layout {
 };
 
 // The largest scale at which both columns fit the width, and the higher one fits the height.
-Layout lay_out(const Geometry& p, const Geometry& q, const Geometry* sum) {
+Layout lay_out(const Drawing& drawing, const Geometry* sum) {
   Layout layout;
-  layout.extents[0] = extent_of(p);
-  layout.extents[1] = extent_of(q);
+  layout.extents[0] = extent_of(drawing.p);
+  layout.extents[1] = extent_of(drawing.q);
+  if (drawing.mark) {
+    layout.extents[1].include(drawing.mark->x.to_double(), drawing.mark->y.to_double());
+  }
   if (sum != nullptr) layout.extents[2] = extent_of(*sum);
+  if (sum != nullptr && drawing.tight != nullptr) layout.extents[2].include(*drawing.tight);
+  if (sum != nullptr && drawing.p_below) layout.extents[2].include(drawing.p);
   const Extent* const e = layout.extents;
   const double left = std::max(e[0].width(), e[1].width());
   const double room = kWidth - 2 * kMargin;
   Extent right = e[2];
   double scale = fitting_scale(right, room - kGap - kMinColumn, kMaxHeight - kCaption);
-  if (sum == nullptr || sum->empty()) scale = std::numeric_limits<double>::infinity();
+  if (right.empty) scale = std::numeric_limits<double>::infinity();
   if (const double both = left + right.width(); both > 0) {
     scale = std::min(scale, (room - (right.empty ? 0 : kGap)) / both);
   }
@@ -71,29 +76,41 @@ struct Place {
 };
 
 void draw(SvgPicture& picture, const Geometry& geometry, const Place& place,
-          const Geometry* tight = nullptr) {
+          const Geometry* tight = nullptr, const Geometry* below = nullptr) {
   picture.text(place.left, place.top + 14, "title", place.name);
   std::string note = summary(geometry);
   if (tight != nullptr) note += "; tight places: " + (tight->empty() ? "none" : summary(*tight));
   picture.text(place.left, place.top + 32, "note", note);
   if (place.extent.empty) return;
   const Placement placement(place.extent, place.left, place.top + kCaption, place.scale);
+  if (below != nullptr) picture.geometry(*below, placement, "first");
   picture.geometry(geometry, placement, place.style);
   if (tight != nullptr) picture.thin_parts(*tight, placement, "tight");
 }
 
 std::string picture_of(const Drawing& drawing, const Geometry* sum) {
-  const Layout layout = lay_out(drawing.p, drawing.q, sum);
-  SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? "P ⊕ Q" : "P and Q");
-  draw(picture, drawing.p, {layout.extents[0], kMargin, kMargin, layout.scale, "P", "first"});
-  draw(picture, drawing.q,
-       {layout.extents[1], kMargin, kMargin + kCaption + layout.height(0) + kGap, layout.scale, "Q",
-        "second"});
+  const Captions& captions = drawing.captions;
+  const Layout layout = lay_out(drawing, sum);
+  SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? captions.title : "P and Q");
+  draw(picture, drawing.p,
+       {layout.extents[0], kMargin, kMargin, layout.scale, captions.p, "first"});
+  const Place second{layout.extents[1],
+                     kMargin,
+                     kMargin + kCaption + layout.height(0) + kGap,
+                     layout.scale,
+                     captions.q,
+                     "second"};
+  draw(picture, drawing.q, second);
+  if (drawing.mark) {
+    picture.thin_parts({{}, {}, {*drawing.mark}},
+                       Placement(second.extent, second.left, second.top + kCaption, second.scale),
+                       "mark");
+  }
   if (sum != nullptr) {
     draw(picture, *sum,
-         {layout.extents[2], kMargin + layout.left_column + kGap, kMargin, layout.scale, "P ⊕ Q",
-          "sum"},
-         drawing.tight);
+         {layout.extents[2], kMargin + layout.left_column + kGap, kMargin, layout.scale,
+          captions.sum, "sum"},
+         drawing.tight, drawing.p_below ? &drawing.p : nullptr);
   }
   return std::move(picture).finish();
 }
@@ -107,7 +124,7 @@ std::string counted(std::size_t number, const char* one, const char* many) {
 Drawing drawing_of(const SumRun& run, const Options& options) {
   const ResolveOptions reading{options.fill, options.regularize, {}};
   return {resolve(run.operands[0], reading), resolve(run.operands[1], reading), run.exact,
-          run.tight ? &*run.tight : nullptr};
+          run.tight ? &*run.tight : nullptr, {}, false, {}};
 }
 
 std::string sum_picture(const Drawing& drawing) { return picture_of(drawing, &drawing.sum); }

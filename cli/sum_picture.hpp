@@ -1,6 +1,7 @@
 // The picture of a sum: operands on the left, the sum on the right, all to one scale.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "minksum/geometry.hpp"
@@ -9,12 +10,25 @@
 
 namespace minksum::cli {
 
-/// What a picture shows: operands as they were understood, their sum, tight places if asked for.
+/// What a picture calls its parts.
+struct Captions {
+  const char* title = "P ⊕ Q";
+  const char* p = "P";
+  const char* q = "Q";
+  const char* sum = "P ⊕ Q";
+};
+
+/// What a picture shows: operands as they were understood, their sum (or what else was made of
+/// them), tight places if asked for.
 struct Drawing {
   Geometry p;
   Geometry q;
   const Geometry& sum;
   const Geometry* tight = nullptr;
+  Captions captions;
+  /// Whether P is drawn once more below the result, in its place.
+  bool p_below = false;
+  std::optional<Point> mark;  ///< a point of Q's that is shown on it
 };
 [[nodiscard]] Drawing drawing_of(const SumRun& run, const Options& options);
 

@@ -21,6 +21,7 @@ path,circle{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-lineca
 .second{fill:#d55e00;fill-opacity:.22;stroke:#d55e00}
 .sum{fill:#009e73;fill-opacity:.24;stroke:#00694d}
 .tight{stroke:#a3346f;fill:#a3346f}
+.mark{stroke:#222;fill:#222}
 path.thin{fill:none;stroke-width:2.2}
 circle.dot{fill-opacity:1}
 .pale{fill:#777;fill-opacity:.1;stroke:none}

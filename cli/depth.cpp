@@ -1,0 +1,152 @@
+// minksum depth: how two shapes stand to each other.
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "commands.hpp"
+#include "failure.hpp"
+#include "faults.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/transform.hpp"
+#include "numbers.hpp"
+#include "output_file.hpp"
+#include "sum_picture.hpp"
+
+namespace minksum::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Where in its operand a vertex is.
+struct Feature {
+  const char* operand;
+  Culprit place;
+};
+
+Feature feature(const char* operand, const Region& region, std::size_t vertex) {
+  Feature result{operand, {}};
+  for (const std::size_t polygon : region.polygons()) {
+    const IndexRange rings = region.rings_of(polygon);
+    for (const std::size_t ring : rings) {
+      const IndexRange vertices = region.vertices_of(ring);
+      if (vertices.front() + vertices.size() <= vertex) continue;
+      result.place.polygon = polygon;
+      result.place.ring = ring - rings.front();
+      result.place.vertex = vertex - vertices.front();
+      return result;
+    }
+  }
+  throw Error(ErrorCode::kInternal, "a contact names a vertex that there is not");
+}
+
+struct Contacts {
+  Feature edge;  ///< by its first vertex
+  Feature vertex;
+};
+
+struct Findings {
+  Depth depth;
+  std::optional<Contacts> contacts;
+  std::optional<Rational> impact;  ///< if asked for, and if there is one
+};
+
+Contacts contacts_of(const EdgeOrigin& origin, const Geometry& a, const Geometry& b) {
+  const bool of_first = origin.edge_operand == Operand::kFirst;
+  const auto of = [&](bool first, std::size_t vertex) {
+    return feature(first ? "A" : "B", first ? a.region : b.region, vertex);
+  };
+  return {of(of_first, origin.edge), of(!of_first, origin.vertex)};
+}
+
+const char* relation_of(const Depth& depth) {
+  if (depth.overlapping) return "overlapping";
+  return depth.squared.sign() == 0 ? "touching" : "apart";
+}
+
+void write_text(std::ostream& out, const DepthArguments& arguments, const Findings& findings) {
+  const Depth& depth = findings.depth;
+  out << "relation  " << relation_of(depth) << "\nx         " << readable(depth.vector.x)
+      << "\ny         " << readable(depth.vector.y) << "\nsquared   " << readable(depth.squared)
+      << "\ndistance  " << shortest(depth.distance) << '\n';
+  if (findings.contacts) {
+    const auto& [edge, vertex] = *findings.contacts;
+    out << "contact   edge of " << edge.operand << " from " << describe(edge.place)
+        << "\n          vertex of " << vertex.operand << ": " << describe(vertex.place) << '\n';
+  } else {
+    out << "contact   not known\n";
+  }
+  if (!arguments.along) return;
+  out << "impact    " << (findings.impact ? readable(*findings.impact) : "never") << '\n';
+}
+
+Json feature_json(const Feature& feature) {
+  return {{"of", feature.operand},
+          {"polygon", feature.place.polygon + 1},
+          {"ring", feature.place.ring + 1},
+          {"vertex", feature.place.vertex + 1}};
+}
+
+void write_json(std::ostream& out, const DepthArguments& arguments, const Findings& findings) {
+  const Depth& depth = findings.depth;
+  Json json{{"relation", relation_of(depth)},
+            {"vector", {depth.vector.x.to_double(), depth.vector.y.to_double()}},
+            {"vector_exact", {depth.vector.x.to_string(), depth.vector.y.to_string()}},
+            {"distance", depth.distance},
+            {"squared_exact", depth.squared.to_string()},
+            {"contact", nullptr}};
+  if (findings.contacts) {
+    json["contact"] = {{"edge", feature_json(findings.contacts->edge)},
+                       {"vertex", feature_json(findings.contacts->vertex)}};
+  }
+  if (arguments.along) {
+    const auto& impact = findings.impact;
+    json["impact"] = impact ? Json(impact->to_double()) : Json(nullptr);
+    json["impact_exact"] = impact ? Json(impact->to_string()) : Json(nullptr);
+  }
+  out << json.dump(2) << '\n';
+}
+
+[[noreturn]] void fail_about_empty_operand(const DepthArguments& arguments, const Geometry& a) {
+  const ResolveOptions reading{arguments.options.fill, true, {}};
+  Culprit culprit;
+  culprit.operand = resolve(a, reading).empty() ? 0 : 1;
+  throw Error(ErrorCode::kBadInput, "there is no distance from a shape without area", culprit);
+}
+
+void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b,
+          const Depth& depth) {
+  const ResolveOptions reading{arguments.options.fill, true, {}};
+  Geometry second = resolve(b, reading);
+  const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
+  const char* const title = depth.overlapping ? "B, separated" : "B, in contact";
+  const std::string picture = sum_picture(
+      {resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true, {}});
+  write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+}
+
+}  // namespace
+
+int run_depth(const DepthArguments& arguments) {
+  check_writable(arguments.picture);
+  const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
+  const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
+  try {
+    std::optional<Depth> depth = penetration_depth(a, b, arguments.options);
+    if (!depth) fail_about_empty_operand(arguments, a);
+    Findings findings{std::move(*depth), {}, {}};
+    if (findings.depth.contact) {
+      findings.contacts.emplace(contacts_of(*findings.depth.contact, a, b));
+    }
+    if (arguments.along) {
+      findings.impact = time_of_impact(a, b, *arguments.along, arguments.options);
+    }
+    if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth);
+    write_output("", [&](std::ostream& out) {
+      arguments.json ? write_json(out, arguments, findings) : write_text(out, arguments, findings);
+    });
+  } catch (const Error& error) {
+    fail_about(error, arguments.operands);
+  }
+  return kFine;
+}
+
+}  // namespace minksum::cli

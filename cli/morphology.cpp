@@ -1,0 +1,72 @@
+// minksum dilate, erode, open, close.
+#include <ostream>
+
+#include "commands.hpp"
+#include "failure.hpp"
+#include "minksum/resolve.hpp"
+#include "output_file.hpp"
+#include "result_file.hpp"
+#include "sum_picture.hpp"
+
+namespace minksum::cli {
+namespace {
+
+using Operation = MorphologyArguments::Operation;
+
+Geometry compute(const MorphologyArguments& arguments, const Geometry& a, const Geometry& b) {
+  switch (arguments.operation) {
+    case Operation::kDilate:
+      return dilate(a, b, arguments.options);
+    case Operation::kErode:
+      return erode(a, b, arguments.options);
+    case Operation::kOpen:
+      return open(a, b, arguments.options);
+    case Operation::kClose:
+      break;
+  }
+  return close(a, b, arguments.options);
+}
+
+Captions captions_of(Operation operation) {
+  const auto named = [](const char* result) { return Captions{result, "A", "B", result}; };
+  switch (operation) {
+    case Operation::kDilate:
+      return named("A ⊕ B");
+    case Operation::kErode:
+      return named("A ⊖ B");
+    case Operation::kOpen:
+      return named("A ∘ B");
+    case Operation::kClose:
+      break;
+  }
+  return named("A • B");
+}
+
+}  // namespace
+
+int run_morphology(const MorphologyArguments& arguments) {
+  check_writable(arguments.output);
+  check_writable(arguments.picture);
+  const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
+  const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
+  try {
+    const Geometry result = compute(arguments, a, b);
+    write_geometry(arguments, rounded(result, arguments));
+    if (!arguments.picture.empty()) {
+      const ResolveOptions reading{arguments.options.fill, false, {}};
+      const std::string picture = sum_picture({resolve(a, reading),
+                                               resolve(b, reading),
+                                               result,
+                                               nullptr,
+                                               captions_of(arguments.operation),
+                                               true,
+                                               {}});
+      write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+    }
+  } catch (const Error& error) {
+    fail_about(error, arguments.operands);
+  }
+  return kFine;
+}
+
+}  // namespace minksum::cli

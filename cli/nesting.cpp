@@ -1,0 +1,107 @@
+// minksum nfp, ifp: where a part can be placed.
+#include <cstdio>
+#include <ostream>
+
+#include "commands.hpp"
+#include "failure.hpp"
+#include "minksum/resolve.hpp"
+#include "output_file.hpp"
+#include "result_file.hpp"
+#include "sum_picture.hpp"
+
+namespace minksum::cli {
+namespace {
+
+const char* to_string(Contact contact) {
+  switch (contact) {
+    case Contact::kFree:
+      return "free";
+    case Contact::kTouching:
+      return "touching";
+    case Contact::kOverlapping:
+      break;
+  }
+  return "overlapping";
+}
+
+Geometry without_thin_parts(const Geometry& geometry) { return {geometry.region, {}, {}}; }
+
+Geometry thin_parts_of(const Geometry& geometry) {
+  return {{}, geometry.polylines, geometry.points};
+}
+
+// The tight places of a no-fit polygon are within its area, so that they cannot be rounded with it
+// as parts of one set.
+Geometry rounded_nfp(const Geometry& nfp, const NestingArguments& arguments) {
+  ResultArguments nearest = arguments;
+  nearest.rounding = RoundingSide::kNearest;
+  Geometry result = rounded(without_thin_parts(nfp), arguments);
+  Geometry tight = rounded(thin_parts_of(nfp), nearest);
+  result.polylines = std::move(tight.polylines);
+  result.points = std::move(tight.points);
+  return result;
+}
+
+void draw(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
+          const Geometry& polygon) {
+  const ResolveOptions reading{arguments.options.fill, true, {}};
+  const Geometry area = without_thin_parts(polygon);
+  const Geometry tight = thin_parts_of(polygon);
+  const Captions captions = arguments.inner_fit
+                                ? Captions{"Inner-fit polygon", "Bin", "Part", "Inner-fit polygon"}
+                                : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
+  // A part without area would have failed already if it had to have a first vertex.
+  const Point mark =
+      arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
+  const std::string picture = sum_picture(
+      {resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark});
+  write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+}
+
+void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
+                    const Geometry& moving) {
+  const NoFitPolygon polygon(fixed, moving, arguments.options);
+  write_output("", [&](std::ostream& out) {
+    for (const Point& placement : arguments.placements) {
+      out << to_string(polygon.contact(placement)) << '\n';
+    }
+  });
+}
+
+void write_polygon(const NestingArguments& arguments, const Geometry& fixed,
+                   const Geometry& moving) {
+  if (arguments.inner_fit) {
+    const Geometry polygon = inner_fit_polygon(fixed, moving, arguments.options);
+    write_geometry(arguments, rounded(polygon, arguments));
+    if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon);
+    if (polygon.empty()) {
+      tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
+           shown_name(arguments.operands[0]) + ")");
+    }
+    return;
+  }
+  const Geometry polygon = no_fit_polygon(fixed, moving, arguments.options);
+  write_geometry(arguments, rounded_nfp(polygon, arguments));
+  if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon);
+}
+
+}  // namespace
+
+int run_nesting(const NestingArguments& arguments) {
+  check_writable(arguments.output);
+  check_writable(arguments.picture);
+  const Geometry fixed = read_operand(arguments.operands[0], arguments.limits).geometry;
+  const Geometry moving = read_operand(arguments.operands[1], arguments.limits).geometry;
+  try {
+    if (!arguments.placements.empty()) {
+      write_contacts(arguments, fixed, moving);
+    } else {
+      write_polygon(arguments, fixed, moving);
+    }
+  } catch (const Error& error) {
+    fail_about(error, arguments.operands);
+  }
+  return kFine;
+}
+
+}  // namespace minksum::cli
