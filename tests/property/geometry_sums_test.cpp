@@ -18,7 +18,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 3000;
+constexpr int kDefaultPairs = 1000;
 
 struct GeometryPair {
   std::string kind;
