@@ -182,7 +182,8 @@ void HotPixels::place_in_cells() {
   const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(centres_.size()))), 1,
                               UniformGrid::kMaxSide / 8);
   const double longer = std::max({extent.x, extent.y, 1.0});
-  const int fine = std::clamp(static_cast<int>(longer / kReach), 1, side);
+  // Clamped before the cast: the quotient may be beyond any int.
+  const int fine = static_cast<int>(std::clamp(longer / kReach, 1.0, static_cast<double>(side)));
   grid_ = UniformGrid::over(std::max(extent.x, 1.0), std::max(extent.y, 1.0), fine);
   margin_ = kReach <= grid_.cell * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
   cell_begin_.assign(static_cast<std::size_t>(grid_.size()) + 1, 0);
