@@ -106,7 +106,8 @@ class Predicates {
   [[nodiscard]] ApproximatePlace approximate(PointId p) const {
     const Approximation at = exact_->approximate(Place::of_point(p));
     const auto bounded = [&](double value) {
-      const bool exact = exact_->on_grid() && std::fabs(value) <= 0x1p53;
+      // 2^53 itself may be 2^53 + 1, rounded.
+      const bool exact = exact_->on_grid() && std::fabs(value) < 0x1p53;
       return exact ? Bounded{value, 0} : rounded(value);
     };
     return {bounded(at.x), bounded(at.y)};
