@@ -29,6 +29,7 @@ struct ResolveOptions {
   /// Drops what has no area: polylines, points, and the thin parts of rings.
   bool regularize = false;
   std::optional<CancelToken> cancel;
+  int operand = -1;  ///< which operand errors name (Culprit::operand)
 };
 
 /// The set of points that a geometry means, in resolved form (see Geometry), exactly.

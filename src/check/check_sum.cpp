@@ -241,15 +241,8 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
   if (options.within.sign() < 0) {
     throw Error(ErrorCode::kBadInput, "how far a result may be off must not be negative");
   }
-  ResolveOptions reading{options.fill, options.regularize, options.cancel};
-  const auto operand = [&reading](const Geometry& geometry, int index) {
-    try {
-      return resolve(geometry, reading);
-    } catch (const Error& error) {
-      Culprit culprit = error.culprit();
-      culprit.operand = index;
-      throw Error(error.code(), error.what(), culprit, error.stage());
-    }
+  const auto operand = [&options](const Geometry& geometry, int index) {
+    return resolve(geometry, {options.fill, options.regularize, options.cancel, index});
   };
   const Geometry first = operand(p, 0);
   const Geometry second = operand(q, 1);

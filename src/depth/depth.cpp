@@ -22,13 +22,7 @@ Shape read(const Geometry& geometry, const DepthOptions& options, int operand) {
       validate(geometry.region, 1).empty()) {
     return {geometry, true};
   }
-  try {
-    return {resolve(geometry, {options.fill, true, options.cancel}), false};
-  } catch (const Error& error) {
-    Culprit culprit = error.culprit();
-    culprit.operand = operand;
-    throw Error(error.code(), error.what(), culprit, error.stage());
-  }
+  return {resolve(geometry, {options.fill, true, options.cancel, operand}), false};
 }
 
 /// A ⊕ −B with its tight places.

@@ -56,14 +56,8 @@ class Reader {
   void resolve() {
     if (!as_given_) return;
     as_given_ = false;
-    try {
-      resolved_ =
-          minksum::resolve(*geometry_, {options_.fill, options_.regularize, options_.cancel});
-    } catch (const Error& error) {
-      Culprit culprit = error.culprit();
-      if (error.code() == ErrorCode::kBadInput) culprit.operand = operand_;
-      throw Error(error.code(), error.what(), culprit, error.stage());
-    }
+    resolved_ = minksum::resolve(
+        *geometry_, {options_.fill, options_.regularize, options_.cancel, operand_});
     geometry_ = &resolved_;
     if (!partial_.take(operand_, resolved_.region)) {
       throw Error(ErrorCode::kInternal, "a resolved operand is not legal", {}, "operands");

@@ -10,13 +10,7 @@ namespace minksum {
 namespace {
 
 Geometry read(const Geometry& geometry, const MorphologyOptions& options, int operand) {
-  try {
-    return resolve(geometry, {options.fill, false, options.cancel});
-  } catch (const Error& error) {
-    Culprit culprit = error.culprit();
-    culprit.operand = operand;
-    throw Error(error.code(), error.what(), culprit, error.stage());
-  }
+  return resolve(geometry, {options.fill, false, options.cancel, operand});
 }
 
 Options sum_options(const MorphologyOptions& options) {

@@ -9,13 +9,7 @@ namespace minksum {
 namespace {
 
 Geometry read(const Geometry& geometry, const NestingOptions& options, int operand) {
-  try {
-    return resolve(geometry, {options.fill, true, options.cancel});
-  } catch (const Error& error) {
-    Culprit culprit = error.culprit();
-    culprit.operand = operand;
-    throw Error(error.code(), error.what(), culprit, error.stage());
-  }
+  return resolve(geometry, {options.fill, true, options.cancel, operand});
 }
 
 /// The reference point of a shape as it was given.

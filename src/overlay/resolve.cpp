@@ -25,11 +25,12 @@ overlay::Inside inside_by(FillRule rule) {
   return [](const Winding& w) { return w.first != 0; };
 }
 
-void require_legal(const Region& region) {
+void require_legal(const Region& region, int operand) {
   const std::vector<Fault> faults = validate(region, 1);
   if (faults.empty()) return;
-  const Fault& fault = faults.front();
-  throw Error(ErrorCode::kBadInput, fault.message, fault.place);
+  Culprit culprit = faults.front().place;
+  culprit.operand = operand;
+  throw Error(ErrorCode::kBadInput, faults.front().message, culprit);
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ const char* to_string(FillRule rule) {
 }
 
 Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
-  if (options.fill == FillRule::kStrict) require_legal(geometry.region);
+  if (options.fill == FillRule::kStrict) require_legal(geometry.region, options.operand);
   // Legal polygons directed by their roles wind once around each of their points: what OGC says and
   // what the windings say is the same, so the automatic rule need not ask whether they are legal.
   const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
