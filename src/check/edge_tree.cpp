@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "locate/point_predicates.hpp"
+
 namespace minksum::checking {
 namespace {
 
@@ -24,21 +26,16 @@ void Box::add(const Box& other) {
   y1 = std::max(y1, other.y1);
 }
 
-// Rounding to the nearest is off by half a unit in the last place at most; twice that, so that adding
-// and subtracting `error` with rounding stays on the safe side.
-constexpr double kUnit = 0x1p-52;
-constexpr double kLeast = 2 * std::numeric_limits<double>::denorm_min();
-
 Corner::Corner(const Point& point)
     : vertex(&point),
       moved_to(nullptr),
       x(point.x.to_double()),
       y(point.y.to_double()),
-      error(kUnit * std::max(std::abs(x), std::abs(y)) + kLeast) {}
+      error(rounding_error(std::max(std::abs(x), std::abs(y)))) {}
 
 Corner::Corner(const Corner& at, const Corner& corner)
     : vertex(corner.vertex), moved_to(at.vertex), x(at.x - corner.x), y(at.y - corner.y) {
-  error = 2 * (at.error + corner.error) + kUnit * std::max(std::abs(x), std::abs(y)) + kLeast;
+  error = 2 * (at.error + corner.error) + rounding_error(std::max(std::abs(x), std::abs(y)));
 }
 
 EdgeTree::EdgeTree(const Geometry& geometry) {

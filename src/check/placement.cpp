@@ -5,38 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "locate/point_predicates.hpp"
+
 namespace minksum::checking {
 namespace {
-
-// With R the largest difference of coordinates as computed and e a bound of how far such a difference
-// is off, the determinant of two vectors is off by at most 4 R e + 4 e² from inexact differences and
-// by 2^-51 R² from its own roundings; what follows is twice that. It also covers underflow as long as
-// it is far above the smallest doubles. Where anything overflows, nothing is certain.
-constexpr double kFarAboveUnderflow = 0x1p-1000;
-
-/// 1 if a, b, c turn left, -1 if right, 0 if they are in one line.
-int turn(const Corner& a, const Corner& b, const Corner& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
-  const double r = std::max({std::abs(ux), std::abs(uy), std::abs(vx), std::abs(vy)});
-  const double e = 2 * (a.error + b.error + c.error) + 0x1p-52 * r;
-  const double error = 8 * e * (r + e) + 0x1p-50 * r * r;
-  const double determinant = ux * vy - uy * vx;
-  if (error > kFarAboveUnderflow && std::isfinite(error) && std::abs(determinant) > error) {
-    return determinant > 0 ? 1 : -1;
-  }
-  return ((b.exact_x() - a.exact_x()) * (c.exact_y() - a.exact_y()) -
-          (b.exact_y() - a.exact_y()) * (c.exact_x() - a.exact_x()))
-      .sign();
-}
-
-int compare_x(const Corner& a, const Corner& b) {
-  if (std::abs(a.x - b.x) > 2 * (a.error + b.error)) return a.x < b.x ? -1 : 1;
-  return (a.exact_x() - b.exact_x()).sign();
-}
-int compare_y(const Corner& a, const Corner& b) {
-  if (std::abs(a.y - b.y) > 2 * (a.error + b.error)) return a.y < b.y ? -1 : 1;
-  return (a.exact_y() - b.exact_y()).sign();
-}
 
 /// Whether c is between a and b, all three being in one line.
 bool between(const Corner& a, const Corner& b, const Corner& c) {

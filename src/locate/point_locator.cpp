@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <vector>
+
+#include "locate/point_predicates.hpp"
 
 namespace minksum {
 namespace {
@@ -17,39 +18,13 @@ struct Place {
   double error;
 
   explicit Place(Point point)
-      : exact(std::move(point)), x(exact.x.to_double()), y(exact.y.to_double()) {
-    // Twice what rounding to the nearest loses, and never 0.
-    error = 0x1p-52 * std::max(std::abs(x), std::abs(y)) + 0x1p-1073;
-  }
+      : exact(std::move(point)),
+        x(exact.x.to_double()),
+        y(exact.y.to_double()),
+        error(rounding_error(std::max(std::abs(x), std::abs(y)))) {}
+  [[nodiscard]] const Rational& exact_x() const { return exact.x; }
+  [[nodiscard]] const Rational& exact_y() const { return exact.y; }
 };
-
-int order(const Rational& a, const Rational& b) { return (a - b).sign(); }
-
-int compare_y(const Place& a, const Place& b) {
-  if (std::abs(a.y - b.y) > 2 * (a.error + b.error)) return a.y < b.y ? -1 : 1;
-  return order(a.exact.y, b.exact.y);
-}
-int compare_x(const Place& a, const Place& b) {
-  if (std::abs(a.x - b.x) > 2 * (a.error + b.error)) return a.x < b.x ? -1 : 1;
-  return order(a.exact.x, b.exact.x);
-}
-
-/// 1 if c is left of the line from a to b, -1 if right, 0 if on it. Differences are off by less than
-/// e, so the determinant by less than 4 e (r + e) and 2^-51 r² for its own roundings; the bound is
-/// twice that, and covers underflow as it is far above the smallest doubles.
-int side(const Place& a, const Place& b, const Place& c) {
-  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
-  const double r = std::max({std::abs(ux), std::abs(uy), std::abs(vx), std::abs(vy)});
-  const double e = 2 * (a.error + b.error + c.error) + 0x1p-52 * r;
-  const double error = 8 * e * (r + e) + 0x1p-50 * r * r;
-  const double determinant = ux * vy - uy * vx;
-  if (error > 0x1p-1000 && std::isfinite(error) && std::abs(determinant) > error) {
-    return determinant > 0 ? 1 : -1;
-  }
-  return ((b.exact.x - a.exact.x) * (c.exact.y - a.exact.y) -
-          (b.exact.y - a.exact.y) * (c.exact.x - a.exact.x))
-      .sign();
-}
 
 }  // namespace
 
@@ -164,7 +139,7 @@ struct PointLocator::State {
     for (const std::uint32_t v : {other.low, other.high}) {
       if (compare_y(places[edge.low], places[v]) > 0) continue;
       if (compare_y(places[edge.high], places[v]) < 0) continue;
-      const int s = side(places[edge.low], places[edge.high], places[v]);
+      const int s = turn(places[edge.low], places[edge.high], places[v]);
       if (s != 0) return s;
     }
     return 0;
@@ -209,9 +184,9 @@ struct PointLocator::State {
       // Edges on whose right the point is come first, then those through it.
       const auto& node = nodes[n];
       const auto first = std::partition_point(node.begin(), node.end(), [&](const Edge& edge) {
-        return side(places[edge.low], places[edge.high], at) < 0;
+        return turn(places[edge.low], places[edge.high], at) < 0;
       });
-      if (first != node.end() && side(places[first->low], places[first->high], at) == 0) {
+      if (first != node.end() && turn(places[first->low], places[first->high], at) == 0) {
         return Location::kBoundary;
       }
       if (first != node.end()) {
