@@ -52,39 +52,8 @@ bool CollisionTest::meets(const Probe& probe) {
   at_ = predicates_.position(probe);
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = 4 * (bounds.position + bounds.magnitude * 0x1p-49);
-  return boundaries_cross() || one_inside_other();
-}
-
-bool CollisionTest::overlap(const BoxTree::Box& p, const BoxTree::Box& q) const {
-  return p.x1 + doubt_ >= at_.x - q.x1 && at_.x - q.x0 + doubt_ >= p.x0 &&
-         p.y1 + doubt_ >= at_.y - q.y1 && at_.y - q.y0 + doubt_ >= p.y0;
-}
-
-bool CollisionTest::boundaries_cross() {
-  const BoxTree& p = trees_.tree[0];
-  const BoxTree& q = trees_.tree[1];
-  const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
-  auto& stack = trees_.stack;
-  stack.assign(1, {top(p), 0, top(q), 0});
-  while (!stack.empty()) {
-    const BoxPair pair = stack.back();
-    stack.pop_back();
-    if (!overlap(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q))) continue;
-    if (pair.level_p == 0 && pair.level_q == 0) {
-      if (leaves_cross(pair.node_p, pair.node_q)) return true;
-      continue;
-    }
-    const bool split_p = pair.level_p >= pair.level_q;
-    const BoxTree& tree = split_p ? p : q;
-    const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
-    const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
-    for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, tree.nodes(level));
-         ++node) {
-      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
-                               : BoxPair{pair.level_p, pair.node_p, level, node});
-    }
-  }
-  return false;
+  const auto cross = [this](std::size_t p, std::size_t q) { return leaves_cross(p, q); };
+  return trees_.any_near(at_, doubt_, cross) || one_inside_other();
 }
 
 bool CollisionTest::leaves_cross(std::size_t leaf_p, std::size_t leaf_q) {

@@ -1,6 +1,8 @@
 // The exact collision test: does P meet x − Q?
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "predicate/predicates.hpp"
@@ -66,8 +68,48 @@ struct BoxTrees {
   std::vector<BoxTree::Box> ring_boxes;  ///< by ring of both operands
 
   void build(const Operands& operands);
+  /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet,
+  /// x being `at`, give or take `doubt`. O(log n) for each pair of leaves that come near.
+  template <class Visit>
+  [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Visit visit);
+
   std::vector<BoxPair> stack;
 };
+
+/// Whether a box of P and one of x − Q may meet, x being `at`, give or take `doubt`.
+[[nodiscard]] inline bool may_meet(const BoxTree::Box& p, const BoxTree::Box& q,
+                                   const Vec<double>& at, double doubt) {
+  return p.x1 + doubt >= at.x - q.x1 && at.x - q.x0 + doubt >= p.x0 &&
+         p.y1 + doubt >= at.y - q.y1 && at.y - q.y0 + doubt >= p.y0;
+}
+
+template <class Visit>
+bool BoxTrees::any_near(const Vec<double>& at, double doubt, Visit visit) {
+  const auto& [p, q] = tree;
+  const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
+  stack.assign(1, {top(p), 0, top(q), 0});
+  while (!stack.empty()) {
+    const BoxPair pair = stack.back();
+    stack.pop_back();
+    if (!may_meet(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q), at, doubt)) {
+      continue;
+    }
+    if (pair.level_p == 0 && pair.level_q == 0) {
+      if (visit(pair.node_p, pair.node_q)) return true;
+      continue;
+    }
+    const bool split_p = pair.level_p >= pair.level_q;
+    const BoxTree& split = split_p ? p : q;
+    const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
+    const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
+    for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, split.nodes(level));
+         ++node) {
+      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
+                              : BoxPair{pair.level_p, pair.node_p, level, node});
+    }
+  }
+  return false;
+}
 
 /// Decides for probes x whether P meets x − Q, exactly.
 ///
@@ -81,8 +123,6 @@ class CollisionTest {
   [[nodiscard]] bool meets(const Probe& probe);
 
  private:
-  [[nodiscard]] bool boundaries_cross();
-  [[nodiscard]] bool overlap(const BoxTree::Box& p, const BoxTree::Box& q) const;
   [[nodiscard]] bool leaves_cross(std::size_t leaf_p, std::size_t leaf_q);
   [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
   [[nodiscard]] bool one_inside_other();

@@ -20,39 +20,12 @@ bool OverlapTest::overlaps(const Placement& x) {
   ++number_;
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = x.error + 4 * (bounds.position + bounds.magnitude * 0x1p-49);
-  return boundaries_show_overlap() || a_ring_is_inside(0) || a_ring_is_inside(1);
+  const auto overlap = [this](std::size_t p, std::size_t q) { return leaves_overlap(p, q); };
+  return trees_.any_near(x_.at, doubt_, overlap) || a_ring_is_inside(0) || a_ring_is_inside(1);
 }
 
 bool OverlapTest::near(const BoxTree::Box& p, const BoxTree::Box& q) const {
-  return p.x1 + doubt_ >= x_.at.x - q.x1 && x_.at.x - q.x0 + doubt_ >= p.x0 &&
-         p.y1 + doubt_ >= x_.at.y - q.y1 && x_.at.y - q.y0 + doubt_ >= p.y0;
-}
-
-bool OverlapTest::boundaries_show_overlap() {
-  const BoxTree& p = trees_.tree[0];
-  const BoxTree& q = trees_.tree[1];
-  const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
-  auto& stack = scratch_.stack;
-  stack.assign(1, {top(p), 0, top(q), 0});
-  while (!stack.empty()) {
-    const BoxPair pair = stack.back();
-    stack.pop_back();
-    if (!near(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q))) continue;
-    if (pair.level_p == 0 && pair.level_q == 0) {
-      if (leaves_overlap(pair.node_p, pair.node_q)) return true;
-      continue;
-    }
-    const bool split_p = pair.level_p >= pair.level_q;
-    const BoxTree& tree = split_p ? p : q;
-    const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
-    const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
-    for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, tree.nodes(level));
-         ++node) {
-      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
-                              : BoxPair{pair.level_p, pair.node_p, level, node});
-    }
-  }
-  return false;
+  return may_meet(p, q, x_.at, doubt_);
 }
 
 template <class Visit>

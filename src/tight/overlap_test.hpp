@@ -49,7 +49,6 @@ class OverlapTest {
     std::uint32_t end;
   };
 
-  [[nodiscard]] bool boundaries_show_overlap();
   /// Whether a box of P and one of x − Q may meet.
   [[nodiscard]] bool near(const BoxTree::Box& p, const BoxTree::Box& q) const;
   [[nodiscard]] bool leaves_overlap(std::size_t leaf_p, std::size_t leaf_q);

@@ -84,7 +84,6 @@ struct TightScratch {
   std::vector<std::uint32_t> ring_of;  ///< by site
   std::vector<std::uint32_t> met;      ///< by ring: the number of the last test in which it did
   std::vector<std::uint8_t> marked;    ///< by node
-  std::vector<BoxPair> stack;
 };
 
 /// Decides slits, crowded nodes and pinches. O(log n) and what touches for each, if boxes separate
