@@ -85,6 +85,28 @@ def nesting(records):
                 rate >= 30000 if rate else None)
 
 
+def table_ratio(record, threads):
+    """How many times as long CGAL would take for the table, by its sample."""
+    mean, seconds = dig(record, "cgal", "mean"), dig(record, "table", threads, "median")
+    return mean * record["sums"] / seconds if mean and seconds else None
+
+
+def nesting_tables(records):
+    everything = records.of("tables")
+    for threads, text in (("one_thread", "one thread"), ("all_threads", "all processors")):
+        found = sorted((table_ratio(r, threads), r["name"]) for r in everything
+                       if table_ratio(r, threads))
+        figure = "–"
+        if found:
+            good = sum(f[0] >= 100 for f in found)
+            figure = (f"{good} of {len(found)} instances; geometric mean "
+                      f"{times_text(geometric_mean(f[0] for f in found))}, at least "
+                      f"{times_text(found[0][0])} times ({found[0][1]})")
+        yield Claim("10", "tables of no-fit polygons of nesting instances, 4 rotations, at least "
+                    f"100 times as fast as CGAL, {text}", figure,
+                    found[0][0] >= 100 if found else None)
+
+
 def near_the_limit(records):
     everything = [r for r in records.of("paper", "kin", "named", "spiky", "nesting", "gis",
                                         "families") if dig(r, "listing", "median") and
@@ -157,6 +179,6 @@ def growths(records):
 def claims(records):
     result = []
     for part in (paper_pairs, named_pairs, spiky_stars, nesting, near_the_limit, doubles, offsets,
-                 memory, growths):
+                 memory, growths, nesting_tables):
         result += part(records)
     return result

@@ -21,8 +21,8 @@ using namespace minksum::bench;
 constexpr const char* kUsage =
     "usage: minksum_bench [--set NAME[,NAME...]]... [--only TEXT] [--out FILE] [--quick]\n"
     "                     [--budget SECONDS]\n"
-    "  --set     what to measure (default: all): paper kin named figures spiky nesting gis\n"
-    "            doubles families\n"
+    "  --set     what to measure (default: all): paper kin named figures spiky nesting\n"
+    "            tables gis doubles families\n"
     "  --only    only pairs, or families, with this in their names\n"
     "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
@@ -95,6 +95,10 @@ void print(const Json& record) {
   if (record.contains("sums_per_second")) {
     std::printf(" %.0f sums a second", static_cast<double>(record["sums_per_second"]));
   }
+  if (record.contains("table")) {
+    std::printf(" %zu sums in %.1f ms", record["sums"].get<std::size_t>(),
+                member(record["table"], "one_thread", "median") * 1e3);
+  }
   if (record.contains("equal_to_cgal") && record["equal_to_cgal"] == false) {
     std::printf("  NOT EQUAL to CGAL's result, not timed");
   }
@@ -155,6 +159,8 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
     std::printf("  no folder of shapes: left out\n");
   } else if (set == "doubles") {
     measure_doubles(*data, effort, arguments.quick, take);
+  } else if (set == "tables") {
+    measure_nesting_tables(*data, effort, arguments.quick, take);
   } else {
     for (const Case& one : cases_of(set, *data, arguments.quick)) {
       if (one.name.find(arguments.only) != std::string::npos) take(measure(one, effort));

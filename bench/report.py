@@ -11,7 +11,7 @@ import pathlib
 import sys
 
 import plots
-from claims import claims
+from claims import claims, table_ratio
 from figures import (MIB, MODELS, STAGES, Records, bound_text, count_text, dig, family_rows,
                      geometric_mean, growth, matrix, own_seconds, peer_cell, ratio, ratio_or_bound,
                      seconds_text, segments, table, times_text)
@@ -223,6 +223,27 @@ def family_section(records):
                "segments: exponent"], summary)] + parts)
 
 
+def tables_section(records):
+    rows = []
+    for r in records.of("tables"):
+        one, both = (dig(r, "table", kind, "median") for kind in ("one_thread", "all_threads"))
+        rows.append([r["name"], r["parts"], count_text(r["sums"]), seconds_text(one),
+                     seconds_text(both), f"{r['sums'] / one:,.0f}" if one else "–",
+                     seconds_text(dig(r, "cgal", "mean")),
+                     f"{dig(r, 'cgal', 'equal')} of {dig(r, 'cgal', 'sums')}",
+                     times_text(table_ratio(r, "one_thread")),
+                     times_text(table_ratio(r, "all_threads"))])
+    return "\n\n".join([
+        "## Tables of no-fit polygons",
+        "All ordered pairs of an instance's parts, the second one turned by 0, 90, 180 and 270 "
+        "degrees: each part prepared once, which is counted; wall clock, results kept. CGAL takes a "
+        "sample of the table's sums, each compared exactly first; *times*: its mean times the "
+        "number of sums, by the table's time on one thread, and on all processors (CGAL's sums on "
+        "one).",
+        table(["instance", "parts", "sums", "one thread", "all processors", "sums a second",
+               "CGAL: mean of one sum", "equal", "times, one thread", "times, all"], rows)])
+
+
 def gis_section(records):
     rows = []
     for r in records.of("gis"):
@@ -281,7 +302,7 @@ def page(records):
                                  full_seconds=run["full_seconds"]),
              "## Goals", claims_table(records), shortfalls(records), "## The models", FIG5, figure1(records),
              figure6(records), figure7a(records), figure7b(records), family_section(records),
-             gis_section(records), doubles_section(records), "## Pairs",
+             tables_section(records), gis_section(records), doubles_section(records), "## Pairs",
              "Named pairs and spiky stars:", pair_table(records, "named", "spiky"),
              "<details><summary>The paper's models</summary>\n",
              pair_table(records, "paper"), "</details>\n",

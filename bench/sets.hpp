@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ void measure_families(const Effort& effort, double longest_seconds, const std::s
 /// Doubles against decimals of six digits, nearly the same shapes, in turn in one process.
 void measure_doubles(const std::filesystem::path& data, const Effort& effort, bool quick,
                      const std::function<void(const Json&)>& take);
+/// For each nesting instance the whole table of its no-fit polygons, and a sample of it by CGAL.
+void measure_nesting_tables(const std::filesystem::path& data, const Effort& effort, bool quick,
+                            const std::function<void(const Json&)>& take);
 /// Files of nesting parts without holes, of so many vertices, sorted by name.
 [[nodiscard]] std::vector<std::string> nesting_parts(const std::filesystem::path& data,
                                                      std::size_t least, std::size_t most);
