@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "operands/operands.hpp"
 #include "operands/rational_sites.hpp"
@@ -19,8 +20,7 @@ Int128 power(int exp2, int exp10) {
 /// What makes the operands' grids one.
 struct CommonGrid {
   bool fits = false;  ///< fixed-width arithmetic holds it
-  int exp2 = 0;
-  int exp10 = 0;
+  GridUnit unit;
   std::array<Int128, 2> factor{1, 1};
   int bits = 0;
 };
@@ -28,16 +28,22 @@ struct CommonGrid {
 CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q, const Options& options) {
   CommonGrid common;
   if (p.rational || q.rational || options.arithmetic == Arithmetic::kArbitrary) return common;
-  common.exp2 = std::min(p.grid.exp2, q.grid.exp2);
-  common.exp10 = std::min(p.grid.exp10, q.grid.exp10);
+  const std::int64_t common_part = std::gcd(p.grid.unit.divisor, q.grid.unit.divisor);
+  const Int128 divisor = Int128{p.grid.unit.divisor} * (q.grid.unit.divisor / common_part);
+  if (bit_width(divisor) > GridUnit::kDivisorBits) return common;
+  common.unit = {std::min(p.grid.unit.exp2, q.grid.unit.exp2),
+                 std::min(p.grid.unit.exp10, q.grid.unit.exp10),
+                 static_cast<std::int64_t>(divisor)};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const GridCoordinates& grid = i == 0 ? p.grid : q.grid;
-    const int up2 = grid.exp2 - common.exp2;
-    const int up10 = grid.exp10 - common.exp10;
-    const int factor_bits = up2 + bits_of_ten_to(up10);
+    const int up2 = grid.unit.exp2 - common.unit.exp2;
+    const int up10 = grid.unit.exp10 - common.unit.exp10;
+    const std::int64_t times = common.unit.divisor / grid.unit.divisor;
+    const int factor_bits =
+        up2 + bits_of_ten_to(up10) + (times == 1 ? 0 : bit_width(Int128{times}));
     const int offset_bits = std::max(bit_width(grid.offset.x), bit_width(grid.offset.y));
     if (factor_bits + std::max(grid.bits, offset_bits) > kMaxGridBits) return common;
-    common.factor[i] = power(up2, up10);
+    common.factor[i] = power(up2, up10) * times;
     common.bits = std::max({common.bits, bit_width(grid.extent.x * common.factor[i]),
                             bit_width(grid.extent.y * common.factor[i])});
   }
@@ -49,12 +55,12 @@ void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const Comm
                   const Options& options, Operands& o) {
   const GridPart parts[2] = {{&p.grid, common.factor[0], o.scratch.kept[0]},
                              {&q.grid, common.factor[1], o.scratch.kept[1]}};
-  make_grid_kernel(rung_for(common.bits, options.arithmetic), parts, common.exp2, common.exp10,
-                   o.kernel);
+  make_grid_kernel(rung_for(common.bits, options.arithmetic), parts, common.unit, o.kernel);
   o.bits = static_cast<std::uint64_t>(common.bits);
   o.bounds = RoundingBounds::of(std::ldexp(1.0, common.bits), common.bits <= kExactSumBits,
                                 common.bits <= kExactProductBits);
-  o.trace_unit = std::ldexp(1.0, common.exp2) * std::pow(10.0, common.exp10);
+  o.trace_unit = std::ldexp(1.0, common.unit.exp2) * std::pow(10.0, common.unit.exp10) /
+                 static_cast<double>(common.unit.divisor);
   const auto origin = [&](Int128 first, Int128 second) {
     return static_cast<double>(first * common.factor[0] + second * common.factor[1]) * o.trace_unit;
   };
@@ -123,11 +129,13 @@ class HoleFiller {
              std::vector<Vec<double>>& sizes)
       : operand_(operand), sizes_(sizes), tight_wanted_(tight_wanted) {
     const double unit =
-        std::ldexp(1.0, other.unit_exp2 - operand.unit_exp2) *
-        std::pow(10.0, other.unit_exp10 - operand.unit_exp10);
+        std::ldexp(1.0, other.unit.exp2 - operand.unit.exp2) *
+        std::pow(10.0, other.unit.exp10 - operand.unit.exp10) *
+        static_cast<double>(operand.unit.divisor) / static_cast<double>(other.unit.divisor);
     // A hole is open and the other operand closed: equal width does not fit. Where rounding leaves
     // a doubt the hole stays, which costs time and nothing else.
-    const bool exact = unit == 1 && operand.bounds.difference == 0 && other.bounds.difference == 0;
+    const bool exact = operand.unit == other.unit && operand.bounds.difference == 0 &&
+                       other.bounds.difference == 0;
     larger_ = exact ? 1 : 1 + 0x1p-40;
     doubt_ = exact ? 0 : 2 * (operand.bounds.difference + other.bounds.difference * unit);
     sizes_.clear();

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "operands/prepared_operand.hpp"
 #include "operands/rational_sites.hpp"
@@ -28,6 +29,7 @@ void for_each_coordinate(const Region& region, Visit visit) {
 struct Scale {
   int exp2 = 0;
   int exp10 = 0;
+  std::int64_t divisor = 1;
   bool quotients = false;
   bool uniform = true;  ///< all coordinates but zeros have these exponents
   int bits = 0;
@@ -67,16 +69,17 @@ Scale common_scale(const Region& region) {
   return scale;
 }
 
-/// payload · 2^exp2 · 10^exp10
+/// payload · 2^exp2 · 10^exp10 / divisor
 struct LongNumber {
   Int128 payload = 0;
   int exp2 = 0;
   int exp10 = 0;
+  std::int64_t divisor = 1;
 };
 
-/// A coordinate stored as a quotient that is a long decimal or binary fraction after all.
+/// A coordinate stored as a quotient whose denominator is short, but for factors two and five.
 bool as_long_number(const Region& region, const StoredCoordinate& c, LongNumber& number) {
-  number = {c.payload, c.exp2, c.exp10};
+  number = {c.payload, c.exp2, c.exp10, 1};
   if (c.denominator_limbs == 0) return true;
   const auto limbs = RegionAccess::limbs(region).subspan(static_cast<std::size_t>(c.payload));
   const std::size_t n = c.numerator_limbs & kLimbCountMask;
@@ -92,8 +95,11 @@ bool as_long_number(const Region& region, const StoredCoordinate& c, LongNumber&
   int fives = 0;
   for (; below % 2 == 0; ++twos) below /= 2;
   for (; below % 5 == 0; ++fives) below /= 5;
-  if (below != 1) return false;
-  number.payload = static_cast<Int128>(above);
+  if ((below >> GridUnit::kDivisorBits) != 0) return false;
+  const std::uint64_t common =
+      std::gcd(static_cast<std::uint64_t>(above % below), static_cast<std::uint64_t>(below));
+  number.payload = static_cast<Int128>(above / common);
+  number.divisor = static_cast<std::int64_t>(below / common);
   if ((c.numerator_limbs & kNegativeLimbs) != 0) number.payload = -number.payload;
   number.exp2 += fives - twos;
   number.exp10 -= fives;
@@ -123,8 +129,7 @@ void load_grid(std::size_t n, const Scale& scale, At at, std::vector<Vec<Number>
   grid.offset = {low.x, low.y};
   grid.extent = {high.x - low.x, high.y - low.y};
   grid.bits = std::max(bit_width(grid.extent.x), bit_width(grid.extent.y));
-  grid.exp2 = scale.exp2;
-  grid.exp10 = scale.exp10;
+  grid.unit = {scale.exp2, scale.exp10, scale.divisor};
 }
 
 template <class Number>
@@ -140,16 +145,35 @@ void load_numbers(const Region& region, const Scale& scale, std::vector<Vec<Numb
   load_grid(region.vertex_count(), scale, at, sites, grid);
 }
 
-/// The same where some are stored as quotients; false if they are true quotients, or too long.
+/// Multiplies numbers by what makes them one divisor's; false if that is too long.
+bool find_common_divisor(std::vector<LongNumber>& numbers, Scale& scale) {
+  for (const LongNumber& number : numbers) {
+    const std::int64_t more = number.divisor / std::gcd(number.divisor, scale.divisor);
+    if (more == 1) continue;
+    const Int128 divisor = Int128{scale.divisor} * more;
+    if (bit_width(divisor) > GridUnit::kDivisorBits) return false;
+    scale.divisor = static_cast<std::int64_t>(divisor);
+  }
+  for (LongNumber& number : numbers) {
+    const Int128 times = scale.divisor / number.divisor;
+    if (times == 1) continue;
+    if (bit_width(number.payload) + bit_width(times) > kMaxGridBits) return false;
+    number.payload *= times;
+  }
+  return true;
+}
+
+/// The same where some are stored as quotients; false if they have no short common denominator, or
+/// are too long.
 bool load_long_numbers(const Region& region, GridCoordinates& grid) {
   std::vector<LongNumber> numbers;
   bool all = true;
   for_each_coordinate(region, [&](const StoredCoordinate& c) {
     all = all && as_long_number(region, c, numbers.emplace_back());
   });
-  if (!all) return false;
-  constexpr int kHigh = std::numeric_limits<int>::max();
   Scale scale;
+  if (!all || !find_common_divisor(numbers, scale)) return false;
+  constexpr int kHigh = std::numeric_limits<int>::max();
   scale.exp2 = scale.exp10 = kHigh;
   for (const LongNumber& number : numbers) {
     if (number.payload == 0) continue;

@@ -79,9 +79,7 @@ struct PreparedOperand {
   std::vector<KeyedEdge> by_direction;
   bool keys_tell = false;  ///< whether keys farther apart than 2 · kKeyError order directions
 
-  /// One step of `sites` is 2^unit_exp2 · 10^unit_exp10 of the region's units.
-  int unit_exp2 = 0;
-  int unit_exp10 = 0;
+  GridUnit unit;  ///< one step of `sites`
   RoundingBounds bounds;
   std::unique_ptr<ExactKernel> kernel;
 

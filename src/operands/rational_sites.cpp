@@ -44,8 +44,8 @@ BigInteger as_big(Int128 value) {
   return BigInteger((BigInteger(high) << 64) + low);
 }
 BigRational grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& grid) {
-  return scaled(BigInteger(as_big(integer) + as_big(offset)), BigInteger(1), grid.exp2,
-                grid.exp10);
+  return scaled(BigInteger(as_big(integer) + as_big(offset)), BigInteger(grid.unit.divisor),
+                grid.unit.exp2, grid.unit.exp10);
 }
 
 std::size_t bit_width(const BigInteger& value) {

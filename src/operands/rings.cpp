@@ -168,17 +168,15 @@ void approximate_sites(std::size_t count, const Options& options, OperandScratch
     const int exponent = rational_exponent({&r.extent, 1});
     make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, exponent,
                          operand.kernel);
-    operand.unit_exp2 = -exponent;
-    operand.unit_exp10 = 0;
+    operand.unit = {-exponent, 0, 1};
     operand.bounds =
         RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
   } else {
     const GridCoordinates& grid = operand.grid;
     const GridPart part{&grid, 1, all};
-    make_grid_kernel(rung_for(grid.bits, options.arithmetic), {&part, 1}, grid.exp2, grid.exp10,
+    make_grid_kernel(rung_for(grid.bits, options.arithmetic), {&part, 1}, grid.unit,
                      operand.kernel);
-    operand.unit_exp2 = grid.exp2;
-    operand.unit_exp10 = grid.exp10;
+    operand.unit = grid.unit;
     operand.bounds = RoundingBounds::of(std::ldexp(1.0, grid.bits), grid.bits <= kExactSumBits,
                                         grid.bits <= kExactProductBits);
   }

@@ -15,7 +15,8 @@ namespace minksum {
 //   node against a segment       D·cross(d, v) + N·cross(d, d')            < 2^(4B+4)
 //   coordinate of a crossing     a·D + N·d < 2^(B+1+2B+1) + 2^(2B+2+B)     = 2^(3B+3)
 //   order of two crossings       X1·D2 − X2·D1 < 2 · 2^(3B+3) · 2^(2B+1)   = 2^(5B+5)
-//   with the offset (|o| < 2^127): X + o·D < 2^(3B+3) + 2^(2B+128)
+//   with the offset (|o| < 2^127): X + o·D < 2^(3B+3) + 2^(2B+128); D times a grid's divisor of up
+//   to 62 bits is less than that
 //   probe at k/2^r, r ≤ 60       cross(d, 2^r·v + k·d') < 2^(2B+3+60)
 constexpr int cross_bits(int b) { return 2 * b + 3; }
 constexpr int along_bits(int b) { return 4 * b + 5; }

@@ -1,6 +1,7 @@
 #include "predicate/exact_kernel.hpp"
 
 #include <limits>
+#include <numeric>
 
 #include "predicate/kernel_of.hpp"
 
@@ -29,7 +30,7 @@ class GridKernel final : public KernelOf<Rung> {
   using typename Base::Lexicographic;
 
  public:
-  void load(std::span<const GridPart> parts, int exp2, int exp10) {
+  void load(std::span<const GridPart> parts, const GridUnit& unit) {
     this->sites_.clear();
     offset_ = {0, 0};
     for (const GridPart& part : parts) {
@@ -42,8 +43,7 @@ class GridKernel final : public KernelOf<Rung> {
                  offset_.y + part.grid->offset.y * part.factor};
     }
     this->next_.clear();
-    exp2_ = exp2;
-    exp10_ = exp10;
+    unit_ = unit;
   }
 
   Arithmetic rung() const override {
@@ -67,11 +67,11 @@ class GridKernel final : public KernelOf<Rung> {
     const Int128 x = at.x + offset_.x;
     const Int128 y = at.y + offset_.y;
     out = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
-    return out.x == x && out.y == y && out.x != std::numeric_limits<std::int64_t>::min() &&
+    return unit_.divisor == 1 && out.x == x && out.y == y && out.x != std::numeric_limits<std::int64_t>::min() &&
            out.y != std::numeric_limits<std::int64_t>::min();
   }
-  int exp2() const override { return exp2_; }
-  int exp10() const override { return exp10_; }
+  int exp2() const override { return unit_.exp2; }
+  int exp10() const override { return unit_.exp10; }
   void approximate_sites(std::span<double> x, std::span<double> y) const override {
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = to_double(this->sites_[i].x);
@@ -96,24 +96,29 @@ class GridKernel final : public KernelOf<Rung> {
     }
   }
 
-  static void set(const Lexicographic& numerator, const Lexicographic& denominator,
-                  const Int128& offset, ExactCoordinate& out) {
+  void set(const Lexicographic& numerator, const Lexicographic& denominator, const Int128& offset,
+           ExactCoordinate& out) const {
     const Lexicographic moved = numerator + Lexicographic(offset) * denominator;
     out.negative = moved.negative() != denominator.negative() && sign_of(moved) != kZero;
     set_limbs(moved.magnitude(), out.numerator);
-    set_limbs(denominator.magnitude(), out.denominator);
+    if (unit_.divisor == 1) return set_limbs(denominator.magnitude(), out.denominator);
+    set_limbs((denominator * Lexicographic(unit_.divisor)).magnitude(), out.denominator);
   }
 
-  static void set(const Int128& value, ExactCoordinate& out) {
-    const WideInt<2> wide(value);
+  /// In lowest terms, but for the powers in the unit.
+  void set(const Int128& value, ExactCoordinate& out) const {
+    const std::int64_t common =
+        unit_.divisor == 1
+            ? 1
+            : std::gcd(static_cast<std::int64_t>(value % unit_.divisor), unit_.divisor);
+    const WideInt<2> wide(common == 1 ? value : value / common);
     out.negative = wide.negative();
     set_limbs(wide.magnitude(), out.numerator);
-    out.denominator.assign(1, 1);
+    out.denominator.assign(1, static_cast<std::uint64_t>(unit_.divisor / common));
   }
 
   Vec<Int128> offset_{};
-  int exp2_ = 0;
-  int exp10_ = 0;
+  GridUnit unit_;
 };
 
 /// Rational coordinates, in the operands' own units.
@@ -179,15 +184,15 @@ Kernel& reuse_or_make(std::unique_ptr<ExactKernel>& old) {
 
 }  // namespace
 
-void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, int exp2, int exp10,
+void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old) {
   switch (rung) {
     case Arithmetic::kNarrow:
-      return reuse_or_make<GridKernel<NarrowRung>>(old).load(parts, exp2, exp10);
+      return reuse_or_make<GridKernel<NarrowRung>>(old).load(parts, unit);
     case Arithmetic::kMedium:
-      return reuse_or_make<GridKernel<MediumRung>>(old).load(parts, exp2, exp10);
+      return reuse_or_make<GridKernel<MediumRung>>(old).load(parts, unit);
     default:
-      return reuse_or_make<GridKernel<WideRung>>(old).load(parts, exp2, exp10);
+      return reuse_or_make<GridKernel<WideRung>>(old).load(parts, unit);
   }
 }
 

@@ -89,8 +89,18 @@ class ExactKernel {
   virtual void connect(std::span<const SiteId> next) = 0;
 };
 
-/// Coordinates on an integer grid: value = (integer + offset) · 2^exp2 · 10^exp10, where the
-/// integers are in [0, 2^bits).
+/// One step of an integer grid: 2^exp2 · 10^exp10 / divisor of a region's units. Coordinates with a
+/// common denominator, as a turn by a rational rotation makes them, are integers on such a grid.
+struct GridUnit {
+  static constexpr int kDivisorBits = 62;
+  int exp2 = 0;
+  int exp10 = 0;
+  std::int64_t divisor = 1;  ///< positive, of up to kDivisorBits bits
+  friend bool operator==(const GridUnit&, const GridUnit&) = default;
+};
+
+/// Coordinates on an integer grid: value = (integer + offset) · unit, where the integers are in
+/// [0, 2^bits).
 struct GridCoordinates {
   static constexpr int kSmallBits = 62;
   bool small = true;                           ///< which of the two holds the sites
@@ -98,8 +108,7 @@ struct GridCoordinates {
   std::vector<Vec<Int128>> large_sites;
   Vec<Int128> extent{};                        ///< the largest of the integers
   Vec<Int128> offset{};
-  int exp2 = 0;
-  int exp10 = 0;
+  GridUnit unit;
   int bits = 0;
 };
 
@@ -119,9 +128,9 @@ struct GridPart {
 };
 
 /// A kernel for integer coordinates: those of the parts, one after the other. They must fit the rung
-/// (kNarrow, kMedium or kWide), and the sum of their scaled offsets 127 bits. `exp2` and `exp10` are
-/// those of the common grid. Reuses `old` if it is of the same rung.
-void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, int exp2, int exp10,
+/// (kNarrow, kMedium or kWide), and the sum of their scaled offsets 127 bits. `unit` is that of the
+/// common grid. Reuses `old` if it is of the same rung.
+void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old);
 /// A kernel for any rational coordinates; `origin_first`, `origin_second` and `exponent` say how
 /// they are approximated: (coordinate − origin of its operand) · 2^exponent.

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "minksum/prepared_region.hpp"
+#include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 
@@ -80,6 +81,82 @@ TEST(PreparedRegion, TakesLongDecimalsForWhatTheyAre) {
   options.arithmetic = Arithmetic::kArbitrary;
   EXPECT_EQ(sum, minkowski_sum(region, region, options));
   EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
+}
+
+/// Whether all settings give the sum that rationals of any size give; the rung of the first.
+Arithmetic expect_same_by_rationals(const Region& p, const Region& q) {
+  Statistics statistics;
+  Geometry tight;
+  Options options;
+  options.check = true;
+  options.tight = &tight;
+  options.statistics = &statistics;
+  const Region sum = minkowski_sum(p, q, options);
+  const Arithmetic rung = statistics.arithmetic;
+  EXPECT_EQ(minkowski_sum(PreparedRegion(p), PreparedRegion(q)), sum);
+  const Geometry expected_tight = std::exchange(tight, {});
+  options.arithmetic = Arithmetic::kArbitrary;
+  const Region expected = minkowski_sum(p, q, options);
+  EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
+  EXPECT_EQ(sum, expected) << to_text(p) << '\n' << to_text(q);
+  EXPECT_EQ(tight, expected_tight) << to_text(p) << '\n' << to_text(q);
+  for (std::size_t v = 0; v < std::min(sum.vertex_count(), expected.vertex_count()); ++v) {
+    EXPECT_EQ(sum.origin(v), expected.origin(v));
+  }
+  return rung;
+}
+
+// What a turn makes of integers has a common denominator: integers on a finer grid.
+TEST(PreparedRegion, PutsCommonDenominatorsOnTheGrid) {
+  Random random(11);
+  const Rational halves[] = {{1, 2}, {-2, 3}, {5, 58}, {237, 239}, {1, 100003}};
+  for (int i = 0; i < 60; ++i) {
+    const Region p = random_with_holes(random, 30, 2);
+    const Region q = random_two_opt(random, 9, 12);
+    const Affine turn = Affine::rotation(halves[i % 5]);
+    const Affine other = Affine::rotation(halves[i / 5 % 5]);
+    const Region turned_q = transform(q, turn.after(Affine::translation({i, 7}, {-5, 3})));
+    EXPECT_LT(expect_same_by_rationals(p, turned_q), Arithmetic::kArbitrary);
+    EXPECT_LT(expect_same_by_rationals(transform(p, other), turned_q), Arithmetic::kArbitrary);
+    EXPECT_LT(expect_same_by_rationals(turned_q, reflect(turned_q)), Arithmetic::kArbitrary);
+    EXPECT_LT(expect_same_by_rationals(transform(p, Affine::scaling(Rational(0.3))), turned_q),
+              Arithmetic::kArbitrary);
+  }
+}
+
+// Holes are filled by sizes in one unit: here a square of 9/7 and a hole that is a hair wider, as
+// wide, or narrower.
+TEST(PreparedRegion, ComparesSizesOnDifferentGrids) {
+  const Region part = scaled(rectangle(0, 0, 9, 9), Rational(1, 7));
+  const Rational whole(1'000'000'007);
+  for (const int more : {-1, 0, 1}) {
+    const Rational side = (Rational(9, 7) * whole + Rational(more)) / whole;
+    const Polygon sheet{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}},
+                        {{{0, 0}, {side, 0}, {side, side}, {0, side}}}};
+    Geometry tight;
+    Options options;
+    options.tight = &tight;
+    const Region sum = minkowski_sum(Region(sheet), part, options);
+    EXPECT_EQ(sum.hole_count(), more == 1 ? 1U : 0U);
+    EXPECT_EQ(tight.points.size(), more == 0 ? 1U : 0U);
+    expect_same_by_rationals(Region(sheet), part);
+  }
+}
+
+// Denominators that have no short common multiple go to rationals, as do long ones.
+TEST(PreparedRegion, LeavesOtherDenominatorsToRationals) {
+  const auto triangle = [](std::int64_t a, std::int64_t b, std::int64_t c) {
+    return Region(Polygon{{{0, 0}, {Rational(5, a), 0}, {Rational(1, b), Rational(7, c)}}, {}});
+  };
+  const Region small = triangle(3, 7, 11);
+  EXPECT_EQ(expect_same_by_rationals(small, small), Arithmetic::kNarrow);
+  const Region primes = triangle(1'000'003, 2'000'003, 4'000'037);
+  EXPECT_EQ(expect_same_by_rationals(primes, small), Arithmetic::kArbitrary);
+  const Region wide = triangle(1, 1, (std::int64_t{1} << 62) - 57);
+  EXPECT_EQ(expect_same_by_rationals(wide, rectangle(0, 0, 1, 1)), Arithmetic::kWide);
+  EXPECT_EQ(expect_same_by_rationals(wide, small), Arithmetic::kArbitrary);
+  const Region beyond = triangle(1, 1, (std::int64_t{1} << 62) + 27);
+  EXPECT_EQ(expect_same_by_rationals(beyond, rectangle(0, 0, 1, 1)), Arithmetic::kArbitrary);
 }
 
 TEST(PreparedRegion, ServesManyThreads) {
