@@ -1,6 +1,7 @@
 """What the tests of the program share: running it within limits, and small shapes."""
 import os
 import pathlib
+import re
 import resource
 import subprocess
 import tempfile
@@ -70,6 +71,42 @@ class ProgramTest(unittest.TestCase):
         self.assertLess(len(line), 2000)
         self.assertIn(fragment, line)
         return result
+
+
+class Page:
+    """What a page of docs/ shows is so: each block of commands prints the block below it (or nothing),
+    and draws its pictures. To be mixed into a ProgramTest."""
+
+    page_name = None
+    pictures = 0  # that there are at least
+
+    def setUp(self):
+        super().setUp()
+        self.page = (SOURCE / "docs" / self.page_name).read_text()
+        build = pathlib.Path(PROGRAM).resolve().parent
+        for name, target in (("build", build), ("examples", SOURCE / "examples")):
+            (self.folder / name).symlink_to(target)
+        (self.folder / "docs" / "img").mkdir(parents=True)
+
+    def test_commands(self):
+        blocks = re.findall(r"^```sh\n(.*?)^```$(?:\n\n^```(?:text|json)\n(.*?)^```$)?", self.page,
+                            re.M | re.S)
+        self.assertEqual(len(blocks), self.page.count("```sh"))
+        self.assertGreater(len(blocks), 0)
+        for script, expected in blocks:
+            done = subprocess.run(["sh", "-eu"], input=script, capture_output=True, text=True,
+                                  cwd=self.folder, timeout=SECONDS, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(done.stdout, expected)
+        pictures = re.findall(r"\]\((img/[^)]+)\)", self.page)
+        self.assertGreaterEqual(len(pictures), self.pictures)
+        for picture in pictures:
+            made = (self.folder / "docs" / picture).read_text()
+            self.assertEqual(made, (SOURCE / "docs" / picture).read_text(), picture)
+
+    def test_links(self):
+        for target in re.findall(r"\]\((?!http)([^)#]+)\)", self.page):
+            self.assertTrue((SOURCE / "docs" / target).exists(), target)
 
 
 def main():

@@ -1,13 +1,10 @@
 """The subcommands for what sums are used for, and their page: its commands give what it shows."""
 import json
-import pathlib
 import random
-import re
-import subprocess
 import xml.etree.ElementTree
 from fractions import Fraction
 
-from support import FRAME, PROGRAM, SOURCE, SQUARE, TRIANGLE, ProgramTest, main, run
+from support import FRAME, SQUARE, TRIANGLE, Page, ProgramTest, main, run
 
 MORPHOLOGY = ("dilate", "erode", "open", "close")
 EMPTY = "POLYGON EMPTY"
@@ -251,35 +248,9 @@ class DepthOfTwo(ProgramTest):
                    self.folder / "no" / "x.svg")
 
 
-class Page(ProgramTest):
-    """docs/uses.md: each block of commands prints the block below it, and draws its pictures."""
-
-    def setUp(self):
-        super().setUp()
-        self.page = (SOURCE / "docs" / "uses.md").read_text()
-        build = pathlib.Path(PROGRAM).resolve().parent
-        for name, target in (("build", build), ("examples", SOURCE / "examples")):
-            (self.folder / name).symlink_to(target)
-        (self.folder / "docs" / "img").mkdir(parents=True)
-
-    def test_commands(self):
-        blocks = re.findall(r"^```sh\n(.*?)^```\n\n^```text\n(.*?)^```$", self.page, re.M | re.S)
-        self.assertEqual(len(blocks), self.page.count("```sh"))
-        self.assertGreater(len(blocks), 5)
-        for script, expected in blocks:
-            done = subprocess.run(["sh", "-eu"], input=script, capture_output=True, text=True,
-                                  cwd=self.folder, timeout=60, check=False)
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            self.assertEqual(done.stdout, expected)
-        pictures = re.findall(r"\]\((img/[^)]+)\)", self.page)
-        self.assertGreater(len(pictures), 3)
-        for picture in pictures:
-            made = (self.folder / "docs" / picture).read_text()
-            self.assertEqual(made, (SOURCE / "docs" / picture).read_text(), picture)
-
-    def test_links(self):
-        for target in re.findall(r"\]\((?!http)([^)#]+)\)", self.page):
-            self.assertTrue((SOURCE / "docs" / target).exists(), target)
+class UsesPage(Page, ProgramTest):
+    page_name = "uses.md"
+    pictures = 4
 
 
 if __name__ == "__main__":
