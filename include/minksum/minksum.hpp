@@ -12,6 +12,7 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/nesting.hpp"
+#include "minksum/offset.hpp"
 #include "minksum/prepared_region.hpp"
 #include "minksum/rational.hpp"
 #include "minksum/region.hpp"
