@@ -4,6 +4,7 @@
 #include "minksum/boolean.hpp"
 #include "minksum/cancel.hpp"
 #include "minksum/check.hpp"
+#include "minksum/configuration_space.hpp"
 #include "minksum/depth.hpp"
 #include "minksum/error.hpp"
 #include "minksum/geometry.hpp"

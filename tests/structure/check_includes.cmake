@@ -8,7 +8,7 @@ set(STAGES operands convolution cover arrangement loops filters output tight tra
 # Apart from the pipeline: what else than itself and the public interface each may include.
 set(ALLOWED_overlay number region)
 # What uses sums by the public interface alone.
-set(USES check depth locate morphology nesting offset transform)
+set(USES check configuration_space depth locate morphology nesting offset transform)
 foreach(folder IN LISTS USES)
   set(ALLOWED_${folder} "")
 endforeach()

@@ -1,0 +1,146 @@
+// Work on many threads, results in order.
+#pragma once
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#if __has_include(<pthread.h>) && __has_include(<signal.h>)
+#include <pthread.h>
+#include <signal.h>
+#define MINKSUM_POSIX_THREADS 1
+#endif
+
+namespace minksum {
+
+/// Signals that come from outside are for the threads of whoever uses the library.
+inline void block_signals_in_this_thread() {
+#ifdef MINKSUM_POSIX_THREADS
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+#endif
+}
+
+/// make(i, memory) for all i < count on so many threads (0 = one for each core), each with a Memory of
+/// its own; visit(i, result) in order of i by the calling thread.
+///
+/// No more than a few results wait to be visited. What make(i) throws is thrown in the place of visit(i);
+/// all threads have ended then. A thread that cannot be started is done without.
+template <class Result, class Memory, class Make, class Visit>
+class InOrder {
+ public:
+  InOrder(std::size_t count, std::size_t threads, const Make& make, const Visit& visit)
+      : count_(count), threads_(threads), make_(make), visit_(visit), slots_(2 * threads + 1) {}
+  InOrder(const InOrder&) = delete;
+  InOrder& operator=(const InOrder&) = delete;
+
+  void run() {
+    Workers workers(*this);
+    workers.threads.reserve(threads_);
+    for (std::size_t i = 0; i < threads_; ++i) {
+      try {
+        workers.threads.emplace_back([this] { work(); });
+      } catch (const std::system_error&) {
+        if (workers.threads.empty()) throw;
+        break;
+      }
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      Slot slot = take(i);
+      if (slot.error) std::rethrow_exception(slot.error);
+      visit_(i, *slot.result);
+    }
+  }
+
+ private:
+  struct Slot {
+    std::optional<Result> result;
+    std::exception_ptr error;
+    [[nodiscard]] bool filled() const { return result || error; }
+  };
+  /// Stops and joins them, whatever is thrown.
+  struct Workers {
+    InOrder& all;
+    std::vector<std::thread> threads;
+    explicit Workers(InOrder& of) : all(of) {}
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+    ~Workers() {
+      {
+        const std::lock_guard lock(all.mutex_);
+        all.stopped_ = true;
+        all.changed_.notify_all();
+      }
+      for (std::thread& thread : threads) thread.join();
+    }
+  };
+
+  Slot take(std::size_t i) {
+    std::unique_lock lock(mutex_);
+    Slot& slot = slots_[i % slots_.size()];
+    changed_.wait(lock, [&] { return slot.filled(); });
+    Slot taken = std::exchange(slot, {});
+    visited_ = i + 1;
+    changed_.notify_all();
+    return taken;
+  }
+
+  void work() {
+    block_signals_in_this_thread();
+    Memory memory;
+    while (true) {
+      std::size_t i = 0;
+      {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] {
+          return stopped_ || next_ == count_ || next_ < visited_ + slots_.size();
+        });
+        if (stopped_ || next_ == count_) return;
+        i = next_++;
+      }
+      Slot made;
+      try {
+        made.result.emplace(make_(i, memory));
+      } catch (...) {
+        made.error = std::current_exception();
+      }
+      const std::lock_guard lock(mutex_);
+      slots_[i % slots_.size()] = std::move(made);
+      changed_.notify_all();
+    }
+  }
+
+  std::size_t count_;
+  std::size_t threads_;
+  const Make& make_;
+  const Visit& visit_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Slot> slots_;
+  std::size_t next_ = 0;
+  std::size_t visited_ = 0;
+  bool stopped_ = false;
+};
+
+template <class Result, class Memory, class Make, class Visit>
+void for_each_in_order(std::size_t count, int threads, const Make& make, const Visit& visit) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : cores;
+  const std::size_t used = std::min(wanted, count);
+  if (used > 1) return InOrder<Result, Memory, Make, Visit>(count, used, make, visit).run();
+  Memory memory;
+  for (std::size_t i = 0; i < count; ++i) {
+    Result result = make(i, memory);
+    visit(i, result);
+  }
+}
+
+}  // namespace minksum

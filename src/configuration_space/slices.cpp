@@ -1,0 +1,191 @@
+// Configuration-space obstacles and free space, one slice a turn.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "configuration_space/in_order.hpp"
+#include "minksum/boolean.hpp"
+#include "minksum/configuration_space.hpp"
+#include "minksum/locate.hpp"
+#include "minksum/prepared_region.hpp"
+
+namespace minksum {
+
+struct ConfigurationSpace::State {
+  ConfigurationOptions options;
+  Region robot;           ///< its reference point at the origin
+  Rational reach;
+  Geometry obstacles;
+  Region workspace;
+  Geometry forbidden;                 ///< obstacles, and what is outside of the workspace
+  PreparedRegion prepared{Region()};  ///< the area of `forbidden`
+};
+
+namespace {
+
+Geometry read(const Geometry& geometry, const ConfigurationOptions& options, int operand,
+              bool regularize) {
+  return resolve(geometry, {options.fill, regularize, options.cancel, operand});
+}
+
+[[noreturn]] void refuse(const char* what, int operand) {
+  Culprit culprit;
+  culprit.operand = operand;
+  throw Error(ErrorCode::kBadInput, what, culprit);
+}
+
+/// A rational that is not below the largest distance from the origin.
+Rational reach_of(const Region& robot) {
+  Rational squared;
+  for (std::size_t v = 0; v < robot.vertex_count(); ++v) {
+    const Point at = robot.point(v);
+    squared = std::max(squared, at.x * at.x + at.y * at.y);
+  }
+  const double root = std::sqrt(squared.to_double());
+  Rational reach(std::isfinite(root) && root > 0 ? root : 1.0);
+  const Rational more(1025, 1024);
+  while (reach * reach < squared) reach = reach * more;
+  return reach;
+}
+
+void enlarge(std::optional<Box>& box, const Point& point) {
+  if (!box) box = Box{point, point};
+  box->min = {std::min(box->min.x, point.x), std::min(box->min.y, point.y)};
+  box->max = {std::max(box->max.x, point.x), std::max(box->max.y, point.y)};
+}
+
+std::optional<Box> box_of(const Geometry& geometry) {
+  std::optional<Box> box = bounding_box(geometry.region);
+  for (const Polyline& line : geometry.polylines) {
+    for (const Point& point : line) enlarge(box, point);
+  }
+  for (const Point& point : geometry.points) enlarge(box, point);
+  return box;
+}
+
+Box widened(const Box& box, const Rational& by) {
+  return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+}
+
+Region as_region(const Box& box) {
+  return Region(Polygon{
+      {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
+}
+
+}  // namespace
+
+ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
+                                       const ConfigurationOptions& options) {
+  State state;
+  state.options = options;
+  state.robot = transform(read(robot, options, 0, true).region,
+                          Affine::translation(-options.reference.x, -options.reference.y));
+  if (state.robot.empty()) refuse("a robot needs an area", 0);
+  state.obstacles = read(obstacles, options, 1, false);
+  if (options.workspace) {
+    state.workspace = read(*options.workspace, options, 2, true).region;
+    if (state.workspace.empty()) refuse("a workspace needs an area", 2);
+  }
+  set_up(std::move(state));
+}
+
+void ConfigurationSpace::set_up(State state) {
+  state.reach = reach_of(state.robot);
+  state.forbidden = state.obstacles;
+  if (state.options.workspace) {
+    // A robot inside the workspace has its reference point in the boundary, and one that has it there
+    // is within twice the reach of the box: the frame's outer side is never seen.
+    boundary_ = widened(*bounding_box(state.workspace), state.reach);
+    const Region frame = as_region(widened(boundary_, state.reach * Rational(2)));
+    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace), {}, {}}};
+    state.forbidden = unite(both);
+  } else {
+    const auto box = box_of(state.obstacles);
+    boundary_ = widened(box ? *box : Box{}, state.reach * Rational(2));
+  }
+  state.prepared = PreparedRegion(state.forbidden.region);
+  state_ = std::make_shared<const State>(std::move(state));
+}
+
+ConfigurationSpace ConfigurationSpace::grown(const Region& by) const {
+  ConfigurationSpace space = *this;
+  State state = *state_;
+  state.robot = minkowski_sum(state.robot, by);
+  space.set_up(std::move(state));
+  return space;
+}
+
+void ConfigurationSpace::include(const Point& point) {
+  if (state_->options.workspace) return;
+  std::optional<Box> box = boundary_;
+  const Rational& by = state_->reach;
+  enlarge(box, {point.x - by, point.y - by});
+  enlarge(box, {point.x + by, point.y + by});
+  boundary_ = *box;
+}
+
+const Rational& ConfigurationSpace::reach() const { return state_->reach; }
+const Region& ConfigurationSpace::robot() const { return state_->robot; }
+
+bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
+  if (!intersect(state_->obstacles.region, region).empty()) return true;
+  // Thin parts meet the interior where −region ⊕ thin parts has the origin inside.
+  if (!state_->obstacles.has_thin_parts()) return false;
+  const Geometry thin{{}, state_->obstacles.polylines, state_->obstacles.points};
+  return PointLocator(minkowski_sum(thin, {reflect(region), {}, {}})).locate({0, 0}) ==
+         Location::kInside;
+}
+
+Slice ConfigurationSpace::slice(const Turn& turn, bool with_free) const {
+  Workspace workspace;
+  return slice(turn, with_free, workspace);
+}
+
+Slice ConfigurationSpace::slice(const Turn& turn, bool with_free, Workspace& workspace) const {
+  const auto begin = std::chrono::steady_clock::now();
+  Slice slice;
+  slice.turn = turn;
+  Options options;
+  options.limits = state_->options.limits;
+  options.cancel = state_->options.cancel;
+  Geometry tight;
+  if (with_free && state_->options.tight) options.tight = &tight;
+  Region mirrored = transform(state_->robot, Affine::scaling(Rational(-1)).after(turn.map()));
+  const Outcome outcome =
+      state_->forbidden.has_thin_parts()
+          ? minkowski_sum(state_->forbidden, {std::move(mirrored), {}, {}}, options, workspace,
+                          slice.obstacles)
+          : minkowski_sum(state_->prepared, PreparedRegion(std::move(mirrored)), options,
+                          workspace, slice.obstacles.region);
+  if (!outcome.ok()) throw *outcome.error;
+  if (with_free) {
+    slice.free.region = subtract(as_region(boundary_), slice.obstacles.region);
+    slice.free.polylines = std::move(tight.polylines);
+    slice.free.points = std::move(tight.points);
+  }
+  slice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return slice;
+}
+
+void ConfigurationSpace::for_each_slice(
+    std::span<const Turn> turns, bool with_free,
+    const std::function<void(std::size_t, Slice&)>& finish,
+    const std::function<void(std::size_t, Slice&)>& visit) const {
+  const auto make = [&](std::size_t i, Workspace& workspace) {
+    Slice made = slice(turns[i], with_free, workspace);
+    if (finish) finish(i, made);
+    return made;
+  };
+  for_each_in_order<Slice, Workspace>(turns.size(), state_->options.threads, make, visit);
+}
+
+std::vector<Slice> ConfigurationSpace::slices(std::span<const Turn> turns, bool with_free) const {
+  std::vector<Slice> result;
+  result.reserve(turns.size());
+  for_each_slice(turns, with_free, {},
+                 [&](std::size_t, Slice& slice) { result.push_back(std::move(slice)); });
+  return result;
+}
+
+}  // namespace minksum

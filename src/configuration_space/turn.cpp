@@ -1,0 +1,85 @@
+// Angles to rational points of the unit circle.
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "minksum/configuration_space.hpp"
+
+namespace minksum {
+namespace {
+
+constexpr double kMostDegrees = 1e6;
+/// More than doubles below lose: they hold up to 90 degrees, each step of which is below 2e-14.
+constexpr double kRounding = 1e-12;
+
+/// The fraction with the smallest denominator in [low, high], 0 ≤ low < high; up to rounding.
+std::pair<std::int64_t, std::int64_t> simplest_between(double low, double high) {
+  const double whole = std::floor(low);
+  const auto integer = static_cast<std::int64_t>(whole);
+  if (whole == low) return {integer, 1};
+  if (whole + 1 <= high) return {integer + 1, 1};
+  const auto [p, q] = simplest_between(1 / (high - whole), 1 / (low - whole));
+  return {integer * p + q, p};
+}
+
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+
+/// A rest of more than 0 and less than 90 degrees.
+void approximate(double rest, double tolerance, Turn& turn) {
+  // Rounding may put the fraction a hair beyond the ends: then a little closer.
+  for (double within = tolerance - kRounding; within > tolerance / 16; within /= 2) {
+    const double low = rest > within ? std::tan(radians(rest - within) / 2) : 0;
+    const double high = std::tan(radians(rest + within) / 2);
+    const auto [p, q] = simplest_between(low, high);
+    const bool quarter = p >= q;
+    turn.tan_half = quarter ? Rational(0) : Rational(p, q);
+    turn.degrees = 90;
+    if (!quarter) turn.degrees = 2 * std::atan(turn.tan_half.to_double()) * (180 / std::numbers::pi);
+    turn.off = std::abs(turn.degrees - rest) + kRounding;
+    if (turn.off > tolerance) continue;
+    turn.quarters += quarter ? 1 : 0;
+    return;
+  }
+  throw Error(ErrorCode::kInternal, "no turn near an angle", {}, "turn");
+}
+
+}  // namespace
+
+Affine Turn::map() const {
+  return Affine::quarter_turns(quarters).after(Affine::rotation(tan_half));
+}
+
+Point Turn::direction() const { return map()({Rational(1), Rational(0)}); }
+
+Turn nearest_turn(const Rational& degrees, double tolerance) {
+  if (!(tolerance >= 1e-10 && tolerance <= 1)) {
+    throw Error(ErrorCode::kBadInput, "a turn's tolerance must be from 1e-10 to 1 degrees");
+  }
+  const double about = degrees.to_double();
+  if (!(std::abs(about) <= kMostDegrees)) {
+    throw Error(ErrorCode::kBadInput, "an angle must not be beyond a million degrees");
+  }
+  auto quarters = static_cast<std::int64_t>(std::floor(about / 90));
+  Rational rest = degrees - Rational(90 * quarters);
+  for (; rest.sign() < 0; --quarters) rest = rest + Rational(90);
+  for (; rest >= Rational(90); ++quarters) rest = rest - Rational(90);
+  Turn turn;
+  turn.asked = degrees;
+  if (rest.sign() > 0) approximate(rest.to_double(), tolerance, turn);
+  turn.quarters = static_cast<int>((((quarters + turn.quarters) % 4) + 4) % 4);
+  turn.degrees += 90 * static_cast<double>(quarters);
+  return turn;
+}
+
+std::vector<Turn> full_turn(std::size_t n, double tolerance) {
+  if (n == 0) throw Error(ErrorCode::kBadInput, "a full turn needs at least one angle");
+  std::vector<Turn> turns;
+  turns.reserve(n);
+  const Rational step = Rational(360) / Rational(static_cast<std::int64_t>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    turns.push_back(nearest_turn(Rational(static_cast<std::int64_t>(i)) * step, tolerance));
+  }
+  return turns;
+}
+
+}  // namespace minksum
