@@ -16,6 +16,7 @@
 #include "minksum/offset.hpp"
 #include "minksum/prepared_region.hpp"
 #include "minksum/rational.hpp"
+#include "minksum/reach.hpp"
 #include "minksum/region.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
