@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "cspace.hpp"
 #include "failure.hpp"
 #include "limits.hpp"
 #include "minksum/version.hpp"
@@ -90,6 +91,7 @@ struct Commands {
   void add(CLI::App* command, std::function<int()> run) { run_of[command] = std::move(run); }
   void add_sums(CLI::App& app, ProcessLimits& limits);
   void add_uses(CLI::App& app, ProcessLimits& limits);
+  void add_robots(CLI::App& app, ProcessLimits& limits);
 
   SumArguments sum;
   TypedSum typed_sum;
@@ -101,12 +103,15 @@ struct Commands {
   TypedNesting typed_nesting;
   DepthArguments depth;
   TypedDepth typed_depth;
+  CspaceArguments cspace;
+  TypedCspace typed_cspace;
   std::map<const CLI::App*, std::function<int()>> run_of;
 };
 
 Commands::Commands(CLI::App& app, ProcessLimits& limits) {
   add_sums(app, limits);
   add_uses(app, limits);
+  add_robots(app, limits);
 }
 
 void Commands::add_sums(CLI::App& app, ProcessLimits& limits) {
@@ -152,6 +157,15 @@ void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
     depth.options.limits = limits.sum;
     settle(depth, typed_depth);
     return run_depth(depth);
+  });
+}
+
+void Commands::add_robots(CLI::App& app, ProcessLimits& limits) {
+  add(add_cspace(app, cspace, typed_cspace, limits), [this, &limits] {
+    cspace.limits = limits.read;
+    cspace.options.limits = limits.sum;
+    settle(cspace, typed_cspace);
+    return run_cspace(cspace);
   });
 }
 

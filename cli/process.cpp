@@ -20,8 +20,8 @@
 namespace minksum::cli {
 namespace {
 
-// What a signal handler needs has to be static. The program has one thread, and writes one file at
-// a time; signals are blocked while these change.
+// What a signal handler needs has to be static. One thread of the program writes files, one at a
+// time, and it alone takes signals; they are blocked while these change.
 char temporary_name[PATH_MAX] = "";  // empty: there is none
 char timeout_message[128] = "";
 
