@@ -13,6 +13,7 @@
 #include "minksum/version.hpp"
 #include "output_file.hpp"
 #include "process.hpp"
+#include "reach.hpp"
 #include "sum_options.hpp"
 #include "uses_options.hpp"
 
@@ -105,6 +106,8 @@ struct Commands {
   TypedDepth typed_depth;
   CspaceArguments cspace;
   TypedCspace typed_cspace;
+  ReachArguments reach;
+  TypedReach typed_reach;
   std::map<const CLI::App*, std::function<int()>> run_of;
 };
 
@@ -166,6 +169,12 @@ void Commands::add_robots(CLI::App& app, ProcessLimits& limits) {
     cspace.options.limits = limits.sum;
     settle(cspace, typed_cspace);
     return run_cspace(cspace);
+  });
+  add(add_reach(app, reach, typed_reach, limits), [this, &limits] {
+    reach.limits = limits.read;
+    reach.options.limits = limits.sum;
+    settle(reach, typed_reach);
+    return run_reach(reach);
   });
 }
 
