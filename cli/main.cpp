@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "cspace.hpp"
+#include "draw.hpp"
 #include "failure.hpp"
 #include "limits.hpp"
 #include "minksum/version.hpp"
@@ -108,6 +109,7 @@ struct Commands {
   TypedCspace typed_cspace;
   ReachArguments reach;
   TypedReach typed_reach;
+  DrawArguments draw;
   std::map<const CLI::App*, std::function<int()>> run_of;
 };
 
@@ -115,6 +117,11 @@ Commands::Commands(CLI::App& app, ProcessLimits& limits) {
   add_sums(app, limits);
   add_uses(app, limits);
   add_robots(app, limits);
+  add(add_draw(app, draw, limits), [this, &limits] {
+    draw.limits = limits.read;
+    settle(draw);
+    return run_draw(draw);
+  });
 }
 
 void Commands::add_sums(CLI::App& app, ProcessLimits& limits) {

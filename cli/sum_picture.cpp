@@ -15,12 +15,6 @@ constexpr double kMargin = 24;
 constexpr double kGap = 40;
 constexpr double kCaption = 44;  // two lines of text above each region
 
-Extent extent_of(const Geometry& geometry) {
-  Extent extent;
-  extent.include(geometry);
-  return extent;
-}
-
 // A caption may be wider than a small region below it.
 constexpr double kMinColumn = 190;
 

@@ -11,7 +11,7 @@ namespace {
 
 // Colours after Okabe and Ito, which the colour-blind can tell apart; the second set is for dark
 // surroundings. No CSS variables: several renderers do not know them.
-constexpr std::string_view kStyle = R"(<style>
+constexpr std::string_view kStyle = R"(
 text{font:13px system-ui,"Segoe UI","DejaVu Sans",Helvetica,Arial,sans-serif;fill:#555}
 .title{font-size:15px;font-weight:600;fill:#222}
 .ground{fill:#fffdf8}
@@ -34,17 +34,32 @@ circle.dot{fill-opacity:1}
 .accepted{fill:#009e73;fill-opacity:.2;stroke:#00694d;stroke-width:1.1}
 .nesting{fill:#cc79a7;fill-opacity:.35;stroke:#a3346f;stroke-width:1}
 .collision{fill:#e69f00;fill-opacity:.35;stroke:#a06a00;stroke-width:1}
-@media (prefers-color-scheme:dark){
-text{fill:#b5b5b5}.title{fill:#eee}.ground{fill:#16181c}
+)";
+constexpr std::string_view kIfDark = "@media (prefers-color-scheme:dark){\n";
+constexpr std::string_view kDarkStyle = R"(text{fill:#b5b5b5}.title{fill:#eee}.ground{fill:#16181c}
 .first{fill:#56b4e9;stroke:#56b4e9}.second{fill:#ff9950;stroke:#ff9950}
 .sum{fill:#2fd6a5;stroke:#2fd6a5}.tight{fill:#e79cc5;stroke:#e79cc5}.pale{fill:#aaa}
 .edge-first{stroke:#56b4e9}.edge-second{stroke:#ff9950}
 .dropped,.grid{stroke:#777}.covered{fill:#2fd6a5}.node{fill:#eee}
 .accepted{fill:#2fd6a5;stroke:#2fd6a5}
 .nesting{fill:#e79cc5;stroke:#e79cc5}.collision{fill:#f3bd45;stroke:#f3bd45}
-}
-</style>
 )";
+// What figures have beyond that.
+constexpr std::string_view kFigureStyle = R"(.region.tight{fill-opacity:.22}
+.outline{fill:#444;stroke:#444}
+.region.outline{fill:none;stroke-width:1.2}
+.fault{stroke:#222;stroke-width:1.6}
+.axis{stroke:#999;stroke-width:.8}
+.label{font-size:11px}
+.number{font-size:11px;font-weight:600;fill:#222}
+.middle{text-anchor:middle}
+.end{text-anchor:end}
+)";
+constexpr std::string_view kDarkFigureStyle = R"(.outline{fill:#ccc;stroke:#ccc}
+.fault{stroke:#eee}.number{fill:#eee}.axis{stroke:#777}
+)";
+
+constexpr std::string_view kGround = "<rect class=\"ground\" width=\"100%\" height=\"100%\"/>\n";
 
 constexpr double kTickLength = 4;
 
@@ -96,6 +111,12 @@ void Extent::include(const Geometry& geometry) {
   for (const Point& point : geometry.points) include(point.x.to_double(), point.y.to_double());
 }
 
+Extent extent_of(const Geometry& geometry) {
+  Extent extent;
+  extent.include(geometry);
+  return extent;
+}
+
 Placement::Placement(const Extent& extent, double left, double top, double scale)
     : min_x_(extent.min_x), max_y_(extent.max_y), left_(left), top_(top), scale_(scale) {
   const bool drawable = std::isfinite(scale) && std::isfinite(extent.width() * scale) &&
@@ -115,6 +136,21 @@ double fitting_scale(const Extent& extent, double width, double height) {
 }
 
 SvgPicture::SvgPicture(double width, double height, std::string_view title) {
+  begin_picture(width, height, title);
+  text_.append("<style>").append(kStyle).append(kIfDark).append(kDarkStyle).append("}\n</style>\n");
+  text_ += kGround;
+}
+
+SvgPicture::SvgPicture(double width, double height, std::string_view title, Theme theme) {
+  begin_picture(width, height, title);
+  text_.append("<style>").append(kStyle).append(kFigureStyle);
+  if (theme == Theme::kAuto) text_ += kIfDark;
+  if (theme != Theme::kLight) text_.append(kDarkStyle).append(kDarkFigureStyle);
+  text_ += theme == Theme::kAuto ? "}\n</style>\n" : "</style>\n";
+  text_ += kGround;
+}
+
+void SvgPicture::begin_picture(double width, double height, std::string_view title) {
   text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
   number(width);
   text_ += ' ';
@@ -124,8 +160,6 @@ SvgPicture::SvgPicture(double width, double height, std::string_view title) {
   text_ += "\" height=\"";
   number(height);
   text_ += "\">\n<title>" + escaped(title) + "</title>\n";
-  text_ += kStyle;
-  text_ += "<rect class=\"ground\" width=\"100%\" height=\"100%\"/>\n";
 }
 
 void SvgPicture::region(const Region& region, const Placement& placement, std::string_view style) {
@@ -255,6 +289,27 @@ void SvgPicture::text(double x, double y, std::string_view style, std::string_vi
   text_ += "\" y=\"";
   number(y);
   text_ += "\">" + escaped(words) + "</text>\n";
+}
+
+void SvgPicture::lines(std::span<const PictureLine> lines, std::string_view style) {
+  begin_path(style);
+  for (const PictureLine& line : lines) {
+    move_to(line.x0, line.y0);
+    line_to(line.x1, line.y1);
+  }
+  end_path();
+}
+
+void SvgPicture::box(double left, double top, double width, double height, std::string_view style) {
+  text_.append("<rect class=\"").append(style).append("\" x=\"");
+  number(left);
+  text_ += "\" y=\"";
+  number(top);
+  text_ += "\" width=\"";
+  number(width);
+  text_ += "\" height=\"";
+  number(height);
+  text_ += "\"/>\n";
 }
 
 std::string SvgPicture::finish() && {

@@ -25,6 +25,19 @@ struct Extent {
   [[nodiscard]] double height() const { return max_y - min_y; }
 };
 
+[[nodiscard]] Extent extent_of(const Geometry& geometry);
+
+/// Which surroundings a picture is for; `kAuto` leaves that to whatever shows it.
+enum class Theme { kAuto, kLight, kDark };
+
+/// A straight line in units of the picture.
+struct PictureLine {
+  double x0;
+  double y0;
+  double x1;
+  double y1;
+};
+
 /// Where the plane lies in the picture: x right, y up, the same scale both ways.
 class Placement {
  public:
@@ -52,6 +65,8 @@ class Placement {
 class SvgPicture {
  public:
   SvgPicture(double width, double height, std::string_view title);
+  /// For figures (figure.hpp): with the further classes outline, fault, axis, label, middle, end.
+  SvgPicture(double width, double height, std::string_view title, Theme theme);
 
   void region(const Region& region, const Placement& placement, std::string_view style);
   /// Polylines as strokes and points as dots, thicker than outlines, in the colour of the style.
@@ -87,11 +102,14 @@ class SvgPicture {
   /// Runs of marked cells of a grid, merged row by row.
   void cells(const Trace::Grid& grid, const Placement& placement, std::string_view style);
   void text(double x, double y, std::string_view style, std::string_view words);
+  void lines(std::span<const PictureLine> lines, std::string_view style);
+  void box(double left, double top, double width, double height, std::string_view style);
 
   /// The picture, complete.
   [[nodiscard]] std::string finish() &&;
 
  private:
+  void begin_picture(double width, double height, std::string_view title);
   void begin_path(std::string_view style);
   void end_path();
   void move_to(double x, double y);

@@ -1,0 +1,173 @@
+"""minksum draw, and its page."""
+import re
+import xml.etree.ElementTree as ElementTree
+
+from support import FRAME, SQUARE, TRIANGLE, Page, ProgramTest, main, run
+
+SVG = "{http://www.w3.org/2000/svg}"
+BOWTIE = "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))"
+
+
+class Draw(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.frame = self.file("frame.wkt", FRAME)
+        self.square = self.file("square.wkt", SQUARE)
+
+    def picture(self, *arguments, **options):
+        """The picture, which must be well-formed, without a number that is none."""
+        text = self.fine("draw", *arguments, **options)
+        self.assertNotRegex(text, r"[ \"ML](nan|inf)")
+        return ElementTree.fromstring(text)
+
+    def texts(self, picture):
+        return [element.text for element in picture.iter(SVG + "text")]
+
+    def styles(self, picture):
+        """The classes of areas, from the lowest."""
+        return [path.get("class").removeprefix("region ") for path in picture.iter(SVG + "path")
+                if path.get("class").startswith("region ")]
+
+    def test_layers_by_position(self):
+        files = [self.square] * 6
+        for count, expected in ((1, ["first"]), (2, ["first", "second"]),
+                                (3, ["first", "second", "sum"]),
+                                (6, ["first", "second", "sum", "tight", "outline", "outline"])):
+            self.assertEqual(self.styles(self.picture(*files[:count])), expected)
+
+    def test_layers_by_name(self):
+        picture = self.picture(self.frame, self.square, "--as", "outline,result")
+        self.assertEqual(self.styles(picture), ["outline", "sum"])
+        self.assertEqual(self.styles(self.picture("--as", "tight", self.frame)), ["tight"])
+        self.fails(1, "one layer for each file, of which there are 2", "draw", self.frame,
+                   self.square, "--as", "first")
+        self.fails(1, "--as", "draw", self.frame, "--as", "third")
+
+    def test_one_frame_and_one_scale(self):
+        numbers = []
+        for path in self.picture(self.frame, self.square).iter(SVG + "path"):
+            if path.get("class").startswith("region"):
+                values = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
+                numbers.append((values[0::2], values[1::2]))
+        (frame_x, frame_y), (square_x, square_y) = numbers
+        scale = (max(frame_x) - min(frame_x)) / 9
+        self.assertAlmostEqual(scale, (max(frame_y) - min(frame_y)) / 9, 3)
+        for axis in (square_x, square_y):
+            self.assertAlmostEqual(max(axis) - min(axis), 2 * scale, 2)
+        self.assertAlmostEqual(min(frame_x), min(square_x), 3)  # both from x = 0
+        self.assertAlmostEqual(max(frame_y), max(square_y), 3)  # and y = 0, which is lowest
+
+    def test_words(self):
+        picture = self.picture(self.frame, self.square, "--caption", "a < b & \"c\"", "--title",
+                               "T & Q")
+        self.assertIn("a < b & \"c\"", self.texts(picture))
+        self.assertIn("square", self.texts(picture))
+        self.assertEqual(picture.find(SVG + "title").text, "T & Q")
+        texts = self.texts(self.picture(self.frame, "--no-legend", "--no-axes"))
+        self.assertEqual(texts, [])
+        self.fails(1, "more captions", "draw", self.frame, "--caption", "a", "--caption", "b")
+        # What XML cannot hold.
+        odd = self.picture(self.frame, "--caption", b"\x01\xff\xc3\xa9".decode(
+            errors="surrogateescape"))
+        self.assertIn("\ufffd\ufffdé", self.texts(odd))
+
+    def test_themes(self):
+        looks = {theme: self.fine("draw", self.frame, "--theme", theme)
+                 for theme in ("auto", "light", "dark")}
+        self.assertEqual(looks["auto"], self.fine("draw", self.frame))
+        for theme, dark, asks in (("auto", True, True), ("light", False, False),
+                                  ("dark", True, False)):
+            self.assertEqual("#16181c" in looks[theme], dark)
+            self.assertEqual("prefers-color-scheme" in looks[theme], asks)
+        self.fails(1, "--theme", "draw", self.frame, "--theme", "red")
+
+    def test_width(self):
+        self.assertEqual(self.picture(self.frame, "--width", 500).get("width"), "500")
+        for width in ("0", "-5", "1e9", "x"):
+            self.fails(1, "--width", "draw", self.frame, f"--width={width}")
+
+    def test_thin_parts(self):
+        lines = self.file("lines.wkt", "GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)), "
+                                       "LINESTRING (1 1, 2 2), POINT (3 3))")
+        picture = self.picture(lines)  # though both are within the polygon
+        classes = [element.get("class") for element in picture.iter()]
+        self.assertIn("thin first", classes)
+        self.assertIn("dot first", classes)
+
+    def test_any_extent(self):
+        for name, text in (("empty", "POLYGON EMPTY"), ("point", "POINT (3 -4)"),
+                           ("far", "POINT (1e300 -1e300)"), ("level", "LINESTRING (0 5, 7 5)"),
+                           ("upright", "LINESTRING (5 0, 5 7)"),
+                           ("huge", "POLYGON ((-8e307 0, 8e307 0, 0 8e307, -8e307 0))"),
+                           ("tiny", "POLYGON ((0 0, 1e-300 0, 0 1e-300, 0 0))"),
+                           ("narrow", "POLYGON ((1e20 0, 100000000000000016384 0, 1e20 9, 1e20 0))"),
+                           ("offset", "POLYGON ((1e9 1e9, 1000000001 1e9, 1e9 1000000001, 1e9 1e9))"
+                            )):
+            with self.subTest(name):
+                self.assertLess(len(self.texts(self.picture(self.file(name, text)))), 80)
+        for text in ("POINT (1e400 0)", "LINESTRING (0 0, 1e-320 0)",
+                     "LINESTRING (-1.7e308 0, 1.7e308 0)"):
+            self.fails(3, "no picture", "draw", self.file("beyond.wkt", text))
+
+    def test_numbers_at_axes(self):
+        texts = self.texts(self.picture(self.frame, "--no-legend"))
+        self.assertEqual(sorted(map(float, texts)), sorted([*range(10), *range(10)]))
+        texts = self.texts(self.picture(self.file("a", "LINESTRING (-0.3 0, 0.3 0)")))
+        self.assertIn("0.3", texts)
+        self.assertIn("\u22120.1", texts)
+        self.assertNotIn("-0.1", texts)
+
+    def test_fill_rule(self):
+        twice = self.file("twice.wkt", "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), "
+                                       "((1 1, 3 1, 3 3, 1 3, 1 1)))")
+        one = self.fine("draw", twice)
+        hole = self.fine("draw", twice, "--fill", "evenodd")
+        self.assertNotEqual(one, hole)
+        self.fails(2, f"{twice}: polygon", "draw", self.frame, twice, "--fill", "strict")
+        self.fails(1, "excludes", "draw", twice, "--fill", "evenodd", "--faults")
+
+    def test_faults(self):
+        bowtie = self.file("bowtie.wkt", BOWTIE)
+        spike = self.file("spike.wkt", "POLYGON ((0 0, 9 0, 9 9, 9 0, 5 -5, 0 0))")
+        picture = self.picture(bowtie, spike, "--faults")
+        texts = self.texts(picture)
+        self.assertIn("bowtie (1 fault)", texts)
+        listed = [text for text in texts if "polygon 1, ring 1" in text]
+        self.assertEqual([text.split(":")[0] for text in listed], ["1  bowtie", "2  spike"])
+        info = run("info", bowtie).stdout.decode()
+        self.assertIn(listed[0].split(": ", 1)[1], info)
+        marks = [c for c in picture.iter(SVG + "circle") if c.get("class") == "fault"]
+        self.assertEqual(len(marks), 2)
+        self.assertEqual(self.texts(self.picture(self.frame, "--faults", "--no-axes")), ["frame"])
+        many = self.file("many.wkt", "MULTIPOLYGON (" + ", ".join(
+            f"(({9 * i} 0, {9 * i + 4} 4, {9 * i + 4} 0, {9 * i} 4, {9 * i} 0))"
+            for i in range(30)) + ")")
+        self.assertIn("and 10 more", self.texts(self.picture(many, "--faults")))
+
+    def test_labels_are_those_of_messages(self):
+        picture = self.picture(self.frame, "--labels", "--no-axes", "--no-legend")
+        self.assertEqual(sorted(self.texts(picture)), sorted(["1", "2", "3", "4"] * 2))
+
+    def test_files(self):
+        out = self.folder / "out.svg"
+        self.assertEqual(self.fine("draw", self.frame, "-o", out), "")
+        self.assertEqual(out.read_text(), self.fine("draw", self.frame))
+        self.assertEqual(self.fine("draw", "-", "--caption", "frame", stdin=FRAME),
+                         self.fine("draw", self.frame))
+        self.fails(2, "nowhere.wkt", "draw", "nowhere.wkt", "-o", out)
+        self.fails(2, "there is no folder", "draw", self.frame, "-o", self.folder / "no" / "x.svg")
+        self.fails(1, "standard input", "draw", "-", "-")
+        self.fails(1, "FILE", "draw")
+        self.fails(3, "--max-vertices", "draw", self.frame, "--max-vertices", 3)
+        for name, text in (("t.geojson", '{"type": "Point", "coordinates": [1, 2]}'),
+                           ("t.wkt", TRIANGLE)):
+            self.picture(self.file(name, text))
+
+
+class DrawPage(Page, ProgramTest):
+    page_name = "draw.md"
+    pictures = 2
+
+
+if __name__ == "__main__":
+    main()
