@@ -10,17 +10,12 @@
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "sum_picture.hpp"
+#include "uses.hpp"
 
 namespace minksum::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Where in its operand a vertex is.
-struct Feature {
-  const char* operand;
-  Culprit place;
-};
 
 Feature feature(const char* operand, const Region& region, std::size_t vertex) {
   Feature result{operand, {}};
@@ -38,17 +33,6 @@ Feature feature(const char* operand, const Region& region, std::size_t vertex) {
   throw Error(ErrorCode::kInternal, "a contact names a vertex that there is not");
 }
 
-struct Contacts {
-  Feature edge;  ///< by its first vertex
-  Feature vertex;
-};
-
-struct Findings {
-  Depth depth;
-  std::optional<Contacts> contacts;
-  std::optional<Rational> impact;  ///< if asked for, and if there is one
-};
-
 Contacts contacts_of(const EdgeOrigin& origin, const Geometry& a, const Geometry& b) {
   const bool of_first = origin.edge_operand == Operand::kFirst;
   const auto of = [&](bool first, std::size_t vertex) {
@@ -62,7 +46,7 @@ const char* relation_of(const Depth& depth) {
   return depth.squared.sign() == 0 ? "touching" : "apart";
 }
 
-void write_text(std::ostream& out, const DepthArguments& arguments, const Findings& findings) {
+void write_text(std::ostream& out, const DepthArguments& arguments, const DepthFindings& findings) {
   const Depth& depth = findings.depth;
   out << "relation  " << relation_of(depth) << "\nx         " << readable(depth.vector.x)
       << "\ny         " << readable(depth.vector.y) << "\nsquared   " << readable(depth.squared)
@@ -85,26 +69,6 @@ Json feature_json(const Feature& feature) {
           {"vertex", feature.place.vertex + 1}};
 }
 
-void write_json(std::ostream& out, const DepthArguments& arguments, const Findings& findings) {
-  const Depth& depth = findings.depth;
-  Json json{{"relation", relation_of(depth)},
-            {"vector", {depth.vector.x.to_double(), depth.vector.y.to_double()}},
-            {"vector_exact", {depth.vector.x.to_string(), depth.vector.y.to_string()}},
-            {"distance", depth.distance},
-            {"squared_exact", depth.squared.to_string()},
-            {"contact", nullptr}};
-  if (findings.contacts) {
-    json["contact"] = {{"edge", feature_json(findings.contacts->edge)},
-                       {"vertex", feature_json(findings.contacts->vertex)}};
-  }
-  if (arguments.along) {
-    const auto& impact = findings.impact;
-    json["impact"] = impact ? Json(impact->to_double()) : Json(nullptr);
-    json["impact_exact"] = impact ? Json(impact->to_string()) : Json(nullptr);
-  }
-  out << json.dump(2) << '\n';
-}
-
 [[noreturn]] void fail_about_empty_operand(const DepthArguments& arguments, const Geometry& a) {
   const ResolveOptions reading{arguments.options.fill, true, {}};
   Culprit culprit;
@@ -125,23 +89,52 @@ void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b,
 
 }  // namespace
 
+DepthFindings find_depth(const DepthArguments& arguments, const Geometry& a, const Geometry& b) {
+  std::optional<Depth> depth = penetration_depth(a, b, arguments.options);
+  if (!depth) fail_about_empty_operand(arguments, a);
+  DepthFindings findings{std::move(*depth), {}, {}};
+  if (findings.depth.contact) {
+    findings.contacts.emplace(contacts_of(*findings.depth.contact, a, b));
+  }
+  if (arguments.along) {
+    findings.impact = time_of_impact(a, b, *arguments.along, arguments.options);
+  }
+  return findings;
+}
+
+Json depth_json(const DepthArguments& arguments, const DepthFindings& findings) {
+  const Depth& depth = findings.depth;
+  Json json{{"relation", relation_of(depth)},
+            {"vector", {depth.vector.x.to_double(), depth.vector.y.to_double()}},
+            {"vector_exact", {depth.vector.x.to_string(), depth.vector.y.to_string()}},
+            {"distance", depth.distance},
+            {"squared_exact", depth.squared.to_string()},
+            {"contact", nullptr}};
+  if (findings.contacts) {
+    json["contact"] = {{"edge", feature_json(findings.contacts->edge)},
+                       {"vertex", feature_json(findings.contacts->vertex)}};
+  }
+  if (arguments.along) {
+    const auto& impact = findings.impact;
+    json["impact"] = impact ? Json(impact->to_double()) : Json(nullptr);
+    json["impact_exact"] = impact ? Json(impact->to_string()) : Json(nullptr);
+  }
+  return json;
+}
+
 int run_depth(const DepthArguments& arguments) {
   check_writable(arguments.picture);
   const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
   const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
   try {
-    std::optional<Depth> depth = penetration_depth(a, b, arguments.options);
-    if (!depth) fail_about_empty_operand(arguments, a);
-    Findings findings{std::move(*depth), {}, {}};
-    if (findings.depth.contact) {
-      findings.contacts.emplace(contacts_of(*findings.depth.contact, a, b));
-    }
-    if (arguments.along) {
-      findings.impact = time_of_impact(a, b, *arguments.along, arguments.options);
-    }
+    const DepthFindings findings = find_depth(arguments, a, b);
     if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth);
     write_output("", [&](std::ostream& out) {
-      arguments.json ? write_json(out, arguments, findings) : write_text(out, arguments, findings);
+      if (arguments.json) {
+        out << depth_json(arguments, findings).dump(2) << '\n';
+      } else {
+        write_text(out, arguments, findings);
+      }
     });
   } catch (const Error& error) {
     fail_about(error, arguments.operands);

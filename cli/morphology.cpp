@@ -7,25 +7,12 @@
 #include "output_file.hpp"
 #include "result_file.hpp"
 #include "sum_picture.hpp"
+#include "uses.hpp"
 
 namespace minksum::cli {
 namespace {
 
 using Operation = MorphologyArguments::Operation;
-
-Geometry compute(const MorphologyArguments& arguments, const Geometry& a, const Geometry& b) {
-  switch (arguments.operation) {
-    case Operation::kDilate:
-      return dilate(a, b, arguments.options);
-    case Operation::kErode:
-      return erode(a, b, arguments.options);
-    case Operation::kOpen:
-      return open(a, b, arguments.options);
-    case Operation::kClose:
-      break;
-  }
-  return close(a, b, arguments.options);
-}
 
 Captions captions_of(Operation operation) {
   const auto named = [](const char* result) { return Captions{result, "A", "B", result}; };
@@ -44,13 +31,27 @@ Captions captions_of(Operation operation) {
 
 }  // namespace
 
+Geometry morphology(const MorphologyArguments& arguments, const Geometry& a, const Geometry& b) {
+  switch (arguments.operation) {
+    case Operation::kDilate:
+      return dilate(a, b, arguments.options);
+    case Operation::kErode:
+      return erode(a, b, arguments.options);
+    case Operation::kOpen:
+      return open(a, b, arguments.options);
+    case Operation::kClose:
+      break;
+  }
+  return close(a, b, arguments.options);
+}
+
 int run_morphology(const MorphologyArguments& arguments) {
   check_writable(arguments.output);
   check_writable(arguments.picture);
   const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
   const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
   try {
-    const Geometry result = compute(arguments, a, b);
+    const Geometry result = morphology(arguments, a, b);
     write_geometry(arguments, rounded(result, arguments));
     if (!arguments.picture.empty()) {
       const ResolveOptions reading{arguments.options.fill, false, {}};

@@ -8,6 +8,7 @@
 #include "output_file.hpp"
 #include "result_file.hpp"
 #include "sum_picture.hpp"
+#include "uses.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -30,18 +31,6 @@ Geometry thin_parts_of(const Geometry& geometry) {
   return {{}, geometry.polylines, geometry.points};
 }
 
-// The tight places of a no-fit polygon are within its area, so that they cannot be rounded with it
-// as parts of one set.
-Geometry rounded_nfp(const Geometry& nfp, const NestingArguments& arguments) {
-  ResultArguments nearest = arguments;
-  nearest.rounding = RoundingSide::kNearest;
-  Geometry result = rounded(without_thin_parts(nfp), arguments);
-  Geometry tight = rounded(thin_parts_of(nfp), nearest);
-  result.polylines = std::move(tight.polylines);
-  result.points = std::move(tight.points);
-  return result;
-}
-
 void draw(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
           const Geometry& polygon) {
   const ResolveOptions reading{arguments.options.fill, true, {}};
@@ -60,32 +49,53 @@ void draw(const NestingArguments& arguments, const Geometry& fixed, const Geomet
 
 void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
                     const Geometry& moving) {
-  const NoFitPolygon polygon(fixed, moving, arguments.options);
+  const std::vector<const char*> answers = contacts(arguments, fixed, moving);
   write_output("", [&](std::ostream& out) {
-    for (const Point& placement : arguments.placements) {
-      out << to_string(polygon.contact(placement)) << '\n';
-    }
+    for (const char* const answer : answers) out << answer << '\n';
   });
 }
 
 void write_polygon(const NestingArguments& arguments, const Geometry& fixed,
                    const Geometry& moving) {
-  if (arguments.inner_fit) {
-    const Geometry polygon = inner_fit_polygon(fixed, moving, arguments.options);
-    write_geometry(arguments, rounded(polygon, arguments));
-    if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon);
-    if (polygon.empty()) {
-      tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
-           shown_name(arguments.operands[0]) + ")");
-    }
-    return;
-  }
-  const Geometry polygon = no_fit_polygon(fixed, moving, arguments.options);
-  write_geometry(arguments, rounded_nfp(polygon, arguments));
+  const Geometry polygon = fit_polygon(arguments, fixed, moving);
+  write_geometry(arguments, rounded_fit_polygon(arguments, polygon));
   if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon);
+  if (arguments.inner_fit && polygon.empty()) {
+    tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
+         shown_name(arguments.operands[0]) + ")");
+  }
 }
 
 }  // namespace
+
+Geometry fit_polygon(const NestingArguments& arguments, const Geometry& fixed,
+                     const Geometry& moving) {
+  return arguments.inner_fit ? inner_fit_polygon(fixed, moving, arguments.options)
+                             : no_fit_polygon(fixed, moving, arguments.options);
+}
+
+Geometry rounded_fit_polygon(const NestingArguments& arguments, const Geometry& polygon) {
+  if (arguments.inner_fit) return rounded(polygon, arguments);
+  // The tight places of a no-fit polygon are within its area, so that they cannot be rounded with
+  // it as parts of one set.
+  ResultArguments nearest = arguments;
+  nearest.rounding = RoundingSide::kNearest;
+  Geometry result = rounded(without_thin_parts(polygon), arguments);
+  Geometry tight = rounded(thin_parts_of(polygon), nearest);
+  result.polylines = std::move(tight.polylines);
+  result.points = std::move(tight.points);
+  return result;
+}
+
+std::vector<const char*> contacts(const NestingArguments& arguments, const Geometry& fixed,
+                                  const Geometry& moving) {
+  const NoFitPolygon polygon(fixed, moving, arguments.options);
+  std::vector<const char*> answers;
+  for (const Point& placement : arguments.placements) {
+    answers.push_back(to_string(polygon.contact(placement)));
+  }
+  return answers;
+}
 
 int run_nesting(const NestingArguments& arguments) {
   check_writable(arguments.output);
