@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <iterator>
 #include <limits>
 
+#include "number/wide_int.hpp"
 #include "region/rational_access.hpp"
 
 namespace minksum {
@@ -67,6 +69,30 @@ double round_to_double(std::uint64_t bits, bool sticky, std::int64_t exponent) {
   return std::ldexp(static_cast<double>(kept), static_cast<int>(last_place));
 }
 
+// Of at most 128 bits.
+Uint128 as_short(const BigInt& value) {
+  constexpr int kLimbBits = std::numeric_limits<mp::limb_type>::digits;
+  const auto& backend = value.backend();
+  Uint128 result = 0;
+  for (unsigned i = backend.size(); i-- > 0;) result = (result << kLimbBits) | backend.limbs()[i];
+  return result;
+}
+
+int width_of(Uint128 value) {
+  const auto high = static_cast<std::uint64_t>(value >> 64);
+  return high != 0 ? 128 - std::countl_zero(high)
+                   : 64 - std::countl_zero(static_cast<std::uint64_t>(value));
+}
+
+// The same as for big integers, where the numerator has up to 128 bits and the denominator up to 64.
+double nearest_to_short(Uint128 numerator, Uint128 denominator, std::int64_t exp2) {
+  const int shift = 63 - (width_of(numerator) - width_of(denominator));
+  (shift >= 0 ? numerator : denominator) <<= std::abs(shift);
+  const Uint128 quotient = numerator / denominator;
+  return round_to_double(static_cast<std::uint64_t>(quotient), quotient * denominator != numerator,
+                         exp2 - shift);
+}
+
 }  // namespace
 
 double nearest_double(bool negative, const BigInt& numerator, const BigInt& denominator,
@@ -76,7 +102,9 @@ double nearest_double(bool negative, const BigInt& numerator, const BigInt& deno
                       static_cast<std::int64_t>(bit_length(denominator));
   if (excess + exp2 < -1100) return 0;
   double magnitude = std::numeric_limits<double>::infinity();
-  if (excess + exp2 <= 1100) {
+  if (excess + exp2 <= 1100 && bit_length(numerator) <= 128 && bit_length(denominator) <= 64) {
+    magnitude = nearest_to_short(as_short(numerator), as_short(denominator), exp2);
+  } else if (excess + exp2 <= 1100) {
     // numerator · 2^shift / denominator lies in (2^62, 2^64): enough bits and one limb.
     const std::int64_t shift = 63 - excess;
     BigInt quotient;

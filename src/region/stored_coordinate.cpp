@@ -164,11 +164,14 @@ double Region::nearest(const StoredCoordinate& c) const {
     }
     return exact(c).to_double();
   }
-  if (c.exp10 != 0) return exact(c).to_double();
+  // Not in lowest terms: finding these would cost more than the rounding.
   const std::uint64_t* digits = limbs_.data() + c.payload;
   const std::size_t above = c.numerator_limbs & kLimbCountMask;
-  return nearest_double((c.numerator_limbs & kNegativeLimbs) != 0, from_limbs({digits, above}),
-                        from_limbs({digits + above, c.denominator_limbs}), c.exp2);
+  BigInt numerator = from_limbs({digits, above});
+  BigInt denominator = from_limbs({digits + above, c.denominator_limbs});
+  if (c.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(c.exp10));
+  if (c.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-c.exp10));
+  return nearest_double((c.numerator_limbs & kNegativeLimbs) != 0, numerator, denominator, c.exp2);
 }
 
 bool operator==(const Region& a, const Region& b) {
