@@ -12,6 +12,7 @@
 #include "failure.hpp"
 #include "limits.hpp"
 #include "minksum/version.hpp"
+#include "offset.hpp"
 #include "output_file.hpp"
 #include "process.hpp"
 #include "reach.hpp"
@@ -103,6 +104,8 @@ struct Commands {
   TypedMorphology typed_morphology;
   NestingArguments nesting;
   TypedNesting typed_nesting;
+  OffsetArguments offset;
+  TypedOffset typed_offset;
   DepthArguments depth;
   TypedDepth typed_depth;
   CspaceArguments cspace;
@@ -162,6 +165,12 @@ void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
       return run_nesting(nesting);
     });
   }
+  add(add_offset(app, offset, typed_offset, limits), [this, &limits] {
+    offset.limits = limits.read;
+    offset.options.limits = limits.sum;
+    settle(offset, typed_offset);
+    return run_offset(offset);
+  });
   add(add_depth(app, depth, typed_depth, limits), [this, &limits] {
     depth.limits = limits.read;
     depth.options.limits = limits.sum;

@@ -22,12 +22,13 @@ struct Layout {
   Extent extents[3];  // P, Q, sum
   double scale = 1;
   double left_column = 0;
+  bool has_q = true;
 
   [[nodiscard]] double width(int i) const { return extents[i].width() * scale; }
   [[nodiscard]] double height(int i) const { return extents[i].height() * scale; }
   [[nodiscard]] double total_height() const {
-    return 2 * kMargin +
-           std::max(2 * kCaption + kGap + height(0) + height(1), kCaption + height(2));
+    const double below = has_q ? kGap + kCaption + height(1) : 0;
+    return 2 * kMargin + kCaption + std::max(height(0) + below, height(2));
   }
 };
 
@@ -36,6 +37,7 @@ Layout lay_out(const Drawing& drawing, const Geometry* sum) {
   Layout layout;
   layout.extents[0] = extent_of(drawing.p);
   layout.extents[1] = extent_of(drawing.q);
+  layout.has_q = drawing.captions.q != nullptr;
   if (drawing.mark) {
     layout.extents[1].include(drawing.mark->x.to_double(), drawing.mark->y.to_double());
   }
@@ -94,7 +96,7 @@ std::string picture_of(const Drawing& drawing, const Geometry* sum) {
                      layout.scale,
                      captions.q,
                      "second"};
-  draw(picture, drawing.q, second);
+  if (layout.has_q) draw(picture, drawing.q, second);
   if (drawing.mark) {
     picture.thin_parts({{}, {}, {*drawing.mark}},
                        Placement(second.extent, second.left, second.top + kCaption, second.scale),

@@ -14,7 +14,7 @@ namespace minksum::cli {
 struct Captions {
   const char* title = "P ⊕ Q";
   const char* p = "P";
-  const char* q = "Q";
+  const char* q = "Q";  ///< nullptr: there is only one operand
   const char* sum = "P ⊕ Q";
 };
 
