@@ -1,9 +1,9 @@
-"""minksum offset: options, files, messages, exit codes."""
+"""minksum offset: options, files, messages, exit codes; and its page: its commands give what it shows."""
 import json
 import math
 import xml.etree.ElementTree
 
-from support import FRAME, SQUARE, ProgramTest, main
+from support import FRAME, SQUARE, Page, ProgramTest, main
 
 LINE = "LINESTRING (0 0, 10 0, 10 10)"
 JOINS = ("round", "miter", "square", "bevel")
@@ -126,6 +126,11 @@ class Offset(ProgramTest):
         self.fails(3, "--max-segments", "offset", square, "-d1", "--join", "bevel",
                    "--max-segments", 3)
         self.fails(3, "--max-segments", "offset", square, "-d1", "--max-segments", 3)
+
+
+class OffsetPage(Page, ProgramTest):
+    page_name = "offset.md"
+    pictures = 3
 
 
 if __name__ == "__main__":
