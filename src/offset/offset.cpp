@@ -84,6 +84,7 @@ class Offset {
 
   void add_boundary(const Region& region, const Corners& corners, Region& outlines) const {
     for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
+      stop_if_asked();
       std::vector<Point> path;
       for (const std::size_t v : region.vertices_of(ring)) path.push_back(region.point(v));
       if (inwards_) std::reverse(path.begin(), path.end());
@@ -92,6 +93,7 @@ class Offset {
   }
 
   void add_polyline(const Polyline& line, const Corners& corners, Region& outlines) const {
+    stop_if_asked();
     std::vector<Point> path;
     for (const Point& point : line) {
       if (path.empty() || !(path.back() == point)) path.push_back(point);
@@ -119,6 +121,12 @@ class Offset {
     outlines.begin_polygon();
     outlines.begin_ring();
     for (const Point& vector : ring) outlines.add_vertex(point.x + vector.x, point.y + vector.y);
+  }
+
+  void stop_if_asked() const {
+    if (options_.cancel && options_.cancel->cancelled()) {
+      throw Error(ErrorCode::kCancelled, "cancelled");
+    }
   }
 
   void require_few(const Region& outlines) const {
