@@ -93,7 +93,7 @@ Corners::Corners(const Rational& distance, const Rational& tolerance, const Offs
   if (join_ != Join::kRound && cap_ != Cap::kRound) return;
   // Its vertices are on the circle, as the ends of `outwards` are: so an edge from such an end to
   // the next vertex is no farther from the circle than other edges are.
-  const Region circle = disc(distance, tolerance / Rational(2), RoundingSide::kInside);
+  const Region circle = disc(distance, tolerance * Rational(7, 8), RoundingSide::kInside);
   for (const std::size_t v : circle.vertices_of(0)) disc_.push_back(circle.point(v));
 }
 
