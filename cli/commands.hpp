@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "minksum/cancel.hpp"
 #include "minksum/check.hpp"
 #include "minksum/depth.hpp"
 #include "minksum/io.hpp"
@@ -32,6 +33,7 @@ struct ResultArguments {
   io::Format format = io::Format::kWkt;
   io::Coordinates coordinates;
   RoundingSide rounding = RoundingSide::kNearest;  ///< but for exact coordinates
+  std::optional<CancelToken> cancel;               ///< stops rounding
 };
 
 /// `minksum sum P Q ...`

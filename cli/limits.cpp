@@ -118,10 +118,13 @@ void add_limit_options(CLI::App& command, ProcessLimits& limits, bool sum) {
           "Memory of the process, or none (default: what the machine has)")
       ->type_name("SIZE")
       ->group(kGroup);
+  add_seconds(command, limits.seconds, "Time for everything (default: none)");
+}
+
+void add_seconds(CLI::App& command, double& seconds, const char* what) {
   command
       .add_option_function<std::string>(
-          "--timeout", [&limits](const std::string& text) { limits.seconds = take_seconds(text); },
-          "Time for everything (default: none)")
+          "--timeout", [&seconds](const std::string& text) { seconds = take_seconds(text); }, what)
       ->type_name("SECONDS")
       ->group(kGroup);
 }

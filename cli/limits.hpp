@@ -26,6 +26,9 @@ struct ProcessLimits {
 /// --max-crossings as well. What is typed wrongly is a CLI::ParseError.
 void add_limit_options(CLI::App& command, ProcessLimits& limits, bool sum);
 
+/// Adds --timeout alone.
+void add_seconds(CLI::App& command, double& seconds, const char* what);
+
 /// Makes the process keep to the limits on memory and time from now on. Afterwards there is none on
 /// memory if the system has set a lower one.
 void apply(ProcessLimits& limits);

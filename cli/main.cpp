@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "batch.hpp"
 #include "commands.hpp"
 #include "cspace.hpp"
 #include "draw.hpp"
@@ -113,6 +114,8 @@ struct Commands {
   ReachArguments reach;
   TypedReach typed_reach;
   DrawArguments draw;
+  BatchArguments batch;
+  TypedBatch typed_batch;
   std::map<const CLI::App*, std::function<int()>> run_of;
 };
 
@@ -124,6 +127,11 @@ Commands::Commands(CLI::App& app, ProcessLimits& limits) {
     draw.limits = limits.read;
     settle(draw);
     return run_draw(draw);
+  });
+  add(add_batch(app, batch, typed_batch, limits), [this, &limits] {
+    batch.limits = limits;
+    settle(batch, typed_batch);
+    return run_batch(batch);
   });
 }
 

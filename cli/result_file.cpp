@@ -9,6 +9,7 @@ namespace minksum::cli {
 RoundOptions rounding_of(const ResultArguments& arguments) {
   RoundOptions options;
   options.side = arguments.rounding;
+  options.cancel = arguments.cancel;
   if (arguments.coordinates.style == io::Coordinates::Style::kDecimal) {
     options.decimals = arguments.coordinates.digits;
   }

@@ -1,0 +1,137 @@
+// minksum batch: many operations, on all cores, in order.
+#include "batch.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <ostream>
+
+#include "batch_job.hpp"
+#include "batch_run.hpp"
+#include "commands.hpp"
+#include "failure.hpp"
+#include "output_file.hpp"
+
+namespace minksum::cli {
+namespace {
+
+// The lines of a file of jobs, but for empty ones; read as they are needed.
+class JobLines {
+ public:
+  JobLines(const std::string& file, std::size_t max_bytes)
+      : shown_(shown_name(file)), max_bytes_(max_bytes) {
+    descriptor_ = file == "-" ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(errno);
+    struct stat status {};
+    if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
+      size_ = static_cast<std::uint64_t>(status.st_size);
+    }
+  }
+  ~JobLines() {
+    if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
+  }
+  JobLines(const JobLines&) = delete;
+  JobLines& operator=(const JobLines&) = delete;
+
+  std::optional<JobLine> next() {
+    for (;;) {
+      std::optional<JobLine> line = take();
+      if (!line) return {};
+      if (line->number == 1 && line->text.starts_with("\xef\xbb\xbf")) line->text.erase(0, 3);
+      if (line->text.ends_with('\r')) line->text.pop_back();
+      if (line->text.find_first_not_of(" \t") != std::string::npos) return line;
+    }
+  }
+  // Of the file, by its size; nothing for a pipe.
+  [[nodiscard]] std::optional<double> share() const {
+    if (size_ == 0) return {};
+    return static_cast<double>(read_) / static_cast<double>(size_);
+  }
+
+ private:
+  [[noreturn]] void fail(int reason) const {
+    throw Failure(kBadInput, shown_ + ": cannot be read: " + std::strerror(reason));
+  }
+  bool refill() {
+    constexpr std::size_t kChunk = std::size_t{1} << 16;
+    buffer_.resize(kChunk);
+    ssize_t got = 0;
+    do {
+      got = ::read(descriptor_, buffer_.data(), kChunk);
+    } while (got < 0 && errno == EINTR);
+    if (got < 0) fail(errno);
+    buffer_.resize(static_cast<std::size_t>(got));
+    at_ = 0;
+    read_ += static_cast<std::uint64_t>(got);
+    return got > 0;
+  }
+  std::optional<JobLine> take() {
+    JobLine line;
+    bool any = false;
+    for (;;) {
+      if (at_ == buffer_.size() && !refill()) break;
+      any = true;
+      const std::size_t end = std::min(buffer_.find('\n', at_), buffer_.size());
+      const std::size_t part = end - at_;
+      const std::size_t kept = std::min(part, max_bytes_ - line.text.size());
+      line.text.append(buffer_, at_, kept);
+      line.dropped += part - kept;
+      at_ = end;
+      if (end == buffer_.size()) continue;
+      ++at_;
+      break;
+    }
+    if (!any) return {};
+    line.number = ++number_;
+    return line;
+  }
+
+  std::string shown_;
+  std::size_t max_bytes_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+  std::uint64_t read_ = 0;
+  std::uint64_t number_ = 0;
+  std::string buffer_;
+  std::size_t at_ = 0;
+};
+
+void require_different_files(const BatchArguments& arguments) {
+  std::error_code ignored;
+  if (arguments.jobs == "-" || arguments.output.empty()) return;
+  if (std::filesystem::equivalent(arguments.jobs, arguments.output, ignored)) {
+    throw Failure(kWrongUsage, "JOBS and -o are the same file");
+  }
+}
+
+}  // namespace
+
+int run_batch(const BatchArguments& arguments) {
+  if (!arguments.pairs.empty()) return run_pairs(arguments);
+  require_different_files(arguments);
+  check_writable(arguments.stats);
+  JobLines lines(arguments.jobs, arguments.limits.read.max_bytes);
+  JobRunner runner(arguments);
+  BatchRun run(arguments);
+  run.go_on([&]() -> std::optional<std::string> {
+    const std::optional<JobLine> line = lines.next();
+    return line ? std::optional(runner.head(*line)) : std::nullopt;
+  });
+  run.run(
+      [&]() -> std::optional<Task> {
+        std::optional<JobLine> line = lines.next();
+        if (!line) return {};
+        const std::size_t bytes = line->text.size();
+        return Task{
+            [&runner, line = std::move(*line)](Worker& worker) { return runner.run(line, worker); },
+            bytes};
+      },
+      [&] { return lines.share(); });
+  return run.finish(nlohmann::ordered_json::object());
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,63 @@
+#include "batch_run.hpp"
+
+#include <chrono>
+#include <ostream>
+
+#include "batch_job.hpp"
+#include "commands.hpp"
+#include "failure.hpp"
+#include "minksum/version.hpp"
+#include "output_file.hpp"
+#include "progress.hpp"
+#include "sum_picture.hpp"
+
+namespace minksum::cli {
+
+BatchRun::BatchRun(const BatchArguments& arguments) : arguments_(arguments) {
+  if (!arguments.no_output) output_.emplace(arguments.output, arguments.restart);
+}
+
+void BatchRun::go_on(const std::function<std::optional<std::string>()>& next_head) {
+  if (!output_) return;
+  while (const std::optional<std::string> line = output_->earlier_line()) {
+    const std::optional<std::string> head = next_head();
+    bool failed = false;
+    if (!head || !is_result(*line, *head, failed)) {
+      throw Failure(kBadInput, output_->unfinished() + ":" + std::to_string(jobs_ + 1) +
+                                   ": not the result of this job with these settings; --restart "
+                                   "starts afresh");
+    }
+    ++jobs_;
+    if (failed) ++failed_;
+  }
+  earlier_ = jobs_;
+}
+
+void BatchRun::run(const std::function<std::optional<Task>()>& next,
+                   const std::function<std::optional<double>()>& share) {
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress;
+  run_in_order(arguments_.threads, next, [&](const Done& done) {
+    if (output_) output_->write(done.lines);
+    jobs_ += done.jobs;
+    failed_ += done.failed;
+    progress.show(jobs_, failed_, share());
+  });
+  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int BatchRun::finish(nlohmann::ordered_json more) {
+  if (output_) output_->finish();
+  if (!arguments_.stats.empty()) {
+    nlohmann::ordered_json json{{"jobs", jobs_},       {"failed", failed_},
+                                {"earlier", earlier_}, {"threads", arguments_.threads},
+                                {"seconds", seconds_}, {"version", MINKSUM_VERSION}};
+    json.update(more);
+    write_output(arguments_.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+  }
+  if (failed_ == 0) return kFine;
+  tell(grouped(failed_) + " of " + grouped(jobs_) + (jobs_ == 1 ? " job" : " jobs") + " failed");
+  return kBadInput;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,138 @@
+#include "in_order.hpp"
+
+#include <condition_variable>
+#include <csignal>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr std::size_t kTasksPerThread = 64;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+
+// A task on its way; its address stays.
+struct Slot {
+  Task task;
+  Done result;
+  std::exception_ptr failure;
+  bool done = false;
+};
+
+class Pool {
+ public:
+  explicit Pool(int threads) {
+    // Signals end the process by the thread that they would have ended without this pool.
+    sigset_t all;
+    sigset_t before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    start(threads);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (threads_.empty()) throw Failure(kLimitExceeded, "the system gives no thread to work on");
+  }
+  ~Pool() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  [[nodiscard]] std::size_t threads() const { return threads_.size(); }
+  [[nodiscard]] bool idle() const { return slots_.empty(); }
+  [[nodiscard]] bool has_room() const {
+    return slots_.empty() || (slots_.size() < kTasksPerThread * threads() && bytes_ < kMaxBytes);
+  }
+  void add(Task task) {
+    bytes_ += task.bytes;
+    {
+      const std::lock_guard lock(mutex_);
+      slots_.push_back(std::make_unique<Slot>());
+      slots_.back()->task = std::move(task);
+      waiting_.push_back(slots_.back().get());
+    }
+    wake_.notify_one();
+  }
+  [[nodiscard]] bool first_is_done() {
+    const std::lock_guard lock(mutex_);
+    return slots_.front()->done;
+  }
+  // The result of the oldest task.
+  Done take() {
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return slots_.front()->done; });
+    const std::unique_ptr<Slot> slot = std::move(slots_.front());
+    slots_.pop_front();
+    lock.unlock();
+    bytes_ -= slot->task.bytes;
+    if (slot->failure) std::rethrow_exception(slot->failure);
+    return std::move(slot->result);
+  }
+
+ private:
+  void start(int threads) {
+    try {
+      for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      // Fewer threads do the same.
+    }
+  }
+  void work() {
+    Worker worker;
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+      if (ending_) return;
+      Slot& slot = *waiting_.front();
+      waiting_.pop_front();
+      lock.unlock();
+      try {
+        slot.result = slot.task.run(worker);
+      } catch (...) {
+        slot.failure = std::current_exception();
+      }
+      slot.task.run = nullptr;  // and what it holds
+      lock.lock();
+      slot.done = true;
+      if (&slot == slots_.front().get()) done_.notify_one();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::condition_variable done_;
+  std::deque<std::unique_ptr<Slot>> slots_;  // taken and not consumed; changed by one thread only
+  std::deque<Slot*> waiting_;                // of these, those that nobody works on
+  bool ending_ = false;
+  std::size_t bytes_ = 0;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace
+
+void run_in_order(int threads, const std::function<std::optional<Task>()>& next,
+                  const std::function<void(const Done&)>& consume) {
+  Pool pool(threads);
+  bool more = true;
+  while (more || !pool.idle()) {
+    while (more && pool.has_room()) {
+      std::optional<Task> task = next();
+      more = task.has_value();
+      if (task) pool.add(std::move(*task));
+      if (!pool.idle() && pool.first_is_done()) break;
+    }
+    if (!pool.idle()) consume(pool.take());
+  }
+}
+
+}  // namespace minksum::cli

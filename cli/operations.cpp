@@ -1,0 +1,225 @@
+#include "operations.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <span>
+#include <sstream>
+
+#include "failure.hpp"
+#include "result_file.hpp"
+#include "sum_options.hpp"
+#include "uses.hpp"
+#include "uses_options.hpp"
+
+namespace minksum::cli {
+namespace {
+
+using Run = decltype(ReadyOperation::run);
+using Cancel = std::optional<CancelToken>;
+
+// A subcommand of its own, which reads one list of options.
+class Parser {
+ public:
+  Parser(const char* name, const std::vector<TypedOption>& options) : name_(name) {
+    words_ = {name, "A", "B"};
+    for (const TypedOption& option : options) {
+      words_.insert(words_.end(), option.words.begin(), option.words.end());
+    }
+  }
+  [[nodiscard]] const char* name() const { return name_; }
+  CLI::App& app() { return app_; }
+  // After a subcommand was added to the app.
+  void parse() {
+    try {
+      app_.parse(std::vector<std::string>(words_.rbegin(), words_.rend()));
+    } catch (const CLI::ParseError& error) {
+      throw Failure(kWrongUsage, error.what());
+    }
+  }
+
+ private:
+  const char* name_;
+  std::vector<std::string> words_;
+  CLI::App app_;
+};
+
+void require_json_format(const ResultArguments& arguments) {
+  if (arguments.format == io::Format::kWkt || arguments.format == io::Format::kGeoJson) return;
+  throw Failure(kWrongUsage, "--format takes wkt or geojson here");
+}
+
+std::string result_json(const Geometry& geometry, const ResultArguments& arguments,
+                        const char* key = "result") {
+  return std::string("\"") + key +
+         "\":" + geometry_json(geometry, arguments.format, arguments.coordinates);
+}
+
+Run make_sum(Parser& parser, ProcessLimits& limits) {
+  SumArguments arguments;
+  TypedSum typed;
+  bool tight = false;
+  CLI::App* const command = add_sum(parser.app(), arguments, typed, limits);
+  command->remove_option(command->get_option("--tight"));  // which names a file
+  command->add_flag("--tight", tight);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  if (tight && arguments.options.method != Method::kReduced) {
+    throw Failure(kWrongUsage, "--tight needs the reduced method");
+  }
+  arguments.options.limits = limits.sum;
+  return [arguments, tight](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                            Worker& worker) {
+    ResultArguments rounding = arguments;
+    rounding.cancel = cancel;
+    Options options = arguments.options;
+    options.cancel = cancel;
+    Geometry places;
+    if (tight) options.tight = &places;
+    const Outcome outcome = minkowski_sum(a, b, options, worker.workspace, worker.geometry);
+    if (!outcome.ok()) throw *outcome.error;
+    std::string json = result_json(rounded(worker.geometry, rounding), arguments);
+    if (!tight) return json;
+    rounding.rounding = RoundingSide::kNearest;
+    return json + "," + result_json(rounded(places, rounding), arguments, "tight");
+  };
+}
+
+template <MorphologyArguments::Operation operation>
+Run make_morphology(Parser& parser, ProcessLimits& limits) {
+  MorphologyArguments arguments;
+  TypedMorphology typed;
+  arguments.operation = operation;
+  add_morphology(parser.app(), operation, arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  return [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+    MorphologyArguments mine = arguments;
+    mine.cancel = mine.options.cancel = cancel;
+    return result_json(rounded(morphology(mine, a, b), mine), mine);
+  };
+}
+
+template <bool inner_fit>
+Run make_nesting(Parser& parser, ProcessLimits& limits) {
+  NestingArguments arguments;
+  TypedNesting typed;
+  arguments.inner_fit = inner_fit;
+  add_nesting(parser.app(), inner_fit, arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  return [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+    NestingArguments mine = arguments;
+    mine.cancel = mine.options.cancel = cancel;
+    if (mine.placements.empty()) {
+      return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
+    }
+    const nlohmann::ordered_json json{{"contacts", contacts(mine, a, b)}};
+    return "\"result\":" + json.dump();
+  };
+}
+
+Run make_depth(Parser& parser, ProcessLimits& limits) {
+  DepthArguments arguments;
+  TypedDepth typed;
+  add_depth(parser.app(), arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  arguments.options.limits = limits.sum;
+  return [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+    DepthArguments mine = arguments;
+    mine.options.cancel = cancel;
+    return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
+  };
+}
+
+// An operation is a line here: its name, its maker, and what it takes beside limits.
+struct Entry {
+  const char* name;
+  Run (*make)(Parser& parser, ProcessLimits& limits);
+  std::vector<std::string> options;
+};
+
+const std::vector<Entry>& operations() {
+  using enum MorphologyArguments::Operation;
+  static const std::vector<std::string> kMorphology{"fill", "tight", "format", "coords", "round"};
+  static const std::vector<Entry> kOperations{
+      {"sum", make_sum, {"fill", "regularize", "method", "tight", "format", "coords", "round"}},
+      {"dilate", make_morphology<kDilate>, kMorphology},
+      {"erode", make_morphology<kErode>, kMorphology},
+      {"open", make_morphology<kOpen>, kMorphology},
+      {"close", make_morphology<kClose>, kMorphology},
+      {"nfp", make_nesting<false>, {"fill", "reference", "at", "format", "coords", "round"}},
+      {"ifp", make_nesting<true>, {"fill", "reference", "format", "coords", "round"}},
+      {"depth", make_depth, {"fill", "along"}}};
+  return kOperations;
+}
+
+constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
+                                         "max-crossings", "timeout"};
+
+const Entry& entry_of(const std::string& name) {
+  std::string names;
+  for (const Entry& entry : operations()) {
+    if (entry.name == name) return entry;
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw Failure(kWrongUsage, "there is no operation '" + name + "'; there are " + names);
+}
+
+bool has_own_option(const Entry& entry, const std::string& name) {
+  return std::ranges::find(entry.options, name) != entry.options.end();
+}
+
+// Options of a job are checked against the list: the subcommand would take names of files, too.
+void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
+  for (const TypedOption& option : typed) {
+    if (has_own_option(entry, option.name)) continue;
+    if (std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions)) continue;
+    throw Failure(kWrongUsage,
+                  std::string(entry.name) + " has no option '" + option.name + "' in a job");
+  }
+}
+
+bool holds(const std::vector<TypedOption>& options, const std::string& name) {
+  return std::ranges::find(options, name, &TypedOption::name) != options.end();
+}
+
+}  // namespace
+
+ReadyOperation ready_operation(const std::string& name, const std::vector<TypedOption>& typed,
+                               const std::vector<TypedOption>& defaults,
+                               const ProcessLimits& limits) {
+  const Entry& entry = entry_of(name);
+  require_known(entry, typed);
+  std::vector<TypedOption> all = typed;
+  for (const TypedOption& option : defaults) {
+    const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
+    if (at && holds(typed, "at")) continue;  // its answers are no geometry
+    if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
+  }
+  Parser parser(entry.name, all);
+  ProcessLimits mine = limits;
+  ReadyOperation operation;
+  operation.run = entry.make(parser, mine);
+  operation.limits = mine.read;
+  operation.seconds = mine.seconds;
+  return operation;
+}
+
+std::string geometry_json(const Geometry& geometry, io::Format format,
+                          const io::Coordinates& coordinates) {
+  std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
+  const bool wkt = format == io::Format::kWkt;
+  if (wkt) text << R"({"wkt":")";
+  io::write(text, geometry, format, coordinates);
+  if (wkt) text << "\"}";
+  return std::move(text).str();
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,492 @@
+"""minksum batch: jobs in order, errors in the middle, runs that go on; all pairs; and its page."""
+import fcntl
+import json
+import os
+import pty
+import random
+import re
+import signal
+import subprocess
+import time
+from fractions import Fraction
+
+from support import FRAME, PROGRAM, SOURCE, SQUARE, TRIANGLE, Page, ProgramTest, main, run
+
+SLIT = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 1, 2 1, 2 4, 0 4, 0 0))"
+
+
+def lines_of(jobs):
+    return "".join(json.dumps(job) + "\n" for job in jobs)
+
+
+def wkt(text):
+    return {"wkt": text}
+
+
+def some_jobs(count, seed=1):
+    """Jobs of all operations; some fail."""
+    rng = random.Random(seed)
+    shapes = [SQUARE, FRAME, TRIANGLE, SLIT, "POLYGON EMPTY", "LINESTRING (0 0, 1 2)", "POINT (1 1"]
+    jobs = []
+    for i in range(count):
+        operation = rng.choice(["sum", "dilate", "erode", "open", "close", "nfp", "ifp", "depth"])
+        job = {"id": i, "operation": operation, "a": wkt(rng.choice(shapes)),
+               "b": wkt(rng.choice(shapes))}
+        if operation != "depth" and rng.random() < 0.5:
+            job["options"] = {"coords": "exact"}
+        jobs.append(job)
+    return jobs
+
+
+class BatchTest(ProgramTest):
+    def batch(self, jobs, *options, code=0):
+        """The results of the jobs, from standard output."""
+        path = self.file("jobs.jsonl", jobs if isinstance(jobs, (str, bytes)) else lines_of(jobs))
+        result = run("batch", path, *options)
+        self.assertEqual(result.returncode, code, result.stderr.decode())
+        self.assertEqual(result.stderr == b"", code == 0)
+        return [json.loads(line) for line in result.stdout.decode().splitlines()]
+
+    def one(self, code=0, **job):
+        [result] = self.batch([job], code=code)
+        return result
+
+
+class Jobs(BatchTest):
+    def setUp(self):
+        super().setUp()
+        self.slit = self.file("slit.wkt", SLIT)
+        self.square = self.file("square.wkt", SQUARE)
+
+    def test_same_as_subcommands(self):
+        for operation, options in (
+                ("sum", {}), ("sum", {"coords": "exact", "regularize": True}), ("dilate", {}),
+                ("erode", {"tight": True}), ("open", {"tight": False}), ("close", {}),
+                ("nfp", {"reference": "1/3,0.5", "coords": "decimal:2", "round": "outside"}),
+                ("ifp", {"fill": "evenodd"}), ("nfp", {"coords": "exact"})):
+            words = [f"--{k}" if v is True else f"--{k}={v}" for k, v in options.items()
+                     if v is not False]
+            expected = self.fine(operation, self.slit, self.square, *words)
+            given = self.one(operation=operation, a="slit.wkt", b=wkt(SQUARE), options=options)
+            self.assertEqual(given["result"]["wkt"] + "\n", expected, operation)
+            options = {**options, "format": "geojson"}
+            given = self.one(operation=operation, a="slit.wkt", b="square.wkt", options=options)
+            expected = self.fine(operation, self.slit, self.square, *words, "--format", "geojson")
+            self.assertEqual(given["result"], json.loads(expected))
+        depth = self.one(operation="depth", a="slit.wkt", b="square.wkt",
+                         options={"along": [1, "2/3"]})
+        self.assertEqual(depth["result"], json.loads(self.fine(
+            "depth", self.slit, self.square, "--json", "--along", "1,2/3")))
+
+    def test_answers_of_nfp(self):
+        given = self.one(operation="nfp", a="slit.wkt", b="square.wkt",
+                         options={"at": [[2, 2.5], "-3,0", [1.5, 2]], "reference": [0, 0]})
+        self.assertEqual(given["result"], {"contacts": ["touching", "free", "overlapping"]})
+        given = self.batch([{"operation": "nfp", "a": "slit.wkt", "b": "square.wkt",
+                             "options": {"at": [2, 2.5]}}], "--coords", "exact")
+        self.assertEqual(given[0]["result"], {"contacts": ["touching"]})
+
+    def test_tight_places_of_sums(self):
+        mirrored = "POLYGON ((0 0, -2 0, -2 -2, 0 -2, 0 0))"
+        given = self.one(operation="sum", a="slit.wkt", b=wkt(mirrored), options={"tight": True})
+        self.assertEqual(given["tight"]["wkt"], "LINESTRING (2 1, 2 4)")
+        self.assertEqual(list(given), ["job", "digest", "result", "tight"])
+
+    def test_operands_are_exact(self):
+        [result] = self.batch('{"operation": "sum", "options": {"coords": "exact"}, "a": {"type": '
+                              '"Point", "coordinates": [0.10000000000000000000000000001, '
+                              '123456789012345678901234567890]}, "b": {"type": "Feature", '
+                              '"properties": {"wkt": "\\"}"}, "geometry": {"type": "Point", '
+                              '"coordinates": [1, "1/3"]}}}')
+        self.assertEqual(result["result"]["wkt"],
+                         "POINT (110000000000000000000000000001/100000000000000000000000000000 "
+                         "370370367037037036703703703671/3)")
+
+    def test_order_and_ids(self):
+        jobs = some_jobs(300)
+        jobs[7]["id"] = {"any": ["thing", 1.0, "\\\"}", None]}
+        del jobs[9]["id"]
+        results = self.batch(jobs, "--threads", 4, code=2)
+        self.assertEqual([r["job"] for r in results], list(range(1, 301)))
+        self.assertEqual([r.get("id") for r in results], [j.get("id") for j in jobs])
+        self.assertTrue(all(("result" in r) != ("error" in r) for r in results))
+        failed = sum("error" in r for r in results)
+        self.assertGreater(failed, 20)
+        message = run("batch", self.folder / "jobs.jsonl").stderr.decode()
+        self.assertEqual(message, f"minksum: {failed} of 300 jobs failed\n")
+
+    def test_threads_change_nothing(self):
+        jobs = self.file("jobs.jsonl", lines_of(some_jobs(500, 2)))
+        outputs = {run("batch", jobs, "--threads", n).stdout for n in (1, 2, 4, 7)}
+        self.assertEqual(len(outputs), 1)
+
+    def test_errors_do_not_stop_the_rest(self):
+        good = {"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}
+        bad = [  # what to change in the good one, the code, and what the message says
+            ({"a": "nowhere.wkt"}, "bad-input", "nowhere.wkt: cannot be read: No such file"),
+            ({"a": "."}, "bad-input", "."),
+            ({"a": "-"}, "bad-job", "'a' names no file"),
+            ({"a": ""}, "bad-job", "'a' names no file"),
+            ({"b": wkt("POINT (1 x)")}, "bad-input", "b:1:10: "),
+            ({"b": wkt(5)}, "bad-job", "'wkt' of 'b' is a string"),
+            ({"b": {"type": "Point", "coordinates": [1]}}, "bad-input", "b:1:"),
+            ({"b": {}}, "bad-input", "b:1:"),
+            ({"b": 5}, "bad-job", "'b' is the path"),
+            ({"b": None}, "bad-job", "'b' is the path"),
+            ({"operation": "add"}, "bad-job", "there is no operation 'add'; there are sum, dil"),
+            ({"operation": 1}, "bad-job", "'operation' is a string"),
+            ({"more": 1}, "bad-job", "a job has no member 'more'"),
+            ({"options": [1]}, "bad-job", "'options' is an object"),
+            ({"options": {"output": "x"}}, "bad-job", "sum has no option 'output' in a job"),
+            ({"options": {"svg": "x"}}, "bad-job", "no option 'svg'"),
+            ({"options": {"-o": "x"}}, "bad-job", "no option '-o'"),
+            ({"options": {"coords": "some"}}, "bad-job", "--coords takes double"),
+            ({"options": {"coords": {"a": 1}}}, "bad-job", "--coords takes no such value"),
+            ({"options": {"coords": True}}, "bad-job", "--coords"),
+            ({"options": {"format": "svg"}}, "bad-job", "--format takes wkt or geojson"),
+            ({"options": {"tight": "x"}}, "bad-job", "--tight"),
+            ({"options": {"fill": "strict"}, "b": wkt("POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))")},
+             "bad-input", "b: polygon 1, ring 1"),
+            ({"options": {"max-segments": 2}}, "limit", "(--max-segments)"),
+            ({"options": {"max-vertices": "3"}}, "limit", "(--max-vertices)"),
+            ({"operation": "erode", "b": wkt("POLYGON EMPTY")}, "bad-input", "b: erosion by an"),
+            ({"operation": "depth", "options": {"coords": "exact"}}, "bad-job",
+             "depth has no option 'coords'"),
+            ({"operation": "depth", "options": {"along": [0, 0]}}, "bad-job", "--along"),
+            ({"operation": "depth", "options": {"along": [1]}}, "bad-job", "two numbers")]
+        jobs = []
+        for change, _, _ in bad:
+            jobs += [good, {**good, **change}]
+        results = self.batch(jobs, code=2)
+        self.assertEqual(len(results), len(jobs))
+        for result in results[0::2]:
+            self.assertEqual(result["result"]["wkt"], "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))")
+        for result, (change, code, fragment) in zip(results[1::2], bad):
+            with self.subTest(change):
+                self.assertEqual(result["error"]["code"], code, result)
+                self.assertIn(fragment, result["error"]["message"])
+
+    def test_lines_that_are_no_jobs(self):
+        good = json.dumps({"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)})
+        lines = ["{", "[]", "5", '"x"', "# a comment", good + good, good[:-1], "\x00", "{}",
+                 '{"operation": "sum", "a": {"wkt": "POINT (0 0)"}}',
+                 '{"operation": "sum", "operation": "sum"}', "[" * 100000]
+        results = self.batch("\n".join(lines) + "\n" + good, code=2)
+        self.assertEqual([r["error"]["code"] for r in results[:-1]], ["bad-job"] * len(lines))
+        self.assertIn("result", results[-1])
+        # Neither are bytes that are no UTF-8; the answer is JSON all the same.
+        for line in (b'{"operation": "\xff"}', b'\xff', b'{"id": "\xc3"}'):
+            [result] = self.batch(line + b"\n", code=2)
+            self.assertEqual(result["error"]["code"], "bad-job")
+
+    def test_ends_of_lines(self):
+        job = json.dumps({"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)})
+        plain = self.batch(f"{job}\n{job}\n")
+        self.assertEqual(self.batch(f"{job}\r\n{job}\r\n"), plain)
+        self.assertEqual(self.batch(f"{job}\n{job}"), plain)
+        self.assertEqual(self.batch(f"\ufeff{job}\n{job}\n\n \t\r\n"), plain)
+        spread = self.batch(f"\n\n{job}\n\n{job}\n")
+        self.assertEqual([r["job"] for r in spread], [3, 5])
+        for nothing in ("", "\n", "\r\n \n"):
+            self.assertEqual(self.batch(nothing), [])
+
+    def test_huge_line(self):
+        job = {"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}
+        huge = {**job, "id": "x" * 300_000}
+        results = self.batch([job, huge, job], "--max-bytes", "100K", code=2)
+        self.assertEqual([r.get("error", {}).get("code") for r in results], [None, "limit", None])
+        self.assertIn("--max-bytes", results[1]["error"]["message"])
+        self.assertEqual(len(self.batch([job, huge, job])), 3)
+
+    def test_defaults_for_all_jobs(self):
+        job = {"operation": "sum", "a": wkt("POINT (1/3 0)"), "b": wkt("POINT (0 0)")}
+        depth = {"operation": "depth", "a": wkt(SQUARE), "b": wkt(SQUARE)}
+        results = self.batch([job, {**job, "options": {"coords": "decimal:1"}}, depth],
+                             "--coords", "exact", "--format", "geojson")
+        self.assertEqual(results[0]["result"]["coordinates"], ["1/3", 0])
+        self.assertEqual(results[1]["result"]["coordinates"], [0.3, 0.0])
+        self.assertEqual(results[2]["result"]["distance"], 2)
+
+    def test_time_limit_of_a_job(self):
+        quick = {"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}
+        coral = str(SOURCE / "examples" / "coral.wkt")
+        slow = {"operation": "open", "a": coral, "b": coral, "options": {"timeout": 0.05}}
+        results = self.batch([quick, slow, quick, {**slow, "options": {}}], "--timeout", "0.06",
+                             code=2)
+        self.assertEqual([r.get("error", {}).get("code") for r in results],
+                         [None, "timeout", None, "timeout"])
+        self.assertIn("0.05 seconds", results[1]["error"]["message"])
+
+    def test_standard_input(self):
+        jobs = lines_of(some_jobs(50))
+        path = self.file("jobs.jsonl", jobs)
+        self.assertEqual(run("batch", "-", stdin=jobs).stdout, run("batch", path).stdout)
+
+    def test_statistics(self):
+        stats = self.folder / "stats.json"
+        self.batch(some_jobs(60), "--stats", stats, "--threads", 2, code=2)
+        found = json.loads(stats.read_text())
+        self.assertEqual((found["jobs"], found["threads"], found["earlier"]), (60, 2, 0))
+        self.assertGreater(found["failed"], 0)
+
+    def test_wrong_usage(self):
+        jobs = self.file("jobs.jsonl", "")
+        self.fails(1, "either JOBS or --pairs", "batch")
+        self.fails(1, "either JOBS or --pairs", "batch", jobs, "--pairs", self.folder)
+        self.fails(1, "need --pairs", "batch", jobs, "--rotations", 4)
+        self.fails(1, "--threads", "batch", jobs, "--threads", 0)
+        self.fails(1, "--format", "batch", jobs, "--format", "svg")
+        self.fails(1, "same file", "batch", jobs, "-o", jobs)
+        self.fails(2, "nowhere: cannot be read", "batch", "nowhere")
+        self.fails(2, "cannot be read", "batch", self.folder)
+        self.fails(2, "there is no folder", "batch", jobs, "-o", self.folder / "no" / "out")
+        self.fails(2, "cannot be written", "batch", jobs, "-o", self.folder)
+        full = self.file("full.jsonl", lines_of(some_jobs(50)))
+        self.fails(2, "cannot be written: No space", "batch", full, "-o", "/dev/full")
+
+    def test_progress_on_a_terminal_only(self):
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen([PROGRAM, "batch", "-"], stdin=subprocess.PIPE, stderr=theirs,
+                                   stdout=subprocess.DEVNULL)
+        job = lines_of([{"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}] * 3).encode()
+        for _ in range(3):
+            process.stdin.write(job)
+            process.stdin.flush()
+            time.sleep(0.3)
+        process.stdin.close()
+        self.assertEqual(process.wait(60), 0)
+        os.close(theirs)
+        shown = os.read(ours, 65536).decode()
+        os.close(ours)
+        self.assertIn(" jobs, 0 failed", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+
+
+class GoingOn(BatchTest):
+    def setUp(self):
+        super().setUp()
+        self.jobs = self.file("jobs.jsonl", lines_of(some_jobs(400, 3)))
+        self.out = self.folder / "out.jsonl"
+        self.partial = self.folder / "out.jsonl.partial"
+        self.whole = run("batch", self.jobs).stdout
+
+    def finish(self, *options):
+        result = run("batch", self.jobs, "-o", self.out, *options)
+        self.assertEqual(result.returncode, 2)  # as some of the jobs fail
+        self.assertEqual(self.out.read_bytes(), self.whole)
+        self.assertFalse(self.partial.exists())
+        return result.stderr
+
+    def test_file_is_what_standard_output_gets(self):
+        message = self.finish()
+        self.assertIn(b" of 400 jobs failed", message)
+        self.out.write_text("old")
+        link = self.folder / "link"
+        link.symlink_to(self.out)
+        run("batch", self.jobs, "-o", link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(self.out.read_bytes(), self.whole)
+
+    def test_goes_on_from_any_place(self):
+        rng = random.Random(4)
+        ends = [i + 1 for i, byte in enumerate(self.whole) if byte == 10]
+        message = self.finish()
+        for cut in [0, 1, ends[0] - 1, ends[0], ends[0] + 1, ends[-1] - 1, ends[-1],
+                    *rng.sample(range(len(self.whole)), 20)]:
+            self.partial.write_bytes(self.whole[:cut])
+            self.assertEqual(self.finish(), message)
+        self.partial.write_bytes(self.whole[:ends[99]])
+        self.finish("--stats", self.folder / "stats.json")
+        self.assertEqual(json.loads((self.folder / "stats.json").read_text())["earlier"], 100)
+
+    def test_does_not_do_again_what_is_done(self):
+        # A result that no run would give, but with the right head, stays.
+        lines = self.whole.splitlines(keepends=True)
+        head = re.match(rb'\{"job":1,"digest":"[0-9a-f]+"', lines[0]).group()
+        lines[0] = head + b',"result":"kept"}\n'
+        self.partial.write_bytes(lines[0])
+        run("batch", self.jobs, "-o", self.out)
+        self.assertEqual(self.out.read_bytes(), b"".join(lines))
+
+    def test_kill_at_any_moment(self):
+        coral = str(SOURCE / "examples" / "star.wkt")
+        self.jobs.write_text(lines_of([{"id": i, "operation": "sum", "a": coral, "b": coral}
+                                       for i in range(150)] + some_jobs(20)))
+        start = time.monotonic()
+        self.whole = run("batch", self.jobs).stdout
+        seconds = time.monotonic() - start
+        rng = random.Random(5)
+        unfinished = 0
+        for way in (signal.SIGKILL, signal.SIGINT, signal.SIGTERM):
+            for _ in range(6):
+                process = subprocess.Popen([PROGRAM, "batch", self.jobs, "-o", self.out],
+                                           stderr=subprocess.DEVNULL)
+                time.sleep(rng.random() * seconds / 4)
+                process.send_signal(way)
+                self.assertIn(process.wait(60), (-way, 2))
+                if self.partial.exists():
+                    unfinished += 1
+                    left = self.partial.read_bytes()
+                    self.assertTrue(self.whole.startswith(left))
+            self.finish()
+            self.out.unlink()
+        self.assertGreater(unfinished, 3)
+
+    def test_other_jobs_or_settings(self):
+        lines = self.whole.splitlines(keepends=True)
+        self.partial.write_bytes(b"".join(lines[:10]))
+        changed = some_jobs(400, 3)
+        changed[4]["id"] = "another"
+        other = self.file("other.jsonl", lines_of(changed))
+        refusals = [(5, [other]), (1, [self.jobs, "--coords", "decimal:3"]),
+                    (1, [self.jobs, "--max-segments", "1M"])]
+        for line, arguments in refusals:
+            self.fails(2, f"out.jsonl.partial:{line}: not the result of this job with these "
+                          "settings; --restart starts afresh", "batch", *arguments, "-o", self.out)
+            self.assertEqual(self.partial.read_bytes(), b"".join(lines[:10]))
+        for content in (b"no result\n", lines[1], lines[0][:60] + b"\n", self.whole + lines[0]):
+            self.partial.write_bytes(content)
+            self.fails(2, "--restart", "batch", self.jobs, "-o", self.out)
+        self.finish("--restart")
+
+    def test_one_run_at_a_time(self):
+        with open(self.partial, "wb") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            self.fails(2, "another run is writing it", "batch", self.jobs, "-o", self.out)
+        self.finish()
+
+    def test_old_file_stays_until_the_end(self):
+        self.out.write_text("old")
+        self.partial.write_bytes(b"something else\n")
+        self.fails(2, "--restart", "batch", self.jobs, "-o", self.out)
+        self.assertEqual(self.out.read_text(), "old")
+        self.finish("--restart")
+
+
+def parsed(text):
+    """The rings of a POLYGON."""
+    return [[tuple(map(Fraction, point.split())) for point in ring.split(",")]
+            for ring in re.findall(r"\(([^()]+)\)", text)]
+
+
+def polygon(rings):
+    return "POLYGON (" + ", ".join(
+        "(" + ", ".join(f"{x} {y}" for x, y in ring) + ")" for ring in rings) + ")"
+
+
+class Pairs(BatchTest):
+    def setUp(self):
+        super().setUp()
+        self.parts = self.folder / "parts"
+        self.parts.mkdir()
+        self.texts = {"b.wkt": SLIT, "a.wkt": "POLYGON ((2 2, 0 2, 0 0, 2 0, 2 2))",
+                      "c.wkt": FRAME, "d.wkt": "POLYGON ((1/3 0, 2.5 1, 0 7/2, 1 1, 1/3 0))"}
+        for name, text in self.texts.items():
+            (self.parts / name).write_text(text)
+        (self.parts / "notes.txt").write_text("no part")
+
+    def pairs(self, *options):
+        return [json.loads(line) for line in
+                self.fine("batch", "--pairs", self.parts, *options).splitlines()]
+
+    # Each as `minksum nfp` gives it for files in which the second part is turned.
+    def test_same_as_nfp(self):
+        for rotations, style in ((1, "double"), (4, "exact"), (3, "exact"), (8, "decimal:3")):
+            results = self.pairs("--rotations", rotations, "--tight", "--coords", style)
+            names = sorted(self.texts)
+            self.assertEqual([(r["fixed"], r["moving"], r["turn"]) for r in results],
+                             [(f, m, Fraction(360 * k, rotations)) for f in names for m in names
+                              for k in range(rotations)])
+            for result in results:
+                turned = self.turned(result)
+                expected = self.fine("nfp", self.parts / result["fixed"], turned, "--coords", style)
+                self.assertEqual(result["result"]["wkt"] + "\n", expected)
+
+    def turned(self, result):
+        """A file with the moving part of a result, turned."""
+        angle = result["turn"]
+        if "half_tangent" in result:
+            t = Fraction(result["half_tangent"])
+            cos, sin = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+        else:
+            self.assertEqual(angle % 90, 0)
+            cos, sin = [(1, 0), (0, 1), (-1, 0), (0, -1)][angle // 90]
+        rings = parsed(self.texts[result["moving"]])
+        return self.file("turned.wkt", polygon(
+            [[(cos * x - sin * y, sin * x + cos * y) for x, y in ring] for ring in rings]))
+
+    def test_angles(self):
+        import math
+        for rotations in (3, 5, 7, 12, 360, 3600):
+            # One part is enough.
+            for name in ("b.wkt", "c.wkt", "d.wkt"):
+                (self.parts / name).unlink(missing_ok=True)
+            results = self.pairs("--rotations", rotations)
+            self.assertEqual(len(results), rotations)
+            for k, result in enumerate(results):
+                self.assertEqual("half_tangent" in result, 4 * k % rotations != 0)
+                if "half_tangent" in result:
+                    angle = 2 * math.atan(Fraction(result["half_tangent"])) % (2 * math.pi)
+                    self.assertLess(abs(angle - 2 * math.pi * k / rotations), 1e-5)
+
+    def test_without_tight_places(self):
+        with_tight = {(r["fixed"], r["moving"]): r["result"]["wkt"] for r in self.pairs("--tight")}
+        for result in self.pairs():
+            self.assertNotIn("LINESTRING", result["result"]["wkt"])
+            self.assertIn(result["result"]["wkt"], with_tight[result["fixed"], result["moving"]])
+        self.assertIn("LINESTRING", with_tight["b.wkt", "a.wkt"])
+
+    def test_sums(self):
+        for result in self.pairs("--operation", "sum", "--coords", "exact"):
+            self.assertEqual(result["result"]["wkt"] + "\n", self.fine(
+                "sum", self.parts / result["fixed"], self.parts / result["moving"], "--coords",
+                "exact"))
+
+    def test_threads_and_going_on(self):
+        options = ["--pairs", self.parts, "--rotations", 24]
+        whole = run("batch", *options, "--threads", 1).stdout
+        self.assertEqual(whole.count(b"\n"), 16 * 24)
+        self.assertEqual(run("batch", *options, "--threads", 4).stdout, whole)
+        out, partial = self.folder / "out", self.folder / "out.partial"
+        rng = random.Random(6)
+        for cut in (0, len(whole), *rng.sample(range(len(whole)), 8)):
+            partial.write_bytes(whole[:cut])
+            self.assertEqual(self.fine("batch", *options, "-o", out), "")
+            self.assertEqual(out.read_bytes(), whole)
+        partial.write_bytes(whole[:len(whole) // 2])
+        self.fails(2, "--restart", "batch", *options, "--tight", "-o", out)
+        (self.parts / "a.wkt").write_text(TRIANGLE)
+        self.fails(2, "--restart", "batch", *options, "-o", out)
+
+    def test_counts_without_output(self):
+        stats = self.folder / "stats.json"
+        self.assertEqual(self.fine("batch", "--pairs", self.parts, "--rotations", 4, "--no-output",
+                                   "--stats", stats), "")
+        found = json.loads(stats.read_text())
+        self.assertEqual((found["jobs"], found["failed"], found["parts"]), (64, 0, 4))
+        self.assertGreater(found["seconds"], 0)
+
+    def test_failures(self):
+        self.fails(2, "no parts", "batch", "--pairs", self.folder)
+        self.fails(2, "cannot be read", "batch", "--pairs", self.folder / "nowhere")
+        self.fails(1, "exclude", "batch", "--pairs", self.parts, "--no-output", "-o", "x")
+        self.fails(1, "--tight needs", "batch", "--pairs", self.parts, "--operation", "sum",
+                   "--tight")
+        self.fails(1, "--rotations", "batch", "--pairs", self.parts, "--rotations", 0)
+        result = run("batch", "--pairs", self.parts, "--max-segments", 3)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stdout.count(b'"error":{"code":"limit"'), 16)
+        self.assertEqual(result.stderr, b"minksum: 16 of 16 jobs failed\n")
+        for name, text in (("e.wkt", "POINT (0 0)"), ("e.wkt", "POLYGON ((0 0"),
+                           ("e.geojson", "{}")):
+            (self.parts / name).write_text(text)
+            self.fails(2, name, "batch", "--pairs", self.parts)
+            (self.parts / name).unlink()
+
+
+class BatchPage(Page, ProgramTest):
+    page_name = "batch.md"
+
+
+if __name__ == "__main__":
+    main()
