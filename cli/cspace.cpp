@@ -80,7 +80,7 @@ class Run {
     const auto& turns = arguments_.turns;
     const CspacePicture picture(space, scene_.obstacles, options_);
     std::vector<Written> written(turns.size());
-    Overview overview(picture, turns.size());
+    Overview overview(picture, turns.size(), arguments_.free);
     Totals totals;
     write_output(arguments_.result.output, [&](std::ostream& out) {
       out << R"({"type": "FeatureCollection", "features": [)";

@@ -13,6 +13,7 @@ constexpr double kWidth = 960;
 constexpr double kMargin = 24;
 constexpr double kGap = 22;
 constexpr double kLabel = 22;
+constexpr double kCaption = 48;
 constexpr std::size_t kColumns = 4;
 constexpr std::size_t kMostShown = 12;
 constexpr double kOneWidth = 720;
@@ -78,18 +79,25 @@ std::string CspacePicture::one(const Slice& slice) const {
   return std::move(picture).finish();
 }
 
-Overview::Overview(const CspacePicture& slices, std::size_t count)
+Overview::Overview(const CspacePicture& slices, std::size_t count, bool free)
     : slices_(slices),
       count_(count),
       shown_(std::min(count, kMostShown)),
-      picture_(kWidth, top(rows_of(shown_) * kColumns) - kGap + kMargin, "Configuration space") {}
+      picture_(kWidth, top(rows_of(shown_) * kColumns) - kGap + kMargin, "Configuration space") {
+  picture_.text(kMargin, kMargin + 14, "title",
+                free ? "Free space" : "Configuration-space obstacles");
+  picture_.text(kMargin, kMargin + 32, "note",
+                std::string(free ? "Green: where the robot's dot can be"
+                                 : "Green: where the robot's dot cannot be") +
+                    ". Blue: obstacles. Orange: the robot as it is turned.");
+}
 
 double Overview::left(std::size_t shown) const {
   return kMargin + static_cast<double>(shown % kColumns) * (column_width() + kGap);
 }
 
 double Overview::top(std::size_t shown) const {
-  return kMargin +
+  return kMargin + kCaption +
          static_cast<double>(shown / kColumns) * (slices_.height_for(column_width()) + kGap);
 }
 

@@ -33,7 +33,7 @@ class CspacePicture {
 /// Some of many slices, evenly chosen, in rows.
 class Overview {
  public:
-  Overview(const CspacePicture& slices, std::size_t count);
+  Overview(const CspacePicture& slices, std::size_t count, bool free);
   /// To be called for each slice, in order.
   void offer(std::size_t index, const Slice& slice);
   [[nodiscard]] std::string finish() &&;
