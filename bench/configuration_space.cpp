@@ -29,17 +29,10 @@ Region scattered(test::Random& random) {
 
 /// Coordinates as doubles of all 53 bits.
 Region as_doubles(const Region& region) {
-  Region result;
-  for (const std::size_t polygon : region.polygons()) {
-    result.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      result.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        result.add_vertex(region.x(v) * 0.1 + 1.0 / 3, region.y(v) * 0.1 - 1.0 / 7);
-      }
-    }
-  }
-  return result;
+  return test::transformed(region, [](const Point& p) {
+    return Point{Rational(p.x.to_double() * 0.1 + 1.0 / 3),
+                 Rational(p.y.to_double() * 0.1 - 1.0 / 7)};
+  });
 }
 
 template <class Work>
