@@ -1,4 +1,5 @@
 // What sums are used for, by law and by definition: morphology, no-fit polygons, depth, location.
+// MINKSUM_PAIRS counts pairs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +18,7 @@ namespace {
 
 using test::Random;
 
-constexpr int kPairs = 250;
+const int kPairs = test::count_from_environment(250);
 
 Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 

@@ -1,0 +1,288 @@
+// Real shapes put to use: morphology, no-fit polygons and depth of each shape of some folders with a
+// small element and with the next shape, by law, by definition and beside a raster.
+//
+//   uses_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices N]
+//            [--raster N] [--placements N]
+//
+// Prints a row a shape; exit code 1 if anything is wrong, 2 without shapes.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "minksum/boolean.hpp"
+#include "minksum/depth.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/morphology.hpp"
+#include "minksum/nesting.hpp"
+#include "minksum/transform.hpp"
+#include "reference/membership.hpp"
+#include "support/data.hpp"
+#include "support/random.hpp"
+#include "support/shapes.hpp"
+
+namespace {
+
+using namespace minksum;
+
+struct Arguments {
+  std::vector<std::string> folders{"paper", "nesting", "fonts", "gis", "cgal"};
+  std::size_t every = 1;
+  std::size_t first = 0;
+  std::size_t max_vertices = 2000;
+  int raster = 64;       ///< points along the longer side
+  int placements = 100;  ///< of each pair
+};
+
+Arguments read_arguments(int count, char** values) {
+  Arguments arguments;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string name = values[i];
+    const std::string value = values[i + 1];
+    if (name == "--folders") {
+      arguments.folders.clear();
+      std::stringstream list(value);
+      for (std::string folder; std::getline(list, folder, ',');) arguments.folders.push_back(folder);
+    } else if (name == "--every") {
+      arguments.every = std::stoul(value);
+    } else if (name == "--first") {
+      arguments.first = std::stoul(value);
+    } else if (name == "--max-vertices") {
+      arguments.max_vertices = std::stoul(value);
+    } else if (name == "--raster") {
+      arguments.raster = std::stoi(value);
+    } else if (name == "--placements") {
+      arguments.placements = std::stoi(value);
+    } else {
+      throw std::runtime_error("unknown option " + name);
+    }
+  }
+  return arguments;
+}
+
+Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
+
+/// A double with few digits, near this one.
+Rational short_number(double value) {
+  const int exponent = std::ilogb(value == 0 ? 1 : value) - 8;
+  return Rational(std::ldexp(std::nearbyint(std::ldexp(value, -exponent)), exponent));
+}
+
+struct Size {
+  Point min;
+  Rational width;
+  Rational height;
+  explicit Size(const Region& region) {
+    const Box box = *bounding_box(region);
+    min = box.min;
+    width = box.max.x - box.min.x;
+    height = box.max.y - box.min.y;
+  }
+  [[nodiscard]] Rational longer() const { return std::max(width, height); }
+};
+
+/// An element a fortieth as wide as the shape, not convex, the origin inside.
+Region element_for(const Region& shape) {
+  const Rational step = short_number(Size(shape).longer().to_double() / 160);
+  return test::scaled(
+      test::make_polygon({{-2, -2}, {2, -2}, {2, 2}, {1, 2}, {0, 1}, {-1, 2}, {-2, 2}}), step);
+}
+
+class Runner {
+ public:
+  explicit Runner(const Arguments& arguments) : arguments_(arguments) {}
+
+  void run(const std::string& name, const Region& shape, const Region& next) {
+    const auto begin = std::chrono::steady_clock::now();
+    name_ = name;
+    const Region element = element_for(shape);
+    check_laws(shape, element);
+    check_duality(shape, element);
+    check_raster(shape, element);
+    check_placements(shape, next);
+    check_depth(shape, next);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    std::cout << name << '\t' << shape.vertex_count() << '\t' << next.vertex_count() << '\t'
+              << seconds.count() << std::endl;
+    ++shapes_;
+  }
+
+  [[nodiscard]] int finish() const {
+    std::cout << shapes_ << " shapes; raster: " << pixels_ << " points, " << fitting_
+              << " of them fit; placements: " << contacts_[0] << " free, " << contacts_[1]
+              << " touching, " << contacts_[2] << " overlapping; depths: " << depths_
+              << " overlapping; " << faults_ << " faults" << std::endl;
+    return faults_ == 0 ? 0 : 1;
+  }
+
+ private:
+  void expect(bool good, const std::string& what) {
+    if (good) return;
+    ++faults_;
+    std::cout << name_ << ": WRONG: " << what << std::endl;
+  }
+
+  void check_laws(const Region& shape, const Region& element) {
+    const Geometry a = as_geometry(shape);
+    const Geometry b = as_geometry(element);
+    const Region plain = resolve(a).region;
+    const Geometry opened = open(a, b);
+    const Geometry closed = close(a, b);
+    expect(contains(plain, opened.region), "an opening is within the shape");
+    expect(contains(closed.region, plain), "a closing contains the shape");
+    expect(open(opened, b) == opened, "opening twice");
+    expect(close(closed, b) == closed, "closing twice");
+    const Region eroded = erode(a, b).region;
+    expect(contains(plain, eroded), "an erosion by what holds the origin is within the shape");
+    expect(contains(plain, dilate(as_geometry(eroded), b).region), "(A - B) + B is within A");
+  }
+
+  // In a frame, what the complement's dilation by -B leaves is the erosion by B.
+  void check_duality(const Region& shape, const Region& element) {
+    const Size size(shape);
+    const Rational far = size.longer();
+    const auto frame = [&](const Rational& by) {
+      const Point low{size.min.x - by, size.min.y - by};
+      const Point high{size.min.x + size.width + by, size.min.y + size.height + by};
+      return Region(Polygon{{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
+    };
+    const Region rest = subtract(frame(far + far), resolve(as_geometry(shape)).region);
+    const Region around = minkowski_sum(rest, reflect(element));
+    expect(subtract(frame(far), around) == erode(as_geometry(shape), as_geometry(element)).region,
+           "duality");
+  }
+
+  // By definition, x is in the erosion if x + b is in A for all b in B. Asked for the points of B on a
+  // fine grid and its vertices: all that the erosion has must pass; what passes must be in the erosion of
+  // A grown by the grid's step.
+  void check_raster(const Region& shape, const Region& element) {
+    const Size size(shape);
+    const Rational step = Size(element).longer() / Rational(16);
+    std::vector<Point> of_element;
+    for (std::size_t v = 0; v < element.vertex_count(); ++v) of_element.push_back(element.point(v));
+    const PointLocator in_element(as_geometry(element));
+    for (int i = -8; i <= 8; ++i) {
+      for (int j = -8; j <= 8; ++j) {
+        const Point b{step * Rational(i), step * Rational(j)};
+        if (in_element.locate(b) != Location::kOutside) of_element.push_back(b);
+      }
+    }
+    const Region square = test::scaled(test::rectangle(-1, -1, 1, 1), step);
+    MorphologyOptions tight;
+    tight.tight = true;
+    const PointLocator in_shape(resolve(as_geometry(shape)));
+    const PointLocator eroded(erode(as_geometry(shape), as_geometry(element), tight));
+    const PointLocator upper(
+        erode(as_geometry(minkowski_sum(resolve(as_geometry(shape)).region, square)),
+              as_geometry(element), tight));
+    const Rational pixel = size.longer() / Rational(arguments_.raster);
+    for (int i = 0; Rational(i) * pixel < size.width; ++i) {
+      for (int j = 0; Rational(j) * pixel < size.height; ++j) {
+        const Point x{size.min.x + pixel * Rational(2 * i + 1, 2),
+                      size.min.y + pixel * Rational(2 * j + 1, 2)};
+        const bool fits = std::all_of(of_element.begin(), of_element.end(), [&](const Point& b) {
+          return in_shape.locate({x.x + b.x, x.y + b.y}) != Location::kOutside;
+        });
+        ++pixels_;
+        fitting_ += fits ? 1 : 0;
+        if (!fits) expect(eroded.locate(x) == Location::kOutside, "an erosion beyond its raster");
+        if (fits) expect(upper.locate(x) != Location::kOutside, "a raster beyond the erosion");
+      }
+    }
+  }
+
+  void check_placements(const Region& fixed, const Region& moving) {
+    const NoFitPolygon nfp(as_geometry(fixed), as_geometry(moving));
+    const Point reference = moving.point(0);
+    const Region legal = resolve(as_geometry(fixed)).region;
+    const auto check = [&](const Point& t) {
+      const Region placed = transform(
+          moving, Affine::translation(t.x - reference.x, t.y - reference.y));
+      const bool overlap = !intersect(legal, placed).empty();
+      const bool meet = overlap || reference::contains_sum(legal, reflect(placed),
+                                                           {reference::Number(0), reference::Number(0)});
+      const Contact expected = overlap ? Contact::kOverlapping
+                               : meet  ? Contact::kTouching
+                                       : Contact::kFree;
+      expect(nfp.contact(t) == expected, "a placement");
+      ++contacts_[static_cast<int>(expected)];
+    };
+    // Around the shape at random, and a few at vertices of the polygon, which touch.
+    const Size size(nfp.geometry().region);
+    for (int k = 0; k < arguments_.placements; ++k) {
+      const Region& region = nfp.geometry().region;
+      if (k % 8 == 0) {
+        check(region.point(random_.next() % region.vertex_count()));
+        continue;
+      }
+      const auto within = [&](const Rational& low, const Rational& length) {
+        return low + length * Rational(random_.between(-50, 1050), 1000);
+      };
+      check({within(size.min.x, size.width), within(size.min.y, size.height)});
+    }
+  }
+
+  void check_depth(const Region& shape, const Region& next) {
+    const Size size(shape);
+    const Size other(next);
+    const Region moved = transform(
+        next, Affine::translation(size.min.x - other.min.x + size.width * Rational(1, 2),
+                                  size.min.y - other.min.y + size.height * Rational(1, 3)));
+    const auto depth = penetration_depth(as_geometry(shape), as_geometry(moved));
+    const Region legal = resolve(as_geometry(shape)).region;
+    const auto overlap_at = [&](const Rational& part) {
+      const Affine way =
+          Affine::translation(depth->vector.x * part, depth->vector.y * part);
+      return !intersect(legal, transform(moved, way)).empty();
+    };
+    expect(depth->overlapping == overlap_at(Rational(0)), "whether shapes overlap");
+    expect(!overlap_at(Rational(1)), "the depth's vector separates");
+    if (depth->overlapping) {
+      expect(overlap_at(Rational(999999, 1000000)), "a hair less does not");
+      ++depths_;
+    }
+  }
+
+  Arguments arguments_;
+  std::string name_;
+  test::Random random_{2011};
+  std::size_t shapes_ = 0;
+  std::size_t pixels_ = 0;
+  std::size_t fitting_ = 0;
+  std::size_t contacts_[3] = {0, 0, 0};
+  std::size_t depths_ = 0;
+  std::size_t faults_ = 0;
+};
+
+int run(int count, char** values) {
+  const Arguments arguments = read_arguments(count, values);
+  const auto data = test::data_path();
+  if (!data) return 2;
+  Runner runner(arguments);
+  for (const std::string& folder : arguments.folders) {
+    std::vector<std::string> names;
+    for (const test::DataFile& file : test::read_manifest(*data)) {
+      const bool ours = file.name.starts_with(folder + "/") && file.is_valid;
+      if (ours && file.vertices <= arguments.max_vertices) names.push_back(file.name);
+    }
+    for (std::size_t i = arguments.first; i < names.size(); i += arguments.every) {
+      runner.run(names[i], test::read_wkt(*data / names[i]),
+                 test::read_wkt(*data / names[(i + 1) % names.size()]));
+    }
+  }
+  return runner.finish();
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  try {
+    return run(count, values);
+  } catch (const std::exception& error) {
+    std::cerr << "uses_run: " << error.what() << '\n';
+    return 1;
+  }
+}
