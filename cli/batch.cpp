@@ -2,6 +2,7 @@
 #include "batch.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,6 +46,12 @@ class JobLines {
       if (line->text.ends_with('\r')) line->text.pop_back();
       if (line->text.find_first_not_of(" \t") != std::string::npos) return line;
     }
+  }
+  // Whether the next line, or the end, can be read without waiting for whoever writes it.
+  [[nodiscard]] bool are_at_hand() const {
+    if (buffer_.find('\n', at_) != std::string::npos) return true;
+    pollfd poll{descriptor_, POLLIN, 0};
+    return ::poll(&poll, 1, 0) != 0;
   }
   // Of the file, by its size; nothing for a pipe.
   [[nodiscard]] std::optional<double> share() const {
@@ -121,16 +128,17 @@ int run_batch(const BatchArguments& arguments) {
     const std::optional<JobLine> line = lines.next();
     return line ? std::optional(runner.head(*line)) : std::nullopt;
   });
-  run.run(
-      [&]() -> std::optional<Task> {
-        std::optional<JobLine> line = lines.next();
-        if (!line) return {};
-        const std::size_t bytes = line->text.size();
-        return Task{
-            [&runner, line = std::move(*line)](Worker& worker) { return runner.run(line, worker); },
-            bytes};
-      },
-      [&] { return lines.share(); });
+  Work work;
+  work.next = [&]() -> std::optional<Task> {
+    std::optional<JobLine> line = lines.next();
+    if (!line) return {};
+    const std::size_t bytes = line->text.size();
+    return Task{
+        [&runner, line = std::move(*line)](Worker& worker) { return runner.run(line, worker); },
+        bytes};
+  };
+  work.is_at_hand = [&] { return lines.are_at_hand(); };
+  run.run(std::move(work), [&] { return lines.share(); });
   return run.finish(nlohmann::ordered_json::object());
 }
 

@@ -215,18 +215,16 @@ int run_pairs(const BatchArguments& arguments) {
   run.go_on([&]() -> std::optional<std::string> {
     return at < count ? std::optional(runner.head(at++)) : std::nullopt;
   });
-  run.run(
-      [&]() -> std::optional<Task> {
-        if (at == count) return {};
-        const std::uint64_t first = at;
-        at = std::min<std::uint64_t>(count, at + kPairsPerTask);
-        return Task{[&runner, first, last = at](Worker& worker) {
-          return runner.run(first, last, worker);
-        }};
-      },
-      [&]() -> std::optional<double> {
-        return static_cast<double>(run.jobs()) / static_cast<double>(count);
-      });
+  Work work;
+  work.next = [&]() -> std::optional<Task> {
+    if (at == count) return {};
+    const std::uint64_t first = at;
+    at = std::min<std::uint64_t>(count, at + kPairsPerTask);
+    return Task{
+        [&runner, first, last = at](Worker& worker) { return runner.run(first, last, worker); }};
+  };
+  run.run(std::move(work),
+          [&] { return static_cast<double>(run.jobs()) / static_cast<double>(count); });
   return run.finish({{"parts", parts.parts.size()}, {"preparing_seconds", preparing}});
 }
 

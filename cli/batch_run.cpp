@@ -33,16 +33,16 @@ void BatchRun::go_on(const std::function<std::optional<std::string>()>& next_hea
   earlier_ = jobs_;
 }
 
-void BatchRun::run(const std::function<std::optional<Task>()>& next,
-                   const std::function<std::optional<double>()>& share) {
+void BatchRun::run(Work work, const std::function<std::optional<double>()>& share) {
   const auto start = std::chrono::steady_clock::now();
-  Progress progress;
-  run_in_order(arguments_.threads, next, [&](const Done& done) {
+  Progress progress(output_ && arguments_.output.empty());
+  work.consume = [&](const Done& done) {
     if (output_) output_->write(done.lines);
     jobs_ += done.jobs;
     failed_ += done.failed;
     progress.show(jobs_, failed_, share());
-  });
+  };
+  run_in_order(arguments_.threads, work);
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -20,9 +20,9 @@ class BatchRun {
   /// Takes what an earlier run has written. `next_head` gives how the next job's result begins;
   /// nothing if there are no more jobs. Throws a Failure if a line is not that job's result.
   void go_on(const std::function<std::optional<std::string>()>& next_head);
-  /// Runs tasks; `share` tells how much is done, if that is known.
-  void run(const std::function<std::optional<Task>()>& next,
-           const std::function<std::optional<double>()>& share);
+  /// Does the work, whose `consume` is this function's own; `share` tells how much is done, if that
+  /// is known.
+  void run(Work work, const std::function<std::optional<double>()>& share);
   /// Ends the output, writes statistics, of which some are given, and returns the exit code.
   [[nodiscard]] int finish(nlohmann::ordered_json more);
 

@@ -120,18 +120,17 @@ class Pool {
 
 }  // namespace
 
-void run_in_order(int threads, const std::function<std::optional<Task>()>& next,
-                  const std::function<void(const Done&)>& consume) {
+void run_in_order(int threads, const Work& work) {
   Pool pool(threads);
   bool more = true;
   while (more || !pool.idle()) {
-    while (more && pool.has_room()) {
-      std::optional<Task> task = next();
+    while (more && pool.has_room() && (pool.idle() || work.is_at_hand())) {
+      std::optional<Task> task = work.next();
       more = task.has_value();
       if (task) pool.add(std::move(*task));
       if (!pool.idle() && pool.first_is_done()) break;
     }
-    if (!pool.idle()) consume(pool.take());
+    if (!pool.idle()) work.consume(pool.take());
   }
 }
 

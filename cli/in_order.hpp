@@ -36,13 +36,22 @@ struct Task {
   std::size_t bytes = 0;  ///< about how much memory it holds
 };
 
-/// Runs the tasks that `next` gives, until it gives none, on `threads` threads, and hands what came
-/// out to `consume` in the tasks' order. Both are called by this thread.
+/// What there is to do, and what becomes of it; called by one thread.
+struct Work {
+  /// The next task; nothing at the end. May wait, for input.
+  std::function<std::optional<Task>()> next;
+  /// Whether `next` would not wait. If it would, what is done goes out first, so that a program
+  /// that asks for one thing after the other through a pipe has its answer.
+  std::function<bool()> is_at_hand = [] { return true; };
+  /// Takes what came out of tasks, in their order.
+  std::function<void(const Done&)> consume;
+};
+
+/// Runs all tasks on `threads` threads.
 ///
 /// At a time there are at most 64 tasks a thread, or fewer if they are large, that were taken and
 /// not yet consumed: that bounds the memory. What a task or a function throws ends all, and is
 /// thrown.
-void run_in_order(int threads, const std::function<std::optional<Task>()>& next,
-                  const std::function<void(const Done&)>& consume);
+void run_in_order(int threads, const Work& work);
 
 }  // namespace minksum::cli

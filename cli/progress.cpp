@@ -10,7 +10,9 @@
 
 namespace minksum::cli {
 
-Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(bool beside_results)
+    : terminal_(::isatty(STDERR_FILENO) == 1 && !(beside_results && ::isatty(STDOUT_FILENO) == 1)) {
+}
 
 Progress::~Progress() {
   if (terminal_) std::fputs("\r\x1b[K", stderr);
@@ -27,9 +29,10 @@ void Progress::show(std::uint64_t jobs, std::uint64_t failed, std::optional<doub
     constexpr int kCells = 24;
     const double part = std::clamp(*share, 0.0, 1.0);
     const int full = static_cast<int>(part * kCells);
-    line = "[" + std::string(static_cast<std::size_t>(full), '#') +
-           std::string(static_cast<std::size_t>(kCells - full), ' ') + "] " +
-           std::to_string(static_cast<int>(part * 100)) + " %  ";
+    line += '[';
+    line.append(static_cast<std::size_t>(full), '#');
+    line.append(static_cast<std::size_t>(kCells - full), ' ');
+    line.append("] ").append(std::to_string(static_cast<int>(part * 100))).append(" %  ");
   }
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const auto rate = static_cast<std::uint64_t>(static_cast<double>(jobs - *first_) / seconds);

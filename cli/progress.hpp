@@ -7,10 +7,12 @@
 
 namespace minksum::cli {
 
-/// A line on standard error that is written over and over; nothing if that is no terminal.
+/// A line on standard error that is written over and over; nothing if that is no terminal, or if
+/// results are shown there, too.
 class Progress {
  public:
-  Progress();
+  /// `beside_results`: these go to standard output.
+  explicit Progress(bool beside_results);
   ~Progress();  ///< removes the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

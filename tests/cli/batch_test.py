@@ -1,10 +1,13 @@
 """minksum batch: jobs in order, errors in the middle, runs that go on; all pairs; and its page."""
 import fcntl
 import json
+import math
 import os
+import pathlib
 import pty
 import random
 import re
+import select
 import signal
 import subprocess
 import time
@@ -222,6 +225,19 @@ class Jobs(BatchTest):
         path = self.file("jobs.jsonl", jobs)
         self.assertEqual(run("batch", "-", stdin=jobs).stdout, run("batch", path).stdout)
 
+    def test_answer_before_the_next_question(self):
+        process = subprocess.Popen([PROGRAM, "batch", "-"], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE)
+        for i in range(5):
+            process.stdin.write(lines_of([{"id": i, "operation": "sum", "a": wkt(SQUARE),
+                                           "b": wkt(TRIANGLE)}]).encode())
+            process.stdin.flush()
+            readable, _, _ = select.select([process.stdout], [], [], 60)
+            self.assertTrue(readable)
+            self.assertEqual(json.loads(process.stdout.readline())["id"], i)
+        self.assertEqual(process.communicate()[0], b"")
+        self.assertEqual(process.returncode, 0)
+
     def test_statistics(self):
         stats = self.folder / "stats.json"
         self.batch(some_jobs(60), "--stats", stats, "--threads", 2, code=2)
@@ -309,25 +325,25 @@ class GoingOn(BatchTest):
         self.assertEqual(self.out.read_bytes(), b"".join(lines))
 
     def test_kill_at_any_moment(self):
-        coral = str(SOURCE / "examples" / "star.wkt")
-        self.jobs.write_text(lines_of([{"id": i, "operation": "sum", "a": coral, "b": coral}
+        star = str(SOURCE / "examples" / "star.wkt")
+        self.jobs.write_text(lines_of([{"id": i, "operation": "sum", "a": star, "b": star}
                                        for i in range(150)] + some_jobs(20)))
-        start = time.monotonic()
         self.whole = run("batch", self.jobs).stdout
-        seconds = time.monotonic() - start
         rng = random.Random(5)
         unfinished = 0
         for way in (signal.SIGKILL, signal.SIGINT, signal.SIGTERM):
-            for _ in range(6):
+            for _ in range(5):
                 process = subprocess.Popen([PROGRAM, "batch", self.jobs, "-o", self.out],
                                            stderr=subprocess.DEVNULL)
-                time.sleep(rng.random() * seconds / 4)
+                size = rng.randrange(len(self.whole) // 2)
+                while process.poll() is None and not (
+                        self.partial.exists() and self.partial.stat().st_size >= size):
+                    time.sleep(0.0005)
                 process.send_signal(way)
                 self.assertIn(process.wait(60), (-way, 2))
                 if self.partial.exists():
                     unfinished += 1
-                    left = self.partial.read_bytes()
-                    self.assertTrue(self.whole.startswith(left))
+                    self.assertTrue(self.whole.startswith(self.partial.read_bytes()))
             self.finish()
             self.out.unlink()
         self.assertGreater(unfinished, 3)
@@ -415,8 +431,28 @@ class Pairs(BatchTest):
         return self.file("turned.wkt", polygon(
             [[(cos * x - sin * y, sin * x + cos * y) for x, y in ring] for ring in rings]))
 
+    # Parts as people nest them, if there are any.
+    def test_same_as_nfp_on_real_parts(self):
+        data = os.environ.get("MINKSUM_DATA")
+        if not data:
+            self.skipTest("MINKSUM_DATA is not set")
+        rng = random.Random(7)
+        for instance in ("swim", "jakobs1", "gardeyn1"):
+            for name in self.texts:
+                (self.parts / name).unlink()
+            self.texts = {path.name: path.read_text().strip()
+                          for path in pathlib.Path(data, "nesting").glob(instance + "_*.wkt")}
+            self.assertGreater(len(self.texts), 5)
+            for name, text in self.texts.items():
+                (self.parts / name).write_text(text)
+            results = self.pairs("--rotations", 4, "--tight", "--coords", "exact")
+            self.assertEqual(len(results), 4 * len(self.texts) ** 2)
+            for result in rng.sample(results, 10):
+                expected = self.fine("nfp", self.parts / result["fixed"], self.turned(result),
+                                     "--coords", "exact")
+                self.assertEqual(result["result"]["wkt"] + "\n", expected)
+
     def test_angles(self):
-        import math
         for rotations in (3, 5, 7, 12, 360, 3600):
             # One part is enough.
             for name in ("b.wkt", "c.wkt", "d.wkt"):

@@ -100,7 +100,8 @@ class Draw(ProgramTest):
                            ("upright", "LINESTRING (5 0, 5 7)"),
                            ("huge", "POLYGON ((-8e307 0, 8e307 0, 0 8e307, -8e307 0))"),
                            ("tiny", "POLYGON ((0 0, 1e-300 0, 0 1e-300, 0 0))"),
-                           ("narrow", "POLYGON ((1e20 0, 100000000000000016384 0, 1e20 9, 1e20 0))"),
+                           ("narrow", "POLYGON ((1e20 0, 100000000000000016384 0, 1e20 9, 1e20 0))"
+                            ),
                            ("offset", "POLYGON ((1e9 1e9, 1000000001 1e9, 1e9 1000000001, 1e9 1e9))"
                             )):
             with self.subTest(name):
