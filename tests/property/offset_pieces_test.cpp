@@ -72,6 +72,7 @@ class Pieces {
     Real most = -HUGE_VALL;
     for (const auto& polygon : polygons_) most = std::max(most, depth(polygon, x));
     for (const Vec centre : discs_) most = std::max(most, r_ - length(x - centre));
+    for (const Sector& sector : sectors_) most = std::max(most, depth_in(sector, x));
     return most;
   }
 
@@ -79,14 +80,26 @@ class Pieces {
   static Vec unit(Vec a) { return (1 / length(a)) * a; }
   static Vec right(Vec a) { return {a.y, -a.x}; }
 
+  /// Of a disc, from one radius to another on the left.
+  struct Sector {
+    Vec centre;
+    Vec first;
+    Vec last;
+  };
+  [[nodiscard]] Real depth_in(const Sector& sector, Vec x) const {
+    const Vec arm = x - sector.centre;
+    return std::min(
+        {r_ - length(arm), cross(sector.first, arm) / r_, cross(arm, sector.last) / r_});
+  }
+
   void add_end(Vec v, Vec before) {
-    if (options_.cap == Cap::kRound) discs_.push_back(v);
+    const Vec m = r_ * right(before);
+    if (options_.cap == Cap::kRound) sectors_.push_back({v, m, -1 * m});
     if (options_.cap == Cap::kSquare) add_square(v, before, -1 * before);
   }
-  // A whole disc for a sector: the rest of it is in strips of the same corner, or within the set.
   void add_corner(Vec v, Vec before, Vec after) {
-    if (options_.join == Join::kRound) return discs_.push_back(v);
     const Vec m1 = r_ * right(before), m2 = r_ * right(after);
+    if (options_.join == Join::kRound) return sectors_.push_back({v, m1, m2});
     const Real reach = 1 / std::sqrt(std::max<Real>(0, (1 + dot(before, after)) / 2));
     if (options_.join == Join::kBevel) {
       polygons_.push_back({v, v + m1, v + m2});
@@ -109,6 +122,7 @@ class Pieces {
   OffsetOptions options_;
   std::vector<std::vector<Vec>> polygons_;
   std::vector<Vec> discs_;
+  std::vector<Sector> sectors_;
 };
 
 std::vector<Vec> to_path(const std::vector<Point>& points) {
