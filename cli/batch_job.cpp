@@ -66,7 +66,7 @@ Job parse_job(std::string_view text, std::string_view& id) {
       throw usage("a job has no member '" + member.key + "'");
     }
   }
-  for (const auto& [key, name] : {std::pair{1, "operation"}, {2, "a"}, {3, "b"}}) {
+  for (const auto& [key, name] : {std::pair{1, "operation"}, {2, "a"}}) {
     if (!known[key]) throw usage(std::string("the job has no '") + name + "'");
   }
   return job;
@@ -265,7 +265,10 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     const ReadyOperation& operation = ready(job, arguments_, worker);
     seconds = operation.seconds;
     const NamedOperand a = read(job.a, "a", folder_, operation.limits);
-    const NamedOperand b = read(job.b, "b", folder_, operation.limits);
+    if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");
+    if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
+    const NamedOperand b =
+        job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, operation.limits);
     const Watchdog::Watch watch(watchdog_, seconds);
     try {
       result = operation.run(a.geometry, b.geometry, watch.token(), worker);

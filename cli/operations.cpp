@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "failure.hpp"
+#include "offset.hpp"
 #include "result_file.hpp"
 #include "sum_options.hpp"
 #include "uses.hpp"
@@ -20,8 +21,9 @@ using Cancel = std::optional<CancelToken>;
 // A subcommand of its own, which reads one list of options.
 class Parser {
  public:
-  Parser(const char* name, const std::vector<TypedOption>& options) : name_(name) {
-    words_ = {name, "A", "B"};
+  Parser(const char* name, int operands, const std::vector<TypedOption>& options) : name_(name) {
+    words_ = {name};
+    words_.insert(words_.end(), static_cast<std::size_t>(operands), "FILE");
     for (const TypedOption& option : options) {
       words_.insert(words_.end(), option.words.begin(), option.words.end());
     }
@@ -137,11 +139,28 @@ Run make_depth(Parser& parser, ProcessLimits& limits) {
   };
 }
 
-// An operation is a line here: its name, its maker, and what it takes beside limits.
+Run make_offset(Parser& parser, ProcessLimits& limits) {
+  OffsetArguments arguments;
+  TypedOffset typed;
+  add_offset(parser.app(), arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  return [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
+    OffsetArguments mine = arguments;
+    mine.cancel = mine.options.cancel = cancel;
+    return result_json(rounded(offset(a, mine.distance, mine.options), mine), mine);
+  };
+}
+
+// An operation is a line here: its name, its maker, what it takes beside limits, and of how many
+// operands.
 struct Entry {
   const char* name;
   Run (*make)(Parser& parser, ProcessLimits& limits);
   std::vector<std::string> options;
+  int operands = 2;
 };
 
 const std::vector<Entry>& operations() {
@@ -155,7 +174,12 @@ const std::vector<Entry>& operations() {
       {"close", make_morphology<kClose>, kMorphology},
       {"nfp", make_nesting<false>, {"fill", "reference", "at", "format", "coords", "round"}},
       {"ifp", make_nesting<true>, {"fill", "reference", "format", "coords", "round"}},
-      {"depth", make_depth, {"fill", "along"}}};
+      {"depth", make_depth, {"fill", "along"}},
+      {"offset",
+       make_offset,
+       {"distance", "join", "cap", "miter-limit", "tolerance", "side", "fill", "format", "coords",
+        "round"},
+       1}};
   return kOperations;
 }
 
@@ -202,9 +226,10 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<TypedO
     if (at && holds(typed, "at")) continue;  // its answers are no geometry
     if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
   }
-  Parser parser(entry.name, all);
+  Parser parser(entry.name, entry.operands, all);
   ProcessLimits mine = limits;
   ReadyOperation operation;
+  operation.operands = entry.operands;
   operation.run = entry.make(parser, mine);
   operation.limits = mine.read;
   operation.seconds = mine.seconds;

@@ -23,6 +23,7 @@ struct TypedOption {
 
 /// An operation with its options, for any operands and any thread.
 struct ReadyOperation {
+  int operands = 2;  ///< of one, `run` does not look at b
   /// The members of a result, as JSON: `"result":...`. Throws Error.
   std::function<std::string(const Geometry& a, const Geometry& b,
                             const std::optional<CancelToken>& cancel, Worker& worker)>

@@ -81,6 +81,24 @@ class Jobs(BatchTest):
         self.assertEqual(depth["result"], json.loads(self.fine(
             "depth", self.slit, self.square, "--json", "--along", "1,2/3")))
 
+    def test_offset_has_one_operand(self):
+        expected = self.fine("offset", self.slit, "--distance", "0.5", "--join", "miter")
+        options = {"distance": 0.5, "join": "miter"}
+        given = self.one(operation="offset", a="slit.wkt", options=options)
+        self.assertEqual(given["result"]["wkt"] + "\n", expected)
+        expected = self.fine("offset", self.slit, "--distance=-1/4", "--side", "inside")
+        given = self.one(operation="offset", a="slit.wkt",
+                         options={"distance": "-1/4", "side": "inside"})
+        self.assertEqual(given["result"]["wkt"] + "\n", expected)
+        for job, message in (
+                ({"operation": "offset", "a": "slit.wkt", "b": "square.wkt", "options": options},
+                 "offset has no 'b'"),
+                ({"operation": "offset", "a": "slit.wkt"}, "distance"),
+                ({"operation": "sum", "a": "slit.wkt"}, "the job has no 'b'")):
+            error = self.batch([job], code=2)[0]["error"]
+            self.assertEqual(error["code"], "bad-job")
+            self.assertIn(message, error["message"])
+
     def test_answers_of_nfp(self):
         given = self.one(operation="nfp", a="slit.wkt", b="square.wkt",
                          options={"at": [[2, 2.5], "-3,0", [1.5, 2]], "reference": [0, 0]})
