@@ -21,11 +21,10 @@ Point along(const Point& a, const Point& b, const Rational& t) {
 /// roundings, 2^-51·R²: together less than 2^-47·M·R.
 class Line {
  public:
-  Line(const Point& a, const Point& b, double magnitude)
-      : x_(a.x.to_double()), y_(a.y.to_double()), dx_(b.x.to_double() - x_),
-        dy_(b.y.to_double() - y_),
-        magnitude_(std::max({magnitude, std::abs(x_), std::abs(y_), std::abs(x_ + dx_),
-                             std::abs(y_ + dy_)})) {}
+  Line(double ax, double ay, double bx, double by, double magnitude)
+      : x_(ax), y_(ay), dx_(bx - ax), dy_(by - ay),
+        magnitude_(std::max({magnitude, std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)})) {
+  }
   /// 1 left, -1 right, 0 not known.
   [[nodiscard]] int side(double x, double y) const {
     const double vx = x - x_;
@@ -37,9 +36,18 @@ class Line {
     if (!(error > 0x1p-900 && std::isfinite(error) && std::abs(determinant) > error)) return 0;
     return determinant > 0 ? 1 : -1;
   }
+  [[nodiscard]] double magnitude() const { return magnitude_; }
 
  private:
   double x_, y_, dx_, dy_, magnitude_;
+};
+
+/// A segment, and its ends in doubles.
+struct Ends {
+  const Point& a;
+  const Point& b;
+  double ax = a.x.to_double(), ay = a.y.to_double();
+  double bx = b.x.to_double(), by = b.y.to_double();
 };
 
 }  // namespace
@@ -107,15 +115,39 @@ void FreePart::add_hits(std::uint32_t edge, const Point& a, const Point& d,
   if (t.sign() >= 0 && t <= one) found.push_back({t, edge});
 }
 
-std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b) const {
-  const LooseBox box = LooseBox::around(a, b);
-  const Line line(a, b, magnitude_);
+std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* crosses) const {
+  const Ends ends{a, b};
+  const LooseBox box = LooseBox::around(ends.ax, ends.ay, ends.bx, ends.by);
+  const Line line(ends.ax, ends.ay, ends.bx, ends.by, magnitude_);
+  const auto is_at = [&](std::uint32_t v, const Point& end, double x, double y) {
+    return x_[v] == x && y_[v] == y && points_[v] == end;
+  };
   const Point d = minus(b, a);
   std::vector<Hit> found;
   for (std::uint32_t edge = 0; edge < points_.size(); ++edge) {
     if (!edge_boxes_[edge].meets(box)) continue;
     const std::uint32_t end = next(edge);
-    if (line.side(x_[edge], y_[edge]) * line.side(x_[end], y_[end]) > 0) continue;
+    const int from = line.side(x_[edge], y_[edge]);
+    const int to = line.side(x_[end], y_[end]);
+    if (from * to > 0) continue;
+    if (from * to < 0 && crosses != nullptr) {
+      const Line other(x_[edge], y_[edge], x_[end], y_[end], line.magnitude());
+      *crosses = other.side(ends.ax, ends.ay) * other.side(ends.bx, ends.by) < 0;
+      if (*crosses) return found;
+    }
+    // Of an edge that has one end off the line, the other end is the only hit, if it is at an end of
+    // the segment: no need for long numbers.
+    if ((from == 0) != (to == 0)) {
+      const std::uint32_t v = from == 0 ? edge : end;
+      if (is_at(v, a, ends.ax, ends.ay)) {
+        found.push_back({Rational(0), edge});
+        continue;
+      }
+      if (is_at(v, b, ends.bx, ends.by)) {
+        found.push_back({Rational(1), edge});
+        continue;
+      }
+    }
     add_hits(edge, a, d, found);
   }
   std::stable_sort(found.begin(), found.end(),
@@ -134,7 +166,11 @@ bool FreePart::sees(const Point& a, const Point& b) const {
     last = t;
     return is_free;
   };
-  for (const Hit& hit : hits(a, b)) {
+  // An edge that is crossed has the outside on one of its sides.
+  bool crosses = false;
+  const std::vector<Hit> found = hits(a, b, &crosses);
+  if (crosses) return false;
+  for (const Hit& hit : found) {
     if (!free_up_to(hit.t)) return false;
   }
   return free_up_to(Rational(1));
@@ -197,7 +233,7 @@ void FreePart::go_round(const Hit& from, const Point& a, const Hit& to, const Po
 }
 
 std::vector<Point> FreePart::walk(const Point& a, const Point& b) const {
-  const std::vector<Hit> found = hits(a, b);
+  const std::vector<Hit> found = hits(a, b, nullptr);
   const Rational half(1, 2);
   std::vector<Point> path{a};
   std::size_t i = 0;

@@ -34,13 +34,15 @@ std::vector<Edge> edges_of(const Region& region) {
   return edges;
 }
 
-double distance(const Edge& edge, double x, double y) {
+double squared_distance(const Edge& edge, double x, double y) {
   const double dx = edge.bx - edge.ax;
   const double dy = edge.by - edge.ay;
   const double whole = dx * dx + dy * dy;
   const double along = (x - edge.ax) * dx + (y - edge.ay) * dy;
   const double t = whole > 0 ? std::clamp(along / whole, 0.0, 1.0) : 0;
-  return std::hypot(x - edge.ax - t * dx, y - edge.ay - t * dy);
+  const double px = x - edge.ax - t * dx;
+  const double py = y - edge.ay - t * dy;
+  return px * px + py * py;
 }
 
 /// About how far inside a point is; 0 outside.
@@ -48,12 +50,12 @@ double clearance(const std::vector<Edge>& edges, double x, double y) {
   bool inside = false;
   double nearest = HUGE_VAL;
   for (const Edge& e : edges) {
-    nearest = std::min(nearest, distance(e, x, y));
+    nearest = std::min(nearest, squared_distance(e, x, y));
     if ((e.ay > y) != (e.by > y) && x < e.ax + (y - e.ay) / (e.by - e.ay) * (e.bx - e.ax)) {
       inside = !inside;
     }
   }
-  return inside ? nearest : 0;
+  return inside ? std::sqrt(nearest) : 0;
 }
 
 /// A candidate, and what speaks against it: smaller is better.
