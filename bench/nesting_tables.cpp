@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "peers/peers.hpp"
 #include "peers/stopwatch.hpp"
 #include "sets.hpp"
+#include "support/data.hpp"
 #include "support/random.hpp"
 #ifdef MINKSUM_BENCH_CGAL
 #include "oracle/cgal_oracle.hpp"
@@ -105,11 +107,14 @@ void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] const Re
 #endif
 }
 
-// Files of single parts, by the name of their instance.
+// Files of valid single parts, with holes or without, by the name of their instance.
 std::map<std::string, std::vector<std::string>> instances(const std::filesystem::path& data) {
   std::map<std::string, std::vector<std::string>> found;
-  for (const std::string& file : nesting_parts(data, 3, 1'000'000)) {
-    found[file.substr(8, file.rfind('_') - 8)].push_back(file);  // after "nesting/"
+  constexpr std::string_view kFolder = "nesting/";
+  for (const test::DataFile& file : test::read_manifest(data)) {
+    const std::string& name = file.name;
+    if (!name.starts_with(kFolder) || !file.is_valid || file.parts != 1) continue;
+    found[name.substr(kFolder.size(), name.rfind('_') - kFolder.size())].push_back(name);
   }
   return found;
 }
