@@ -1,5 +1,6 @@
-// Real shapes put to use: morphology, no-fit polygons and depth of each shape of some folders with a
-// small element and with the next shape, by law, by definition and beside a raster.
+// Real shapes put to use: morphology, no-fit polygons, depth and slices of configuration space of
+// each shape of some folders with a small element and with the next shape, by law, by definition and
+// beside a raster.
 //
 //   uses_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices N]
 //            [--raster N] [--placements N]
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "minksum/boolean.hpp"
+#include "minksum/configuration_space.hpp"
 #include "minksum/depth.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/morphology.hpp"
@@ -104,6 +106,7 @@ class Runner {
     check_raster(shape, element);
     check_placements(shape, next);
     check_depth(shape, next);
+    check_slices(shape, next);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     std::cout << name << '\t' << shape.vertex_count() << '\t' << next.vertex_count() << '\t'
               << seconds.count() << std::endl;
@@ -114,7 +117,8 @@ class Runner {
     std::cout << shapes_ << " shapes; raster: " << pixels_ << " points, " << fitting_
               << " of them fit; placements: " << contacts_[0] << " free, " << contacts_[1]
               << " touching, " << contacts_[2] << " overlapping; depths: " << depths_
-              << " overlapping; " << faults_ << " faults" << std::endl;
+              << " overlapping; configurations: " << apart_ << " free, " << colliding_
+              << " colliding; " << faults_ << " faults" << std::endl;
     return faults_ == 0 ? 0 : 1;
   }
 
@@ -246,6 +250,30 @@ class Runner {
     }
   }
 
+  // The next shape, about a tenth as large, as a robot among this one: a placed robot collides if and
+  // only if its configuration is inside the slice's obstacles.
+  void check_slices(const Region& shape, const Region& next) {
+    const double ratio = Size(shape).longer().to_double() / Size(next).longer().to_double();
+    const Region robot = test::scaled(next, short_number(ratio / 10));
+    const Region legal = resolve(as_geometry(shape)).region;
+    const ConfigurationSpace space(as_geometry(robot), as_geometry(shape));
+    for (const int degrees : {0, 37, 160, 270}) {
+      const Turn turn = nearest_turn(degrees);
+      const Slice slice = space.slice(turn);
+      const PointLocator obstacles(slice.obstacles);
+      const Size size(slice.obstacles.region);
+      const Region turned = transform(robot, turn.map());
+      for (int k = 0; k < arguments_.placements / 4; ++k) {
+        const Point at{size.min.x + size.width * Rational(random_.between(-20, 1020), 1000),
+                       size.min.y + size.height * Rational(random_.between(-20, 1020), 1000)};
+        const Region placed = transform(turned, Affine::translation(at.x, at.y));
+        const bool collides = !intersect(legal, placed).empty();
+        expect((obstacles.locate(at) == Location::kInside) == collides, "a configuration");
+        ++(collides ? colliding_ : apart_);
+      }
+    }
+  }
+
   Arguments arguments_;
   std::string name_;
   test::Random random_{2011};
@@ -254,6 +282,8 @@ class Runner {
   std::size_t fitting_ = 0;
   std::size_t contacts_[3] = {0, 0, 0};
   std::size_t depths_ = 0;
+  std::size_t apart_ = 0;
+  std::size_t colliding_ = 0;
   std::size_t faults_ = 0;
 };
 
