@@ -53,7 +53,7 @@ std::string note_on(const Reach& found) {
   if (!found.reachable) return "no way";
   std::size_t turns = 0;
   for (std::size_t i = 1; i < found.path.size(); ++i) {
-    turns += found.path[i].turn.same_as(found.path[i - 1].turn) ? 0 : 1;
+    if (!found.path[i].turn.same_as(found.path[i - 1].turn)) ++turns;
   }
   const std::size_t moves = found.path.size() - 1 - turns;
   return grouped(moves) + (moves == 1 ? " move, " : " moves, ") + grouped(turns) +

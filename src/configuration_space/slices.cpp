@@ -38,15 +38,18 @@ Geometry read(const Geometry& geometry, const ConfigurationOptions& options, int
 /// A rational that is not below the largest distance from the origin.
 Rational reach_of(const Region& robot) {
   Rational squared;
+  Rational largest;  // coordinate
   for (std::size_t v = 0; v < robot.vertex_count(); ++v) {
     const Point at = robot.point(v);
     squared = std::max(squared, at.x * at.x + at.y * at.y);
+    largest = std::max({largest, at.x, -at.x, at.y, -at.y});
   }
   const double root = std::sqrt(squared.to_double());
-  Rational reach(std::isfinite(root) && root > 0 ? root : 1.0);
-  const Rational more(1025, 1024);
-  while (reach * reach < squared) reach = reach * more;
-  return reach;
+  for (const double candidate : {root, root * (1 + 0x1p-40)}) {
+    if (!std::isfinite(candidate)) break;
+    if (const Rational reach(candidate); reach * reach >= squared) return reach;
+  }
+  return largest * Rational(3, 2);
 }
 
 void enlarge(std::optional<Box>& box, const Point& point) {

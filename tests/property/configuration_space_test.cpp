@@ -122,14 +122,18 @@ TEST(ConfigurationSpace, AgreesWithCollisionTests) {
           << slice.turn.asked << ' ' << at.x << ' ' << at.y;
       // Free space and obstacles share no more than their boundaries, and the thin parts.
       const bool thin = found_free && area.locate(at) == Location::kOutside;
-      if (!thin) EXPECT_EQ(found_free, obstacles.locate(at) != Location::kInside);
+      if (!thin) {
+        EXPECT_EQ(found_free, obstacles.locate(at) != Location::kInside);
+      }
       free_places += found_free ? 1 : 0;
       thin_places += thin ? 1 : 0;
     }
   }
   EXPECT_GT(free_places, scenes * kPlaces / 10);
   EXPECT_LT(free_places, scenes * kPlaces * 9 / 10);
-  if (scenes >= 80) EXPECT_GT(thin_places, 0);
+  if (scenes >= 80) {
+    EXPECT_GT(thin_places, 0);
+  }
 }
 
 TEST(ConfigurationSpace, WithoutATurnItIsTheSum) {
@@ -200,6 +204,20 @@ TEST(ConfigurationSpace, NothingInTheWay) {
   EXPECT_TRUE(slice.obstacles.empty());
   EXPECT_EQ(slice.free.region, resolve(as_geometry(test::rectangle(-10, -10, 10, 10))).region);
   EXPECT_EQ(space.reach(), Rational(5));
+}
+
+// Squares of its coordinates are beyond all doubles.
+TEST(ConfigurationSpace, RobotsOfAnySize) {
+  const Region square = test::rectangle(0, 0, 1, 1);
+  for (const int exponent : {-300, 300}) {
+    const Rational size(Decimal{1, exponent});
+    const Region robot = test::scaled(square, size);
+    const ConfigurationSpace space(as_geometry(robot), as_geometry(square));
+    EXPECT_GE(space.reach() * space.reach(), size * size * Rational(2));
+    EXPECT_LE(space.reach(), size * Rational(3, 2));
+    EXPECT_EQ(space.slice(nearest_turn(0)).obstacles.region,
+              minkowski_sum(square, reflect(robot)));
+  }
 }
 
 TEST(ConfigurationSpace, ThreadsGiveSlicesInOrder) {
