@@ -117,7 +117,7 @@ TEST(Reach, ThroughADoor) {
     if (more == 1) expect_good_path(scene, from, to, found);
   }
   // It has to turn: with one angle it cannot.
-  for (const std::size_t angles : {1, 4}) {
+  for (const std::size_t angles : {std::size_t{1}, std::size_t{4}}) {
     Scene scene = two_rooms(test::turned(rod), 5);
     scene.options.angles = angles;
     EXPECT_EQ(scene.from_to({{6, 10}, 0}, {{34, 10}, 0}).reachable, angles == 4);
