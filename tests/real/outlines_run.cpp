@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@
 #include "minksum/check.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/round.hpp"
-#include "support/data.hpp"
+#include "real/shape_run.hpp"
 #include "support/geos_validity.hpp"
 #include "support/shapes.hpp"
 
@@ -27,36 +26,9 @@ namespace {
 using namespace minksum;
 
 struct Arguments {
-  std::vector<std::string> folders{"gis", "fonts", "nesting"};
-  std::size_t every = 1;
-  std::size_t first = 0;
-  std::size_t max_vertices = 1000000;
+  test::ShapeRun shapes{{"gis", "fonts", "nesting"}, 1, 0, 1000000};
   std::uint64_t proof_segments = 50000;
 };
-
-Arguments read_arguments(int count, char** values) {
-  Arguments arguments;
-  for (int i = 1; i + 1 < count; i += 2) {
-    const std::string name = values[i];
-    const std::string value = values[i + 1];
-    if (name == "--folders") {
-      arguments.folders.clear();
-      std::stringstream list(value);
-      for (std::string folder; std::getline(list, folder, ',');) arguments.folders.push_back(folder);
-    } else if (name == "--every") {
-      arguments.every = std::stoul(value);
-    } else if (name == "--first") {
-      arguments.first = std::stoul(value);
-    } else if (name == "--max-vertices") {
-      arguments.max_vertices = std::stoul(value);
-    } else if (name == "--proof-segments") {
-      arguments.proof_segments = std::stoul(value);
-    } else {
-      throw std::runtime_error("unknown option " + name);
-    }
-  }
-  return arguments;
-}
 
 /// A regular 32-gon, a fiftieth of the shape wide; its vertices are doubles.
 Region disc_for(const Region& shape) {
@@ -138,23 +110,19 @@ class Runner {
 };
 
 int run(int count, char** values) {
-  const Arguments arguments = read_arguments(count, values);
+  Arguments arguments;
+  arguments.shapes.read_options(count, values, {{"--proof-segments", [&](const std::string& value) {
+                                   arguments.proof_segments = std::stoul(value);
+                                 }}});
   const auto data = test::data_path();
   if (!data) return 2;
   Runner runner(arguments);
-  for (const std::string& folder : arguments.folders) {
-    std::vector<std::string> names;
-    for (const test::DataFile& file : test::read_manifest(*data)) {
-      const bool ours = file.name.starts_with(folder + "/");
-      if (ours && file.vertices <= arguments.max_vertices) names.push_back(file.name);
-    }
-    for (std::size_t i = arguments.first; i < names.size(); i += arguments.every) {
-      const Region shape = test::read_wkt(*data / names[i]);
-      const std::string& next = names[(i + 1) % names.size()];
-      runner.run(names[i] + " + 32-gon", shape, disc_for(shape));
-      runner.run(names[i] + " + " + next, shape, test::read_wkt(*data / next));
-    }
-  }
+  const auto any = [](const test::DataFile&) { return true; };
+  arguments.shapes.for_each(*data, any, [&](const std::string& name, const Region& shape,
+                                            const std::string& next, const Region& other) {
+    runner.run(name + " + 32-gon", shape, disc_for(shape));
+    runner.run(name + " + " + next, shape, other);
+  });
   return runner.finish();
 }
 

@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,8 @@
 #include "minksum/morphology.hpp"
 #include "minksum/nesting.hpp"
 #include "minksum/transform.hpp"
+#include "real/shape_run.hpp"
 #include "reference/membership.hpp"
-#include "support/data.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
 
@@ -31,39 +30,10 @@ namespace {
 using namespace minksum;
 
 struct Arguments {
-  std::vector<std::string> folders{"paper", "nesting", "fonts", "gis", "cgal"};
-  std::size_t every = 1;
-  std::size_t first = 0;
-  std::size_t max_vertices = 2000;
+  test::ShapeRun shapes{{"paper", "nesting", "fonts", "gis", "cgal"}, 1, 0, 2000};
   int raster = 64;       ///< points along the longer side
   int placements = 100;  ///< of each pair
 };
-
-Arguments read_arguments(int count, char** values) {
-  Arguments arguments;
-  for (int i = 1; i + 1 < count; i += 2) {
-    const std::string name = values[i];
-    const std::string value = values[i + 1];
-    if (name == "--folders") {
-      arguments.folders.clear();
-      std::stringstream list(value);
-      for (std::string folder; std::getline(list, folder, ',');) arguments.folders.push_back(folder);
-    } else if (name == "--every") {
-      arguments.every = std::stoul(value);
-    } else if (name == "--first") {
-      arguments.first = std::stoul(value);
-    } else if (name == "--max-vertices") {
-      arguments.max_vertices = std::stoul(value);
-    } else if (name == "--raster") {
-      arguments.raster = std::stoi(value);
-    } else if (name == "--placements") {
-      arguments.placements = std::stoi(value);
-    } else {
-      throw std::runtime_error("unknown option " + name);
-    }
-  }
-  return arguments;
-}
 
 Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 
@@ -288,21 +258,20 @@ class Runner {
 };
 
 int run(int count, char** values) {
-  const Arguments arguments = read_arguments(count, values);
+  Arguments arguments;
+  const auto number = [](int& target) {
+    return [&target](const std::string& value) { target = std::stoi(value); };
+  };
+  arguments.shapes.read_options(count, values, {{"--raster", number(arguments.raster)},
+                                                {"--placements", number(arguments.placements)}});
   const auto data = test::data_path();
   if (!data) return 2;
   Runner runner(arguments);
-  for (const std::string& folder : arguments.folders) {
-    std::vector<std::string> names;
-    for (const test::DataFile& file : test::read_manifest(*data)) {
-      const bool ours = file.name.starts_with(folder + "/") && file.is_valid;
-      if (ours && file.vertices <= arguments.max_vertices) names.push_back(file.name);
-    }
-    for (std::size_t i = arguments.first; i < names.size(); i += arguments.every) {
-      runner.run(names[i], test::read_wkt(*data / names[i]),
-                 test::read_wkt(*data / names[(i + 1) % names.size()]));
-    }
-  }
+  const auto valid = [](const test::DataFile& file) { return file.is_valid; };
+  arguments.shapes.for_each(*data, valid, [&](const std::string& name, const Region& shape,
+                                              const std::string&, const Region& next) {
+    runner.run(name, shape, next);
+  });
   return runner.finish();
 }
 
