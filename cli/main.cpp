@@ -93,6 +93,17 @@ struct Commands {
   Commands(CLI::App& app, ProcessLimits& limits);
 
   void add(CLI::App* command, std::function<int()> run) { run_of[command] = std::move(run); }
+  /// A subcommand that computes sums, with what is typed in two parts.
+  template <class Arguments, class Typed>
+  void add(CLI::App* command, Arguments& arguments, const Typed& typed,
+           const ProcessLimits& limits, int (*run)(const Arguments&)) {
+    add(command, [&arguments, &typed, &limits, run] {
+      arguments.limits = limits.read;
+      arguments.options.limits = limits.sum;
+      settle(arguments, typed);
+      return run(arguments);
+    });
+  }
   void add_sums(CLI::App& app, ProcessLimits& limits);
   void add_uses(CLI::App& app, ProcessLimits& limits);
   void add_robots(CLI::App& app, ProcessLimits& limits);
@@ -136,12 +147,7 @@ Commands::Commands(CLI::App& app, ProcessLimits& limits) {
 }
 
 void Commands::add_sums(CLI::App& app, ProcessLimits& limits) {
-  add(add_sum(app, sum, typed_sum, limits), [this, &limits] {
-    sum.limits = limits.read;
-    sum.options.limits = limits.sum;
-    settle(sum, typed_sum);
-    return run_sum(sum);
-  });
+  add(add_sum(app, sum, typed_sum, limits), sum, typed_sum, limits, run_sum);
   add(add_info(app, info, limits), [this, &limits] {
     info.limits = limits.read;
     return run_info(info);
@@ -173,33 +179,13 @@ void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
       return run_nesting(nesting);
     });
   }
-  add(add_offset(app, offset, typed_offset, limits), [this, &limits] {
-    offset.limits = limits.read;
-    offset.options.limits = limits.sum;
-    settle(offset, typed_offset);
-    return run_offset(offset);
-  });
-  add(add_depth(app, depth, typed_depth, limits), [this, &limits] {
-    depth.limits = limits.read;
-    depth.options.limits = limits.sum;
-    settle(depth, typed_depth);
-    return run_depth(depth);
-  });
+  add(add_offset(app, offset, typed_offset, limits), offset, typed_offset, limits, run_offset);
+  add(add_depth(app, depth, typed_depth, limits), depth, typed_depth, limits, run_depth);
 }
 
 void Commands::add_robots(CLI::App& app, ProcessLimits& limits) {
-  add(add_cspace(app, cspace, typed_cspace, limits), [this, &limits] {
-    cspace.limits = limits.read;
-    cspace.options.limits = limits.sum;
-    settle(cspace, typed_cspace);
-    return run_cspace(cspace);
-  });
-  add(add_reach(app, reach, typed_reach, limits), [this, &limits] {
-    reach.limits = limits.read;
-    reach.options.limits = limits.sum;
-    settle(reach, typed_reach);
-    return run_reach(reach);
-  });
+  add(add_cspace(app, cspace, typed_cspace, limits), cspace, typed_cspace, limits, run_cspace);
+  add(add_reach(app, reach, typed_reach, limits), reach, typed_reach, limits, run_reach);
 }
 
 int run(int argc, char** argv, ProcessLimits& limits) {
