@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,28 +52,26 @@ class BoxPairs {
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
-  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once, and pause() now and then.
+  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once, and pause() now and then. If
+  /// neighbours, boxes added one right after the other, touch anyway, their pairs may be left out.
   template <class Visit, class Pause>
-  void for_each(Visit visit, Pause pause) {
+  void for_each(Visit visit, Pause pause, bool neighbours_touch = false) {
+    if (scratch_.boxes.size() <= kFew) return for_each_of_few(visit, neighbours_touch ? 2 : 1);
     sort();
     const std::size_t count = scratch_.boxes.size();
     for (std::size_t i = 0; i < count; ++i) {
       const BoxPairScratch::Box box = scratch_.in_order[i];
       const std::size_t end = scratch_.column_end[column(box.right)];
       for (std::size_t j = i + 1; j < end; j += kLanes) {
-        const auto hits = overlapping_heights(scratch_.bottoms.data() + j,
-                                              scratch_.tops.data() + j, box.bottom, box.top);
-        if ((hits[0] | hits[1]) == 0) continue;
-        for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
-          for (std::uint64_t bits = hits[half]; bits != 0; bits &= bits - 1) {
-            const std::size_t k =
-                j + half * (kLanes / 2) + static_cast<std::size_t>(std::countr_zero(bits)) / 16;
-            const BoxPairScratch::Box& other = scratch_.in_order[k];
-            if (k < end && other.left <= box.right && box.left <= other.right) {
-              visit(scratch_.order[i], scratch_.order[k]);
-            }
+        const Lanes apart = (lanes(&scratch_.bottoms[j]) > box.top) |
+                            (lanes(&scratch_.tops[j]) < box.bottom);
+        for_each_clear(apart, [&](std::size_t lane) {
+          const std::size_t k = j + lane;
+          const BoxPairScratch::Box& other = scratch_.in_order[k];
+          if (k < end && other.left <= box.right && box.left <= other.right) {
+            visit(scratch_.order[i], scratch_.order[k]);
           }
-        }
+        });
       }
       if ((i & 0xFFF) == 0xFFF) pause();
     }
@@ -80,25 +80,62 @@ class BoxPairs {
  private:
   static constexpr double kUnits = 0x1p15 - 4;
   static constexpr std::size_t kLanes = 8;
-  using Hits = std::array<std::uint64_t, 2>;
+  static constexpr std::size_t kFew = 48;  ///< to compare all costs less than to put them in order
+  /// Compared lane by lane: -1 is true. The compilers that know 128-bit integers know these too.
+  using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
+  using Halves [[gnu::vector_size(2 * kLanes)]] = std::uint64_t;
 
   /// So that `doubt`, and the rounding of products, is far below half a unit.
   static double least_extent(double width, double height, double doubt) {
     return std::max({width * 0x1p-24, height * 0x1p-24, doubt * 0x1p18, 0x1p-900});
   }
   static std::int16_t units(double value) {
-    return static_cast<std::int16_t>(static_cast<std::int32_t>(
-        std::min(std::max(value, 0.0), kUnits + 2)));
+    return static_cast<std::int16_t>(
+        std::clamp(static_cast<std::int32_t>(value), 0, static_cast<std::int32_t>(kUnits) + 2));
   }
-  /// Bit 16 k for the k-th of eight boxes. Plain code, which compilers turn into vector code.
-  static Hits overlapping_heights(const std::int16_t* bottoms, const std::int16_t* tops,
-                                  std::int16_t bottom, std::int16_t top) {
-    std::array<std::int16_t, kLanes> hits;
-    for (std::size_t k = 0; k < kLanes; ++k) {
-      hits[k] = static_cast<std::int16_t>((bottoms[k] <= top) & (tops[k] >= bottom));
+  template <class Visit>
+  void for_each_of_few(Visit visit, std::size_t first_step) {
+    const auto& boxes = scratch_.boxes;
+    const std::size_t count = boxes.size();
+    std::array<std::array<std::int16_t, kFew + kLanes>, 4> sides;
+    auto& [lefts, bottoms, rights, tops] = sides;
+    for (std::size_t i = 0; i < count; ++i) {
+      lefts[i] = boxes[i].left;
+      bottoms[i] = boxes[i].bottom;
+      rights[i] = boxes[i].right;
+      tops[i] = boxes[i].top;
     }
-    const Hits words = std::bit_cast<Hits>(hits);
-    return words;
+    for (std::size_t i = count; i < count + kLanes; ++i) {
+      lefts[i] = std::numeric_limits<std::int16_t>::max();  // overlaps none
+      bottoms[i] = rights[i] = tops[i] = 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const BoxPairScratch::Box box = boxes[i];
+      for (std::size_t j = i + first_step; j < count; j += kLanes) {
+        const Lanes apart = (lanes(&bottoms[j]) > box.top) | (lanes(&tops[j]) < box.bottom) |
+                            (lanes(&lefts[j]) > box.right) | (lanes(&rights[j]) < box.left);
+        for_each_clear(apart, [&](std::size_t k) {
+          visit(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j + k));
+        });
+      }
+    }
+  }
+  static Lanes lanes(const std::int16_t* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+  }
+  template <class Visit>
+  static void for_each_clear(Lanes lanes, Visit visit) {
+    const auto halves = std::bit_cast<Halves>(lanes);
+    const std::array<std::uint64_t, 2> words{halves[0], halves[1]};
+    if ((words[0] & words[1]) == ~std::uint64_t{0}) return;
+    for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+      constexpr std::uint64_t kOnes = 0x0001000100010001;
+      for (std::uint64_t bits = ~words[half] & kOnes; bits != 0; bits &= bits - 1) {
+        visit(half * (kLanes / 2) + static_cast<std::size_t>(std::countr_zero(bits)) / 16);
+      }
+    }
   }
   [[nodiscard]] std::size_t column(std::int16_t x) const {
     return static_cast<std::size_t>(x) >> shift_;

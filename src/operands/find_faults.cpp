@@ -24,15 +24,8 @@ class ContactFinder {
 
   void find_contacts() {
     scratch_.touches.clear();
-    Vec<double> extent{};
-    double across = 0;
-    for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
-    for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
-    for (const double dx : o_.sites.dx) across += std::abs(dx);
-    // Where rings lie in each other is asked of cells. Else they pay only if many edges lie over each
-    // other.
-    constexpr double kMostInColumn = 200;
-    if (o_.rings.size() == 1 && across <= kMostInColumn * extent.x) return sweep(extent);
+    const Vec<double> extent = this->extent();
+    if (o_.rings.size() == 1 && few_in_columns(extent.x)) return sweep(extent);
     // Of few edges pairs cost less than cells.
     const double edges = o_.size();
     const double cells = edges < 100 ? edges / 4 : edges;
@@ -62,6 +55,22 @@ class ContactFinder {
   }
 
  private:
+  [[nodiscard]] Vec<double> extent() const {
+    if (!o_.rational) return {static_cast<double>(o_.grid.extent.x), static_cast<double>(o_.grid.extent.y)};
+    Vec<double> extent{};
+    for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
+    for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
+    return extent;
+  }
+  /// Where rings lie in each other is asked of cells. Else they pay only if many edges lie over each
+  /// other.
+  [[nodiscard]] bool few_in_columns(double width) const {
+    constexpr std::size_t kMostInColumn = 200;
+    if (o_.size() <= kMostInColumn) return true;
+    double across = 0;
+    for (const double dx : o_.sites.dx) across += std::abs(dx);
+    return across <= static_cast<double>(kMostInColumn) * width;
+  }
   /// All pairs whose boxes overlap.
   void sweep(const Vec<double>& extent) {
     const auto& [x, y, dx, dy, next] = o_.sites;
@@ -75,7 +84,7 @@ class ContactFinder {
         [&](SiteId e, SiteId f) {
           if (!full()) contact(std::min(e, f), std::max(e, f));
         },
-        [] {});
+        [] {}, true);
   }
   /// All pairs whose x ranges overlap, from left to right: cells may be crowded.
   void find_contacts_in(std::span<SiteId> edges) {
