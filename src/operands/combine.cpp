@@ -59,6 +59,11 @@ void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const Comm
   o.bits = static_cast<std::uint64_t>(common.bits);
   o.bounds = RoundingBounds::of(std::ldexp(1.0, common.bits), common.bits <= kExactSumBits,
                                 common.bits <= kExactProductBits);
+  const auto extent = [](const GridCoordinates& grid, Int128 factor) {
+    return Vec<double>{static_cast<double>(grid.extent.x * factor),
+                       static_cast<double>(grid.extent.y * factor)};
+  };
+  o.extent = {extent(p.grid, common.factor[0]), extent(q.grid, common.factor[1])};
   o.trace_unit = std::ldexp(1.0, common.unit.exp2) * std::pow(10.0, common.unit.exp10) /
                  static_cast<double>(common.unit.divisor);
   const auto origin = [&](Int128 first, Int128 second) {
@@ -82,10 +87,22 @@ void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Operands
                     BigRational(first.low.y + second.low.y).convert_to<double>()};
 }
 
+void measure_extent(Operands& o) {
+  o.extent = {};
+  for (SiteId i = 0; i < o.sites.x.size(); ++i) {
+    Vec<double>& extent = o.extent[static_cast<std::size_t>(o.operand_of(i))];
+    extent = {std::max(extent.x, o.sites.x[i]), std::max(extent.y, o.sites.y[i])};
+  }
+}
+
 /// Appends `from`'s values of the kept sites.
-template <class Value, class Result>
+template <class Value>
 void append_kept(const std::vector<Value>& from, std::span<const SiteId> kept,
-                 std::vector<Result>& to) {
+                 std::vector<Value>& to) {
+  if (kept.size() == from.size()) {
+    to.insert(to.end(), from.begin(), from.end());
+    return;
+  }
   for (const SiteId site : kept) to.push_back(from[site]);
 }
 
@@ -192,9 +209,11 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_w
         all_stay = false;
         continue;
       }
-      o.rings.push_back({count, count + (ring.end - ring.begin), ring.polygon, ring.ring});
-      for (SiteId site = ring.begin; site < ring.end; ++site) kept.push_back(site);
-      count += ring.end - ring.begin;
+      const SiteId size = ring.end - ring.begin;
+      o.rings.push_back({count, count + size, ring.polygon, ring.ring});
+      kept.resize(kept.size() + size);
+      std::iota(kept.end() - size, kept.end(), ring.begin);
+      count += size;
     }
     if (i == 0) {
       o.split = count;
@@ -221,11 +240,7 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Option
   o.sites.x.resize(n);
   o.sites.y.resize(n);
   o.kernel->approximate_sites(o.sites.x, o.sites.y);
-  o.extent = {};
-  for (SiteId i = 0; i < n; ++i) {
-    Vec<double>& extent = o.extent[static_cast<std::size_t>(o.operand_of(i))];
-    extent = {std::max(extent.x, o.sites.x[i]), std::max(extent.y, o.sites.y[i])};
-  }
+  if (!common.fits) measure_extent(o);
   connect(o);
 }
 

@@ -21,6 +21,7 @@ struct OperandsScratch {
   std::array<std::vector<SiteId>, 2> kept;  ///< sites of an operand that stay
   std::vector<SiteId> renumbered;
   std::vector<KeyedEdge> of_rank;  ///< an edge of each rank
+  std::array<std::vector<KeyedEdge>, 2> sorted;  ///< each operand's edges, by their new numbers
   std::array<std::vector<Vec<double>>, 2> sizes;
 };
 
@@ -39,8 +40,8 @@ struct Operands {
 
   std::vector<DirectionRank> rank;     ///< by edge
   std::vector<SiteId> by_direction;    ///< all edges, sorted by rank
-  /// By rank: where the direction and its reverse stand, counter-clockwise, on a circle of all
-  /// directions and all reverses; a reverse that is itself a direction shares its place.
+  /// By rank: where the direction and its reverse stand, counter-clockwise from the positive x axis, on
+  /// a circle of all directions and all reverses; a reverse that is itself a direction shares its place.
   std::vector<std::uint32_t> place;
   std::vector<std::uint32_t> reverse_place;
   std::uint32_t place_count = 0;

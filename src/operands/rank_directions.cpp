@@ -1,5 +1,6 @@
 // Directions of edges as integers: after this, angular questions cost no arithmetic.
 #include <algorithm>
+#include <cmath>
 
 #include "operands/directions.hpp"
 #include "operands/operands.hpp"
@@ -7,135 +8,118 @@
 namespace minksum {
 namespace {
 
-bool keys_tell(const PreparedOperand& p, const PreparedOperand& q) {
-  return p.keys_tell && q.keys_tell;
-}
-
-/// Both operands' edges in one order, parallel ones by id, and their ranks.
+/// Both operands' edges in one order, parallel ones by id, their ranks and places. Which of two lists
+/// goes on is a toss-up at each step, so the merges are written without branches on it.
 class Ranker {
  public:
   Ranker(const PreparedOperand& p, const PreparedOperand& q, Operands& operands)
-      : p_(p), q_(q), o_(operands), predicates_(operands.sites, *operands.kernel, operands.bounds),
-        keys_tell_(keys_tell(p, q)), of_rank_(operands.scratch.of_rank) {}
+      : o_(operands), predicates_(operands.sites, *operands.kernel, operands.bounds),
+        keys_tell_(p.keys_tell && q.keys_tell), of_rank_(operands.scratch.of_rank) {}
 
-  void run() {
-    o_.by_direction.clear();
-    of_rank_.clear();
+  void rank(std::span<const KeyedEdge> a, std::span<const KeyedEdge> b) {
+    o_.by_direction.resize(o_.size());
     o_.rank.resize(o_.size());
-    const auto& a = p_.by_direction;
-    const auto& b = q_.by_direction;
-    const auto& renumbered = o_.scratch.renumbered;
+    of_rank_.resize(o_.size());
     std::size_t i = 0;
     std::size_t j = 0;
-    const auto next = [&](const std::vector<KeyedEdge>& from, std::size_t& at, std::size_t shift) {
-      for (; at < from.size(); ++at) {
-        const SiteId edge = renumbered.empty() ? from[at].edge + static_cast<SiteId>(shift)
-                                               : renumbered[from[at].edge + shift];
-        if (edge != kNoSite) return KeyedEdge{from[at].key, edge};
-      }
-      return KeyedEdge{0, kNoSite};
-    };
-    const std::size_t shift = p_.size();
-    KeyedEdge x = next(a, i, 0);
-    KeyedEdge y = next(b, j, shift);
-    while (x.edge != kNoSite || y.edge != kNoSite) {
-      const bool first = y.edge == kNoSite ||
-                         (x.edge != kNoSite &&
-                          compare_directions(predicates_, keys_tell_, x, y) != kPositive);
-      append(first ? x : y);
-      if (first) {
-        x = next(a, ++i, 0);
-      } else {
-        y = next(b, ++j, shift);
-      }
+    while (i < a.size() && j < b.size()) {
+      const double ahead = b[j].key - a[i].key;
+      const bool first = keys_tell_ && std::abs(ahead) > 2 * kKeyError
+                             ? ahead > 0
+                             : compare_directions(predicates_, a[i].edge, b[j].edge) != kPositive;
+      append(*(first ? &a[i] : &b[j]));
+      i += first ? 1U : 0U;
+      j += first ? 0U : 1U;
     }
-    o_.rank_count = static_cast<DirectionRank>(of_rank_.size());
+    for (; i < a.size(); ++i) append(a[i]);
+    for (; j < b.size(); ++j) append(b[j]);
+    of_rank_.resize(ranks_);
+    o_.rank_count = static_cast<DirectionRank>(ranks_);
+  }
+
+  /// Merges the directions with their reverses, each from the positive x axis on.
+  void number_places() {
+    const std::size_t n = of_rank_.size();
+    o_.place.resize(n);
+    o_.reverse_place.resize(n);
+    const auto lower = std::partition_point(of_rank_.begin(), of_rank_.end(), [&](const KeyedEdge& e) {
+      return half_circle(predicates_, e.edge) == 0;
+    });
+    const auto first = static_cast<std::size_t>(lower - of_rank_.begin());
+    const auto rank_of = [&](std::size_t reverse) {
+      const std::size_t r = first + reverse;
+      return r < n ? r : r - n;
+    };
+    std::uint32_t place = 0;
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < n && j < n) {
+      const std::size_t r = rank_of(j);
+      const double ahead = of_rank_[r].key + (r < first ? 2.0 : -2.0) - of_rank_[i].key;
+      Sign order = ahead > 0 ? kNegative : kPositive;
+      if (!keys_tell_ || std::abs(ahead) <= 4 * kKeyError) order = compare_with_reverse(i, r, r < first);
+      // What is written for the one that does not go on is written again.
+      o_.place[i] = place;
+      o_.reverse_place[r] = place;
+      i += order != kPositive ? 1U : 0U;
+      j += order != kNegative ? 1U : 0U;
+      ++place;
+    }
+    for (; i < n; ++i) o_.place[i] = place++;
+    for (; j < n; ++j) o_.reverse_place[rank_of(j)] = place++;
+    o_.place_count = place;
   }
 
  private:
   void append(const KeyedEdge& edge) {
-    if (of_rank_.empty() ||
-        compare_directions(predicates_, keys_tell_, last_, edge) != kZero) {
-      of_rank_.push_back(edge);
-    }
+    const bool follows =
+        count_ > 0 && (!keys_tell_ || edge.key - last_.key <= 2 * kKeyError) &&
+        compare_directions(predicates_, last_.edge, edge.edge) == kZero;
+    if (!follows) of_rank_[ranks_++] = edge;
     last_ = edge;
-    o_.by_direction.push_back(edge.edge);
-    o_.rank[edge.edge] = static_cast<DirectionRank>(of_rank_.size() - 1);
+    o_.by_direction[count_++] = edge.edge;
+    o_.rank[edge.edge] = static_cast<DirectionRank>(ranks_ - 1);
+  }
+  /// Order of the direction of rank i and the reverse of that of rank r, which is in the lower half of
+  /// the circle if that one is in the `upper` half.
+  Sign compare_with_reverse(std::size_t i, std::size_t r, bool upper) {
+    const SiteId edge = of_rank_[i].edge;
+    const int half = half_circle(predicates_, edge);
+    if (half != (upper ? 1 : 0)) return half == 0 ? kNegative : kPositive;
+    return predicates_.cross(edge, of_rank_[r].edge);
   }
 
-  const PreparedOperand& p_;
-  const PreparedOperand& q_;
   Operands& o_;
   Predicates predicates_;
   bool keys_tell_;
   std::vector<KeyedEdge>& of_rank_;
+  std::size_t ranks_ = 0;
+  std::size_t count_ = 0;
   KeyedEdge last_{};
 };
 
-/// For each rank, where its reverse stands among the ranks: 2r = exactly at rank r, 2r + 1 = between
-/// r and the next. One sweep with two pointers.
-void find_reverses(bool keys_tell, Operands& operands) {
-  Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
-  const auto& of_rank = operands.scratch.of_rank;
-  const std::size_t n = of_rank.size();
-  operands.reverse_place.resize(n);
-  // Positive if the other direction is less than half a circle ahead. Keys of reverses differ by 2.
-  const auto turn = [&](std::size_t r, std::size_t other) {
-    const KeyedEdge& a = of_rank[r];
-    const KeyedEdge& b = of_rank[other < n ? other : other - n];
-    const double ahead = b.key - a.key + (other < n ? 0.0 : 4.0);
-    if (keys_tell && ahead > 4 * kKeyError && ahead < 4 - 4 * kKeyError) {
-      if (ahead < 2 - 4 * kKeyError) return kPositive;
-      if (ahead > 2 + 4 * kKeyError) return kNegative;
-    }
-    return predicates.cross(a.edge, b.edge);
-  };
-  std::size_t ahead = 1;  // first rank after r, not wrapped, that is at or beyond the reversed r
-  for (std::size_t r = 0; r < n; ++r) {
-    ahead = std::max(ahead, r + 1);
-    Sign at = turn(r, ahead);
-    while (at == kPositive) at = turn(r, ++ahead);
-    const std::size_t place = 2 * (ahead < n ? ahead : ahead - n);
-    const std::size_t before = place == 0 ? 2 * n - 1 : place - 1;
-    operands.reverse_place[r] = static_cast<std::uint32_t>(at == kZero ? place : before);
+/// An operand's sorted edges, those that stay, by their numbers among both operands' sites.
+std::span<const KeyedEdge> stay(const PreparedOperand& operand, std::size_t shift,
+                                std::span<const SiteId> renumbered, std::vector<KeyedEdge>& kept) {
+  kept.clear();
+  kept.reserve(operand.by_direction.size());
+  for (const KeyedEdge& e : operand.by_direction) {
+    const SiteId edge = e.edge + static_cast<SiteId>(shift);
+    const SiteId id = renumbered.empty() ? edge : renumbered[edge];
+    if (id != kNoSite) kept.push_back({e.key, id});
   }
-}
-
-/// Reverses between the same two ranks get places of their own, in their order: as r goes round
-/// once, so does its reverse.
-void number_places(Operands& operands) {
-  const std::size_t n = operands.rank_count;
-  auto& reverse = operands.reverse_place;
-  std::size_t first = 0;  // whose reverse is the first at or after rank 0
-  for (std::size_t r = 1; r < n; ++r) {
-    if (reverse[r] < reverse[r - 1]) first = r;
-  }
-  operands.place.resize(n);
-  std::uint32_t next_place = 0;
-  std::size_t taken = 0;
-  std::size_t r = first;
-  for (std::size_t rank = 0; rank < n; ++rank) {
-    operands.place[rank] = next_place;
-    const auto take = [&](std::size_t coarse) {
-      if (taken == n || reverse[r] != coarse) return false;
-      reverse[r] = next_place;
-      ++taken;
-      r = r + 1 == n ? 0 : r + 1;
-      return true;
-    };
-    take(2 * rank);
-    ++next_place;
-    while (take(2 * rank + 1)) ++next_place;
-  }
-  operands.place_count = next_place;
+  return kept;
 }
 
 }  // namespace
 
 void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Operands& operands) {
-  Ranker(p, q, operands).run();
-  find_reverses(keys_tell(p, q), operands);
-  number_places(operands);
+  const auto& renumbered = operands.scratch.renumbered;
+  auto& kept = operands.scratch.sorted;
+  Ranker ranker(p, q, operands);
+  ranker.rank(renumbered.empty() ? p.by_direction : stay(p, 0, renumbered, kept[0]),
+              stay(q, p.size(), renumbered, kept[1]));
+  ranker.number_places();
 }
 
 }  // namespace minksum

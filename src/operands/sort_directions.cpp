@@ -1,6 +1,7 @@
 // Edges sorted by direction: by rounded keys, and exactly where those cannot tell.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "operands/directions.hpp"
@@ -19,6 +20,7 @@ double angle_key(double dx, double dy) {
 /// A direction near the positive x axis may have its key at either end of the range.
 bool keys_are_safe(const PreparedOperand& o) {
   if (std::isinf(o.bounds.direction)) return false;
+  if (o.bounds.direction == 0) return true;  // integers
   for (SiteId e = 0; e < o.size(); ++e) {
     const double dx = std::abs(o.sites.dx[e]);
     const double dy = std::abs(o.sites.dy[e]);
@@ -62,12 +64,12 @@ class RadixSort {
   }
   /// Roughly in order by one digit, then each put where it belongs.
   void sort_few(std::vector<KeyedEdge>& edges) {
-    constexpr std::size_t kRanges = 128;
-    const auto range = [](const KeyedEdge& e) {
-      return static_cast<std::size_t>(static_cast<std::int32_t>(e.key * (kRanges / 4)));
+    const std::size_t ranges = std::bit_ceil(std::max<std::size_t>(edges.size(), 8));
+    const auto range = [scale = static_cast<double>(ranges) / 4](const KeyedEdge& e) {
+      return static_cast<std::size_t>(static_cast<std::int32_t>(e.key * scale));
     };
     auto& place = scratch_.counts;
-    place.assign(kRanges + 2, 0);  // a key may be 4 after rounding
+    place.assign(ranges + 2, 0);  // a key may be 4 after rounding
     for (const KeyedEdge& e : edges) ++place[range(e) + 1];
     for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
     auto& sorted = scratch_.keyed;
@@ -79,7 +81,7 @@ class RadixSort {
       for (; j > 0 && by_key(edge, sorted[j - 1]); --j) sorted[j] = sorted[j - 1];
       sorted[j] = edge;
     }
-    std::copy(sorted.begin(), sorted.end(), edges.begin());
+    std::swap(edges, sorted);
   }
   static void sort_run(std::span<KeyedEdge> run) {
     if (!std::is_sorted(run.begin(), run.end(), by_key)) std::sort(run.begin(), run.end(), by_key);

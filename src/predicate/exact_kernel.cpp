@@ -90,9 +90,12 @@ class GridKernel final : public KernelOf<Rung> {
   template <class Number>
   void append(const std::vector<Vec<Number>>& sites, const GridPart& part) {
     const auto factor = static_cast<Coord>(part.factor);
+    const std::size_t size = this->sites_.size();
+    this->sites_.resize(size + part.sites.size());
+    auto to = this->sites_.begin() + static_cast<std::ptrdiff_t>(size);
     for (const SiteId site : part.sites) {
-      this->sites_.push_back({static_cast<Coord>(static_cast<Coord>(sites[site].x) * factor),
-                              static_cast<Coord>(static_cast<Coord>(sites[site].y) * factor)});
+      *to++ = {static_cast<Coord>(static_cast<Coord>(sites[site].x) * factor),
+               static_cast<Coord>(static_cast<Coord>(sites[site].y) * factor)};
     }
   }
 
