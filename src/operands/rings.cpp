@@ -1,6 +1,8 @@
 // Rings as given to rings as the pipeline wants them.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "operands/prepared_operand.hpp"
 #include "operands/rational_sites.hpp"
@@ -34,24 +36,57 @@ class RingCleaner {
  private:
   void clean(std::size_t ring, std::uint32_t polygon, std::uint32_t ring_in_polygon) {
     begin_ = order_.size();
-    drop_repeated(ring);
-    if (distinct_.size() < 3) {
-      return fault("ring has fewer than three distinct vertices",
-                   distinct_.empty() ? kNoSite : distinct_[0]);
+    if (!turns_everywhere(ring)) {
+      drop_repeated(ring);
+      if (distinct_.size() < 3) {
+        return fault("ring has fewer than three distinct vertices",
+                     distinct_.empty() ? kNoSite : distinct_[0]);
+      }
+      if (!drop_straight()) return;
+      if (order_.size() - begin_ < 3) return fault("ring has no area", distinct_[0]);
     }
-    if (!drop_straight()) return;
-    if (order_.size() - begin_ < 3) return fault("ring has no area", distinct_[0]);
     const bool reversed = orient(ring_in_polygon != 0);
-    const std::size_t n = order_.size() - begin_;
     // The edge that starts at order[i] has an index in its region: of a reversed ring it is the one
     // that started at order[i + 1].
-    for (std::size_t i = 0; i < n; ++i) {
-      operand_.edge_source.push_back(order_[begin_ + (reversed ? (i + 1 == n ? 0 : i + 1) : i)]);
-    }
+    auto& sources = operand_.edge_source;
+    sources.insert(sources.end(), order_.begin() + static_cast<std::ptrdiff_t>(begin_), order_.end());
+    const auto first = sources.end() - static_cast<std::ptrdiff_t>(order_.size() - begin_);
+    if (reversed) std::rotate(first, first + 1, sources.end());
     operand_.rings.push_back({static_cast<SiteId>(begin_), static_cast<SiteId>(order_.size()),
                               polygon, ring_in_polygon});
   }
 
+  /// Takes the whole ring if no vertex is repeated or straight, which most have none of.
+  bool turns_everywhere(std::size_t ring) {
+    const auto vertices = region_.vertices_of(ring);
+    const auto first = static_cast<SiteId>(vertices.front());
+    const auto n = static_cast<SiteId>(vertices.size());
+    if (n < 3) return false;
+    order_.resize(begin_ + n);
+    operand_.convex.resize(begin_ + n);
+    std::uint8_t* const convex = operand_.convex.data() + begin_;
+    const double* const x = operand_.sites.x.data();
+    const double* const y = operand_.sites.y.data();
+    const bool exact = predicates_.bounds().difference == 0 && predicates_.bounds().product == 0;
+    SiteId before = first + n - 1;
+    bool all = true;
+    for (SiteId i = 0; i < n; ++i) {
+      const SiteId at = first + i;
+      const SiteId after = i + 1 == n ? first : at + 1;
+      const Sign turn = exact ? sign_of(cross(Vec<double>{x[at] - x[before], y[at] - y[before]},
+                                              Vec<double>{x[after] - x[at], y[after] - y[at]}))
+                              : predicates_.orientation(before, at, after);
+      all &= turn != kZero;
+      convex[i] = turn == kPositive ? 1 : 0;
+      before = at;
+    }
+    std::iota(order_.begin() + static_cast<std::ptrdiff_t>(begin_), order_.end(), first);
+    if (!all) {
+      order_.resize(begin_);
+      operand_.convex.resize(begin_);
+    }
+    return all;
+  }
   bool equal(SiteId a, SiteId b) {
     return predicates_.compare(a, b, Axis::kX) == kZero &&
            predicates_.compare(a, b, Axis::kY) == kZero;
@@ -90,15 +125,7 @@ class RingCleaner {
   /// Reverses the ring if it runs the wrong way round.
   bool orient(bool is_hole) {
     const std::size_t n = order_.size();
-    std::size_t lowest = begin_;
-    for (std::size_t i = begin_ + 1; i < n; ++i) {
-      const Sign by_x = predicates_.compare(order_[i], order_[lowest], Axis::kX);
-      if (by_x == kNegative ||
-          (by_x == kZero &&
-           predicates_.compare(order_[i], order_[lowest], Axis::kY) == kNegative)) {
-        lowest = i;
-      }
-    }
+    const std::size_t lowest = lexicographically_smallest();
     const bool reversed = (operand_.convex[lowest] == 0) != is_hole;
     if (reversed) {
       const auto begin = static_cast<std::ptrdiff_t>(begin_);
@@ -107,6 +134,27 @@ class RingCleaner {
       for (std::size_t i = begin_; i < n; ++i) operand_.convex[i] ^= 1;
     }
     return reversed;
+  }
+  [[nodiscard]] std::size_t lexicographically_smallest() {
+    std::size_t lowest = begin_;
+    if (predicates_.bounds().difference == 0) {
+      const auto place = [&](std::size_t i) {
+        return std::pair(operand_.sites.x[order_[i]], operand_.sites.y[order_[i]]);
+      };
+      for (std::size_t i = begin_ + 1; i < order_.size(); ++i) {
+        if (place(i) < place(lowest)) lowest = i;
+      }
+      return lowest;
+    }
+    for (std::size_t i = begin_ + 1; i < order_.size(); ++i) {
+      const Sign by_x = predicates_.compare(order_[i], order_[lowest], Axis::kX);
+      if (by_x == kNegative ||
+          (by_x == kZero &&
+           predicates_.compare(order_[i], order_[lowest], Axis::kY) == kNegative)) {
+        lowest = i;
+      }
+    }
+    return lowest;
   }
   /// Reports, and leaves the ring out.
   void fault(const char* message, SiteId site) {
