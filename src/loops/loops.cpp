@@ -26,6 +26,13 @@ PieceId successor(const Spoke& back, std::span<const Spoke> spokes, const Direct
   return best / 2;
 }
 
+/// Whether two pieces are parallel, with opposite senses.
+bool run_against(const Arrangement& arrangement, PieceId a, PieceId b) {
+  const KeptSegment& s = arrangement.kept[arrangement.pieces[a].segment];
+  const KeptSegment& t = arrangement.kept[arrangement.pieces[b].segment];
+  return s.line == t.line && s.rank != t.rank;
+}
+
 /// Sets the successor of each piece, or none.
 void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
                  LoopScratch& scratch) {
@@ -45,8 +52,7 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
     const NodeEnds& at = ends[pieces[p].to];
     any_choice |= at.degree > kFew;
     // The only piece to go on with may run back over this one.
-    const bool ahead = at.out != kNoPiece &&
-                       circle.reverse(circle.rank(p)) != circle.place(circle.rank(at.out));
+    const bool ahead = at.out != kNoPiece && !run_against(arrangement, p, at.out);
     scratch.next[p] = ahead ? at.out : kNoPiece;
   }
   if (!any_choice) return;
@@ -72,29 +78,25 @@ void find_loops(const Operands& operands, const Arrangement& arrangement, LoopSc
   loops.pieces.clear();
   loops.begin.assign(1, 0);
   loops.positive.clear();
-  // Successors are unique both ways, so chains are paths or cycles. States: 0 new, 1 on the chain
-  // being walked, 2 done.
-  scratch.visited.assign(n, 0);
+  // Successors are unique both ways, so chains are paths or cycles. Each piece is marked with the first
+  // piece of the walk that came to it: a walk that ends at a mark of its own has gone round.
+  scratch.walk.assign(n, kNoPiece);
   for (PieceId first = 0; first < n; ++first) {
     PieceId p = first;
-    while (p != kNoPiece && scratch.visited[p] == 0) {
-      scratch.visited[p] = 1;
+    while (p != kNoPiece && scratch.walk[p] == kNoPiece) {
+      scratch.walk[p] = first;
       p = scratch.next[p];
     }
-    if (p != kNoPiece && scratch.visited[p] == 1) {
-      int rotation = 0;
-      const PieceId start = p;
-      do {
-        loops.pieces.push_back(p);
-        rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
-        p = scratch.next[p];
-      } while (p != start);
-      loops.begin.push_back(static_cast<std::uint32_t>(loops.pieces.size()));
-      loops.positive.push_back(rotation > 0 ? 1 : 0);
-    }
-    for (p = first; p != kNoPiece && scratch.visited[p] == 1; p = scratch.next[p]) {
-      scratch.visited[p] = 2;
-    }
+    if (p == kNoPiece || scratch.walk[p] != first) continue;
+    int rotation = 0;
+    const PieceId start = p;
+    do {
+      loops.pieces.push_back(p);
+      rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
+      p = scratch.next[p];
+    } while (p != start);
+    loops.begin.push_back(static_cast<std::uint32_t>(loops.pieces.size()));
+    loops.positive.push_back(rotation > 0 ? 1 : 0);
   }
 }
 

@@ -45,12 +45,15 @@ class DirectionCircle {
   [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + size() - from;
   }
-  /// How often a turn by less than half a circle passes the positive x axis: -1, 0 or 1.
+  /// How often a turn by less than half a circle passes the positive x axis, where places begin: -1, 0
+  /// or 1. To the left it does if the turn's end comes before the reverse of its begin, and that before
+  /// the begin itself; to the right the other way round.
   [[nodiscard]] int wraps(DirectionRank from, DirectionRank to) const {
-    if (from == to) return 0;
-    const bool left = turn(place(from), place(to)) < turn(place(from), reverse(from));
-    if (left) return to < from ? 1 : 0;
-    return to > from ? -1 : 0;
+    const std::uint32_t begin = place(from);
+    const std::uint32_t back = reverse(from);
+    const std::uint32_t end = place(to);
+    return static_cast<int>((end < back) & (back < begin)) -
+           static_cast<int>((begin < back) & (back < end));
   }
 
  private:
@@ -108,7 +111,7 @@ struct LoopScratch {
   std::vector<NodeEnds> ends;  ///< by node
   Incidence incidence;         ///< of nodes where more than two pieces end
   std::vector<PieceId> next;
-  std::vector<std::uint8_t> visited;
+  std::vector<PieceId> walk;  ///< by piece: where the walk began that came to it first
 };
 
 /// Finds all orientable loops. At each node the chain turns clockwise as far as it can; O(pieces ·
