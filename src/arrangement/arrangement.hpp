@@ -139,6 +139,8 @@ struct BinScratch {
   std::vector<CellSite> sites;
   std::array<Bitmap, 4> blocks;  ///< where blocks of 2, 4 and 8 cells a side are covered; nothing
   std::vector<Segment> visible;
+  std::vector<Segment> ordered;
+  std::vector<std::uint32_t> place;  ///< by site: where its segments are in `ordered`
   std::vector<std::uint8_t> shared;  ///< by rank: whether several edges have it
 };
 
@@ -147,6 +149,7 @@ struct BinScratch {
 struct ArrangementScratch {
   UniformGrid grid;   ///< of the cells below
   bool swept = false;   ///< there are none: all segments are swept at once
+  Vec<double> extent{};  ///< of all segments, from (0, 0) on; if swept
   bool whole = false;   ///< pieces inside the sum are wanted as well
   BoxPairScratch pairs;
   BinScratch bin;
@@ -168,6 +171,7 @@ struct ArrangementScratch {
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
   std::vector<std::uint32_t> parent;
   std::vector<std::uint32_t> line_parent;  ///< the same for segments known to be on one line
+  bool lines_shared = false;               ///< there are such
   std::vector<NodeId> node_of_point;
   std::vector<PieceId> first_piece;     ///< by node: a list of pieces to nodes of higher numbers
   std::vector<ListedPiece> next_piece;  ///< by piece

@@ -1,6 +1,8 @@
 // Which segments touch uncovered cells, and which cells.
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <tuple>
 
 #include "arrangement/place_segments.hpp"
@@ -38,19 +40,17 @@ class HiddenSegments {
     }
   }
 
-  /// Lists the others. Without branches: which are hidden is hard to foresee.
-  void list_visible(const std::vector<Segment>& segments, std::vector<Segment>& visible) const {
-    if (!active_) {
-      visible = segments;
-      return;
-    }
+  /// The others. Without branches: which are hidden is hard to foresee.
+  [[nodiscard]] std::span<const Segment> list_visible(const std::vector<Segment>& segments,
+                                                      std::vector<Segment>& visible) const {
+    if (!active_) return segments;
     visible.resize(segments.size());
     std::size_t count = 0;
     for (const Segment& segment : segments) {
       visible[count] = segment;
       count += hides(segment) ? 0U : 1U;
     }
-    visible.resize(count);
+    return std::span(visible).first(count);
   }
 
  private:
@@ -117,6 +117,7 @@ class Extent {
       up_ += std::abs(s.d.y);
     }
   }
+  [[nodiscard]] Vec<double> size() const { return {width_, height_}; }
   /// Cells about as wide and as high together as the segments are on average, but not more than
   /// segments.
   [[nodiscard]] UniformGrid grid() const {
@@ -156,21 +157,23 @@ class Binner {
   void run(const Convolution& convolution) {
     kept_.clear();
     items_.clear();
-    HiddenSegments(o_, cover_, scratch_.bin)
-        .list_visible(convolution.segments, scratch_.bin.visible);
+    std::span<const Segment> visible =
+        HiddenSegments(o_, cover_, scratch_.bin)
+            .list_visible(convolution.segments, scratch_.bin.visible);
+    if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
     // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
-    const bool joins = lines_are_joined(o_, scratch_.bin.visible.size());
-    list_shared_directions(!joins && o_.bounds.difference == 0);
-    DuplicateFinder duplicates(scratch_.hash_table, kept_);
-    const auto& shared = scratch_.bin.shared;
-    for (const Segment& segment : scratch_.bin.visible) {
-      kept_.push_back(place_segment(o_, segment));
-      if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
+    const bool joins = lines_are_joined(o_, visible.size());
+    if (joins || o_.bounds.difference != 0 || !list_shared_directions()) {
+      kept_.reserve(visible.size());
+      for (const Segment& segment : visible) kept_.push_back(place_segment(o_, segment));
+    } else {
+      place_once(visible);
     }
     join_lines(o_, joins, scratch_.join, kept_);
     const Extent extent(o_, kept_);
     grid_ = covers_any_ ? cover_.grid : extent.grid();
     scratch_.swept = !covers_any_ && extent.boxes_are_small();
+    scratch_.extent = extent.size();
     if (!scratch_.swept) list_all_cells();
     scratch_.line_count = static_cast<KeptId>(kept_.size());
     append_members();
@@ -178,6 +181,25 @@ class Binner {
   }
 
  private:
+  static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyhow
+
+  /// Segments in the order of the sites of the operand that has more of them: what is near in the
+  /// plane is near in memory then, all the way to the output.
+  std::span<const Segment> order_along_rings(std::span<const Segment> segments) {
+    const int longer = 2 * o_.split >= o_.size() ? 0 : 1;
+    const auto site = [&](const Segment& s) {
+      return o_.operand_of(s.edge) == longer ? s.edge : s.vertex;
+    };
+    auto& place = scratch_.bin.place;
+    place.assign(o_.size() + 1, 0);
+    for (const Segment& s : segments) ++place[site(s) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    auto& ordered = scratch_.bin.ordered;
+    ordered.resize(segments.size());
+    for (const Segment& s : segments) ordered[place[site(s)]++] = s;
+    return ordered;
+  }
+
   void list_all_cells() {
     KeptId count = 0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {
@@ -186,14 +208,24 @@ class Binner {
     kept_.resize(count);
   }
 
-  /// Directions that several edges have: only segments of such can be equal.
-  void list_shared_directions(bool wanted) {
+  /// Directions that several edges have: only segments of such can be equal. False if there are none.
+  bool list_shared_directions() {
+    if (o_.rank_count == o_.size()) return false;
     auto& shared = scratch_.bin.shared;
     shared.assign(o_.rank_count, 0);
-    if (!wanted) return;
     for (std::size_t i = 1; i < o_.by_direction.size(); ++i) {
       const DirectionRank rank = o_.rank[o_.by_direction[i]];
       if (rank == o_.rank[o_.by_direction[i - 1]]) shared[rank] = 1;
+    }
+    return true;
+  }
+  /// Of equal segments one.
+  void place_once(std::span<const Segment> segments) {
+    DuplicateFinder duplicates(scratch_.hash_table, kept_);
+    const auto& shared = scratch_.bin.shared;
+    for (const Segment& segment : segments) {
+      kept_.push_back(place_segment(o_, segment));
+      if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
     }
   }
 

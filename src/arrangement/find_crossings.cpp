@@ -27,6 +27,7 @@ class CrossingFinder {
     std::iota(scratch_.parent.begin(), scratch_.parent.end(), 0U);
     scratch_.line_parent.resize(kept_.size());
     std::iota(scratch_.line_parent.begin(), scratch_.line_parent.end(), 0U);
+    scratch_.lines_shared = false;
     if (cover_.divided) {
       solve_leaves();
     } else if (scratch_.swept) {
@@ -45,11 +46,7 @@ class CrossingFinder {
   void solve_all() {
     meeter_.enter({});
     const std::span lines(kept_.data(), scratch_.line_count);
-    Vec<double> extent{};
-    for (const KeptSegment& s : lines) {
-      extent = {std::max({extent.x, s.a.x, s.b.x}), std::max({extent.y, s.a.y, s.b.y})};
-    }
-    BoxPairs pairs(extent.x, extent.y, meeter_.doubt(), scratch_.pairs);
+    BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
     for (const KeptSegment& s : lines) {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
                 std::max(s.a.y, s.b.y));

@@ -119,6 +119,7 @@ void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
   double bound = 0;
   if (side(s, 2 * t, value, bound) != kZero) return;
   unite(scratch_.line_parent, s, t);
+  scratch_.lines_shared = true;
   for (const std::uint32_t point : {2 * t, 2 * t + 1}) meet_on_line(s, point);
   for (const std::uint32_t point : {2 * s, 2 * s + 1}) meet_on_line(t, point);
 }

@@ -49,7 +49,7 @@ class DuplicateFinder {
 
  private:
   static constexpr KeptId kEmpty = 0xFFFFFFFFU;
-  static constexpr std::size_t kSmallest = 1024;
+  static constexpr std::size_t kSmallest = 256;
 
   bool enter(KeptId id) {
     const KeptSegment& s = kept_[id];

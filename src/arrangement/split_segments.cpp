@@ -18,14 +18,15 @@ class Splitter {
         predicates_(predicates),
         scratch_(scratch),
         result_(arrangement),
-        ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())) {}
+        ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())),
+        may_coincide_(!scratch.swept || scratch.lines_shared) {}
 
   void run(bool tight_wanted) {
     group_events();
     for (KeptId s = 0; s < scratch_.line_count; ++s) order_events(s);
     result_.nodes.clear();
     result_.pieces.clear();
-    scratch_.first_piece.clear();
+    if (may_coincide_) scratch_.first_piece.assign(scratch_.parent.size(), kNoPiece);
     scratch_.next_piece.clear();
     scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
     for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
@@ -119,8 +120,9 @@ class Splitter {
   void make_node(std::uint32_t root, Node& node) const {
     node.point.is_crossing = root >= ends_;
     if (root < ends_) {
+      const KeptSegment& s = result_.kept[root / 2];
       node.point.vertex = vertex_of(root);
-      node.at = predicates_.position(node.point.vertex);
+      node.at = root % 2 == 0 ? s.a : s.b;
       node.error = predicates_.bounds().difference;
       return;
     }
@@ -210,9 +212,11 @@ class Splitter {
 
   /// Adds a piece. Of pieces with the same ends one is kept; of opposite ones none.
   void add_piece(NodeId from, NodeId to, KeptId s) {
-    auto& first = scratch_.first_piece;
-    if (first.size() < result_.nodes.size()) first.resize(result_.nodes.size(), kNoPiece);
-    PieceId& list = first[std::min(from, to)];
+    if (!may_coincide_) {
+      result_.pieces.push_back({from, to, s});
+      return;
+    }
+    PieceId& list = scratch_.first_piece[std::min(from, to)];
     for (PieceId p = list; p != kNoPiece; p = scratch_.next_piece[p].next) {
       const Piece& other = result_.pieces[p];
       if (other.from == from && other.to == to) return;
@@ -226,6 +230,7 @@ class Splitter {
     result_.pieces.push_back({from, to, s});
   }
   void drop_cancelled() {
+    if (!may_coincide_) return;
     auto& pieces = result_.pieces;
     std::size_t kept = 0;
     for (PieceId p = 0; p < pieces.size(); ++p) {
@@ -235,6 +240,7 @@ class Splitter {
   }
 
   void list_slits() {
+    if (!may_coincide_) return;
     for (PieceId p = 0; p < result_.pieces.size(); ++p) {
       if (scratch_.next_piece[p].cancelled) result_.slits.push_back(result_.pieces[p]);
     }
@@ -296,6 +302,9 @@ class Splitter {
   ArrangementScratch& scratch_;
   Arrangement& result_;
   std::uint32_t ends_;  ///< points below are ends of segments
+  /// Whether pieces may have the same ends: those of segments that overlap on one line. Where all
+  /// segments meet all others it is known whether there are such.
+  bool may_coincide_;
 };
 
 }  // namespace
