@@ -40,7 +40,7 @@ constexpr std::string_view kDarkStyle = R"(text{fill:#b5b5b5}.title{fill:#eee}.g
 .first{fill:#56b4e9;stroke:#56b4e9}.second{fill:#ff9950;stroke:#ff9950}
 .sum{fill:#2fd6a5;stroke:#2fd6a5}.tight{fill:#e79cc5;stroke:#e79cc5}.pale{fill:#aaa}
 .edge-first{stroke:#56b4e9}.edge-second{stroke:#ff9950}
-.dropped,.grid{stroke:#777}.covered{fill:#2fd6a5}.node{fill:#eee}
+.dropped,.grid{stroke:#777}.covered{fill:#2fd6a5}.node{fill:#eee}.mark{stroke:#eee;fill:#eee}
 .accepted{fill:#2fd6a5;stroke:#2fd6a5}
 .nesting{fill:#e79cc5;stroke:#e79cc5}.collision{fill:#f3bd45;stroke:#f3bd45}
 )";
