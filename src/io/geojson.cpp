@@ -279,12 +279,7 @@ void append_position(Writer& writer, const Point& point) {
 
 void append_positions(Writer& writer, std::span<const Point> points) {
   writer.text('[');
-  bool first = true;
-  for (const Point& point : points) {
-    if (!first) writer.text(", ");
-    first = false;
-    append_position(writer, point);
-  }
+  append_separated(writer, points, [&](const Point& point) { append_position(writer, point); });
   writer.text(']');
 }
 
@@ -294,12 +289,8 @@ void append_polylines(Writer& writer, std::span<const Polyline> polylines) {
     append_positions(writer, polylines[0]);
   } else {
     writer.text(R"({"type": "MultiLineString", "coordinates": [)");
-    bool first = true;
-    for (const Polyline& polyline : polylines) {
-      if (!first) writer.text(", ");
-      first = false;
-      append_positions(writer, polyline);
-    }
+    append_separated(writer, polylines,
+                     [&](const Polyline& polyline) { append_positions(writer, polyline); });
     writer.text(']');
   }
   writer.text('}');
@@ -325,26 +316,8 @@ Geometry read_geojson(std::string_view text, const ReadLimits& limits, Rules rul
 void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
   writer.quote_quotients();
-  const bool collection = geometry.kinds() > 1;
-  if (collection) writer.text(R"({"type": "GeometryCollection", "geometries": [)");
-  const char* separator = "";
-  const auto separate = [&] {
-    writer.text(separator);
-    separator = ", ";
-  };
-  if (!geometry.region.empty() || geometry.kinds() == 0) {
-    separate();
-    append_region(writer, geometry.region);
-  }
-  if (!geometry.polylines.empty()) {
-    separate();
-    append_polylines(writer, geometry.polylines);
-  }
-  if (!geometry.points.empty()) {
-    separate();
-    append_multipoint(writer, geometry.points);
-  }
-  if (collection) writer.text("]}");
+  append_kinds(writer, geometry, R"({"type": "GeometryCollection", "geometries": [)", "]}",
+               append_region, append_polylines, append_multipoint);
   writer.flush();
 }
 

@@ -267,12 +267,7 @@ void append_region(Writer& writer, const Region& region) {
 
 void append_points(Writer& writer, std::span<const Point> points) {
   writer.text('(');
-  bool first = true;
-  for (const Point& point : points) {
-    if (!first) writer.text(", ");
-    first = false;
-    writer.point(point, ' ');
-  }
+  append_separated(writer, points, [&](const Point& point) { writer.point(point, ' '); });
   writer.text(')');
 }
 
@@ -282,12 +277,8 @@ void append_polylines(Writer& writer, std::span<const Polyline> polylines) {
     return append_points(writer, polylines[0]);
   }
   writer.text("MULTILINESTRING (");
-  bool first = true;
-  for (const Polyline& polyline : polylines) {
-    if (!first) writer.text(", ");
-    first = false;
-    append_points(writer, polyline);
-  }
+  append_separated(writer, polylines,
+                   [&](const Polyline& polyline) { append_points(writer, polyline); });
   writer.text(')');
 }
 
@@ -313,26 +304,8 @@ Geometry read_wkt(std::string_view text, const ReadLimits& limits, Rules rules) 
 
 void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
-  const bool collection = geometry.kinds() > 1;
-  if (collection) writer.text("GEOMETRYCOLLECTION (");
-  const char* separator = "";
-  const auto separate = [&] {
-    writer.text(separator);
-    separator = ", ";
-  };
-  if (!geometry.region.empty() || geometry.kinds() == 0) {
-    separate();
-    append_region(writer, geometry.region);
-  }
-  if (!geometry.polylines.empty()) {
-    separate();
-    append_polylines(writer, geometry.polylines);
-  }
-  if (!geometry.points.empty()) {
-    separate();
-    append_multipoint(writer, geometry.points);
-  }
-  if (collection) writer.text(')');
+  append_kinds(writer, geometry, "GEOMETRYCOLLECTION (", ")", append_region,
+               append_polylines, append_multipoint);
   writer.flush();
 }
 

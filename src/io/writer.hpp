@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/formats.hpp"
 #include "minksum/io.hpp"
 
 namespace minksum::io {
@@ -45,5 +46,44 @@ class Writer {
   bool json_ = false;
   std::string buffer_;
 };
+
+/// `append(item)` for each, with commas between.
+template <class Items, class Append>
+void append_separated(Writer& writer, const Items& items, Append append) {
+  bool first = true;
+  for (const auto& item : items) {
+    if (!first) writer.text(", ");
+    first = false;
+    append(item);
+  }
+}
+
+/// What a geometry has of regions, polylines and points, each kind by its own function; between `open`
+/// and `close` if it is of several kinds. Of none, an empty region.
+template <class AppendRegion, class AppendPolylines, class AppendPoints>
+void append_kinds(Writer& writer, const GeometryView& geometry, std::string_view open,
+                  std::string_view close, AppendRegion append_region,
+                  AppendPolylines append_polylines, AppendPoints append_points) {
+  const bool collection = geometry.kinds() > 1;
+  if (collection) writer.text(open);
+  const char* separator = "";
+  const auto separate = [&] {
+    writer.text(separator);
+    separator = ", ";
+  };
+  if (!geometry.region.empty() || geometry.kinds() == 0) {
+    separate();
+    append_region(writer, geometry.region);
+  }
+  if (!geometry.polylines.empty()) {
+    separate();
+    append_polylines(writer, geometry.polylines);
+  }
+  if (!geometry.points.empty()) {
+    separate();
+    append_points(writer, geometry.points);
+  }
+  if (collection) writer.text(close);
+}
 
 }  // namespace minksum::io
