@@ -132,7 +132,8 @@ class Splitter {
     node.point.first = s.segment;
     node.point.second = result_.kept[c.second].segment;
     node.at = {s.a.x + c.lambda * s.d.x, s.a.y + c.lambda * s.d.y};
-    node.error = c.error * reach + predicates_.bounds().position;
+    // An unknown place stays unknown on a segment whose vector doubles do not tell from 0.
+    node.error = std::isinf(c.error) ? c.error : c.error * reach + predicates_.bounds().position;
   }
 
   /// Pieces of one segment, but for those that run through covered cells: they are not boundary.

@@ -1,5 +1,5 @@
 // Each file of `pairs` holds two operands, a line each: their sum is the same by every method, at
-// every setting, and by brute force. README.md says what each was about.
+// every setting, and by brute force, and so are their tight places. README.md says what each was about.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,10 @@
 #include "minksum/validity.hpp"
 #include "property/sums.hpp"
 #include "reference/brute_force.hpp"
+#include "reference/tight_places.hpp"
 #include "reference/validity.hpp"
 #include "support/data.hpp"
+#include "support/geometries.hpp"
 
 namespace {
 
@@ -73,6 +75,13 @@ std::vector<Setting> settings() {
   return all;
 }
 
+Geometry tight_places(const Pair& pair, Options options) {
+  Geometry tight;
+  options.tight = &tight;
+  (void)minkowski_sum(pair.p, pair.q, options);
+  return tight;
+}
+
 class RegressPairs : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RegressPairs, EveryWayGivesTheSame) {
@@ -85,8 +94,13 @@ TEST_P(RegressPairs, EveryWayGivesTheSame) {
   const Region expected = small ? reference::brute_force_sum(pair.p, pair.q)
                                 : sum_by(Method::kSigned, pair.p, pair.q);
   EXPECT_EQ(reference::canonical_fault(expected), "");
+  const Geometry tight = small ? reference::brute_force_tight_places(pair.p, pair.q)
+                               : tight_places(pair, Options{});
   for (const Setting& setting : settings()) {
     SCOPED_TRACE(setting.name);
+    if (setting.options.method == Method::kReduced) {
+      EXPECT_EQ(to_text(tight_places(pair, setting.options)), to_text(tight));
+    }
     EXPECT_EQ(to_text(minkowski_sum(pair.p, pair.q, setting.options)), to_text(expected));
     EXPECT_EQ(to_text(minkowski_sum(pair.q, pair.p, setting.options)), to_text(expected));
   }
