@@ -114,8 +114,9 @@ TEST(Cover, DividedByWindingIsInside) {
 
 /// Every place that is near a reduced segment is in a covered cell or in a leaf that lists it.
 TEST(Cover, LeavesListTheirSegments) {
-  for (const auto& [name, p, q] : pairs()) {
-    Covered c(p, q, 8);
+  for (const auto& pair : pairs()) {
+    const std::string& name = pair.name;
+    Covered c(pair.p, pair.q, 8);
     c.divide(64);
     const auto& [x, y, dx, dy, next] = c.operands.sites;
     std::vector<std::vector<std::uint32_t>> leaves_at(64 * 64);
