@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "minksum/cancel.hpp"
@@ -97,7 +98,7 @@ struct Subdivision {
 /// Says stop if the caller has said so.
 class Cancellation {
  public:
-  explicit Cancellation(const std::optional<CancelToken>& token) : token_(token) {}
+  explicit Cancellation(std::optional<CancelToken> token) : token_(std::move(token)) {}
   /// Looks now and then only.
   void check() {
     if (++calls_ % 1024 == 0) check_now();
@@ -107,7 +108,7 @@ class Cancellation {
   }
 
  private:
-  const std::optional<CancelToken>& token_;
+  std::optional<CancelToken> token_;
   std::uint32_t calls_ = 0;
 };
 
