@@ -52,7 +52,10 @@ constexpr Kind kSinglePart[] = {
     {"spiral", [](Random&) { return spiral(1); }},
     {"spiky star", star_of},
     {"with holes",
-     [](Random& r) { return random_with_holes(r, r.between(4, 16), r.between(1, 3)); }},
+     [](Random& r) {
+       const int holes = r.between(1, 3);
+       return random_with_holes(r, r.between(4, 16), holes);
+     }},
 };
 // Close together if they can be, one in a hole of the other if that happens.
 Region two_parts(Random& random) {
@@ -129,15 +132,18 @@ Pair random_pair(Random& random) {
       pair.p = frame_for(pair.q, random);
       other = "a frame for it";
       break;
-    case 3:
-      pair.q = scaled(random_region(random, &other), Rational(1, random.between(2, 16)));
+    case 3: {
+      const Rational scale(1, random.between(2, 16));
+      pair.q = scaled(random_region(random, &other), scale);
       other += ", tiny";
       break;
+    }
     default:
       pair.q = random_region(random, &other);
   }
   pair.kind += " and " + other;
-  pair.p = moved(pair.p, random.between(-5, 5), random.between(-5, 5));
+  const int dy = random.between(-5, 5);
+  pair.p = moved(pair.p, random.between(-5, 5), dy);
   if (random.one_in(4)) pair.p = scrambled(scaled(pair.p, 4), random);
   if (random.one_in(4)) pair.q = scrambled(pair.q, random);
   if (random.one_in(2)) std::swap(pair.p, pair.q);

@@ -196,8 +196,9 @@ Region random_with_holes(Random& random, int size, int holes) {
   for (int h = 0; h < holes; ++h) {
     for (int attempt = 0; attempt < 8; ++attempt) {
       const int small = random.between(1, std::max(1, size / 2));
-      const Region hole = moved(random_two_opt(random, random.between(3, 5), small + 1),
-                                random.between(0, size - small), random.between(0, size - small));
+      const int dy = random.between(0, size - small);
+      const int dx = random.between(0, size - small);
+      const Region hole = moved(random_two_opt(random, random.between(3, 5), small + 1), dx, dy);
       Polygon more = polygon;
       more.holes.push_back(hole.polygon(0).outer);
       if (!reference::legal_fault(Region(more)).empty()) continue;
