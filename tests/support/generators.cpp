@@ -48,7 +48,12 @@ constexpr Kind kSinglePart[] = {
      }},
     {"cells", [](Random& r) { return random_cells(r, 3, r.between(2, 3), false, true); }},
     {"half cells", [](Random& r) { return random_cells(r, r.between(2, 3), 2, true, true); }},
-    {"comb", [](Random& r) { return comb(r.between(2, 3), r.between(1, 2), r.between(1, 6)); }},
+    {"comb",
+     [](Random& r) {
+       const int height = r.between(1, 6);
+       const int width = r.between(1, 2);
+       return comb(r.between(2, 3), width, height);
+     }},
     {"spiral", [](Random&) { return spiral(1); }},
     {"spiky star", star_of},
     {"with holes",
