@@ -2,6 +2,7 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/prepared_region.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <new>
@@ -97,12 +98,24 @@ bool is_full(const Workspace::State& w, const Options& options) {
 }
 
 void convolve(Workspace::State& w, const Options& options) {
-  (is_full(w, options) ? full_convolution : reduced_convolution)(
-      w.operands, options.limits, w.convolution_scratch, w.convolution);
+  const Operands& o = w.operands;
+  if (is_full(w, options)) {
+    return full_convolution(o, options.limits, w.convolution_scratch, w.convolution);
+  }
+  // Fewer are listed, and looked at one by one, before trees are built and searched.
+  const std::uint64_t sites = o.size();
+  const std::uint64_t many =
+      std::max(8 * sites, std::clamp<std::uint64_t>(32 * sites, 100'000, 200'000));
+  const std::uint64_t pairs = std::uint64_t{o.split} * (sites - o.split);
+  if (options.cover && !o.both_convex && !o.both_thin() && pairs >= 2 * many) {
+    sample_reduced_convolution(o, w.convolution_scratch, w.convolution);
+    if (w.convolution.size >= many) return;
+  }
+  reduced_convolution(o, options.limits, w.convolution_scratch, w.convolution);
 }
 
 void count(const Workspace::State& w, const Predicates& predicates, Statistics& statistics) {
-  statistics.convolution_segments = w.convolution.segments.size();
+  statistics.convolution_segments = w.convolution.size;
   statistics.segments_kept = w.arrangement.kept.size();
   statistics.crossings = w.arrangement.crossings;
   statistics.loops = w.loops.size();
@@ -167,7 +180,7 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
     runner.require(check(w.convolution, w.operands, is_full(w, options)));
   }
   runner.run(Stage::kCover, [&] {
-    cover_interior(w.operands, w.convolution, options, w.cover_scratch, w.cover);
+    cover_interior(w.operands, options, w.cover_scratch, w.convolution, w.cover);
   });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {
@@ -200,6 +213,9 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
   }
   count(w, predicates, statistics);
   if (options.trace != nullptr) {
+    if (!w.convolution.listed()) {
+      reduced_convolution(w.operands, options.limits, w.convolution_scratch, w.convolution);
+    }
     fill_trace(w.operands, w.convolution, w.cover, w.arrangement, w.loops, w.filtered,
                *options.trace);
   }

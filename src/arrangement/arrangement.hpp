@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arrangement/cell_box.hpp"
+#include "arrangement/visible_segments.hpp"
 #include "convolution/convolution.hpp"
 #include "cover/cover.hpp"
 #include "grid/box_pairs.hpp"
@@ -97,12 +98,6 @@ struct ListedPiece {
   bool cancelled;  ///< there is an opposite piece
 };
 
-/// A site, and the box of its edge, in cells; rounded.
-struct CellSite {
-  float x, y;
-  float x0, y0, x1, y1;
-};
-
 /// A segment's direction at a point on it, its ends included.
 struct Incident {
   std::uint32_t point;
@@ -136,9 +131,6 @@ struct JoinScratch {
 
 /// Memory for binning.
 struct BinScratch {
-  std::vector<CellSite> sites;
-  std::array<Bitmap, 4> blocks;  ///< where blocks of 2, 4 and 8 cells a side are covered; nothing
-  std::vector<Segment> visible;
   std::vector<Segment> ordered;
   std::vector<std::uint32_t> place;  ///< by site: where its segments are in `ordered`
   std::vector<std::uint8_t> shared;  ///< by rank: whether several edges have it
@@ -152,6 +144,7 @@ struct ArrangementScratch {
   Vec<double> extent{};  ///< of all segments, from (0, 0) on; if swept
   bool whole = false;   ///< pieces inside the sum are wanted as well
   BoxPairScratch pairs;
+  VisibleScratch visible;
   BinScratch bin;
   JoinScratch join;
   KeptId line_count = 0;                   ///< kept segments that are split; members come after
@@ -202,7 +195,7 @@ void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments, and none are needed if boxes of segments hardly overlap.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  ArrangementScratch& scratch, Arrangement& arrangement);
+                  const Limits& limits, ArrangementScratch& scratch, Arrangement& arrangement);
 /// The same from the leaves of a divided cover. O(segments listed).
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 ArrangementScratch& scratch, Arrangement& arrangement);

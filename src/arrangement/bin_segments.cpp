@@ -3,108 +3,12 @@
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <tuple>
 
 #include "arrangement/place_segments.hpp"
+#include "arrangement/visible_segments.hpp"
 
 namespace minksum {
 namespace {
-
-/// Quickly finds most of the segments that lie wholly in covered cells.
-///
-/// A box of up to 2^k by 2^k cells lies in the covered ones if the block of so many cells that
-/// starts at its lower left cell does. Boxes are those of an edge, in cells, plus a vertex, in
-/// single precision: cells are below 2^13, so that is off by at most three times 2^-12, and covered
-/// cells are inside the sum with a margin of 3 · kMargin around them.
-class HiddenSegments {
- public:
-  [[nodiscard]] static bool covers_any(const Cover& cover) {
-    const auto words = cover.covered.words();
-    return cover.active &&
-           std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
-  }
-
-  HiddenSegments(const Operands& o, const Cover& cover, BinScratch& scratch)
-      : sites_(scratch.sites), active_(covers_any(cover)), last_row_(cover.grid.rows - 1) {
-    if (!active_) return;
-    measure_sites(o, cover.grid.inverse);
-    words_ = cover.covered.words_per_row();
-    bits_[0] = cover.covered.row(0);
-    scratch.blocks[kLevels - 1].reset(cover.grid.columns, cover.grid.rows, words_);
-    bits_[kLevels] = scratch.blocks[kLevels - 1].row(0);
-    const Bitmap* smaller = &cover.covered;
-    for (std::size_t k = 1; k < kLevels; ++k) {
-      unite_blocks(*smaller, 1 << (k - 1), scratch.blocks[k - 1]);
-      smaller = &scratch.blocks[k - 1];
-      bits_[k] = smaller->row(0);
-    }
-  }
-
-  /// The others. Without branches: which are hidden is hard to foresee.
-  [[nodiscard]] std::span<const Segment> list_visible(const std::vector<Segment>& segments,
-                                                      std::vector<Segment>& visible) const {
-    if (!active_) return segments;
-    visible.resize(segments.size());
-    std::size_t count = 0;
-    for (const Segment& segment : segments) {
-      visible[count] = segment;
-      count += hides(segment) ? 0U : 1U;
-    }
-    return std::span(visible).first(count);
-  }
-
- private:
-  static constexpr std::size_t kLevels = std::tuple_size_v<decltype(BinScratch::blocks)>;
-  static_assert(UniformGrid::kMaxSide <= 1 << 13);
-
-  [[nodiscard]] bool hides(const Segment& segment) const {
-    const CellSite& e = sites_[segment.edge];
-    const CellSite& v = sites_[segment.vertex];
-    const auto i0 = static_cast<std::int32_t>(e.x0 + v.x);
-    const auto j0 = static_cast<std::int32_t>(e.y0 + v.y);
-    const auto i1 = static_cast<std::int32_t>(e.x1 + v.x);
-    const auto j1 = static_cast<std::int32_t>(e.y1 + v.y);
-    const auto spread = static_cast<std::uint32_t>((i1 - i0) | (j1 - j0));
-    const auto level =
-        std::min<std::size_t>(static_cast<std::size_t>(std::bit_width(spread)), kLevels);
-    // Rows have room for a column more than the grid has.
-    const auto word = static_cast<std::size_t>(std::min(j0, last_row_)) * words_ +
-                      static_cast<std::size_t>(i0 >> 6);
-    return ((bits_[level][word] >> (i0 & 63)) & 1) != 0;
-  }
-  void measure_sites(const Operands& o, double inverse) {
-    const auto& [x, y, dx, dy, next] = o.sites;
-    const auto cells = [&](double value) { return static_cast<float>(value * inverse); };
-    sites_.resize(o.size());
-    for (SiteId v = 0; v < o.size(); ++v) {
-      const float ax = cells(x[v]);
-      const float ay = cells(y[v]);
-      const float bx = cells(x[next[v]]);
-      const float by = cells(y[next[v]]);
-      sites_[v] = {ax, ay, std::min(ax, bx), std::min(ay, by), std::max(ax, bx), std::max(ay, by)};
-    }
-  }
-  /// Blocks of twice the side: four blocks of `side` each.
-  static void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater) {
-    const std::size_t words = blocks.words_per_row();
-    greater.reset(blocks.columns(), blocks.rows(), words);
-    const auto across = [&](const std::uint64_t* row, std::size_t w) {
-      const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
-      return row[w] & ((row[w] >> side) | (next << (64 - side)));
-    };
-    for (std::int32_t j = 0; j + side < blocks.rows(); ++j) {
-      for (std::size_t w = 0; w < words; ++w) {
-        greater.row(j)[w] = across(blocks.row(j), w) & across(blocks.row(j + side), w);
-      }
-    }
-  }
-
-  std::vector<CellSite>& sites_;
-  bool active_;
-  std::int32_t last_row_;
-  std::size_t words_ = 0;
-  std::array<const std::uint64_t*, kLevels + 1> bits_{};  ///< the last is clear: what is too long
-};
 
 /// How far segments go, all together.
 class Extent {
@@ -148,18 +52,18 @@ class Binner {
          Arrangement& arrangement)
       : o_(o),
         cover_(cover),
-        covers_any_(HiddenSegments::covers_any(cover)),
+        covers_any_(covers_any(cover)),
         grid_(scratch.grid),
         items_(scratch.items),
         scratch_(scratch),
         kept_(arrangement.kept) {}
 
-  void run(const Convolution& convolution) {
+  void run(const Convolution& convolution, const Limits& limits) {
     kept_.clear();
     items_.clear();
     std::span<const Segment> visible =
-        HiddenSegments(o_, cover_, scratch_.bin)
-            .list_visible(convolution.segments, scratch_.bin.visible);
+        covers_any_ ? visible_segments(o_, convolution, cover_, limits, scratch_.visible)
+                    : convolution.segments;
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
     // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
     const bool joins = lines_are_joined(o_, visible.size());
@@ -310,9 +214,9 @@ class Binner {
 }  // namespace
 
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  ArrangementScratch& scratch, Arrangement& arrangement) {
+                  const Limits& limits, ArrangementScratch& scratch, Arrangement& arrangement) {
   if (cover.divided) return bin_leaves(operands, convolution, cover, scratch, arrangement);
-  Binner(operands, cover, scratch, arrangement).run(convolution);
+  Binner(operands, cover, scratch, arrangement).run(convolution, limits);
 }
 
 }  // namespace minksum

@@ -1,6 +1,7 @@
 #include "convolution/convolution.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace minksum {
 namespace {
@@ -24,71 +25,69 @@ bool has_holes(const Operands& o) {
                      [](const OperandRing& ring) { return ring.is_hole(); });
 }
 
-class Lister {
- public:
-  enum class Vertices { kConvex, kAll, kReflexBackwards };
-  Lister(const Operands& o, const Limits& limits, Vertices which, ConvolutionScratch& scratch,
-         Convolution& convolution)
-      : o_(o), limits_(limits), holes_(has_holes(o)), which_(which), scratch_(scratch), segments_(convolution.segments) {
-    segments_.clear();
-  }
+enum class Vertices { kConvex, kAll, kReflexBackwards };
 
-  /// Edges of the other operand at each vertex of this one.
-  void list(int vertex_operand) {
-    const bool first = vertex_operand == 0;
-    list_by_rank(o_, first ? 1 : 0, true, scratch_.all);
-    if (holes_) list_by_rank(o_, first ? 1 : 0, false, scratch_.outer);
-    const SiteId begin = first ? 0 : o_.split;
-    const SiteId end = first ? o_.split : o_.size();
-    const bool thin = o_.both_thin();
-    for (SiteId v = begin; v < end; ++v) {
-      const bool convex = o_.convex[v] != 0;
-      if (which_ != Vertices::kAll && convex != (which_ == Vertices::kConvex)) continue;
-      DirectionRank in = o_.rank[o_.previous[v]];
-      DirectionRank out = o_.rank[v];
-      if (which_ == Vertices::kReflexBackwards) std::swap(in, out);
-      const EdgesByRank& edges = holes_ && o_.on_hole[v] != 0 ? scratch_.outer : scratch_.all;
-      // [in, out) for the first operand, (in, out] for the second; between thin operands [in, out],
-      // at ends (in, out).
-      const bool with_in = thin ? !o_.turns_back(v) : first;
-      const bool with_out = thin ? with_in : !first;
-      const DirectionRank from = with_in ? in : in + 1;
-      const DirectionRank to = with_out ? out + 1 : out;
-      if (in < out) {
-        append(edges, from, to, v);
-      } else {
-        append(edges, from, o_.rank_count, v);
-        append(edges, 0, to, v);
-      }
-    }
-  }
+/// [in, out) for the first operand, (in, out] for the second; between thin operands [in, out], at
+/// ends (in, out).
+RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank out) {
+  const bool first = o.operand_of(v) == 0;
+  const bool thin = o.both_thin();
+  const bool with_in = thin ? !o.turns_back(v) : first;
+  const bool with_out = thin ? with_in : !first;
+  const DirectionRank from = with_in ? in : in + 1;
+  const DirectionRank to = (with_out ? out + 1 : out) + (in < out ? 0 : o.rank_count);
+  return {from < o.rank_count ? from : 0, to - from};
+}
 
- private:
-  void append(const EdgesByRank& edges, DirectionRank from, DirectionRank to, SiteId v) {
-    const std::uint32_t first = edges.first[from];
-    const std::uint32_t last = edges.first[to];
-    // Points of segments and crossings are numbered in 32 bits.
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
-    const std::uint64_t most = std::min(limits_.max_segments, kMost);
-    if (segments_.size() + (last - first) > most) {
+/// Calls visit(edges, v) for runs of edges of the other operand that meet each vertex v of this one.
+template <class Visit>
+void visit_runs(const Operands& o, Vertices which, int vertex_operand, ConvolutionScratch& scratch,
+                Visit visit) {
+  const bool first = vertex_operand == 0;
+  const bool holes = has_holes(o);
+  list_by_rank(o, first ? 1 : 0, true, scratch.all);
+  if (holes) list_by_rank(o, first ? 1 : 0, false, scratch.outer);
+  const SiteId begin = first ? 0 : o.split;
+  const SiteId end = first ? o.split : o.size();
+  for (SiteId v = begin; v < end; ++v) {
+    const bool convex = o.convex[v] != 0;
+    if (which != Vertices::kAll && convex != (which == Vertices::kConvex)) continue;
+    DirectionRank in = o.rank[o.previous[v]];
+    DirectionRank out = o.rank[v];
+    if (which == Vertices::kReflexBackwards) std::swap(in, out);
+    const EdgesByRank& by_rank = holes && o.on_hole[v] != 0 ? scratch.outer : scratch.all;
+    const auto visit_ranks = [&](DirectionRank from, DirectionRank to) {
+      const std::uint32_t run = by_rank.first[from];
+      visit(std::span(by_rank.edges).subspan(run, by_rank.first[to] - run), v);
+    };
+    const auto [from, length] = range_at(o, v, in, out);
+    const DirectionRank to = from + length;
+    visit_ranks(from, std::min(to, o.rank_count));
+    if (to > o.rank_count) visit_ranks(0, to - o.rank_count);
+  }
+}
+
+void list(const Operands& o, Vertices which, const Limits& limits, ConvolutionScratch& scratch,
+          Convolution& convolution) {
+  // Points of segments and crossings are numbered in 32 bits.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+  const std::uint64_t most = std::min(limits.max_segments, kMost);
+  auto& segments = convolution.segments;
+  segments.clear();
+  const auto append = [&](std::span<const SiteId> edges, SiteId v) {
+    const std::size_t size = segments.size();
+    if (size + edges.size() > most) {
       throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
                                                  std::to_string(most) +
                                                  " segments (Limits::max_segments)");
     }
-    const std::size_t size = segments_.size();
-    segments_.resize(size + (last - first));
-    for (std::uint32_t i = first; i < last; ++i) {
-      segments_[size + (i - first)] = {edges.edges[i], v};
-    }
-  }
-
-  const Operands& o_;
-  const Limits& limits_;
-  bool holes_;
-  Vertices which_;
-  ConvolutionScratch& scratch_;
-  std::vector<Segment>& segments_;
-};
+    segments.resize(size + edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) segments[size + i] = {edges[i], v};
+  };
+  for (const int operand : {0, 1}) visit_runs(o, which, operand, scratch, append);
+  convolution.size = segments.size();
+  convolution.step = 1;
+}
 
 /// Counter-clockwise from `in`, is `d` in [in, out), (in, out], or what else the rule says?
 bool in_range(const Operands& o, SiteId v, SiteId edge) {
@@ -103,25 +102,49 @@ bool in_range(const Operands& o, SiteId v, SiteId edge) {
 
 }  // namespace
 
+RankRange reduced_range(const Operands& operands, SiteId vertex) {
+  return range_at(operands, vertex, operands.rank[operands.previous[vertex]],
+                  operands.rank[vertex]);
+}
+
 void reduced_convolution(const Operands& operands, const Limits& limits,
                          ConvolutionScratch& scratch, Convolution& convolution) {
-  Lister lister(operands, limits, Lister::Vertices::kConvex, scratch, convolution);
-  lister.list(0);
-  lister.list(1);
+  list(operands, Vertices::kConvex, limits, scratch, convolution);
+}
+
+void sample_reduced_convolution(const Operands& operands, ConvolutionScratch& scratch,
+                                Convolution& convolution) {
+  auto& [sample, size, step] = convolution;
+  sample.clear();
+  size = 0;
+  step = 2;
+  std::uint64_t next = 0;  // to be taken
+  const auto pick = [&](std::span<const SiteId> edges, SiteId v) {
+    while (next < size + edges.size()) {
+      sample.push_back({edges[next - size], v});
+      next += step;
+      if (sample.size() < 2 * kSample) continue;
+      // Half of them stay, twice as far apart.
+      for (std::size_t i = 0; i < kSample; ++i) sample[i] = sample[2 * i];
+      sample.resize(kSample);
+      step *= 2;
+      next = kSample * step;
+    }
+    size += edges.size();
+  };
+  for (const int operand : {0, 1}) {
+    visit_runs(operands, Vertices::kConvex, operand, scratch, pick);
+  }
 }
 
 void full_convolution(const Operands& operands, const Limits& limits,
                       ConvolutionScratch& scratch, Convolution& convolution) {
-  Lister lister(operands, limits, Lister::Vertices::kAll, scratch, convolution);
-  lister.list(0);
-  lister.list(1);
+  list(operands, Vertices::kAll, limits, scratch, convolution);
 }
 
 void reflex_convolution(const Operands& operands, const Limits& limits,
                         ConvolutionScratch& scratch, Convolution& convolution) {
-  Lister lister(operands, limits, Lister::Vertices::kReflexBackwards, scratch, convolution);
-  lister.list(0);
-  lister.list(1);
+  list(operands, Vertices::kReflexBackwards, limits, scratch, convolution);
 }
 
 std::optional<std::string> check(const Convolution& convolution, const Operands& o, bool full) {
@@ -140,12 +163,17 @@ std::optional<std::string> check(const Convolution& convolution, const Operands&
       if (o.operand_of(e) == o.operand_of(v) || (o.on_hole[e] != 0 && o.on_hole[v] != 0)) continue;
       if (!in_range(o, v, e)) continue;
       ++expected;
+      if (!convolution.listed()) continue;
       if (!std::binary_search(sorted.begin(), sorted.end(), Segment{e, v}, less)) {
         return "a segment is missing";
       }
     }
   }
-  if (expected != sorted.size()) return "a segment does not belong";
+  if (!convolution.listed()) {
+    if (expected != convolution.size) return "the number of segments is wrong";
+  } else if (expected != sorted.size()) {
+    return "a segment does not belong";
+  }
   return std::nullopt;
 }
 

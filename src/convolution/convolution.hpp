@@ -10,15 +10,25 @@
 
 namespace minksum {
 
-/// Directed segments. The sum lies on the left of each; only its right side can be free.
+/// Directed segments. The sum lies on the left of each; only its right side can be free. Where there
+/// are many they are only counted: most are inside the sum, and need never be listed.
 struct Convolution {
-  std::vector<Segment> segments;
+  std::vector<Segment> segments;  ///< all, if `listed`; else every `step`-th
+  std::uint64_t size = 0;         ///< how many there are
+  std::uint64_t step = 1;
+  [[nodiscard]] bool listed() const { return step == 1; }
 };
 
 /// The edges of one operand by direction: those of rank r are [first[r], first[r + 1]).
 struct EdgesByRank {
   std::vector<SiteId> edges;
   std::vector<std::uint32_t> first;
+};
+
+/// Ranks of directions, counter-clockwise: `length` of them, from `from` on.
+struct RankRange {
+  DirectionRank from;
+  DirectionRank length;
 };
 
 /// Memory for the stage.
@@ -37,6 +47,14 @@ struct ConvolutionScratch {
 void reduced_convolution(const Operands& operands, const Limits& limits,
                          ConvolutionScratch& scratch, Convolution& convolution);
 
+/// The same, but few are listed: a sample of `kSample` to twice as many. O(n + m).
+void sample_reduced_convolution(const Operands& operands, ConvolutionScratch& scratch,
+                                Convolution& convolution);
+inline constexpr std::size_t kSample = 256;
+
+/// The directions of the edges that meet a convex vertex in the reduced convolution.
+[[nodiscard]] RankRange reduced_range(const Operands& operands, SiteId vertex);
+
 /// The full convolution (Wein 2006, as CGAL has it): reflex vertices too, each with all directions
 /// counter-clockwise from that of its incoming to that of its outgoing edge. O(n·m).
 void full_convolution(const Operands& operands, const Limits& limits,
@@ -48,7 +66,7 @@ void reflex_convolution(const Operands& operands, const Limits& limits,
                         ConvolutionScratch& scratch, Convolution& convolution);
 
 /// Whether each segment is one that the reduced rule makes (exactly once), or with `full` the full
-/// one; what is wrong, if not.
+/// one, and if not all are listed, whether their number is right. What is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Convolution& convolution,
                                                const Operands& operands, bool full);
 

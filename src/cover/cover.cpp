@@ -14,13 +14,13 @@ constexpr int kMaxSide = 2048;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
 /// Cells along the longer side without a cover: about a third as many cells as segments.
-int choose_plain_side(std::size_t segments) {
+int choose_plain_side(std::uint64_t segments) {
   const double side = 0.6 * std::sqrt(static_cast<double>(segments));
   return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
 }
 /// To begin with, with one. Moving bitmaps of s cells a side costs as s^3, the segments that stay
 /// visible are as 1 / s of all: the sum is least where s^4 is as their number.
-int choose_side(std::size_t segments, const Options& options) {
+int choose_side(std::uint64_t segments, const Options& options) {
   if (options.grid > 0) return std::min(options.grid, kMaxSide);
   const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
   return std::min(static_cast<int>(side), kMaxSide);
@@ -46,13 +46,27 @@ struct Visibility {
   double crowding = 0; ///< segments to an uncovered cell, on average
   double crossings = 0; ///< in uncovered cells, roughly
 };
-Visibility look(const Operands& o, std::span<const Segment> segments, const Cover& cover) {
-  const std::size_t step = segments.size() / 256 + 1;
+
+/// A few of the segments; each stands for `step` of them.
+struct Sample {
+  std::span<const Segment> segments;
+  std::uint64_t step;
+};
+Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
+  if (!convolution.listed()) return {convolution.segments, convolution.step};
+  const std::uint64_t step = convolution.size / kSample + 1;
+  auto& sample = scratch.sample;
+  sample.clear();
+  for (std::uint64_t i = 0; i < convolution.size; i += step) {
+    sample.push_back(convolution.segments[i]);
+  }
+  return {sample, step};
+}
+
+Visibility look(const Operands& o, const Sample& sample, const Cover& cover) {
   std::size_t visible = 0;
   std::size_t cells = 0;
-  std::size_t looked_at = 0;
-  for (std::size_t i = 0; i < segments.size(); i += step) {
-    const auto [e, v] = segments[i];
+  for (const auto& [e, v] : sample.segments) {
     const Vec<double> a = at(o, e);
     const Vec<double> b = at(o, o.sites.next[e]);
     const Vec<double> q = at(o, v);
@@ -63,18 +77,17 @@ Visibility look(const Operands& o, std::span<const Segment> segments, const Cove
                       return true;
                     });
     visible += cells > before ? 1U : 0U;
-    ++looked_at;
   }
   const double uncovered = static_cast<double>(static_cast<std::uint64_t>(cover.grid.size()) -
                                                cover.covered_count());
-  const double crowding = static_cast<double>(cells * step) / std::max(uncovered, 1.0);
+  const double crowding = static_cast<double>(cells * sample.step) / std::max(uncovered, 1.0);
   // About two of five pairs of lines through a cell cross in it.
-  return {static_cast<double>(visible) / static_cast<double>(looked_at), crowding,
+  return {static_cast<double>(visible) / static_cast<double>(sample.segments.size()), crowding,
           0.2 * crowding * crowding * uncovered};
 }
 
 /// About how many words a cover of this many cells along a side moves, per segment.
-double words_per_segment(int side, std::size_t segments) {
+double words_per_segment(int side, std::uint64_t segments) {
   const double words_per_move = static_cast<double>(side) * side / 128;
   const double moves = 6.0 * side;
   return words_per_move * moves / static_cast<double>(segments);
@@ -83,7 +96,7 @@ double words_per_segment(int side, std::size_t segments) {
 // Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
 // segments would otherwise stay, or crowd in few cells, as long as it does uncover less; and it may
 // cost more where many crossings are left that no division takes away.
-Visibility refine(const Operands& operands, std::span<const Segment> segments,
+Visibility refine(const Operands& operands, std::uint64_t segments, const Sample& sample,
                   double crossings_to_divide, int& side, CoverScratch& scratch, Cover& cover) {
   constexpr double kTooManyVisible = 0.25;
   constexpr double kFewVisible = 0.1;
@@ -91,17 +104,17 @@ Visibility refine(const Operands& operands, std::span<const Segment> segments,
   constexpr double kWorthIt = 0.8;
   constexpr double kMaxWordsPerSegment = 100;
   constexpr double kWordsPerCrossing = 500;
-  Visibility now = look(operands, segments, cover);
+  Visibility now = look(operands, sample, cover);
   const auto may_cost = [&](double words) {
     if (words <= kMaxWordsPerSegment) return true;
     return now.crossings <= crossings_to_divide &&
-           words * static_cast<double>(segments.size()) <= kWordsPerCrossing * now.crossings;
+           words * static_cast<double>(segments) <= kWordsPerCrossing * now.crossings;
   };
   while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
-         side * 2 <= kMaxSide && may_cost(words_per_segment(side * 2, segments.size()))) {
+         side * 2 <= kMaxSide && may_cost(words_per_segment(side * 2, segments))) {
     side *= 2;
     cover_on_grid(operands, side, scratch, cover);
-    const Visibility finer = look(operands, segments, cover);
+    const Visibility finer = look(operands, sample, cover);
     // A cover that hides nothing yet may hide much on the next grid.
     const bool enough = finer.share > kWorthIt * now.share && now.share < 0.9;
     now = finer;
@@ -111,7 +124,7 @@ Visibility refine(const Operands& operands, std::span<const Segment> segments,
 }
 
 /// Cells along the side of the finest level: a power of two. Few cells come to that level.
-std::int32_t choose_division(std::size_t segments, const Options& options) {
+std::int32_t choose_division(std::uint64_t segments, const Options& options) {
   constexpr std::uint32_t kMostCells = 4096;
   const auto k = static_cast<double>(segments);
   const double wanted = options.grid > 0 ? options.grid : std::min(6.0 * std::sqrt(k), k / 8);
@@ -138,51 +151,57 @@ double expected_crossings(const Operands& o, std::span<const Segment> segments) 
 }
 
 /// Whether a cover has nothing to save: a segment or two for each edge, which hardly meet others. So
-/// it is where one operand is small beside the other's features.
-bool is_sparse(const Operands& operands, std::span<const Segment> segments) {
+/// it is where one operand is small beside the other's features. `list()` lists the segments.
+template <class List>
+bool is_sparse(const Operands& operands, std::uint64_t size, List list) {
   constexpr double kFewCrossings = 0.1;
-  return segments.size() <= std::size_t{4} * operands.size() &&
-         expected_crossings(operands, segments) <=
-             kFewCrossings * static_cast<double>(segments.size());
+  return size <= std::uint64_t{4} * operands.size() &&
+         expected_crossings(operands, list()) <= kFewCrossings * static_cast<double>(size);
 }
 
 }  // namespace
 
-void cover_interior(const Operands& operands, const Convolution& convolution,
-                    const Options& options, CoverScratch& scratch, Cover& cover) {
-  const std::span<const Segment> segments = convolution.segments;
+void cover_interior(const Operands& operands, const Options& options, CoverScratch& scratch,
+                    Convolution& convolution, Cover& cover) {
+  const std::uint64_t size = convolution.size;
+  const auto list = [&]() -> std::span<const Segment> {
+    if (!convolution.listed()) {
+      reduced_convolution(operands, options.limits, scratch.convolution, convolution);
+    }
+    return convolution.segments;
+  };
   const bool free_side = options.grid == 0;
   // The full convolution is there to be compared: its whole arrangement is built.
   // Of thin operands no translate has cells inside, and their segments are not closed.
   const bool wanted = options.cover && options.method != Method::kFull &&
-                      !operands.both_convex && !operands.both_thin() && !segments.empty();
+                      !operands.both_convex && !operands.both_thin() && size != 0;
   cover.divided = false;
-  cover.active = wanted && (!free_side || (segments.size() >= kSegmentsWorthACover &&
-                                           !is_sparse(operands, segments)));
-  int side = cover.active ? choose_side(segments.size(), options)
-                          : choose_plain_side(segments.size());
+  cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
+                                           !is_sparse(operands, size, list)));
+  int side = cover.active ? choose_side(size, options) : choose_plain_side(size);
   cover_on_grid(operands, side, scratch, cover);
-  if (!wanted) return;
   // A division costs about as much for a segment as a few crossings. It can do nothing with holes.
   const double crossings_to_divide =
-      has_holes(operands) ? HUGE_VAL : 3.5 * static_cast<double>(segments.size());
+      has_holes(operands) ? HUGE_VAL : 3.5 * static_cast<double>(size);
   bool crowded = false;
   if (cover.active) {
+    const Sample sample = take_sample(convolution, scratch);
     const Visibility seen =
-        free_side ? refine(operands, segments, crossings_to_divide, side, scratch, cover)
-                  : look(operands, segments, cover);
+        free_side ? refine(operands, size, sample, crossings_to_divide, side, scratch, cover)
+                  : look(operands, sample, cover);
     crowded = seen.crossings > crossings_to_divide;
   }
-  if (free_side && cover.covered_count() == 0) {
-    crowded = segments.size() >= kSegmentsWorthDividing &&
-              expected_crossings(operands, segments) > crossings_to_divide;
+  if (cover.covered_count() == 0 || crowded) list();
+  if (wanted && free_side && cover.covered_count() == 0) {
+    crowded = size >= kSegmentsWorthDividing &&
+              expected_crossings(operands, convolution.segments) > crossings_to_divide;
     // A fine grid is of no use by itself.
     cover.active = false;
-    if (!crowded) cover_on_grid(operands, choose_plain_side(segments.size()), scratch, cover);
+    if (!crowded) cover_on_grid(operands, choose_plain_side(size), scratch, cover);
   }
   if (!crowded) return;
-  divide_by_winding(operands, convolution, options.limits,
-                    choose_division(segments.size(), options), scratch, cover);
+  divide_by_winding(operands, convolution, options.limits, choose_division(size, options), scratch,
+                    cover);
 }
 
 std::uint64_t Cover::covered_count() const {

@@ -54,6 +54,7 @@ struct CoverScratch {
   std::vector<std::uint64_t> widened;  ///< a bitmap united with itself moved by columns
   std::vector<std::uint64_t> row;
   ConvolutionScratch convolution;
+  std::vector<Segment> sample;  ///< of the segments
   Convolution reflex;  ///< the rest of the signed convolution
   SegmentStack stack;  ///< segments of the cells under division, list upon list
   Bitmap known;        ///< what was covered before a division
@@ -61,9 +62,10 @@ struct CoverScratch {
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells: by translates on
 /// ever finer grids as long as that pays; where segments still crowd, because the sum is covered by
-/// many thin translates rather than few fat ones, by winding number instead.
-void cover_interior(const Operands& operands, const Convolution& convolution,
-                    const Options& options, CoverScratch& scratch, Cover& cover);
+/// many thin translates rather than few fat ones, by winding number instead. If not all segments
+/// are listed, they are now, but where translates cover some cells, and no more is to be done.
+void cover_interior(const Operands& operands, const Options& options, CoverScratch& scratch,
+                    Convolution& convolution, Cover& cover);
 
 /// Marks cells of the grid as it is laid.
 ///

@@ -46,7 +46,7 @@ struct Stages {
     options.cover = with_cover;
     prepare_operands(p, q, options, operands);
     reduced_convolution(operands, options.limits, convolution_scratch, convolution);
-    cover_interior(operands, convolution, options, cover_scratch, cover);
+    cover_interior(operands, options, cover_scratch, convolution, cover);
     Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
     arrange(operands, convolution, cover, options, go_on, predicates, arrangement_scratch,
             arrangement);

@@ -25,7 +25,7 @@ struct Covered {
     options.grid = grid;
     test::prepare_operands(p, q, options, operands);
     reduced_convolution(operands, options.limits, convolution_scratch, convolution);
-    cover_interior(operands, convolution, options, scratch, cover);
+    cover_interior(operands, options, scratch, convolution, cover);
   }
   void divide(std::int32_t side) {
     divide_by_winding(operands, convolution, options.limits, side, scratch, cover);

@@ -218,7 +218,7 @@ struct Stages {
     reduced_convolution(operands, options.limits, convolution_scratch, convolution);
     CoverScratch cover_scratch;
     Cover cover;
-    cover_interior(operands, convolution, options, cover_scratch, cover);
+    cover_interior(operands, options, cover_scratch, convolution, cover);
     Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
     ArrangementScratch arrangement_scratch;
     arrange(operands, convolution, cover, options, go_on, predicates, arrangement_scratch,
