@@ -106,12 +106,9 @@ void convolve(Workspace::State& w, const Options& options) {
   const std::uint64_t sites = o.size();
   const std::uint64_t many =
       std::max(8 * sites, std::clamp<std::uint64_t>(32 * sites, 100'000, 200'000));
-  const std::uint64_t pairs = std::uint64_t{o.split} * (sites - o.split);
-  if (options.cover && !o.both_convex && !o.both_thin() && pairs >= 2 * many) {
-    sample_reduced_convolution(o, w.convolution_scratch, w.convolution);
-    if (w.convolution.size >= many) return;
-  }
-  reduced_convolution(o, options.limits, w.convolution_scratch, w.convolution);
+  const bool may_hide = options.cover && !o.both_convex && !o.both_thin();
+  reduced_convolution_or_sample(o, options.limits, may_hide ? many : ~std::uint64_t{0},
+                                w.convolution_scratch, w.convolution);
 }
 
 void count(const Workspace::State& w, const Predicates& predicates, Statistics& statistics) {

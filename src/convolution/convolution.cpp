@@ -1,6 +1,7 @@
 #include "convolution/convolution.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 
 namespace minksum {
@@ -67,27 +68,63 @@ void visit_runs(const Operands& o, Vertices which, int vertex_operand, Convoluti
   }
 }
 
-void list(const Operands& o, Vertices which, const Limits& limits, ConvolutionScratch& scratch,
-          Convolution& convolution) {
-  // Points of segments and crossings are numbered in 32 bits.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
-  const std::uint64_t most = std::min(limits.max_segments, kMost);
-  auto& segments = convolution.segments;
-  segments.clear();
-  const auto append = [&](std::span<const SiteId> edges, SiteId v) {
-    const std::size_t size = segments.size();
-    if (size + edges.size() > most) {
+/// Appends runs of segments; of more than `many` it keeps every second, fourth, eighth, ...
+class Lister {
+ public:
+  Lister(const Limits& limits, std::uint64_t many, Convolution& convolution)
+      : most_(std::min(limits.max_segments, kMost)), many_(many), c_(convolution) {
+    c_.segments.clear();
+    c_.size = 0;
+    c_.step = 1;
+  }
+  void append(std::span<const SiteId> edges, SiteId v) {
+    if (c_.step == 1 && c_.size + edges.size() > many_) thin_out();
+    if (c_.step > 1) return pick(edges, v);
+    if (c_.size + edges.size() > most_) {
       throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
-                                                 std::to_string(most) +
+                                                 std::to_string(most_) +
                                                  " segments (Limits::max_segments)");
     }
-    segments.resize(size + edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i) segments[size + i] = {edges[i], v};
-  };
+    c_.segments.resize(c_.size + edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) c_.segments[c_.size + i] = {edges[i], v};
+    c_.size += edges.size();
+  }
+
+ private:
+  /// Points of segments and crossings are numbered in 32 bits.
+  static constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+
+  void thin_out() {
+    c_.step = std::max<std::uint64_t>(std::bit_floor(c_.size / kSample), 2);
+    const std::uint64_t kept = (c_.size + c_.step - 1) / c_.step;
+    for (std::uint64_t i = 0; i < kept; ++i) c_.segments[i] = c_.segments[i * c_.step];
+    c_.segments.resize(kept);
+  }
+  void pick(std::span<const SiteId> edges, SiteId v) {
+    for (std::uint64_t next = c_.segments.size() * c_.step; next < c_.size + edges.size();
+         next = c_.segments.size() * c_.step) {
+      c_.segments.push_back({edges[next - c_.size], v});
+      if (c_.segments.size() < 2 * kSample) continue;
+      for (std::size_t i = 0; i < kSample; ++i) c_.segments[i] = c_.segments[2 * i];
+      c_.segments.resize(kSample);
+      c_.step *= 2;
+    }
+    c_.size += edges.size();
+  }
+
+  std::uint64_t most_;
+  std::uint64_t many_;
+  Convolution& c_;
+};
+
+void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t many,
+          ConvolutionScratch& scratch, Convolution& convolution) {
+  Lister lister(limits, many, convolution);
+  const auto append = [&](std::span<const SiteId> edges, SiteId v) { lister.append(edges, v); };
   for (const int operand : {0, 1}) visit_runs(o, which, operand, scratch, append);
-  convolution.size = segments.size();
-  convolution.step = 1;
 }
+
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
 /// Counter-clockwise from `in`, is `d` in [in, out), (in, out], or what else the rule says?
 bool in_range(const Operands& o, SiteId v, SiteId edge) {
@@ -109,42 +146,23 @@ RankRange reduced_range(const Operands& operands, SiteId vertex) {
 
 void reduced_convolution(const Operands& operands, const Limits& limits,
                          ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kConvex, limits, scratch, convolution);
+  list(operands, Vertices::kConvex, limits, kAll, scratch, convolution);
 }
 
-void sample_reduced_convolution(const Operands& operands, ConvolutionScratch& scratch,
-                                Convolution& convolution) {
-  auto& [sample, size, step] = convolution;
-  sample.clear();
-  size = 0;
-  step = 2;
-  std::uint64_t next = 0;  // to be taken
-  const auto pick = [&](std::span<const SiteId> edges, SiteId v) {
-    while (next < size + edges.size()) {
-      sample.push_back({edges[next - size], v});
-      next += step;
-      if (sample.size() < 2 * kSample) continue;
-      // Half of them stay, twice as far apart.
-      for (std::size_t i = 0; i < kSample; ++i) sample[i] = sample[2 * i];
-      sample.resize(kSample);
-      step *= 2;
-      next = kSample * step;
-    }
-    size += edges.size();
-  };
-  for (const int operand : {0, 1}) {
-    visit_runs(operands, Vertices::kConvex, operand, scratch, pick);
-  }
+void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
+                                   std::uint64_t many, ConvolutionScratch& scratch,
+                                   Convolution& convolution) {
+  list(operands, Vertices::kConvex, limits, many, scratch, convolution);
 }
 
 void full_convolution(const Operands& operands, const Limits& limits,
                       ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kAll, limits, scratch, convolution);
+  list(operands, Vertices::kAll, limits, kAll, scratch, convolution);
 }
 
 void reflex_convolution(const Operands& operands, const Limits& limits,
                         ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kReflexBackwards, limits, scratch, convolution);
+  list(operands, Vertices::kReflexBackwards, limits, kAll, scratch, convolution);
 }
 
 std::optional<std::string> check(const Convolution& convolution, const Operands& o, bool full) {

@@ -37,7 +37,7 @@ struct Covered {
   }
   void find_cover() {
     reduced_convolution(operands, options.limits, convolution_scratch, all);
-    sample_reduced_convolution(operands, convolution_scratch, sample);
+    reduced_convolution_or_sample(operands, options.limits, 0, convolution_scratch, sample);
     cover_interior(operands, options, scratch, sample, cover);
   }
 };
@@ -191,18 +191,20 @@ TEST(VisibleSegments, SamplesAreEveryStepth) {
     const Region p = test::random_two_opt(random, size, 2000);
     const Region q = test::random_two_opt(random, size + 7, 2000);
     const Covered c(p, q, 16);
-    ConvolutionScratch scratch;
-    Convolution sample;
-    sample_reduced_convolution(c.operands, scratch, sample);
-    ASSERT_FALSE(sample.listed());
-    EXPECT_EQ(sample.size, c.all.segments.size());
-    std::vector<Segment> expected;
-    for (std::size_t i = 0; i < c.all.segments.size(); i += sample.step) {
-      expected.push_back(c.all.segments[i]);
+    for (const std::uint64_t many : {0U, 1U, 7U, 1000U, 5000U}) {
+      ConvolutionScratch scratch;
+      Convolution sample;
+      reduced_convolution_or_sample(c.operands, {}, many, scratch, sample);
+      EXPECT_EQ(sample.listed(), many >= c.all.segments.size());
+      EXPECT_EQ(sample.size, c.all.segments.size());
+      std::vector<Segment> expected;
+      for (std::size_t i = 0; i < c.all.segments.size(); i += sample.step) {
+        expected.push_back(c.all.segments[i]);
+      }
+      EXPECT_EQ(sample.segments, expected);
+      EXPECT_TRUE(sample.step <= 2 || (sample.segments.size() >= kSample &&
+                                       sample.segments.size() < 2 * kSample));
     }
-    EXPECT_EQ(sample.segments, expected);
-    EXPECT_LT(sample.segments.size(), 2 * kSample);
-    EXPECT_TRUE(sample.step == 2 || sample.segments.size() >= kSample);
   }
 }
 
