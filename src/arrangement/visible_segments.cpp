@@ -122,6 +122,8 @@ void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sit
   }
 }
 
+CellBounds point_box(const CellSite& site) { return {site.x, site.y, site.x, site.y}; }
+
 /// Ranks on their circle.
 class RankCircle {
  public:
@@ -158,8 +160,7 @@ class TreeBuilder {
   }
   void vertices_of(int operand) {
     build(operand, scratch_.vertices, [&](SiteId v) {
-      const CellSite& site = scratch_.sites[v];
-      return SiteRun{{site.x, site.y, site.x, site.y}, scratch_.ranges[v]};
+      return SiteRun{point_box(scratch_.sites[v]), scratch_.ranges[v]};
     });
   }
 
@@ -269,10 +270,10 @@ class RunSearch {
       for (SiteId i = 0; i < RunTree::kLeaf; ++i) {
         met |= (circle_.way(range.from, rank[i]) < range.length ? 1U : 0U) << i;
       }
-      const CellSite& site = scratch_.sites[v];
+      const CellBounds vertex = point_box(scratch_.sites[v]);
       for (met &= all; met != 0; met &= met - 1) {
         const SiteId e = first_edge + static_cast<SiteId>(std::countr_zero(met));
-        if (uncovered_.hides(scratch_.sites[e].box, {site.x, site.y, site.x, site.y})) continue;
+        if (uncovered_.hides(scratch_.sites[e].box, vertex)) continue;
         if (o_.on_hole[e] != 0 && o_.on_hole[v] != 0) continue;
         scratch_.found.push_back({e, v});
       }
@@ -317,15 +318,25 @@ void order_as_listed(const Operands& o, const RankCircle& circle, VisibleScratch
 
 std::span<const Segment> list_visible(std::span<const Segment> segments, const Cover& cover,
                                       VisibleScratch& scratch) {
-  const CoveredBlocks covered(cover, scratch.blocks);
-  scratch.visible.resize(segments.size());
+  const auto& sites = scratch.sites;
+  auto& visible = scratch.visible;
+  visible.resize(segments.size());
   std::size_t count = 0;
+  const CoveredBlocks covered(cover, scratch.blocks);
   // Without branches: which are hidden is hard to foresee.
   for (const Segment& segment : segments) {
-    scratch.visible[count] = segment;
-    count += covered.hides(scratch.sites[segment.edge], scratch.sites[segment.vertex]) ? 0U : 1U;
+    visible[count] = segment;
+    count += covered.hides(sites[segment.edge], sites[segment.vertex]) ? 0U : 1U;
   }
-  return std::span(scratch.visible).first(count);
+  visible.resize(count);
+  // Many may be too long for blocks.
+  if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
+    const UncoveredCounts uncovered(cover, scratch.uncovered);
+    std::erase_if(visible, [&](const Segment& segment) {
+      return uncovered.hides(sites[segment.edge].box, point_box(sites[segment.vertex]));
+    });
+  }
+  return visible;
 }
 
 }  // namespace

@@ -178,22 +178,35 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
   cover.divided = false;
   cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
                                            !is_sparse(operands, size, list)));
-  int side = cover.active ? choose_side(size, options) : choose_plain_side(size);
-  cover_on_grid(operands, side, scratch, cover);
+  if (!cover.active) cover_on_grid(operands, choose_plain_side(size), scratch, cover);
   // A division costs about as much for a segment as a few crossings. It can do nothing with holes.
-  const double crossings_to_divide =
-      has_holes(operands) ? HUGE_VAL : 3.5 * static_cast<double>(size);
+  const double crossings_to_divide = 3.5 * static_cast<double>(size);
+  const bool divisible = !has_holes(operands);
   bool crowded = false;
   if (cover.active) {
     const Sample sample = take_sample(convolution, scratch);
-    const Visibility seen =
-        free_side ? refine(operands, size, sample, crossings_to_divide, side, scratch, cover)
-                  : look(operands, sample, cover);
+    int side = choose_side(size, options);
+    cover_on_grid(operands, side, scratch, cover);
+    const Visibility seen = free_side ? refine(operands, size, sample,
+                                               divisible ? crossings_to_divide : HUGE_VAL, side,
+                                               scratch, cover)
+                                      : look(operands, sample, cover);
     crowded = seen.crossings > crossings_to_divide;
+    if (crowded) {
+      // So it is with narrow shapes. Of those a coarse grid tells whether parallelograms will do.
+      constexpr double kFewLeft = 0.2;
+      if (divisible && side != choose_side(size, options)) {
+        side = choose_side(size, options);
+        cover_on_grid(operands, side, scratch, cover);
+      }
+      cover_by_parallelograms(operands, scratch, cover);
+      crowded = look(operands, sample, cover).crossings > kFewLeft * static_cast<double>(size);
+    }
+    crowded = crowded && divisible;
   }
   if (cover.covered_count() == 0 || crowded) list();
   if (wanted && free_side && cover.covered_count() == 0) {
-    crowded = size >= kSegmentsWorthDividing &&
+    crowded = divisible && size >= kSegmentsWorthDividing &&
               expected_crossings(operands, convolution.segments) > crossings_to_divide;
     // A fine grid is of no use by itself.
     cover.active = false;

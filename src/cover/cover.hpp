@@ -45,6 +45,12 @@ struct Cover {
   }
 };
 
+/// An edge, in cells.
+struct CellEdge {
+  Vec<double> start;
+  Vec<double> d;
+};
+
 /// Memory for the stage.
 struct CoverScratch {
   Bitmap inside[2];    ///< cells of an operand that lie inside it, with a margin
@@ -53,6 +59,7 @@ struct CoverScratch {
   Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
   std::vector<std::uint64_t> widened;  ///< a bitmap united with itself moved by columns
   std::vector<std::uint64_t> row;
+  std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;  ///< of the segments
   Convolution reflex;  ///< the rest of the signed convolution
@@ -74,6 +81,15 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
 /// move that by one point of Q for each cell that has one, runs of them at a time, unite; the same with
 /// P and Q exchanged. O(words of a raster · runs of the other).
 void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover);
+
+/// Marks more cells of the grid: those that lie in e ⊕ f for some long edges e of P and f of Q.
+///
+/// If a cell lies in the interior of that parallelogram, e crosses x − f for each x of the cell: then the
+/// interiors of P and x − Q meet next to where they do. So no tight place is covered either. An
+/// operand's edges are taken in 4 · √side stretches, and of each the longest: long ones from
+/// everywhere. Narrow shapes are covered by few of these, where no cell fits inside any translate.
+/// O(n + m + side^2) rows of cells.
+void cover_by_parallelograms(const Operands& operands, CoverScratch& scratch, Cover& cover);
 
 /// Divides the sum's box into quarters, again and again, until a cell is certainly inside the sum,
 /// few segments are near it, or it is one of `side` · `side` (a power of two, at most 4096). What

@@ -96,6 +96,72 @@ TEST(Cover, IsInside) {
   }
 }
 
+/// (ax + by, cx + dy) of a ring.
+Region mapped(const Region& region, int a, int b, int c, int d) {
+  test::Outline ring;
+  for (const std::size_t v : region.vertices_of(0)) {
+    const auto x = static_cast<std::int64_t>(region.x(v));
+    const auto y = static_cast<std::int64_t>(region.y(v));
+    ring.push_back({a * x + b * y, c * x + d * y});
+  }
+  return test::make_polygon(ring);
+}
+
+TEST(Cover, ByParallelogramsIsInside) {
+  Random random(3);
+  auto list = pairs();
+  list.push_back({"sheared combs", mapped(test::comb(14, 3, 120), 11, 5, -2, 13),
+                  mapped(test::comb(12, 3, 100), -3, -12, 11, 4)});
+  for (const auto& [name, p, q] : list) {
+    std::uint64_t covered = 0;
+    for (const int grid : {16, 50, 150}) {
+      Covered c(p, q, grid);
+      c.cover.active = true;
+      c.cover.divided = false;
+      c.cover.covered.reset(c.cover.grid.columns, c.cover.grid.rows);
+      cover_by_parallelograms(c.operands, c.scratch, c.cover);
+      EXPECT_EQ(check(c.cover, c.operands), std::nullopt) << name;
+      expect_inside(p, q, c, random, name + " on grid " + std::to_string(grid));
+      covered = c.cover.covered_count();
+    }
+    EXPECT_GT(covered, 50U * 50U) << name;
+  }
+}
+
+/// A comb whose teeth are 600 to 1000 high, and narrower above.
+Region uneven_comb(Random& random, int teeth) {
+  test::Outline ring{{0, -100}, {10 * teeth, -100}};
+  for (int x = 10 * teeth - 10; x >= 0; x -= 10) {
+    const auto top = static_cast<std::int64_t>(600 + random.below(400));
+    for (const test::Vertex& corner : test::Outline{{7, 0}, {6, top}, {3, top}, {1, 0}}) {
+      ring.push_back({x + corner.x, corner.y});
+    }
+  }
+  return test::make_polygon(ring);
+}
+
+TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
+  Random random(4);
+  const Region p = uneven_comb(random, 128);
+  const Region q = mapped(uneven_comb(random, 128), 0, -1, 1, 0);
+  Options options;
+  Operands operands;
+  test::prepare_operands(p, q, options, operands);
+  CoverScratch scratch;
+  Cover cover;
+  cover.active = true;
+  cover.grid = UniformGrid::over(operands.extent[0].x + operands.extent[1].x,
+                                 operands.extent[0].y + operands.extent[1].y, 160);
+  cover.covered.reset(cover.grid.columns, cover.grid.rows,
+                      (static_cast<std::size_t>(cover.grid.columns) + 64) / 64);
+  cover_by_translates(operands, scratch, cover);
+  const std::uint64_t by_translates = cover.covered_count();
+  cover_by_parallelograms(operands, scratch, cover);
+  const auto cells = static_cast<std::uint64_t>(cover.grid.size());
+  EXPECT_LT(by_translates, cells * 8 / 10);
+  EXPECT_GT(cover.covered_count(), cells * 9 / 10);
+}
+
 TEST(Cover, DividedByWindingIsInside) {
   Random random(2);
   for (const auto& [name, p, q] : pairs()) {
