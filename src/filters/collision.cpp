@@ -39,7 +39,9 @@ void BoxTree::build(const Operands& o, int operand) {
 void BoxTrees::build(const Operands& o) {
   for (const int operand : {0, 1}) tree[operand].build(o, operand);
   ring_boxes.clear();
+  outer_rings.clear();
   for (const OperandRing& ring : o.rings) {
+    if (!ring.is_hole()) outer_rings.push_back(ring_boxes.size());
     const auto& [x, y, dx, dy, next] = o.sites;
     const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
     const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
@@ -77,19 +79,12 @@ bool CollisionTest::edges_cross(SiteId e, SiteId f) {
 }
 
 bool CollisionTest::one_inside_other() {
-  const auto any_ring = [&](std::size_t first, std::size_t last, std::size_t other_first,
-                            std::size_t other_last) {
-    for (std::size_t r = first; r < last; ++r) {
-      if (!o_.rings[r].is_hole() &&
-          inside_operand(o_.rings[r].begin, other_first, other_last)) {
-        return true;
-      }
-    }
-    return false;
-  };
   const std::size_t middle = o_.first_rings;
-  const std::size_t end = o_.rings.size();
-  return any_ring(0, middle, middle, end) || any_ring(middle, end, 0, middle);
+  return std::any_of(trees_.outer_rings.begin(), trees_.outer_rings.end(), [&](std::size_t r) {
+    const SiteId site = o_.rings[r].begin;
+    return r < middle ? inside_operand(site, middle, o_.rings.size())
+                      : inside_operand(site, 0, middle);
+  });
 }
 
 /// Whether x − `other` certainly lies outside a ring of the other operand.

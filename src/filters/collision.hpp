@@ -66,6 +66,7 @@ struct BoxPair {
 struct BoxTrees {
   BoxTree tree[2];
   std::vector<BoxTree::Box> ring_boxes;  ///< by ring of both operands
+  std::vector<std::size_t> outer_rings;  ///< both operands'
 
   void build(const Operands& operands);
   /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet,
