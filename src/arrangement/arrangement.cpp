@@ -8,7 +8,7 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              const Options& options, const std::function<void()>& stop, Predicates& predicates,
              ArrangementScratch& scratch, Arrangement& arrangement) {
   scratch.whole = options.tight != nullptr;  // tight places are inside
-  bin_segments(operands, convolution, cover, options.limits, scratch, arrangement);
+  bin_segments(operands, convolution, cover, options.limits, stop, scratch, arrangement);
   stop();
   find_crossings(cover, options, stop, predicates, scratch, arrangement);
   stop();

@@ -1,7 +1,6 @@
 // Stage 4: the arrangement of the convolution segments, outside the cover only.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -195,7 +194,8 @@ void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments, and none are needed if boxes of segments hardly overlap.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  const Limits& limits, ArrangementScratch& scratch, Arrangement& arrangement);
+                  const Limits& limits, const std::function<void()>& stop,
+                  ArrangementScratch& scratch, Arrangement& arrangement);
 /// The same from the leaves of a divided cover. O(segments listed).
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 ArrangementScratch& scratch, Arrangement& arrangement);

@@ -58,11 +58,12 @@ class Binner {
         scratch_(scratch),
         kept_(arrangement.kept) {}
 
-  void run(const Convolution& convolution, const Limits& limits) {
+  void run(const Convolution& convolution, const Limits& limits,
+           const std::function<void()>& stop) {
     kept_.clear();
     items_.clear();
     std::span<const Segment> visible =
-        covers_any_ ? visible_segments(o_, convolution, cover_, limits, scratch_.visible)
+        covers_any_ ? visible_segments(o_, convolution, cover_, limits, stop, scratch_.visible)
                     : convolution.segments;
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
     // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
@@ -214,9 +215,10 @@ class Binner {
 }  // namespace
 
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  const Limits& limits, ArrangementScratch& scratch, Arrangement& arrangement) {
+                  const Limits& limits, const std::function<void()>& stop,
+                  ArrangementScratch& scratch, Arrangement& arrangement) {
   if (cover.divided) return bin_leaves(operands, convolution, cover, scratch, arrangement);
-  Binner(operands, cover, scratch, arrangement).run(convolution, limits);
+  Binner(operands, cover, scratch, arrangement).run(convolution, limits, stop);
 }
 
 }  // namespace minksum

@@ -213,7 +213,8 @@ class RunSearch {
         trees_{&scratch.edges, &scratch.vertices},
         scratch_(scratch) {}
 
-  void run() {
+  void run(const std::function<void()>& stop) {
+    constexpr std::uint64_t kOften = 1 << 10;
     auto& pairs = scratch_.pairs;
     std::size_t count = 1;
     pairs.resize(std::max<std::size_t>(pairs.size(), 1));
@@ -221,7 +222,8 @@ class RunSearch {
       pairs[0].level[i] = static_cast<std::uint32_t>(trees_[i]->level_begin.size()) - 1;
       pairs[0].run[i] = trees_[i]->level_begin.back();
     }
-    while (count > 0) {
+    for (std::uint64_t looks = 1; count > 0; ++looks) {
+      if (looks % kOften == 0) stop();
       const RunPair pair = pairs[--count];
       if ((pair.level[0] | pair.level[1]) == 0) {
         list(pair.run[0], pair.run[1]);
@@ -349,6 +351,7 @@ bool covers_any(const Cover& cover) {
 
 std::span<const Segment> visible_segments(const Operands& operands, const Convolution& convolution,
                                           const Cover& cover, const Limits& limits,
+                                          const std::function<void()>& stop,
                                           VisibleScratch& scratch) {
   measure_sites(operands, cover.grid.inverse, scratch.sites);
   if (convolution.listed()) return list_visible(convolution.segments, cover, scratch);
@@ -365,7 +368,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   for (const int operand : {0, 1}) {
     builder.edges_of(1 - operand);
     builder.vertices_of(operand);
-    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMost), scratch).run();
+    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMost), scratch).run(stop);
   }
   order_as_listed(operands, circle, scratch);
   return scratch.visible;

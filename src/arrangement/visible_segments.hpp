@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,7 +36,7 @@ struct RunTree {
   static constexpr SiteId kLeaf = 8;
   SiteId begin = 0;  ///< the operand's sites
   SiteId end = 0;
-  std::vector<SiteRun> runs;  ///< level by level, the leaves first; all but the root's is even
+  std::vector<SiteRun> runs;  ///< level by level, the leaves first: an even number, but for the root
   std::vector<std::uint32_t> level_begin;
 };
 
@@ -71,11 +72,12 @@ struct VisibleScratch {
 /// their convex vertices with the directions that these meet. Of two runs, one of edges, one of
 /// vertices, all segments are hidden if the sum of their boxes is covered, and there are none if no
 /// direction is met; else the larger is divided. So hidden segments are dropped run by run, and
-/// what the search takes depends on those that are visible. Throws Error(kLimitExceeded) for
-/// more of these than `limits` allows.
+/// what the search takes depends on those that are visible. `stop` is asked now and then and throws
+/// to stop. Throws Error(kLimitExceeded) for more visible ones than `limits` allows.
 [[nodiscard]] std::span<const Segment> visible_segments(const Operands& operands,
                                                         const Convolution& convolution,
                                                         const Cover& cover, const Limits& limits,
+                                                        const std::function<void()>& stop,
                                                         VisibleScratch& scratch);
 
 }  // namespace minksum
