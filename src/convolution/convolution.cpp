@@ -68,7 +68,7 @@ void visit_runs(const Operands& o, Vertices which, int vertex_operand, Convoluti
   }
 }
 
-/// Appends runs of segments; of more than `many` it keeps every second, fourth, eighth, ...
+/// Appends runs of segments; of more than `many` it keeps one of every two, four, eight, ...
 class Lister {
  public:
   Lister(const Limits& limits, std::uint64_t many, Convolution& convolution)
@@ -94,18 +94,29 @@ class Lister {
   /// Points of segments and crossings are numbered in 32 bits.
   static constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
 
+  /// Any number, always the same.
+  [[nodiscard]] std::uint64_t scramble(std::uint64_t i) const {
+    const std::uint64_t h = (i ^ (c_.step << 32)) * 0x9E3779B97F4A7C15U;
+    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9U >> 32;
+  }
+  /// Of the i-th `step` segments one, not the same each time: shapes have their periods.
+  [[nodiscard]] std::uint64_t sampled(std::uint64_t i) const {
+    return i * c_.step + (scramble(i) & (c_.step - 1));
+  }
   void thin_out() {
     c_.step = std::max<std::uint64_t>(std::bit_floor(c_.size / kSample), 2);
-    const std::uint64_t kept = (c_.size + c_.step - 1) / c_.step;
-    for (std::uint64_t i = 0; i < kept; ++i) c_.segments[i] = c_.segments[i * c_.step];
+    std::uint64_t kept = 0;
+    for (; sampled(kept) < c_.size; ++kept) c_.segments[kept] = c_.segments[sampled(kept)];
     c_.segments.resize(kept);
   }
   void pick(std::span<const SiteId> edges, SiteId v) {
-    for (std::uint64_t next = c_.segments.size() * c_.step; next < c_.size + edges.size();
-         next = c_.segments.size() * c_.step) {
+    for (std::uint64_t next = sampled(c_.segments.size()); next < c_.size + edges.size();
+         next = sampled(c_.segments.size())) {
       c_.segments.push_back({edges[next - c_.size], v});
       if (c_.segments.size() < 2 * kSample) continue;
-      for (std::size_t i = 0; i < kSample; ++i) c_.segments[i] = c_.segments[2 * i];
+      for (std::size_t i = 0; i < kSample; ++i) {
+        c_.segments[i] = c_.segments[2 * i + (scramble(i) & 1)];
+      }
       c_.segments.resize(kSample);
       c_.step *= 2;
     }

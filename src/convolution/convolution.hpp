@@ -13,7 +13,7 @@ namespace minksum {
 /// Directed segments. The sum lies on the left of each; only its right side can be free. Where there
 /// are many they are only counted: most are inside the sum, and need never be listed.
 struct Convolution {
-  std::vector<Segment> segments;  ///< all, if `listed`; else every `step`-th
+  std::vector<Segment> segments;  ///< all, if `listed()`; else of each `step` in turn one
   std::uint64_t size = 0;         ///< how many there are
   std::uint64_t step = 1;
   [[nodiscard]] bool listed() const { return step == 1; }
