@@ -133,8 +133,9 @@ class RankCircle {
     return to >= from ? to - from : to + count_ - from;
   }
   [[nodiscard]] bool meet(const RankRange& a, const RankRange& b) const {
-    return ((way(a.from, b.from) < a.length) | (way(b.from, a.from) < b.length)) &
-           ((a.length != 0) & (b.length != 0));
+    const int in_a = way(a.from, b.from) < a.length ? 1 : 0;
+    const int in_b = way(b.from, a.from) < b.length ? 1 : 0;
+    return std::min(a.length, b.length) != 0 && (in_a | in_b) != 0;
   }
   /// The shorter of the ranges that begin as one of these does and have both.
   [[nodiscard]] RankRange unite(const RankRange& a, const RankRange& b) const {
@@ -249,7 +250,9 @@ class RunSearch {
 
  private:
   [[nodiscard]] bool may_be_visible(const SiteRun& a, const SiteRun& b) const {
-    return (circle_.meet(a.directions, b.directions) & !uncovered_.hides(a.box, b.box)) != 0;
+    const int meet = circle_.meet(a.directions, b.directions) ? 1 : 0;
+    const int hidden = uncovered_.hides(a.box, b.box) ? 1 : 0;
+    return (meet & ~hidden) != 0;
   }
   [[nodiscard]] std::size_t choose(const RunPair& pair) const {
     const auto extent = [&](std::size_t i) {

@@ -45,9 +45,9 @@ class ParallelogramRasteriser {
   void choose(int operand, std::size_t count, std::vector<CellEdge>& edges) const {
     const SiteId begin = operand == 0 ? 0 : o_.split;
     const SiteId size = operand == 0 ? o_.split : o_.size() - o_.split;
-    const auto& [x, y, dx, dy, next] = o_.sites;
+    const auto& sites = o_.sites;
     const double inverse = cover_.grid.inverse;
-    const auto length = [&](SiteId e) { return std::abs(dx[e]) + std::abs(dy[e]); };
+    const auto length = [&](SiteId e) { return std::abs(sites.dx[e]) + std::abs(sites.dy[e]); };
     edges.clear();
     count = std::min<std::size_t>(count, size);
     for (std::size_t i = 0; i < count; ++i) {
@@ -58,8 +58,8 @@ class ParallelogramRasteriser {
         if (length(e) > length(longest)) longest = e;
       }
       if (length(longest) * inverse < kShortest) continue;
-      edges.push_back({{x[longest] * inverse, y[longest] * inverse},
-                       {dx[longest] * inverse, dy[longest] * inverse}});
+      edges.push_back({{sites.x[longest] * inverse, sites.y[longest] * inverse},
+                       {sites.dx[longest] * inverse, sites.dy[longest] * inverse}});
     }
   }
 
