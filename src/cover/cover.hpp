@@ -69,8 +69,9 @@ struct CoverScratch {
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells: by translates on
 /// ever finer grids as long as that pays; where segments still crowd, because the sum is covered by
-/// many thin translates rather than few fat ones, by winding number instead. If not all segments
-/// are listed, they are now, but where translates cover some cells, and no more is to be done.
+/// many thin translates rather than few fat ones, by parallelograms as well; and where that leaves
+/// many crossings, by winding number. Segments that are not listed stay so, but for a division, or
+/// where no cell is covered.
 void cover_interior(const Operands& operands, const Options& options, CoverScratch& scratch,
                     Convolution& convolution, Cover& cover);
 

@@ -32,6 +32,7 @@ struct Covered {
   CoverScratch scratch;
   Cover cover;
 
+  Covered() = default;
   Covered(const Region& p, const Region& q, int grid) {
     options.grid = grid;
     test::prepare_operands(p, q, options, operands);
@@ -164,7 +165,8 @@ TEST(VisibleSegments, AlongAPolyline) {
   std::size_t hidden = 0;
   int covers = 0;
   for (int i = 0; i < 20; ++i) {
-    Covered c(test::random_two_opt(random, 60, 400), test::random_two_opt(random, 60, 400), 40);
+    Covered c;
+    c.options.grid = 40;
     OperandScratch scratch;
     std::array<PreparedOperand, 2> prepared;
     std::vector<Fault> faults;
