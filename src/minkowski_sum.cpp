@@ -58,20 +58,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Times stages, asks whether to go on, and runs checkers if that is wanted. A checker's time counts
-/// for the stage after it.
+/// Asks before each stage whether to go on, times it and runs its checker if these are wanted. A
+/// checker's time counts for the stage after it.
 class StageRunner {
  public:
-  StageRunner(const Options& options, Statistics& statistics)
-      : options_(options), statistics_(statistics) {}
+  explicit StageRunner(const Options& options) : options_(options) {
+    if (options.statistics != nullptr) last_ = Clock::now();
+  }
 
   template <class Work>
   void run(Stage stage, Work work) {
     stage_ = stage;
     stop_if_asked();
     work();
+    // All readings of clocks together take a tenth of a sum of rectangles.
+    if (options_.statistics == nullptr) return;
     const Clock::time_point now = Clock::now();
-    statistics_.stage_seconds[static_cast<int>(stage)] +=
+    options_.statistics->stage_seconds[static_cast<int>(stage)] +=
         std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
@@ -87,9 +90,8 @@ class StageRunner {
 
  private:
   const Options& options_;
-  Statistics& statistics_;
   Stage stage_ = Stage::kOperands;
-  Clock::time_point last_ = Clock::now();  ///< when the last stage ended: reading clocks takes time
+  Clock::time_point last_;  ///< when the last stage ended
 };
 
 /// Reflex vertices of polylines have no place in the sum of two of them.
@@ -163,8 +165,8 @@ void report_tight_places(const Options& options, const std::function<void()>& st
 }
 
 void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
-                  Statistics& statistics, Region& result) {
-  StageRunner runner(options, statistics);
+                  Region& result) {
+  StageRunner runner(options);
   const std::function<void()> stop = [&] { runner.stop_if_asked(); };
 
   runner.run(Stage::kOperands, [&] { prepare(p, q, options, w); });
@@ -208,7 +210,7 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
       runner.require(check(w.tight, w.arrangement, w.loops, w.filtered, w.operands));
     }
   }
-  count(w, predicates, statistics);
+  if (options.statistics != nullptr) count(w, predicates, *options.statistics);
   if (options.trace != nullptr) {
     if (!w.convolution.listed()) {
       reduced_convolution(w.operands, options.limits, w.convolution_scratch, w.convolution);
@@ -235,29 +237,27 @@ void require_method_for_tight(const Options& options) {
 
 void run(const Given& p, const Given& q, const Options& options, Workspace::State& state,
          Region& result) {
-  Statistics own;
-  Statistics& statistics = options.statistics != nullptr ? *options.statistics : own;
-  statistics = Statistics{};
+  const std::optional<Clock::time_point> begin =
+      options.statistics != nullptr ? std::optional(Clock::now()) : std::nullopt;
+  if (options.statistics != nullptr) *options.statistics = Statistics{};
   if (options.trace != nullptr) *options.trace = Trace{};
   if (options.tight != nullptr) *options.tight = Geometry{};
   require_method_for_tight(options);
-  const auto begin = Clock::now();
   if (p.region.empty() || q.region.empty()) {
     require_legal(p, q);
     result.clear();
   } else if (options.method == Method::kSigned) {
     require_legal(p, q);
+    Statistics unwanted;
+    Statistics& statistics = options.statistics != nullptr ? *options.statistics : unwanted;
     signed_convolution_sum(p.region, q.region, options, statistics, result);
   } else {
-    run_pipeline(p, q, options, state, statistics, result);
+    run_pipeline(p, q, options, state, result);
   }
-  statistics.seconds =
-      std::chrono::duration<double>(Clock::now() - begin).count();
+  if (begin) {
+    options.statistics->seconds = std::chrono::duration<double>(Clock::now() - *begin).count();
+  }
 }
-
-}  // namespace
-
-namespace {
 
 Region run(const Given& p, const Given& q, const Options& options) {
   Workspace workspace;
@@ -329,10 +329,7 @@ class Sums final : public PartialSums {
     forget_origins(sum.region);
     list_parallel_sums(state_.operands, state_.walks, options_.limits, sum.polylines);
   }
-  void stop_if_asked() override {
-    Statistics none;
-    StageRunner(options_, none).stop_if_asked();
-  }
+  void stop_if_asked() override { StageRunner(quiet_).stop_if_asked(); }
   /// What the statistics lack: the time around the sum of regions.
   void count_time() const {
     if (options_.statistics == nullptr) return;
