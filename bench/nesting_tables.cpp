@@ -1,7 +1,6 @@
 // What nesting starts from: the no-fit polygons of all ordered pairs of an instance's parts, the
 // second one turned by each quarter.
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <string>
 #include <string_view>
@@ -9,7 +8,7 @@
 #include <vector>
 
 #include "minksum/io.hpp"
-#include "minksum/prepared_region.hpp"
+#include "minksum/nesting.hpp"
 #include "minksum/transform.hpp"
 #include "peers/peers.hpp"
 #include "peers/stopwatch.hpp"
@@ -27,55 +26,44 @@ constexpr int kTurns = 4;
 constexpr std::size_t kSample = 40;  // sums by CGAL, for each instance
 
 struct Parts {
-  std::vector<Region> fixed;
-  std::vector<Region> moving;  ///< −part, its first vertex at the origin, by part and quarter turn
-  [[nodiscard]] std::size_t sums() const { return fixed.size() * moving.size(); }
+  std::vector<Geometry> parts;
+  [[nodiscard]] std::size_t sums() const { return parts.size() * parts.size() * kTurns; }
 };
 
-// −(turned part), moved so that fixed ⊕ it is the no-fit polygon itself.
-Region moving_part(const Region& part, int turns) {
-  const Region turned = transform(part, Affine::quarter_turns(turns));
-  const Point reference = turned.point(0);
-  return transform(reflect(turned), Affine::translation(reference.x, reference.y));
+// What an entry of the table is the sum of: a part, its first vertex at the origin, and the point
+// mirror of another so placed and turned.
+Region fixed_part(const Geometry& part) {
+  const Point reference = part.region.point(0);
+  return transform(part.region, Affine::translation(-reference.x, -reference.y));
+}
+Region moving_part(const Geometry& part, int turn) {
+  return transform(fixed_part(part), Affine::quarter_turns(turn + 2));
 }
 
-Parts load(const std::filesystem::path& data, const std::vector<std::string>& files) {
-  Parts parts;
-  for (const std::string& file : files) {
-    parts.fixed.push_back(io::read_file((data / file).string()));
-    for (int turns = 0; turns < kTurns; ++turns) {
-      parts.moving.push_back(moving_part(parts.fixed.back(), turns));
+NoFitTable make_table(const Parts& parts, int threads) {
+  NoFitTableOptions options;
+  options.turns = kTurns;
+  options.tight = false;  // CGAL does not give them
+  options.threads = threads;
+  return NoFitTable(parts.parts, options);
+}
+
+// All entries, from the parts as they were read. Reading and preparing the parts is counted.
+double table_seconds(const Parts& parts, int threads) {
+  const Stopwatch watch;
+  const NoFitTable table = make_table(parts, threads);
+  std::vector<Geometry> entries;
+  entries.reserve(parts.sums());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    for (std::size_t j = 0; j < table.size(); ++j) {
+      for (int turn = 0; turn < kTurns; ++turn) entries.push_back(table.at({i, 0}, {j, turn}));
     }
   }
-  return parts;
-}
-
-// All sums of one row after the other, by so many threads. Preparing the parts is counted.
-double table_seconds(const Parts& parts, unsigned threads) {
-  const Stopwatch watch;
-  const std::vector<PreparedRegion> fixed(parts.fixed.begin(), parts.fixed.end());
-  const std::vector<PreparedRegion> moving(parts.moving.begin(), parts.moving.end());
-  std::atomic<std::size_t> next_row{0};
-  std::atomic<bool> failed{false};
-  const auto work = [&] {
-    Workspace workspace;
-    std::vector<Region> row(moving.size());
-    for (std::size_t i = next_row++; i < fixed.size(); i = next_row++) {
-      for (std::size_t j = 0; j < moving.size(); ++j) {
-        if (!minkowski_sum(fixed[i], moving[j], {}, workspace, row[j]).ok()) failed = true;
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned t = 1; t < threads; ++t) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
-  if (failed) throw std::runtime_error("a sum failed");
   return watch.seconds();
 }
 
 Json measure_minksum(const Parts& parts, double seconds) {
-  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::vector<double> one;
   std::vector<double> all;
   for (const Stopwatch watch; watch.seconds() < seconds || one.size() < 3;) {
@@ -89,12 +77,16 @@ Json measure_minksum(const Parts& parts, double seconds) {
 void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] const Report& report) {
 #ifdef MINKSUM_BENCH_CGAL
   test::Random random(2011);
+  const NoFitTable table = make_table(parts, 1);
   std::vector<double> seconds;
   std::size_t equal = 0;
   for (std::size_t k = 0; k < std::min(kSample, parts.sums()); ++k) {
-    const Region& p = parts.fixed[random.next() % parts.fixed.size()];
-    const Region& q = parts.moving[random.next() % parts.moving.size()];
-    equal += oracle::cgal_sum(p, q).sum == minkowski_sum(p, q) ? 1U : 0U;
+    const std::size_t i = random.next() % table.size();
+    const std::size_t j = random.next() % table.size();
+    const auto turn = static_cast<int>(random.next() % kTurns);
+    const Region p = fixed_part(parts.parts[i]);
+    const Region q = moving_part(parts.parts[j], turn);
+    equal += oracle::cgal_sum(p, q).sum == table.at({i, 0}, {j, turn}).region ? 1U : 0U;
     const std::unique_ptr<Peer> peer = make_cgal_reduced(p, q);
     seconds.push_back(median({peer->run(), peer->run(), peer->run()}));
     double total = 0;
@@ -126,7 +118,10 @@ void measure_nesting_tables(const std::filesystem::path& data, const Effort& eff
   std::size_t count = 0;
   for (const auto& [name, files] : instances(data)) {
     if (quick && ++count > 2) break;
-    const Parts parts = load(data, files);
+    Parts parts;
+    for (const std::string& file : files) {
+      parts.parts.push_back(io::read_geometry_file((data / file).string()));
+    }
     Json record{{"set", "tables"},
                 {"name", name},
                 {"parts", files.size()},

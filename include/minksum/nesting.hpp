@@ -1,7 +1,10 @@
 // No-fit and inner-fit polygons: where parts can be placed.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
 
 #include "minksum/locate.hpp"
 #include "minksum/minkowski_sum.hpp"
@@ -46,6 +49,50 @@ class NoFitPolygon {
   Geometry geometry_;
   PointLocator locator_;
   PointLocator tight_;
+};
+
+struct NoFitTableOptions {
+  /// In how many directions parts are laid: 1, 2 (turned by 180 degrees) or 4 (by 90).
+  int turns = 4;
+  /// Whether tight places are wanted, as polylines and points.
+  bool tight = true;
+  FillRule fill = FillRule::kAutomatic;  ///< how all parts are read
+  Limits limits;                         ///< of each sum
+  std::optional<CancelToken> cancel;
+  int threads = 0;  ///< 0 = one for each core
+};
+
+/// A part of a table, turned counter-clockwise about its reference point by `turn` times 360 degrees /
+/// NoFitTableOptions::turns.
+struct TurnedPart {
+  std::size_t part = 0;
+  int turn = 0;
+};
+
+/// The no-fit polygons of all pairs of some parts, in all their directions: what nesting starts from.
+///
+/// A part's reference point is its first vertex, as given. Of n parts in t directions, the n² t² no-fit
+/// polygons are images of n² t / 2 sums, nearly: if both parts are turned, so is the polygon, and that
+/// of (b, a) is the point mirror of that of (a, b). Only these sums are made, and kept; the others are
+/// turned when they are asked for. Copies share one state; any number of threads may ask.
+class NoFitTable {
+ public:
+  /// Makes all sums, on options.threads threads. Throws as minkowski_sum does, with the index of the
+  /// part for the operand where one is to blame; Error(kBadInput) for a part without area, and for
+  /// turns other than 1, 2 and 4.
+  explicit NoFitTable(std::span<const Geometry> parts, const NoFitTableOptions& options = {});
+
+  [[nodiscard]] std::size_t size() const;  ///< parts
+  [[nodiscard]] int turns() const;
+  /// The placements of the reference point of `moving` where it meets `fixed`, whose reference point is
+  /// at the origin: as no_fit_polygon gives them for the parts turned and moved so. In canonical form,
+  /// always; its origins speak of the parts' resolved areas. O(size of the result), without arithmetic but
+  /// for tight places. Throws Error(kBadInput) for a part or a turn that is none of the table's.
+  [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving) const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
 };
 
 }  // namespace minksum

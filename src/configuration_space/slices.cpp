@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "configuration_space/in_order.hpp"
+#include "threads/in_order.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/configuration_space.hpp"
 #include "minksum/locate.hpp"

@@ -1,6 +1,7 @@
 // The inside of Region for the library's own code: coordinates as stored, and results as made.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -45,6 +46,17 @@ class RegionAccess {
     const StoredCoordinate x = copy(from.vertices_[vertex].x);
     region.vertices_.push_back({x, copy(from.vertices_[vertex].y)});
   }
+  /// The same of a region that knows no origins.
+  static void add_vertex(Region& region, const StoredCoordinate& x, const StoredCoordinate& y) {
+    region.vertices_.push_back({x, y});
+  }
+  /// As if the operands had been given the other way round.
+  static void exchange_operands(Region& region) {
+    for (EdgeOrigin& origin : region.origins_) {
+      const bool first = origin.edge_operand == Operand::kFirst;
+      origin.edge_operand = first ? Operand::kSecond : Operand::kFirst;
+    }
+  }
   static void clear_origins(Region& region) { region.origins_.clear(); }
   static void reserve(Region& region, std::size_t vertices) {
     region.vertices_.reserve(vertices);
@@ -58,6 +70,10 @@ class RegionAccess {
   static Rational exact(const Region& region, const StoredCoordinate& coordinate) {
     return region.exact(coordinate);
   }
+
+  /// The order of two coordinates of this region.
+  static std::strong_ordering compare(const Region& region, const StoredCoordinate& a,
+                                      const StoredCoordinate& b);
 
   /// Index of the first vertex of a ring; `ring` may be the count of rings.
   static std::size_t ring_first(const Region& region, std::size_t ring) {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "region/rational_access.hpp"
@@ -67,11 +68,13 @@ bool nearest_by_text([[maybe_unused]] const StoredCoordinate& c, [[maybe_unused]
 #endif
 }
 
+constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr int kLargestPower = 22;
+
 // The quick and exact cases of m · 2^exp2 · 10^exp10; the others are for big integers.
 bool nearest_quick(const StoredCoordinate& c, double& result) {
-  constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   const bool exact_mantissa = c.payload <= kExactDoubleLimit && c.payload >= -kExactDoubleLimit;
   if (c.exp10 == 0) {
     // int64 to double rounds to nearest even; with an exponent the rounding must happen once.
@@ -83,13 +86,19 @@ bool nearest_quick(const StoredCoordinate& c, double& result) {
     return true;
   }
   if (c.exp2 != 0) return false;
-  if (exact_mantissa && c.exp10 >= -22 && c.exp10 <= 22) {  // one rounding of exact operands
+  if (exact_mantissa && std::abs(c.exp10) <= kLargestPower) {  // one rounding of exact operands
     const auto mantissa = static_cast<double>(c.payload);
     result = c.exp10 < 0 ? mantissa / kPowersOfTen[static_cast<std::size_t>(-c.exp10)]
                          : mantissa * kPowersOfTen[static_cast<std::size_t>(c.exp10)];
     return true;
   }
   return nearest_by_text(c, result);
+}
+
+// Up to two limbs, with a relative error below 2^-52.
+double about(const std::uint64_t* limbs, std::size_t count) {
+  const double low = count > 0 ? static_cast<double>(limbs[0]) : 0;
+  return count > 1 ? static_cast<double>(limbs[1]) * 0x1p64 + low : low;
 }
 
 }  // namespace
@@ -172,6 +181,31 @@ double Region::nearest(const StoredCoordinate& c) const {
   if (c.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(c.exp10));
   if (c.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-c.exp10));
   return nearest_double((c.numerator_limbs & kNegativeLimbs) != 0, numerator, denominator, c.exp2);
+}
+
+std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoordinate& a,
+                                           const StoredCoordinate& b) {
+  if (a.denominator_limbs == 0 && b.denominator_limbs == 0 && a.exp2 == b.exp2 &&
+      a.exp10 == b.exp10) {
+    return a.payload <=> b.payload;
+  }
+  const auto near = [&](const StoredCoordinate& c) {
+    const std::size_t above = c.numerator_limbs & kLimbCountMask;
+    const bool quick = c.denominator_limbs > 0 && c.denominator_limbs <= 2 && above <= 2 &&
+                       c.exp10 <= 0 && c.exp10 >= -kLargestPower;
+    if (!quick) return region.nearest(c);
+    const std::uint64_t* digits = region.limbs_.data() + c.payload;
+    const double size = about(digits, above) / about(digits + above, c.denominator_limbs) /
+                        kPowersOfTen[static_cast<std::size_t>(-c.exp10)];
+    return std::ldexp((c.numerator_limbs & kNegativeLimbs) != 0 ? -size : size, c.exp2);
+  };
+  const double x = near(a);
+  const double y = near(b);
+  // Far more than the errors of both, and than the smallest normal double.
+  const double slack = (std::abs(x) + std::abs(y)) * 0x1p-45 + 1e-290;
+  if (x - y > slack) return std::strong_ordering::greater;
+  if (y - x > slack) return std::strong_ordering::less;
+  return region.exact(a) <=> region.exact(b);
 }
 
 bool operator==(const Region& a, const Region& b) {

@@ -1,6 +1,25 @@
 #include "minksum/transform.hpp"
 
+#include <optional>
+
+#include "region/region_access.hpp"
+#include "transform/turned.hpp"
+
 namespace minksum {
+namespace {
+
+/// By how many right angles a map turns, if that is all it does.
+std::optional<int> quarters_of(const Affine& map) {
+  if (map.dx.sign() != 0 || map.dy.sign() != 0) return std::nullopt;
+  if (map.xx != map.yy || map.yx != -map.xy) return std::nullopt;
+  if (map.yx.sign() == 0 && map.xx == 1) return 0;
+  if (map.xx.sign() == 0 && map.yx == 1) return 1;
+  if (map.yx.sign() == 0 && map.xx == -1) return 2;
+  if (map.xx.sign() == 0 && map.yx == -1) return 3;
+  return std::nullopt;
+}
+
+}  // namespace
 
 Affine Affine::translation(const Rational& dx, const Rational& dy) {
   Affine map;
@@ -55,6 +74,11 @@ Point Affine::operator()(const Point& point) const {
 
 Region transform(const Region& region, const Affine& map) {
   Region image;
+  if (const std::optional<int> quarters = quarters_of(map)) {
+    image = turned_in_order(region, *quarters);
+    RegionAccess::clear_origins(image);
+    return image;
+  }
   for (const std::size_t polygon : region.polygons()) {
     image.begin_polygon();
     for (const std::size_t ring : region.rings_of(polygon)) {

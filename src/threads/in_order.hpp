@@ -132,8 +132,8 @@ class InOrder {
 
 template <class Result, class Memory, class Make, class Visit>
 void for_each_in_order(std::size_t count, int threads, const Make& make, const Visit& visit) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : cores;
+  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads)
+                                         : std::max(1U, std::thread::hardware_concurrency());
   const std::size_t used = std::min(wanted, count);
   if (used > 1) return InOrder<Result, Memory, Make, Visit>(count, used, make, visit).run();
   Memory memory;
