@@ -95,7 +95,7 @@ class InOrder {
 
   void work() {
     block_signals_in_this_thread();
-    Memory memory;
+    std::optional<Memory> memory;  // made where running out of it is caught
     while (true) {
       std::size_t i = 0;
       {
@@ -108,7 +108,8 @@ class InOrder {
       }
       Slot made;
       try {
-        made.result.emplace(make_(i, memory));
+        if (!memory) memory.emplace();
+        made.result.emplace(make_(i, *memory));
       } catch (...) {
         made.error = std::current_exception();
       }
