@@ -84,6 +84,9 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
   filtered.rejected_by_collision = 0;
   LoopFilter filter(arrangement, loops, predicates);
   const std::size_t outermost = operands.connected ? filter.outermost() : loops.size();
+  if (operands.connected && outermost == loops.size()) {
+    throw Error(ErrorCode::kInternal, "no loop is the outer boundary", {}, "filters");
+  }
   if (loops.size() > 1 || !operands.connected) {
     trees.build(operands);
   }
