@@ -17,7 +17,9 @@ struct CheckOptions {
   /// How far, in x and in y, the result may be off: each of its points has a point of the sum within
   /// that, and each point of the sum has one of the result. 0: they must be equal. Not negative.
   Rational within;
-  std::uint64_t samples = 1000;  ///< random points, beside those near the result's edges
+  /// Random points, beside those near the result's edges; as many again where a hole of one operand
+  /// has room for a part of the other.
+  std::uint64_t samples = 1000;
   /// Edges of the result near which points are tested; if it has more, that many of them, evenly.
   std::uint64_t edges = 10000;
   std::uint64_t seed = 1;
@@ -64,8 +66,9 @@ struct SumCheck {
 
 /// Checks whether `result` is P ⊕ Q, without the method that `minkowski_sum` uses by default:
 /// - validity of the result (`validate`);
-/// - points close to its edges on both sides, its vertices, and points at random: is x in the
-///   result exactly if P meets x − Q, decided by code of its own;
+/// - points close to its edges on both sides, its vertices, points at random, and points where a part
+///   of one operand may be inside a hole of the other: is x in the result exactly if P meets x − Q,
+///   decided by code of its own;
 /// - the whole sum and its area by Method::kSigned, compared exactly: a proof, where that method is
 ///   fast enough.
 /// The result may be anybody's, rounded or not. O(n + m) and more for each point.

@@ -2,6 +2,7 @@
 #include "minksum/check.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -23,9 +24,9 @@ void stop_if_asked(const CheckOptions& options) {
   }
 }
 
-/// The set of points at most `reach` away from `geometry` in x and in y.
+/// The set of points at most `reach` > 0 away from `geometry` in x and in y.
 Geometry grown(const Geometry& geometry, const Rational& reach, const CheckOptions& options) {
-  if (reach.sign() == 0 || geometry.empty()) return geometry;
+  if (geometry.empty()) return geometry;
   Geometry square;
   square.region.begin_polygon();
   square.region.begin_ring();
@@ -43,30 +44,27 @@ class Witness {
  public:
   Witness(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& options,
           SumCheck& check)
-      : allowed_(options.within.sign() != 0),
-        result_(result),
-        wide_result_(grown(result, options.within, options)),
-        sum_(p, q),
-        wide_sum_(p, grown(q, options.within, options)),
-        options_(options),
-        check_(check) {}
+      : result_(result), sum_(p, q), options_(options), check_(check) {
+    if (options.within.sign() == 0) return;
+    wide_result_.emplace(grown(result, options.within, options));
+    wide_sum_.emplace(p, grown(q, options.within, options));
+  }
 
   void ask(const Point& x) {
     if ((check_.points++ & 0xFF) == 0) stop_if_asked(options_);
     const Corner corner(x);
     const bool in_result = contains(result_, corner);
     if (in_result == sum_.in_sum(x)) return;
-    if (allowed_ && (in_result ? wide_sum_.in_sum(x) : contains(wide_result_, corner))) return;
+    if (wide_sum_ && (in_result ? wide_sum_->in_sum(x) : contains(*wide_result_, corner))) return;
     ++check_.disagreements;
     if (check_.examples.size() < kExamples) check_.examples.push_back({x, in_result});
   }
 
  private:
-  bool allowed_;
   EdgeTree result_;
-  EdgeTree wide_result_;
   Placement sum_;
-  Placement wide_sum_;
+  std::optional<EdgeTree> wide_result_;  ///< if the result may be off
+  std::optional<Placement> wide_sum_;    ///< likewise
   const CheckOptions& options_;
   SumCheck& check_;
 };
@@ -133,24 +131,73 @@ std::pair<Span, Span> spans(const Geometry& geometry) {
   return result;
 }
 
-// In the box of the sum, a twentieth wider on each side, on a grid of 2^53 lines.
+/// A point of a box, on a grid of 2^53 lines.
+Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
+  const auto pick_one = [&random](const Span& span) {
+    const auto at = static_cast<std::int64_t>(random() >> 11);
+    return span.low + (span.high - span.low) * Rational(at, std::int64_t{1} << 53);
+  };
+  Rational at_x = pick_one(x);
+  return {std::move(at_x), pick_one(y)};
+}
+
+// In the box of the sum, a twentieth wider on each side.
 void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& options,
                    Witness& witness) {
   if (p.empty() || q.empty()) return;
   std::mt19937_64 random(options.seed);
   const auto [px, py] = spans(p);
   const auto [qx, qy] = spans(q);
-  const auto pick = [&random](const Span& a, const Span& b) {
-    const Rational low = a.low + b.low;
-    const Rational width = a.high + b.high - low;
-    const auto at = static_cast<std::int64_t>(random() >> 11);
-    return low - width / Rational(20) +
-           width * Rational(11, 10) * Rational(at, std::int64_t{1} << 53);
+  const auto wider = [](const Span& a, const Span& b) {
+    const Span sum{a.low + b.low, a.high + b.high};
+    const Rational more = (sum.high - sum.low) / Rational(20);
+    return Span{sum.low - more, sum.high + more};
   };
+  const Span x = wider(px, qx);
+  const Span y = wider(py, qy);
+  for (std::uint64_t i = 0; i < options.samples; ++i) witness.ask(pick(x, y, random));
+}
+
+using Room = std::pair<Span, Span>;
+constexpr std::size_t kMostRooms = 10'000;
+constexpr std::size_t kMostTries = 1'000'000;
+
+/// Boxes of placements at which a part of one operand is within the box of a hole of the other: a
+/// hole of the sum is in one of these, or surrounded by several parts.
+void add_rooms(const Geometry& with_holes, const Geometry& other, std::vector<Room>& rooms) {
+  std::vector<Room> parts;
+  for (const std::size_t polygon : other.region.polygons()) {
+    parts.push_back(spans({Region(Polygon{other.region.polygon(polygon).outer, {}}), {}, {}}));
+  }
+  for (const Polyline& line : other.polylines) parts.push_back(spans({{}, {line}, {}}));
+  for (const Point& point : other.points) parts.push_back(spans({{}, {}, {point}}));
+  std::size_t tries = 0;
+  for (const std::size_t polygon : with_holes.region.polygons()) {
+    for (const Ring& hole : with_holes.region.polygon(polygon).holes) {
+      const auto [hx, hy] = spans({Region(Polygon{hole, {}}), {}, {}});
+      for (const auto& [x, y] : parts) {
+        if (rooms.size() == kMostRooms || ++tries > kMostTries) return;
+        const Room room{{hx.low + x.high, hx.high + x.low}, {hy.low + y.high, hy.high + y.low}};
+        if (room.first.low < room.first.high && room.second.low < room.second.high) {
+          rooms.push_back(room);
+        }
+      }
+    }
+  }
+}
+
+// A hole that is small beside the sum is missed by points in its box, and by those near the edges
+// of a result that lacks it.
+void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& options,
+                  Witness& witness) {
+  std::vector<Room> rooms;
+  add_rooms(p, q, rooms);
+  add_rooms(q, p, rooms);
+  if (rooms.empty()) return;
+  std::mt19937_64 random(options.seed);
   for (std::uint64_t i = 0; i < options.samples; ++i) {
-    Rational x = pick(px, qx);
-    Rational y = pick(py, qy);
-    witness.ask({std::move(x), std::move(y)});
+    const Room& room = rooms[i * rooms.size() / options.samples];
+    witness.ask(pick(room.first, room.second, random));
   }
 }
 
@@ -261,6 +308,7 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
     ask_near_edges(found.region, options.edges, witness);
     ask_thin_parts(found, witness);
     ask_at_random(first, second, options, witness);
+    ask_in_holes(first, second, options, witness);
   }
   prove(found, first, second, options, check);
   return check;

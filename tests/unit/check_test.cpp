@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <utility>
 
 #include "check/placement.hpp"
 #include "reference/membership.hpp"
@@ -26,6 +27,30 @@ Region bar() { return rectangle(0, 0, 3, 4); }
 
 SumCheck check(const Region& result, const CheckOptions& options = {}) {
   return check_sum({result, {}, {}}, {frame(), {}, {}}, {bar(), {}, {}}, options);
+}
+
+TEST(CheckSum, FindsALostHoleThatIsSmall) {
+  // A hole of a tenth by a tenth in a sum of 901 by 901, far from all of its other edges.
+  const Region square = rectangle(0, 0, 1, 1);
+  const Region lost = rectangle(0, 0, 901, 901);
+  Region plate;
+  plate.begin_polygon();
+  plate.begin_ring();
+  for (const auto& [x, y] : {std::pair{0, 0}, {900, 0}, {900, 900}, {0, 900}}) plate.add_vertex(x, y);
+  plate.begin_ring();
+  for (const auto& [x, y] : {std::pair{30, 30}, {30, 41}, {41, 41}, {41, 30}}) {
+    plate.add_vertex(Rational(x, 10), Rational(y, 10));
+  }
+  CheckOptions options;
+  options.limits.max_segments = 0;
+  for (const bool swapped : {false, true}) {
+    const Geometry p{swapped ? square : plate, {}, {}};
+    const Geometry q{swapped ? plate : square, {}, {}};
+    const SumCheck check = check_sum({lost, {}, {}}, p, q, options);
+    EXPECT_EQ(check.proof, Proof::kNotTried);
+    EXPECT_GT(check.disagreements, 0U);
+    EXPECT_TRUE(check_sum(minkowski_sum(p, q), p, q, options).ok());
+  }
 }
 
 TEST(Check, AcceptsASum) {
