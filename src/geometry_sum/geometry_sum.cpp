@@ -1,11 +1,13 @@
 #include "geometry_sum/geometry_sum.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
+#include "minksum/validity.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
@@ -35,11 +37,50 @@ Geometry moved(const Geometry& geometry, const Point& by) {
   return result;
 }
 
+bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+/// A polyline as walks without repeated or straight vertices, each ending where it turns back.
+void append_walks(const Polyline& given, std::vector<Polyline>& walks) {
+  Polyline walk;
+  for (const Point& to : given) {
+    if (!walk.empty() && walk.back() == to) continue;
+    if (walk.size() > 1) {
+      const Point& from = walk[walk.size() - 2];
+      const Point at = walk.back();
+      const Point in{at.x - from.x, at.y - from.y};
+      const Point out{to.x - at.x, to.y - at.y};
+      if (in.x * out.y == in.y * out.x) {
+        if ((in.x * out.x + in.y * out.y).sign() > 0) {
+          walk.pop_back();
+        } else {
+          walks.push_back(std::exchange(walk, {at}));
+        }
+      }
+    }
+    walk.push_back(to);
+  }
+  if (walk.size() > 1) walks.push_back(std::move(walk));
+}
+
+/// Whether polylines have vertices that others have not.
+bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given) {
+  std::vector<Point> known;
+  for (const Polyline& line : given) known.insert(known.end(), line.begin(), line.end());
+  std::sort(known.begin(), known.end(), before);
+  for (const Polyline& line : polylines) {
+    for (const Point& at : line) {
+      if (!std::binary_search(known.begin(), known.end(), at, before)) return true;
+    }
+  }
+  return false;
+}
+
 /// An operand as given, or as resolved.
 class Reader {
  public:
   Reader(int operand, const Geometry& given, const Options& options, PartialSums& partial)
-      : operand_(operand), geometry_(&given), options_(options), partial_(partial) {}
+      : operand_(operand), given_(given), geometry_(&given), options_(options),
+        partial_(partial) {}
 
   [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
   [[nodiscard]] bool is_as_given() const { return as_given_; }
@@ -52,6 +93,16 @@ class Reader {
       return;
     }
     resolve();
+  }
+  /// Polylines need not be cut where they cross: each crossing has a denominator of its own, and all
+  /// sums would have their product. The geometry is the same set then, but not resolved.
+  void leave_crossings() {
+    if (as_given_ || options_.fill != FillRule::kAutomatic || options_.regularize) return;
+    // Rings that are not legal may add polylines.
+    if (!validate(given_.region, 1).empty()) return;
+    if (!has_new_vertices(resolved_.polylines, given_.polylines)) return;
+    resolved_.polylines.clear();
+    for (const Polyline& line : given_.polylines) append_walks(line, resolved_.polylines);
   }
   void resolve() {
     if (!as_given_) return;
@@ -66,6 +117,7 @@ class Reader {
 
  private:
   int operand_;
+  const Geometry& given_;
   const Geometry* geometry_;
   const Options& options_;
   PartialSums& partial_;
@@ -151,6 +203,8 @@ void sum_geometries(const Geometry& p, const Geometry& q, const Options& options
   // Moved by a point, a region is a result as it is: in canonical form.
   if (!second.geometry().points.empty()) first.resolve();
   if (!first.geometry().points.empty()) second.resolve();
+  if (second.geometry().points.empty()) first.leave_crossings();
+  if (first.geometry().points.empty()) second.leave_crossings();
   const Geometry& a = first.geometry();
   const Geometry& b = second.geometry();
   if (a.empty() || b.empty()) return;

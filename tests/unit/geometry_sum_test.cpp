@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/resolve.hpp"
 #include "support/geometries.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -70,6 +73,42 @@ TEST(GeometrySum, ThinSumsAreResolved) {
   EXPECT_EQ(to_text(cross),
             "MULTIPOLYGON (((0 0, 4 0, 4 1, 0 1, 0 0))) LINESTRING (0 10, 0 9, 1 9) "
             "LINESTRING (1 9, 1 10) LINESTRING (1 9, 3 9) LINESTRING (4 0, 6 0)");
+}
+
+/// A path that crosses, covers and touches itself, turns back and stands still.
+Polyline tangle(Random& random, int count, int size) {
+  Polyline path;
+  while (static_cast<int>(path.size()) < count) {
+    const int x = random.below(size);
+    const int y = random.below(size);
+    path.push_back({x, y});
+    if (random.below(5) == 0) path.push_back(path.back());
+    if (random.below(5) == 0 && path.size() > 2) path.push_back(path[path.size() - 2]);
+    if (random.below(6) == 0) path.push_back(path.front());
+    if (random.below(4) == 0) path.push_back({x + 2, y});
+    if (random.below(4) == 0) path.push_back({x + 3, y});
+  }
+  return path;
+}
+
+TEST(GeometrySum, CrossingsOfPolylinesNeedNoVertices) {
+  Random random(40401);
+  for (int i = 0; i < 150; ++i) {
+    const int size = i % 3 == 0 ? 5 : 40;
+    Geometry p{{}, {tangle(random, 6, size), tangle(random, 3, size)}, {}};
+    Geometry q{{}, {tangle(random, 6, size)}, {}};
+    if (i % 4 == 1) p.region = random_two_opt(random, 8, size);
+    if (i % 4 == 2) q = {random_two_opt(random, 8, size), {}, {}};
+    if (i % 5 == 3) p.points.push_back({random.below(size), random.below(size)});
+    // Resolved, each crossing is a vertex.
+    const Geometry expected = minkowski_sum(resolve(p), resolve(q));
+    for (const Method method : {Method::kReduced, Method::kSigned}) {
+      Options options;
+      options.method = method;
+      options.check = true;
+      EXPECT_EQ(minkowski_sum(p, q, options), expected) << to_text(p) << '\n' << to_text(q);
+    }
+  }
 }
 
 TEST(GeometrySum, StrictRefusesWithThePlace) {
