@@ -24,9 +24,10 @@ struct Depth {
   /// Its length squared, exactly, and its length.
   Rational squared;
   double distance = 0;
-  /// What is in contact then: an edge of one and a vertex of the other (kFirst is A), as indices of
-  /// the vertices given; nothing where shapes had to be resolved first, or the contact is a tight
-  /// place. If the contact is between vertices, one of the edges at them is named.
+  /// What is in contact then: an edge of one (kFirst is A), and a vertex of the other that lies on
+  /// it, at an end perhaps; as indices of the vertices given. Of several pairs in contact along one
+  /// line of the sum's boundary the first, A's edges before B's. Nothing where shapes had to be
+  /// resolved first, or the contact is a tight place.
   std::optional<EdgeOrigin> contact;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "depth/contact.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
@@ -18,8 +19,8 @@ struct Shape {
 };
 
 Shape read(const Geometry& geometry, const DepthOptions& options, int operand) {
-  if (options.fill == FillRule::kAutomatic && !geometry.has_thin_parts() &&
-      validate(geometry.region, 1).empty()) {
+  const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
+  if (by_role && !geometry.has_thin_parts() && validate(geometry.region, 1).empty()) {
     return {geometry, true};
   }
   return {resolve(geometry, {options.fill, true, options.cancel, operand}), false};
@@ -27,31 +28,28 @@ Shape read(const Geometry& geometry, const DepthOptions& options, int operand) {
 
 /// A ⊕ −B with its tight places.
 struct Obstacle {
+  Shape a;
+  Shape b;
   Geometry sum;
   Geometry tight;
-  bool origins_are_known = false;
 };
 
 std::optional<Obstacle> obstacle(const Geometry& a, const Geometry& b,
                                  const DepthOptions& options) {
-  const Shape first = read(a, options, 0);
-  const Shape second = read(b, options, 1);
-  if (first.geometry.empty() || second.geometry.empty()) return std::nullopt;
-  Obstacle result;
+  Obstacle result{read(a, options, 0), read(b, options, 1), {}, {}};
+  if (result.a.geometry.empty() || result.b.geometry.empty()) return std::nullopt;
   Options sum;
   sum.limits = options.limits;
   sum.cancel = options.cancel;
   sum.tight = &result.tight;
-  result.sum = minkowski_sum(first.geometry, reflect(second.geometry), sum);
-  result.origins_are_known =
-      first.as_given && second.as_given && result.sum.region.has_origins();
+  result.sum = minkowski_sum(result.a.geometry, reflect(result.b.geometry), sum);
   return result;
 }
 
 struct Edge {
   Point a;
   Point b;
-  std::optional<EdgeOrigin> origin;
+  bool tight = false;
 };
 
 std::vector<Edge> edges_of(const Obstacle& obstacle) {
@@ -62,18 +60,16 @@ std::vector<Edge> edges_of(const Obstacle& obstacle) {
       const IndexRange vertices = region.vertices_of(ring);
       for (const std::size_t v : vertices) {
         const bool last = v + 1 == vertices.front() + vertices.size();
-        Edge edge{region.point(v), region.point(last ? vertices.front() : v + 1), std::nullopt};
-        if (obstacle.origins_are_known) edge.origin = region.origin(v);
-        edges.push_back(std::move(edge));
+        edges.push_back({region.point(v), region.point(last ? vertices.front() : v + 1)});
       }
     }
   }
   for (const Polyline& line : obstacle.tight.polylines) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      edges.push_back({line[i], line[i + 1], std::nullopt});
+      edges.push_back({line[i], line[i + 1], true});
     }
   }
-  for (const Point& point : obstacle.tight.points) edges.push_back({point, point, std::nullopt});
+  for (const Point& point : obstacle.tight.points) edges.push_back({point, point, true});
   return edges;
 }
 
@@ -105,7 +101,7 @@ double distance_at_least(const Edge& edge) {
 struct Nearest {
   Point point;
   Rational squared;
-  std::optional<EdgeOrigin> origin;
+  const Edge* edge = nullptr;
 };
 
 Nearest nearest_of(const std::vector<Edge>& edges) {
@@ -122,9 +118,9 @@ Nearest nearest_of(const std::vector<Edge>& edges) {
         !best || squared < best->squared ||
         (squared == best->squared &&
          (point.x < best->point.x || (point.x == best->point.x && point.y < best->point.y)));
-    // Of two that meet in the same point, one that names its features.
-    const bool says_more = best && point == best->point && !best->origin && edges[i].origin;
-    if (better || says_more) best = Nearest{point, std::move(squared), edges[i].origin};
+    // Of two that meet in the same point, one of which is known what is in contact there.
+    const bool says_more = best && point == best->point && best->edge->tight && !edges[i].tight;
+    if (better || says_more) best = Nearest{point, std::move(squared), &edges[i]};
   }
   return *best;
 }
@@ -135,7 +131,8 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
                                        const DepthOptions& options) {
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;
-  Nearest nearest = nearest_of(edges_of(*around));
+  const std::vector<Edge> edges = edges_of(*around);
+  Nearest nearest = nearest_of(edges);
   Depth depth;
   depth.overlapping = nearest.squared.sign() != 0 &&
                       PointLocator(around->sum).locate({Rational(0), Rational(0)}) ==
@@ -143,7 +140,10 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
   depth.vector = nearest.point;
   depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
-  depth.contact = nearest.origin;
+  if (!nearest.edge->tight && around->a.as_given && around->b.as_given) {
+    depth.contact = find_contact(around->a.geometry.region, around->b.geometry.region,
+                                 nearest.point, minus(nearest.edge->b, nearest.edge->a));
+  }
   return depth;
 }
 

@@ -11,6 +11,7 @@
 #include "minksum/transform.hpp"
 #include "reference/membership.hpp"
 #include "support/generators.hpp"
+#include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum {
@@ -201,6 +202,47 @@ TEST(PenetrationDepth, ItsVectorSeparatesAndLessDoesNot) {
   EXPECT_GT(overlapping, 15);
 }
 
+/// Whether the vertex that is named lies on the edge that is named, if B is moved by `shift`.
+bool touch(const Region& a, const Region& b, const Point& shift, const EdgeOrigin& contact) {
+  const Region moved = at(b, shift);
+  const bool edge_of_a = contact.edge_operand == Operand::kFirst;
+  const Region& with_edge = edge_of_a ? a : moved;
+  const Point p = (edge_of_a ? moved : a).point(contact.vertex);
+  std::size_t next = contact.edge + 1;
+  for (std::size_t ring = 0; ring < with_edge.ring_count(); ++ring) {
+    const IndexRange vertices = with_edge.vertices_of(ring);
+    if (next == vertices.front() + vertices.size()) {
+      next = vertices.front();
+      break;
+    }
+  }
+  const Point u = with_edge.point(contact.edge);
+  const Point w = with_edge.point(next);
+  const Point d{w.x - u.x, w.y - u.y};
+  const Point e{p.x - u.x, p.y - u.y};
+  const Rational along = d.x * e.x + d.y * e.y;
+  return (d.x * e.y - d.y * e.x).sign() == 0 && along.sign() >= 0 &&
+         along <= d.x * d.x + d.y * d.y;
+}
+
+TEST(PenetrationDepth, NamesWhatTouches) {
+  Random random(61);
+  int named = 0;
+  for (int i = 0; i < 3 * kPairs; ++i) {
+    test::Pair pair = test::random_pair(random);
+    if (i % 3 == 0) {  // edges of both in the same directions
+      pair.p = test::rectangle(0, 0, random.between(1, 9), random.between(1, 9));
+      pair.q = test::random_cells(random, 4, 4, false, true);
+    }
+    const Region b = at(pair.q, random_point(random));
+    if (pair.p.empty() || b.empty()) continue;
+    const auto depth = penetration_depth(as_geometry(pair.p), as_geometry(b));
+    if (!depth->contact) continue;
+    ++named;
+    EXPECT_TRUE(touch(pair.p, b, depth->vector, *depth->contact)) << message(pair);
+  }
+  EXPECT_GT(named, 2 * kPairs);
+}
 TEST(PenetrationDepth, NamesTheFeaturesInContact) {
   const Region wall = test::rectangle(0, 0, 10, 10);
   const Region wedge = test::make_polygon({{9, 5}, {20, 0}, {20, 10}});
