@@ -134,7 +134,7 @@ struct Exact {
 };
 
 /// Counts, in integers, what `classify_block` was unsure of.
-void settle(const Box& cell, std::size_t begin, std::size_t end, const SegmentStack& stack,
+void settle(const QuadCell& cell, std::size_t begin, std::size_t end, const SegmentStack& stack,
             std::array<Tally, 4>& tallies) {
   const std::int64_t half = cell.half / 2;
   for (std::size_t i = begin; i < end; ++i) {
@@ -166,7 +166,8 @@ std::size_t SegmentStack::copy(std::size_t begin, std::size_t end, std::int32_t 
   return to;
 }
 
-std::int32_t winding_step_along_ray(const Box& cell, std::size_t i, const SegmentStack& stack) {
+std::int32_t winding_step_along_ray(const QuadCell& cell, std::size_t i,
+                                    const SegmentStack& stack) {
   const Exact s(stack.segment[i], cell.x, cell.y);
   const bool start_below = s.ry >= 0;
   const bool end_below = s.ry - s.dy >= 0;
@@ -176,7 +177,7 @@ std::int32_t winding_step_along_ray(const Box& cell, std::size_t i, const Segmen
   return left ? 0 : -1;
 }
 
-std::array<Tally, 4> classify(const Box& cell, std::int64_t margin, std::size_t begin,
+std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
                               std::size_t end, SegmentStack& stack) {
   std::array<Tally, 4> tallies{};
   const Frame frame{static_cast<float>(cell.x), static_cast<float>(cell.y),

@@ -47,9 +47,8 @@ struct SegmentStack {
   }
 };
 
-/// A cell: its centre, half its side, and how far around its quarters segments count as near.
-/// Integers, in units.
-struct Box {
+/// A cell under division: its centre and half its side. Integers, in units.
+struct QuadCell {
   std::int64_t x;
   std::int64_t y;
   std::int64_t half;
@@ -65,18 +64,18 @@ struct Tally {
 };
 
 /// Quarter k is the right one if k & 1, the upper one if k & 2. Sets the masks of the entries
-/// [begin, end).
+/// [begin, end): segments within `margin` of a quarter count as near to it.
 ///
 /// In floats: r, the way from an end to the centre, is exact, and so are edges times a power of two.
 /// A determinant is off by five roundings, at most, of terms whose sizes sum up to B: by less than
 /// B · 2^-21. Signs that this cannot tell, and segments within two units of a centre, are
 /// *unsure*, and looked at again in integers. What decides nothing exact errs on the safe side.
-std::array<Tally, 4> classify(const Box& cell, std::int64_t margin, std::size_t begin,
+std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
                               std::size_t end, SegmentStack& stack);
 
 /// What entry i adds to the winding number of the cell's centre if it crosses the ray from there to
 /// the right.
-[[nodiscard]] std::int32_t winding_step_along_ray(const Box& cell, std::size_t i,
+[[nodiscard]] std::int32_t winding_step_along_ray(const QuadCell& cell, std::size_t i,
                                                   const SegmentStack& stack);
 
 }  // namespace minksum

@@ -31,7 +31,7 @@ class Divider {
     load(reduced, 0);
     load(reflex_, reduced.size());
     const std::size_t end = stack_.fill_up(reduced.size() + reflex_.size());
-    const Box root{kUnits / 2, kUnits / 2, kUnits / 2};
+    const QuadCell root{kUnits / 2, kUnits / 2, kUnits / 2};
     std::int32_t winding = 0;
     for (std::size_t i = 0; i < end; ++i) winding += winding_step_along_ray(root, i, stack_);
     if (side == 1) {
@@ -43,7 +43,7 @@ class Divider {
 
  private:
   struct Cell {
-    Box box;
+    QuadCell square;
     std::size_t begin;  ///< its list
     std::size_t end;
     std::int32_t winding;  ///< of the rounded chains, at the centre
@@ -117,17 +117,18 @@ class Divider {
 
   /// Of a cell whose quarters are `side` / 2 cells wide.
   void divide(const Cell& cell, std::int32_t side) {
-    const std::array<Tally, 4> tallies = classify(cell.box, margin_, cell.begin, cell.end, stack_);
+    const std::array<Tally, 4> tallies =
+        classify(cell.square, margin_, cell.begin, cell.end, stack_);
     const auto many = static_cast<std::int32_t>((cell.end - cell.begin) * 3 / 4);
     int crowded = 0;
     for (const Tally& tally : tallies) crowded += tally.near > many ? 1 : 0;
     const int futile = crowded >= 2 ? cell.futile + 1 : 0;
-    const std::int64_t half = cell.box.half / 2;
+    const std::int64_t half = cell.square.half / 2;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Box box{cell.box.x + ((k & 1) != 0 ? half : -half),
-                    cell.box.y + ((k & 2) != 0 ? half : -half), half};
-      const auto column = static_cast<std::int32_t>((box.x - half) / units_per_cell_);
-      const auto row = static_cast<std::int32_t>((box.y - half) / units_per_cell_);
+      const QuadCell square{cell.square.x + ((k & 1) != 0 ? half : -half),
+                            cell.square.y + ((k & 2) != 0 ? half : -half), half};
+      const auto column = static_cast<std::int32_t>((square.x - half) / units_per_cell_);
+      const auto row = static_cast<std::int32_t>((square.y - half) / units_per_cell_);
       if (column >= cover_.grid.columns || row >= cover_.grid.rows) continue;
       const Tally& tally = tallies[k];
       const std::int32_t winding = cell.winding + tally.winding;
@@ -140,7 +141,7 @@ class Divider {
         add_leaf(leaf, cell.begin, cell.end, 1 << k);
       } else {
         const std::size_t end = copy(cell, 1 << k, static_cast<std::size_t>(tally.near));
-        divide({box, cell.end, end, winding, futile}, side / 2);
+        divide({square, cell.end, end, winding, futile}, side / 2);
       }
     }
   }
