@@ -19,6 +19,9 @@ using KeptId = std::uint32_t;  ///< index of a kept segment
 using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
+/// Two ends of each kept segment and all crossings are numbered in 32 bits: there are at most so many
+/// kept segments, and so many crossings.
+inline constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30;
 
 /// A segment that touches an uncovered cell, with its approximate place. Or several that overlap on
 /// one line in one direction, joined to one: then a and b are its ends, d leads from one to the

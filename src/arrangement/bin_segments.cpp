@@ -1,6 +1,7 @@
 // Which segments touch uncovered cells, and which cells.
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -136,6 +137,9 @@ class Binner {
 
   void append_members() {
     auto& join = scratch_.join;
+    if (kept_.size() + join.members.size() > kMostNumbered) {
+      throw Error(ErrorCode::kLimitExceeded, "more than 2^30 segments are left to arrange");
+    }
     for (KeptId s = 0; s < scratch_.line_count; ++s) {
       if (kept_[s].joined == 0) continue;
       JoinedSegments& joined = join.joined[kept_[s].joined - 1];
@@ -187,6 +191,9 @@ class Binner {
 
   /// A counting sort that looks at no cells but those that have items.
   void sort_by_cells() {
+    if (items_.size() > std::numeric_limits<std::uint32_t>::max()) {
+      throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a grid or more");
+    }
     auto& cells = scratch_.cells;
     auto& end = scratch_.cell_end;
     for (const std::uint32_t cell : cells) end[cell] = 0;

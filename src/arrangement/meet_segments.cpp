@@ -23,8 +23,7 @@ SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const Options& options,
       slack_(grid.cell * 0x1p-10),
       exact_(bounds_.product == 0 && bounds_.difference == 0 && bounds_.direction == 0),
       trust_(!std::isinf(bounds_.direction)) {
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;  // points have 32-bit numbers
-  most_crossings_ = std::min(options.limits.max_crossings, kMost);
+  most_crossings_ = std::min(options.limits.max_crossings, kMostNumbered);
 }
 
 void SegmentMeeter::meet(KeptId s, KeptId t) {

@@ -40,7 +40,13 @@ class Splitter {
   }
 
  private:
+  /// A piece ends at an event, or where its line does: this bounds their number, too.
+  void limit_events() const {
+    if (scratch_.events.size() + scratch_.line_count < kNoPiece) return;
+    throw Error(ErrorCode::kLimitExceeded, "segments meet at 2^32 places or more");
+  }
   void group_events() {
+    limit_events();
     auto& begin = scratch_.event_begin;
     begin.assign(result_.kept.size() + 2, 0);
     for (const Event& event : scratch_.events) ++begin[event.segment + 2];

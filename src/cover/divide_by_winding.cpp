@@ -1,6 +1,6 @@
 // Covered cells by winding number, on a tree of cells.
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "cover/cover.hpp"
 
@@ -157,6 +157,9 @@ class Divider {
       if ((stack_.mask[i] & bit) != 0 && stack_.id[i] >= 0) {
         cover_.leaf_segments.push_back(static_cast<std::uint32_t>(stack_.id[i]));
       }
+    }
+    if (cover_.leaf_segments.size() > std::numeric_limits<std::uint32_t>::max()) {
+      throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a cover or more");
     }
     leaf.end = static_cast<std::uint32_t>(cover_.leaf_segments.size());
     cover_.leaves.push_back(leaf);

@@ -1,6 +1,7 @@
 // What makes an operand illegal: edges that meet where they must not, rings in the wrong place.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
@@ -152,10 +153,18 @@ class ContactFinder {
                   [&](std::int32_t i, std::int32_t j) { return enter(i, j, e); });
       }
     }
+    limit_entries();
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     scratch_.in_cells.resize(entries.size());
     for (const auto& [cell, e] : entries) scratch_.in_cells[begin[cell + 1]++] = e;
     begin.pop_back();
+  }
+
+  /// An edge is in a cell once, so one cell's count is no problem; their sum may be.
+  void limit_entries() const {
+    if (scratch_.cell_entries.size() <= std::numeric_limits<std::uint32_t>::max()) return;
+    throw Error(ErrorCode::kLimitExceeded,
+                "the edges of an operand pass 2^32 cells of a grid or more");
   }
 
   [[nodiscard]] bool boxes_apart(SiteId e, SiteId f) const {
