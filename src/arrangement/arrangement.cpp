@@ -7,7 +7,6 @@ namespace minksum {
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
              const Options& options, const std::function<void()>& stop, Predicates& predicates,
              ArrangementScratch& scratch, Arrangement& arrangement) {
-  scratch.whole = options.tight != nullptr;  // tight places are inside
   bin_segments(operands, convolution, cover, options.limits, stop, scratch, arrangement);
   stop();
   find_crossings(cover, options, stop, predicates, scratch, arrangement);

@@ -144,7 +144,6 @@ struct ArrangementScratch {
   UniformGrid grid;   ///< of the cells below
   bool swept = false;   ///< there are none: all segments are swept at once
   Vec<double> extent{};  ///< of all segments, from (0, 0) on; if swept
-  bool whole = false;   ///< pieces inside the sum are wanted as well
   BoxPairScratch pairs;
   VisibleScratch visible;
   BinScratch bin;
@@ -208,9 +207,10 @@ void find_crossings(const Cover& cover, const Options& options,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 ///
-/// If tight places are wanted, lists slits and crowded nodes: around these, each turn from one of
-/// their segments' directions to the next is by less than half a circle. All segments that are
-/// known to pass count, whether their pieces stay or not. O(c log c) for c incidences.
+/// If tight places are wanted, keeps pieces inside the sum, where these are, and lists slits and
+/// crowded nodes: around these, each turn from one of their segments' directions to the next is by
+/// less than half a circle. All segments that are known to pass count, whether their pieces stay or
+/// not. O(c log c) for c incidences.
 void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
                     Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
 

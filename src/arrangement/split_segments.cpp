@@ -11,17 +11,18 @@ constexpr NodeId kNoNode = 0xFFFFFFFFU;
 
 class Splitter {
  public:
-  Splitter(const Operands& operands, const Cover& cover, Predicates& predicates,
-           ArrangementScratch& scratch, Arrangement& arrangement)
+  Splitter(const Operands& operands, const Cover& cover, bool tight_wanted,
+           Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
       : operands_(operands),
         cover_(cover),
+        tight_wanted_(tight_wanted),
         predicates_(predicates),
         scratch_(scratch),
         result_(arrangement),
         ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())),
         may_coincide_(!scratch.swept || scratch.lines_shared) {}
 
-  void run(bool tight_wanted) {
+  void run() {
     group_events();
     for (KeptId s = 0; s < scratch_.line_count; ++s) order_events(s);
     result_.nodes.clear();
@@ -32,7 +33,7 @@ class Splitter {
     for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
     result_.slits.clear();
     result_.crowded.clear();
-    if (tight_wanted) {
+    if (tight_wanted_) {
       list_slits();
       list_crowded();
     }
@@ -195,7 +196,7 @@ class Splitter {
   /// sum's interior is there, all along that segment. (Of joined segments that is not known where one
   /// ends and the next begins.)
   [[nodiscard]] bool is_inside(KeptId s, std::uint32_t begin, std::uint32_t end) const {
-    if (scratch_.whole) return false;
+    if (tight_wanted_) return false;  // tight places are inside
     const auto is_left_of = [&](KeptId other) { return result_.kept[other].joined == 0; };
     if (begin >= ends_) {
       const Crossing& c = scratch_.crossings[begin - ends_];
@@ -305,6 +306,7 @@ class Splitter {
 
   const Operands& operands_;
   const Cover& cover_;
+  bool tight_wanted_;
   Predicates& predicates_;
   ArrangementScratch& scratch_;
   Arrangement& result_;
@@ -318,7 +320,7 @@ class Splitter {
 
 void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
                     Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
-  Splitter(operands, cover, predicates, scratch, arrangement).run(tight_wanted);
+  Splitter(operands, cover, tight_wanted, predicates, scratch, arrangement).run();
 }
 
 }  // namespace minksum
