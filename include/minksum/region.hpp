@@ -1,7 +1,6 @@
 // Regions: what goes into a Minkowski sum, and what comes out.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>

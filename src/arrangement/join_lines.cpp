@@ -1,6 +1,5 @@
 // Segments that overlap on one line, in one direction, are one.
 #include <algorithm>
-#include <numeric>
 
 #include "arrangement/arrangement.hpp"
 

@@ -1,6 +1,7 @@
 // Covered cells by winding number, on a tree of cells.
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "cover/cover.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "predicate/formulas.hpp"
 
@@ -43,8 +44,6 @@ struct UniformGrid {
     std::int32_t right;
     double x0, x1;  ///< a box of its part within `margin` of the row, up to kSlack
     double y0, y1;
-    double slope;       ///< dx / dy of the segment, or 0 for one that is too flat to divide
-    double at_x, at_y;  ///< its lower end
   };
 
   /// Calls visit(span) for every row of cells within `margin` cells (a multiple of kMargin, at most
@@ -68,7 +67,7 @@ struct UniformGrid {
     const bool whole = first == last || by - ay <= kMargin;
     const double slope = whole ? 0 : (bx - ax) / (by - ay);
     for (std::int32_t j = first; j <= last; ++j) {
-      RowSpan span{j, 0, 0, min_x, max_x, ay, by, slope, ax, ay};
+      RowSpan span{j, 0, 0, min_x, max_x, ay, by};
       if (!whole) {
         span.y0 = std::clamp(j - margin, ay, by);
         span.y1 = std::clamp(j + 1 + margin, ay, by);

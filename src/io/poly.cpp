@@ -1,5 +1,4 @@
 // The `.poly` format of the paper's authors: chains of points, each with an order of visits.
-#include <numeric>
 #include <utility>
 #include <vector>
 

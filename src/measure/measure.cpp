@@ -1,6 +1,5 @@
 #include "minksum/measure.hpp"
 
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <utility>

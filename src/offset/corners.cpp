@@ -28,9 +28,6 @@ struct Turn {
         cosine(dot(first.along, second.along)),
         squared(first.squared * second.squared) {}
 
-  [[nodiscard]] bool cosine_at_least(const Rational& c) const {
-    return at_least(cosine, c, squared);
-  }
   /// tan θ/2 = sin θ/(1 + cos θ), and tan θ/4, as doubles.
   [[nodiscard]] double half() const {
     const double s = sine.to_double(), c = cosine.to_double(), l = std::sqrt(squared.to_double());

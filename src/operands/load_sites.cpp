@@ -1,8 +1,6 @@
 // Coordinates from an operand's own numbers to its own grid.
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <numeric>
 

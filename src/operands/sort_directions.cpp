@@ -1,6 +1,5 @@
 // Edges sorted by direction: by rounded keys, and exactly where those cannot tell.
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 

@@ -51,7 +51,6 @@ struct OutputScratch {
   std::vector<std::uint8_t> accepted;
   std::vector<std::uint8_t> passed;        ///< by node
   Incidence incidence;
-  std::vector<PieceId> next;
   std::vector<std::uint32_t> stack_place;  ///< by node
   std::vector<PieceId> stack;
   std::vector<std::uint32_t> outer_of;     ///< by ring

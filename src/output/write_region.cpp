@@ -1,4 +1,6 @@
 // Nodes to exact coordinates.
+#include <algorithm>
+
 #include "output/node_order.hpp"
 #include "output/output.hpp"
 #include "region/region_access.hpp"

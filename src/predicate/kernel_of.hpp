@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include "predicate/bit_budget.hpp"
 #include "predicate/exact_kernel.hpp"

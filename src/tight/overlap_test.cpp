@@ -1,7 +1,6 @@
 #include "tight/overlap_test.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace minksum {
 
