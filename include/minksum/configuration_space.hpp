@@ -89,7 +89,8 @@ class ConfigurationSpace {
   [[nodiscard]] const Rational& reach() const;
   /// The robot's area, its reference point at the origin.
   [[nodiscard]] const Region& robot() const;
-  /// The same space for the robot ⊕ `by`.
+  /// The same space for the robot ⊕ `by`, with a boundary of its own: points that this one's was
+  /// enlarged for have to be included again. Throws as minkowski_sum does.
   [[nodiscard]] ConfigurationSpace grown(const Region& by) const;
   /// Whether the region's interior meets an obstacle (the outside of a workspace apart).
   [[nodiscard]] bool overlaps_obstacle(const Region& region) const;

@@ -29,6 +29,13 @@ Geometry read(const Geometry& geometry, const ConfigurationOptions& options, int
   return resolve(geometry, {options.fill, regularize, options.cancel, operand});
 }
 
+Options sum_options(const ConfigurationOptions& options) {
+  Options result;
+  result.limits = options.limits;
+  result.cancel = options.cancel;
+  return result;
+}
+
 [[noreturn]] void refuse(const char* what, int operand) {
   Culprit culprit;
   culprit.operand = operand;
@@ -114,7 +121,7 @@ void ConfigurationSpace::set_up(State state) {
 ConfigurationSpace ConfigurationSpace::grown(const Region& by) const {
   ConfigurationSpace space = *this;
   State state = *state_;
-  state.robot = minkowski_sum(state.robot, by);
+  state.robot = minkowski_sum(state.robot, by, sum_options(state.options));
   space.set_up(std::move(state));
   return space;
 }
@@ -149,9 +156,7 @@ Slice ConfigurationSpace::slice(const Turn& turn, bool with_free, Workspace& wor
   const auto begin = std::chrono::steady_clock::now();
   Slice slice;
   slice.turn = turn;
-  Options options;
-  options.limits = state_->options.limits;
-  options.cancel = state_->options.cancel;
+  Options options = sum_options(state_->options);
   Geometry tight;
   if (with_free && state_->options.tight) options.tight = &tight;
   Region mirrored = transform(state_->robot, Affine::scaling(Rational(-1)).after(turn.map()));
