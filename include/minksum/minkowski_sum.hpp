@@ -94,7 +94,7 @@ struct Options {
 };
 
 /// How a call without exceptions ended. `error` is there unless it went well.
-struct Outcome {
+struct [[nodiscard]] Outcome {
   std::optional<Error> error;
   [[nodiscard]] bool ok() const { return !error.has_value(); }
 };
