@@ -42,16 +42,21 @@ inline constexpr int kStageCount = 7;
 /// "operands", "convolution", ...
 [[nodiscard]] const char* to_string(Stage stage);
 
-/// Limits whose excess is an Error(kLimitExceeded), not a crash.
+/// Limits whose excess is an Error(kLimitExceeded), not a crash. All methods but kSigned take no more
+/// than 2^30 of either, whatever is set.
 struct Limits {
-  std::uint64_t max_segments = std::uint64_t{1} << 28;   ///< convolution segments listed
+  /// Convolution segments that are listed: all, or of very many those that may touch an uncovered
+  /// cell. Those that are only counted are not limited.
+  std::uint64_t max_segments = std::uint64_t{1} << 28;
   std::uint64_t max_crossings = std::uint64_t{1} << 28;  ///< crossings found
 };
 
 /// What a computation did.
 struct Statistics {
   std::uint64_t convolution_segments = 0;   ///< segments of the (reduced, signed, full) convolution
-  std::uint64_t segments_kept = 0;          ///< those that touch an uncovered cell
+  /// What the arrangement is made of: segments that touch an uncovered cell, but for such as are
+  /// seen to equal another; where several on one line were joined, the line and those that it takes.
+  std::uint64_t segments_kept = 0;
   std::uint64_t crossings = 0;              ///< crossings found among the kept ones
   std::uint64_t loops = 0;                  ///< orientable loops
   std::uint64_t rejected_by_nesting = 0;
@@ -117,8 +122,9 @@ class Workspace {
 ///
 /// P and Q are valid polygons with holes or multipolygons (see `validate`); an empty operand gives
 /// an empty sum. The result is a valid, canonical region (see Region) with an origin for each edge.
-/// Safe to call from many threads at once. Time O((n + m) log (n + m) + k + c log c) for operands
-/// of n and m vertices, k segments of the reduced convolution and c crossings outside the cover.
+/// Safe to call from many threads at once. Time O((n + m) log (n + m) + k + c log c), memory
+/// O(n + m + k + c), for operands of n and m vertices, k listed segments of the reduced convolution
+/// (see Limits) and c crossings outside the cover.
 /// Throws Error: kBadInput (names ring and vertex), kLimitExceeded, kCancelled, kInternal.
 /// Paper: E. Behar, J.-M. Lien, "Fast and Robust 2D Minkowski Sum Using Reduced Convolution",
 /// IROS 2011, section IV; docs/pipeline.md says where we differ.

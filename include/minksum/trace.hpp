@@ -18,7 +18,7 @@ struct Trace {
     Vertex from;
     Vertex to;
     bool edge_of_first = true;  ///< an edge of the first operand (moved by a vertex of the second)
-    bool kept = true;           ///< touches an uncovered cell
+    bool kept = true;           ///< in the arrangement: see Statistics::segments_kept
   };
   enum class LoopState : unsigned char { kAccepted, kRejectedByNesting, kRejectedByCollision };
   struct Loop {
