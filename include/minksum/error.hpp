@@ -24,13 +24,15 @@ enum class Operand : unsigned char { kFirst = 0, kSecond = 1 };
 struct Culprit {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  int operand = -1;             ///< 0 = first, 1 = second, -1 = not about an operand
+  /// 0 = first, 1 = second, -1 = not about an operand. Functions of more than two say what 2, 3, ...
+  /// are: a workspace, a start, a goal. Where shapes are given as a list, it is the index there.
+  int operand = -1;
   std::size_t polygon = kNone;  ///< index of the polygon in its region
   std::size_t ring = kNone;     ///< index of the ring in its polygon: 0 = outer, 1.. = holes
   std::size_t vertex = kNone;   ///< index of the vertex in its ring
 };
 
-/// The one exception type that the library throws.
+/// What the library throws, but for std::bad_alloc where memory runs out; io::ReadError is one too.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {})

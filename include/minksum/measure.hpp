@@ -20,7 +20,8 @@ struct Box {
 /// The bounding box; nothing for an empty region. O(n).
 [[nodiscard]] std::optional<Box> bounding_box(const Region& region);
 /// How many bits the coordinates need once scaled to integers by their least common denominator
-/// and moved to the origin: the number that picks the arithmetic (docs/guarantees.md). O(n).
+/// and moved to the origin. An indication of which arithmetic a sum takes: that is picked on a grid
+/// which both operands share, and which may be finer (docs/pipeline.md). O(n).
 [[nodiscard]] std::size_t coordinate_bits(const Region& region);
 
 }  // namespace minksum

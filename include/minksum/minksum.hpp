@@ -1,4 +1,5 @@
-// minksum: exact Minkowski sums of planar regions. Includes the whole public interface.
+// minksum: exact Minkowski sums of planar regions. Includes the whole public interface but for
+// reading and writing text (io.hpp), which is a library of its own.
 #pragma once
 
 #include "minksum/boolean.hpp"

@@ -11,7 +11,10 @@ namespace minksum {
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
 inline double to_double(const BigRational& value) { return value.convert_to<double>(); }
-/// Truncated below the third highest limb: relative error under 2^-51.
+/// Relative error under 2^-51. Let t be the magnitude, limb k the highest that is not 0, so that
+/// t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at most. Of the sums, the last one is
+/// rounded by 2^-53 t at most; so is the one before it, as it is below 2^64k or equal; those before
+/// that are smaller by 2^-64 each. That is 3 · 2^-53 t, and next to nothing.
 template <std::size_t N>
 double to_double(const WideInt<N>& value) {
   const WideInt<N> magnitude = value.magnitude();
