@@ -14,8 +14,8 @@ void prepare_process();
 /// Ends the process with exit code 3 after so many seconds, wherever it is: the temporary file is
 /// removed, and one line on standard error names the limit.
 ///
-/// A signal handler does it, not a cancelled computation: reading, rounding and writing take no
-/// token, and nothing of the process is needed after that.
+/// A signal handler does it, not a cancelled computation: reading and writing take no token, and
+/// nothing of the process is needed after that.
 void end_after(double seconds);
 
 /// Makes requests for memory fail once the process has `bytes` of addresses. False if a lower limit
@@ -24,7 +24,7 @@ void end_after(double seconds);
 /// The memory of the machine, or of the control group if that has less; 0 = not known.
 [[nodiscard]] std::uint64_t available_memory();
 
-/// A new, open file in `folder`, removed if the process ends before `keep` or the destructor.
+/// A new, open file in `folder`, removed if the process ends before `move_to` or the destructor.
 ///
 /// Only kill -9 and the loss of power leave it behind; its name says that it is temporary.
 class TemporaryFile {

@@ -60,12 +60,13 @@ class Placement {
 [[nodiscard]] double fitting_scale(const Extent& extent, double width, double height);
 
 /// A picture under construction. `style` is one of the classes in svg_picture.cpp:
-/// first, second, sum, tight, outline, edge-first, edge-second, tick-..., dropped, covered, node,
-/// hole...
+/// first, second, sum, tight, mark, pale, edge-first, edge-second, dropped, covered, grid, node,
+/// accepted, nesting, collision.
 class SvgPicture {
  public:
   SvgPicture(double width, double height, std::string_view title);
-  /// For figures (figure.hpp): with the further classes outline, fault, axis, label, middle, end.
+  /// For figures (figure.hpp): with the further classes outline, fault, axis, label, number,
+  /// middle, end.
   SvgPicture(double width, double height, std::string_view title, Theme theme);
 
   void region(const Region& region, const Placement& placement, std::string_view style);
