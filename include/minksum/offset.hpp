@@ -10,9 +10,9 @@ namespace minksum {
 
 /// A polygon that stands for the disc of this radius around the origin. With r for the radius, t
 /// for the tolerance and B(s) for the disc of radius s:
-/// - kOutside: B(r) ⊆ D ⊆ B(r + t);  kInside: B(r − t) ⊆ D ⊆ B(r);  kNearest: B(r − t) ⊆ D ⊆ B(r +
-/// t),
-///   with about 0.7 times as many vertices.
+/// - kOutside: B(r) ⊆ D ⊆ B(r + t);
+/// - kInside: B(r − t) ⊆ D ⊆ B(r);
+/// - kNearest: B(r − t) ⊆ D ⊆ B(r + t), with about 0.7 times as many vertices.
 /// Verified for each vertex and each edge by squared distances, exactly.
 ///
 /// D is convex, has the square's symmetries and reaches to exactly r along both axes, so that a sum

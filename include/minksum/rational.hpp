@@ -30,6 +30,7 @@ class Rational {
   Rational(int value) : Rational(std::int64_t{value}) {}  // NOLINT(google-explicit-constructor)
   /// numerator / denominator. Throws Error(kBadInput) if the denominator is 0.
   Rational(std::int64_t numerator, std::int64_t denominator);
+  /// Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless the mantissa is 0.
   explicit Rational(Decimal value);
   /// Exactly this double. Throws Error(kBadInput) for NaN and infinities.
   explicit Rational(double value);
@@ -42,6 +43,7 @@ class Rational {
   static constexpr int kMaxExponent = 4096;
 
   /// The quotient of two integers given as little-endian 64-bit limbs; the numerator's sign apart.
+  /// Throws Error(kBadInput) if the denominator is 0.
   static Rational from_limbs(bool negative, const std::uint64_t* numerator,
                              std::size_t numerator_limbs, const std::uint64_t* denominator,
                              std::size_t denominator_limbs);
@@ -56,7 +58,8 @@ class Rational {
   [[nodiscard]] double to_double() const;
   /// "p" or "p/q", in lowest terms.
   [[nodiscard]] std::string to_string() const;
-  /// With exactly `digits` digits after the point, to the nearest, ties to even.
+  /// With exactly `digits` digits after the point, to the nearest, ties to even. Throws
+  /// Error(kBadInput) if `digits` is negative.
   [[nodiscard]] std::string to_decimal(int digits) const;
 
   friend Rational operator+(const Rational& a, const Rational& b);

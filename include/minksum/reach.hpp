@@ -43,9 +43,9 @@ struct Reach {
 /// neighbouring slices whose insides have a point in common are joined: there the robot can turn by one
 /// step. The answer is exact for this graph. Of the paths that it looks at (Dijkstra 1959; by length, and
 /// for turns that of the arc at the robot's reach) it takes the shortest, which need not be the shortest
-/// that there is. Each of its moves was found to lie in the closed free part by exact arithmetic. It may
-/// touch obstacles. Ways that leave the
-/// robot no play do not count: gaps of exactly its width, and points where two free parts touch.
+/// that there is. Each of its moves was found to lie in the closed free part by exact arithmetic. It
+/// may touch obstacles. Ways that leave the robot no play do not count: gaps of exactly its width, and
+/// points where two free parts touch.
 ///
 /// Between two slices nothing is known, unless `certain` is set: then slices are those of the robot
 /// grown by ρ = r·tan δ, with r its reach and 2δ the largest step (or δ the tolerance of an end's turn,

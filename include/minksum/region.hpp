@@ -90,15 +90,21 @@ struct StoredCoordinate {
 class Region {
  public:
   Region() = default;
+  /// These throw Error(kLimitExceeded) as add_vertex does.
   explicit Region(const Polygon& polygon);
   explicit Region(std::span<const Polygon> polygons);
 
   // -- Building. Numbers are taken exactly. --------------------------------------------------
+  // A ring needs a polygon to be in, a vertex a ring that was begun in this polygon: begin_ring and
+  // add_vertex throw Error(kBadInput) if there is none.
   void clear();
   /// Starts a polygon; the next ring is its outer ring, further ones are holes.
   void begin_polygon();
   void begin_ring();
+  /// Throws Error(kLimitExceeded) for a coordinate whose numerator or denominator has more than 2
+  /// million bits.
   void add_vertex(const Rational& x, const Rational& y);
+  /// Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless the mantissa is 0.
   void add_vertex(Decimal x, Decimal y);
   /// Doubles mean exactly themselves. Throws Error(kBadInput) naming the vertex for NaN, infinity.
   void add_vertex(double x, double y);

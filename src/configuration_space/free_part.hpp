@@ -51,8 +51,9 @@ class FreePart {
     Rational t;
     std::uint32_t edge;
   };
-  /// All of them, by t; of an edge along the segment both ends. If `crosses` is given: no more than
-  /// whether the segment certainly crosses an edge, inside of both, if it does.
+  /// All of them, by t; where an edge runs along the segment, both ends of what they share. If
+  /// `crosses` is given, it is set, and the list is left as it is then, as soon as an edge is found
+  /// that certainly crosses the segment at a point inside of both.
   [[nodiscard]] std::vector<Hit> hits(const Point& a, const Point& b, bool* crosses) const;
   void add_hits(std::uint32_t edge, const Point& a, const Point& d, std::vector<Hit>& found) const;
   [[nodiscard]] std::uint32_t next(std::uint32_t vertex) const;

@@ -184,8 +184,8 @@ class Divider {
   const Operands& o_;
   std::span<const Segment> reflex_;
   SegmentStack& stack_;
-  Bitmap& known_;  ///< covered before,
-  UniformGrid known_grid_;
+  Bitmap& known_;           ///< what was covered before the division,
+  UniformGrid known_grid_;  ///< and on which grid
   bool knows_ = false;
   Cover& cover_;
   double scale_ = 1;
