@@ -7,9 +7,9 @@
 
 namespace minksum {
 
-// All of these throw Error(kLimitExceeded) for 2^30 vertices or more in all, for more than 2^28 places
-// where edges cross, or ends of edges that lie on others (those that overlap on one line joined
-// first), and where a coordinate of the result has more than 2 million bits.
+// All of these throw Error(kLimitExceeded) for 2^30 vertices or more in all, for more than 2^28
+// places where edges cross, or ends of edges that lie on others (those that overlap on one line
+// joined first), and where a coordinate of the result has more than 2 million bits.
 
 /// The union of resolved geometries (see Geometry), resolved. They may overlap in any way.
 /// O((n + c) log n) for n vertices in all and c places where edges meet, and so for the others.

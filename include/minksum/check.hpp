@@ -14,8 +14,9 @@ namespace minksum {
 struct CheckOptions {
   FillRule fill = FillRule::kAutomatic;  ///< how the operands are read
   bool regularize = false;               ///< whether their thin parts are dropped
-  /// How far, in x and in y, the result may be off: each of its points has a point of the sum within
-  /// that, and each point of the sum has one of the result. 0: they must be equal. Not negative.
+  /// How far, in x and in y, the result may be off: each of its points has a point of the sum
+  /// within that, and each point of the sum has one of the result. 0: they must be
+  /// equal. Not negative.
   Rational within;
   /// Random points, beside those near the result's edges; as many again where a hole of one operand
   /// has room for a part of the other.

@@ -32,9 +32,10 @@ struct Turn {
   [[nodiscard]] Point direction() const;
 };
 
-/// Of all turns by `degrees` within `tolerance` degrees that with the smallest q in tan_half = p/q, so
-/// that p² + q², the denominator of turned coordinates, is small. Multiples of 90 degrees are exact.
-/// Throws Error(kBadInput) for a tolerance that is not in [1e-10, 1], and for more than 1e6 degrees.
+/// Of all turns by `degrees` within `tolerance` degrees that with the smallest q in tan_half = p/q,
+/// so that p² + q², the denominator of turned coordinates, is small. Multiples of 90 degrees are
+/// exact. Throws Error(kBadInput) for a tolerance that is not in [1e-10, 1], and for more
+/// than 1e6 degrees.
 [[nodiscard]] Turn nearest_turn(const Rational& degrees, double tolerance = 1e-3);
 /// 0, 360/n, 2·360/n, ... (n of them). Throws Error(kBadInput) if n is 0.
 [[nodiscard]] std::vector<Turn> full_turn(std::size_t n, double tolerance = 1e-3);
@@ -54,8 +55,8 @@ struct ConfigurationOptions {
 /// The configurations (x, y, turn) of one turn.
 struct Slice {
   Turn turn;
-  /// Closure of the (x, y) at which the robot's interior meets an obstacle, or leaves the workspace.
-  /// Outside of it, and on its boundary, the robot is free, or touches.
+  /// Closure of the (x, y) at which the robot's interior meets an obstacle, or leaves the
+  /// workspace. Outside of it, and on its boundary, the robot is free, or touches.
   Geometry obstacles;
   Geometry free;  ///< the boundary (below) less the obstacles; filled if asked for
   double seconds = 0;  ///< that it took
@@ -64,26 +65,27 @@ struct Slice {
 /// The configuration space of a robot among obstacles, slice by slice.
 ///
 /// At the configuration (x, y, θ) the robot is turned by θ about its reference point, which is at
-/// (x, y) then. In a slice of one θ the configuration-space obstacle is O ⊕ −R(θ) (Lozano-Pérez 1983),
-/// with R turned and its reference point at the origin. What has no area of the obstacles stays: walls
-/// may be polylines. Of the robot, only its area counts. Where a workspace is given, its complement in
-/// a frame that no placed robot leaves is one more obstacle.
+/// (x, y) then. In a slice of one θ the configuration-space obstacle is O ⊕ −R(θ) (Lozano-Pérez
+/// 1983), with R turned and its reference point at the origin. What has no area of the obstacles
+/// stays: walls may be polylines. Of the robot, only its area counts. Where a workspace is given,
+/// its complement in a frame that no placed robot leaves is one more obstacle.
 ///
-/// All that does not depend on the turn is done once. A slice is exact for its turn, and costs a sum of
-/// prepared regions of fixed-width integers, as coordinates turned by a rational rotation have a common
-/// denominator. Copies share one state; any number of threads may use it.
+/// All that does not depend on the turn is done once. A slice is exact for its turn, and costs a
+/// sum of prepared regions of fixed-width integers, as coordinates turned by a rational rotation
+/// have a common denominator. Copies share one state; any number of threads may use it.
 class ConfigurationSpace {
  public:
-  /// Throws Error(kBadInput): culprit operand 0 for a robot without area, 1 for obstacles that the fill
-  /// rule refuses, 2 for a workspace without area; and as minkowski_sum does.
+  /// Throws Error(kBadInput): culprit operand 0 for a robot without area, 1 for obstacles that the
+  /// fill rule refuses, 2 for a workspace without area; and as minkowski_sum does.
   ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
                      const ConfigurationOptions& options = {});
 
-  /// The box of (x, y) to which free space is confined: that of the workspace; else of the obstacles,
-  /// larger by twice the robot's reach and a little, so that it can go all around them. All obstacles of
-  /// slices without a workspace are strictly inside.
+  /// The box of (x, y) to which free space is confined: that of the workspace; else of the
+  /// obstacles, larger by twice the robot's reach and a little, so that it can go all around them.
+  /// All obstacles of slices without a workspace are strictly inside.
   [[nodiscard]] const Box& boundary() const { return boundary_; }
-  /// Enlarges the boundary, if it is not that of a workspace, so that the robot can go around `point`.
+  /// Enlarges the boundary, if it is not that of a workspace, so that the robot can go
+  /// around `point`.
   void include(const Point& point);
   /// The robot's largest distance from its reference point is no larger.
   [[nodiscard]] const Rational& reach() const;
@@ -98,9 +100,10 @@ class ConfigurationSpace {
   [[nodiscard]] Slice slice(const Turn& turn, bool with_free = false) const;
   [[nodiscard]] Slice slice(const Turn& turn, bool with_free, Workspace& workspace) const;
 
-  /// Slices of all turns on options.threads threads. `finish` is called for each by the thread that made
-  /// it, in any order; then `visit` by this thread, in the order of the turns. Only a few slices at a
-  /// time are kept. The first exception of any of these is thrown on, after all threads have stopped.
+  /// Slices of all turns on options.threads threads. `finish` is called for each by the thread that
+  /// made it, in any order; then `visit` by this thread, in the order of the turns. Only a few
+  /// slices at a time are kept. The first exception of any of these is thrown on, after all
+  /// threads have stopped.
   void for_each_slice(std::span<const Turn> turns, bool with_free,
                       const std::function<void(std::size_t, Slice&)>& finish,
                       const std::function<void(std::size_t, Slice&)>& visit) const;

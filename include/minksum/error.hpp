@@ -24,8 +24,9 @@ enum class Operand : unsigned char { kFirst = 0, kSecond = 1 };
 struct Culprit {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  /// 0 = first, 1 = second, -1 = not about an operand. Functions of more than two say what 2, 3, ...
-  /// are: a workspace, a start, a goal. Where shapes are given as a list, it is the index there.
+  /// 0 = first, 1 = second, -1 = not about an operand. Functions of more than two say what 2,
+  /// 3, ... are: a workspace, a start, a goal. Where shapes are given as a list, it is
+  /// the index there.
   int operand = -1;
   std::size_t polygon = kNone;  ///< index of the polygon in its region
   std::size_t ring = kNone;     ///< index of the ring in its polygon: 0 = outer, 1.. = holes

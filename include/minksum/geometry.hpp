@@ -13,11 +13,12 @@ using Polyline = std::vector<Point>;
 /// The union of polygons, polylines and points: what an operand may be, and a sum of such.
 ///
 /// As such it promises nothing: rings may cross themselves and one another. Results of operations
-/// are *resolved*: `region` is valid and canonical (see Region); polylines and points are outside of
-/// it, but for ends of polylines on its boundary; polylines are simple and meet only at their ends,
-/// of which no two could be joined without making a branch; each starts at its lexicographically
-/// smaller end (a closed one at its smallest vertex, then towards the smaller neighbour); no vertex
-/// is in the middle of a straight run; polylines and points are sorted. So equal sets compare equal.
+/// are *resolved*: `region` is valid and canonical (see Region); polylines and points are outside
+/// of it, but for ends of polylines on its boundary; polylines are simple and meet only at their
+/// ends, of which no two could be joined without making a branch; each starts at its
+/// lexicographically smaller end (a closed one at its smallest vertex, then towards the smaller
+/// neighbour); no vertex is in the middle of a straight run; polylines and points are sorted. So
+/// equal sets compare equal.
 struct Geometry {
   Region region;
   std::vector<Polyline> polylines;

@@ -65,9 +65,9 @@ struct Coordinates {
   int digits = 6;  ///< for kDecimal: digits after the point
 };
 
-/// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`, which
-/// is only read, and for a negative number of digits; kLimitExceeded for a coordinate beyond the
-/// doubles that is to be written as one.
+/// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,
+/// which is only read, and for a negative number of digits; kLimitExceeded for a coordinate beyond
+/// the doubles that is to be written as one.
 void write(std::ostream& out, const Region& region, Format format, const Coordinates& style = {});
 [[nodiscard]] std::string to_wkt(const Region& region, const Coordinates& style = {});
 /// The same with thin parts: a collection if there are several kinds of parts. What is written with

@@ -9,11 +9,12 @@ namespace minksum {
 
 enum class Location { kOutside, kBoundary, kInside };
 
-/// A resolved geometry, prepared for point location. Copies share it; any number of threads may ask.
+/// A resolved geometry, prepared for point location. Copies share it; any number of
+/// threads may ask.
 ///
-/// A segment tree over the heights of vertices: each edge is kept, in order from left to right, at the
-/// O(log n) nodes whose range of heights it spans (Preparata, Shamos 1985, section 2.2). O(n log n)
-/// time and memory to build.
+/// A segment tree over the heights of vertices: each edge is kept, in order from left to right, at
+/// the O(log n) nodes whose range of heights it spans (Preparata, Shamos 1985, section 2.2).
+/// O(n log n) time and memory to build.
 class PointLocator {
  public:
   explicit PointLocator(const Geometry& geometry);

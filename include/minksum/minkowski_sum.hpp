@@ -42,8 +42,8 @@ inline constexpr int kStageCount = 7;
 /// "operands", "convolution", ...
 [[nodiscard]] const char* to_string(Stage stage);
 
-/// Limits whose excess is an Error(kLimitExceeded), not a crash. All methods but kSigned take no more
-/// than 2^30 of either, whatever is set.
+/// Limits whose excess is an Error(kLimitExceeded), not a crash. All methods but kSigned take no
+/// more than 2^30 of either, whatever is set.
 struct Limits {
   /// Convolution segments that are listed: all, or of very many those that may touch an uncovered
   /// cell. Those that are only counted are not limited.
@@ -55,7 +55,8 @@ struct Limits {
 struct Statistics {
   std::uint64_t convolution_segments = 0;   ///< segments of the (reduced, signed, full) convolution
   /// What the arrangement is made of: segments that touch an uncovered cell, but for such as are
-  /// seen to equal another; where several on one line were joined, the line and those that it takes.
+  /// seen to equal another; where several on one line were joined, the line and those
+  /// that it takes.
   std::uint64_t segments_kept = 0;
   std::uint64_t crossings = 0;              ///< crossings found among the kept ones
   std::uint64_t loops = 0;                  ///< orientable loops
@@ -135,10 +136,10 @@ class Workspace {
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result);
 
-/// The sum of any two geometries: rings of any kind, read by `options.fill`, polylines and points. It
-/// is the set P ⊕ Q, resolved (see Geometry): closed, with thin parts where both operands are thin.
-/// Statistics are those of the sum of both areas. Tight places are those of both areas, less what
-/// the sum's thin operands cover. Throws as above.
+/// The sum of any two geometries: rings of any kind, read by `options.fill`, polylines and points.
+/// It is the set P ⊕ Q, resolved (see Geometry): closed, with thin parts where both operands are
+/// thin. Statistics are those of the sum of both areas. Tight places are those of both areas, less
+/// what the sum's thin operands cover. Throws as above.
 [[nodiscard]] Geometry minkowski_sum(const Geometry& p, const Geometry& q,
                                      const Options& options = {});
 /// The same with memory that is reused, and no exception; as above.

@@ -21,8 +21,8 @@ struct MorphologyOptions {
 /// A ⊖ B = { x | x + B ⊆ A }: where B can be put inside A. B may have holes and thin parts, and
 /// need not contain the origin; A's thin parts are dropped.
 ///
-/// It is the complement of A's complement ⊕ −B, computed in a frame around A that is wide enough, so
-/// that islands of a disconnected complement come out too. Exact, as minkowski_sum is.
+/// It is the complement of A's complement ⊕ −B, computed in a frame around A that is wide enough,
+/// so that islands of a disconnected complement come out too. Exact, as minkowski_sum is.
 /// Throws Error(kBadInput) if B is empty (the erosion would be the whole plane), or has thin parts
 /// while `options.tight` is set.
 [[nodiscard]] Geometry erode(const Geometry& a, const Geometry& b,

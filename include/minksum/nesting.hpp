@@ -12,24 +12,25 @@
 namespace minksum {
 
 struct NestingOptions {
-  /// The point of the moving part that says where it is; without it the part's first vertex, as given.
+  /// The point of the moving part that says where it is; without it the part's first
+  /// vertex, as given.
   std::optional<Point> reference;
   FillRule fill = FillRule::kAutomatic;  ///< how both shapes are read
   Limits limits;
   std::optional<CancelToken> cancel;
 };
 
-/// The no-fit polygon of `moving` around `fixed`: placements t of the reference point. In the inside
-/// of its area the parts overlap; on its boundary, and on its polylines and points (tight places),
-/// they touch; elsewhere they are apart. It is (fixed ⊕ −moving) + reference; thin parts of both shapes
-/// are dropped. Orientation of rings has no meaning. Throws as minkowski_sum does, and
-/// Error(kBadInput) if `moving` has no vertex to be the reference point.
+/// The no-fit polygon of `moving` around `fixed`: placements t of the reference point. In the
+/// inside of its area the parts overlap; on its boundary, and on its polylines and points (tight
+/// places), they touch; elsewhere they are apart. It is (fixed ⊕ −moving) + reference; thin parts
+/// of both shapes are dropped. Orientation of rings has no meaning. Throws as minkowski_sum does,
+/// and Error(kBadInput) if `moving` has no vertex to be the reference point.
 [[nodiscard]] Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
                                       const NestingOptions& options = {});
 
-/// The inner-fit polygon of `part` in `bin`: the placements t of the reference point that put the part
-/// into the bin (touching is allowed). It is (bin ⊖ part) + reference, with the placements that leave
-/// no play as polylines and points. Empty if the part does not fit.
+/// The inner-fit polygon of `part` in `bin`: the placements t of the reference point that put the
+/// part into the bin (touching is allowed). It is (bin ⊖ part) + reference, with the placements
+/// that leave no play as polylines and points. Empty if the part does not fit.
 [[nodiscard]] Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
                                          const NestingOptions& options = {});
 
@@ -62,32 +63,35 @@ struct NoFitTableOptions {
   int threads = 0;  ///< 0 = one for each core
 };
 
-/// A part of a table, turned counter-clockwise about its reference point by `turn` times 360 degrees /
-/// NoFitTableOptions::turns.
+/// A part of a table, turned counter-clockwise about its reference point by `turn` times 360
+/// degrees / NoFitTableOptions::turns.
 struct TurnedPart {
   std::size_t part = 0;
   int turn = 0;
 };
 
-/// The no-fit polygons of all pairs of some parts, in all their directions: what nesting starts from.
+/// The no-fit polygons of all pairs of some parts, in all their directions: what
+/// nesting starts from.
 ///
-/// A part's reference point is its first vertex, as given. Of n parts in t directions, the n² t² no-fit
-/// polygons are images of n² t / 2 sums, nearly: if both parts are turned, so is the polygon, and that
-/// of (b, a) is the point mirror of that of (a, b). Only these sums are made, and kept; the others are
-/// turned when they are asked for. Copies share one state; any number of threads may ask.
+/// A part's reference point is its first vertex, as given. Of n parts in t directions, the n² t²
+/// no-fit polygons are images of n² t / 2 sums, nearly: if both parts are turned, so is the
+/// polygon, and that of (b, a) is the point mirror of that of (a, b). Only these sums are made, and
+/// kept; the others are turned when they are asked for. Copies share one state; any number of
+/// threads may ask.
 class NoFitTable {
  public:
-  /// Makes all sums, on options.threads threads. Throws as minkowski_sum does, with the index of the
-  /// part for the operand where one is to blame; Error(kBadInput) for a part without area, and for
-  /// turns other than 1, 2 and 4.
+  /// Makes all sums, on options.threads threads. Throws as minkowski_sum does, with the index of
+  /// the part for the operand where one is to blame; Error(kBadInput) for a part without area, and
+  /// for turns other than 1, 2 and 4.
   explicit NoFitTable(std::span<const Geometry> parts, const NoFitTableOptions& options = {});
 
   [[nodiscard]] std::size_t size() const;  ///< parts
   [[nodiscard]] int turns() const;
-  /// The placements of the reference point of `moving` where it meets `fixed`, whose reference point is
-  /// at the origin: as no_fit_polygon gives them for the parts turned and moved so. In canonical form,
-  /// always; its origins speak of the parts' resolved areas. O(size of the result), without arithmetic but
-  /// for tight places. Throws Error(kBadInput) for a part or a turn that is none of the table's.
+  /// The placements of the reference point of `moving` where it meets `fixed`, whose reference
+  /// point is at the origin: as no_fit_polygon gives them for the parts turned and moved so. In
+  /// canonical form, always; its origins speak of the parts' resolved areas. O(size of the result),
+  /// without arithmetic but for tight places. Throws Error(kBadInput) for a part or a turn that is
+  /// none of the table's.
   [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving) const;
 
  private:

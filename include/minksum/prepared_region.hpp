@@ -16,8 +16,8 @@ namespace minksum {
 class PreparedRegion {
  public:
   /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no legal operand (see
-  /// `validate`), and Error(kLimitExceeded) as `validate` does. An empty region is legal. O(n log n) for
-  /// n vertices, plus close pairs of edges.
+  /// `validate`), and Error(kLimitExceeded) as `validate` does. An empty region is legal.
+  /// O(n log n) for n vertices, plus close pairs of edges.
   explicit PreparedRegion(Region region);
 
   [[nodiscard]] const Region& region() const;

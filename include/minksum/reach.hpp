@@ -27,8 +27,8 @@ struct Waypoint {
 
 struct Reach {
   bool reachable = false;
-  /// From start to goal, if reachable. From one waypoint to the next the robot moves straight without
-  /// turning, or turns on the spot to the neighbouring slice, the shorter way round.
+  /// From start to goal, if reachable. From one waypoint to the next the robot moves straight
+  /// without turning, or turns on the spot to the neighbouring slice, the shorter way round.
   std::vector<Waypoint> path;
   std::size_t slices = 0;
   std::size_t parts = 0;  ///< of free space, in all slices
@@ -39,23 +39,25 @@ struct Reach {
 /// Whether `to` can be reached from `from` in the sliced free space, and a path.
 ///
 /// There is a slice for each of options.angles turns, and one each for the turns of both
-/// configurations. The free parts of a slice (polygons of its free space) are nodes of a graph; those of
-/// neighbouring slices whose insides have a point in common are joined: there the robot can turn by one
-/// step. The answer is exact for this graph. Of the paths that it looks at (Dijkstra 1959; by length, and
-/// for turns that of the arc at the robot's reach) it takes the shortest, which need not be the shortest
-/// that there is. Each of its moves was found to lie in the closed free part by exact arithmetic. It
-/// may touch obstacles. Ways that leave the robot no play do not count: gaps of exactly its width, and
-/// points where two free parts touch.
+/// configurations. The free parts of a slice (polygons of its free space) are nodes of a graph;
+/// those of neighbouring slices whose insides have a point in common are joined: there the robot
+/// can turn by one step. The answer is exact for this graph. Of the paths that it looks at
+/// (Dijkstra 1959; by length, and for turns that of the arc at the robot's reach) it takes the
+/// shortest, which need not be the shortest that there is. Each of its moves was found to lie in
+/// the closed free part by exact arithmetic. It may touch obstacles. Ways that leave the robot no
+/// play do not count: gaps of exactly its width, and points where two free parts touch.
 ///
 /// Between two slices nothing is known, unless `certain` is set: then slices are those of the robot
-/// grown by ρ = r·tan δ, with r its reach and 2δ the largest step (or δ the tolerance of an end's turn,
-/// if that is more). Proof: at any angle between two neighbours, the nearer one is at most δ away; a
-/// turn by δ about the reference point moves each point of the robot by at most 2r·sin(δ/2) ≤ r·tan δ;
-/// so the turned robot is in the neighbour's robot ⊕ disc(ρ). The disc is replaced by an octagon that
-/// contains it. "No" then means that there is no path for the grown robot.
+/// grown by ρ = r·tan δ, with r its reach and 2δ the largest step (or δ the tolerance of an end's
+/// turn, if that is more). Proof: at any angle between two neighbours, the nearer one is at most δ
+/// away; a turn by δ about the reference point moves each point of the robot by at most
+/// 2r·sin(δ/2) ≤ r·tan δ; so the turned robot is in the neighbour's robot ⊕ disc(ρ). The disc is
+/// replaced by an octagon that contains it. "No" then means that there is no path for
+/// the grown robot.
 ///
-/// Throws Error: kBadInput as ConfigurationSpace does, with culprit operand 3 if the robot is not free at
-/// `from`, 4 at `to`, and if `certain` is set with steps of half a turn or more; and as minkowski_sum.
+/// Throws Error: kBadInput as ConfigurationSpace does, with culprit operand 3 if the robot is not
+/// free at `from`, 4 at `to`, and if `certain` is set with steps of half a turn or more; and as
+/// minkowski_sum.
 [[nodiscard]] Reach reach(const Geometry& robot, const Geometry& obstacles,
                           const Configuration& from, const Configuration& to,
                           const ReachOptions& options = {});

@@ -8,11 +8,11 @@
 
 namespace minksum {
 
-/// Which points a set of rings encloses, told by their winding number w: how often all rings together
-/// go counter-clockwise around the point.
+/// Which points a set of rings encloses, told by their winding number w: how often all rings
+/// together go counter-clockwise around the point.
 enum class FillRule {
-  /// Legal polygons (see `validate`) mean what OGC says, whatever their orientation. Others are read
-  /// by kNonZero after each outer ring was directed counter-clockwise and each hole clockwise
+  /// Legal polygons (see `validate`) mean what OGC says, whatever their orientation. Others are
+  /// read by kNonZero after each outer ring was directed counter-clockwise and each hole clockwise
   /// (rings whose signed area is 0 stay as they are).
   kAutomatic,
   kEvenOdd,   ///< w is odd

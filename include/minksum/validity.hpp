@@ -23,8 +23,8 @@ struct Fault {
 /// (touching at points is fine); holes inside their outer ring and not inside each other; polygons
 /// with disjoint interiors. Orientation, repeated vertices and vertices in the middle of straight
 /// edges do not matter. Wider than OGC: rings of one polygon may touch at several points.
-/// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more than
-/// 2^30 vertices, or somewhat fewer if edges are long.
+/// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more
+/// than 2^30 vertices, or somewhat fewer if edges are long.
 [[nodiscard]] std::vector<Fault> validate(const Region& region, std::size_t max_faults = 100);
 
 }  // namespace minksum

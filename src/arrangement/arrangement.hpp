@@ -19,8 +19,8 @@ using KeptId = std::uint32_t;  ///< index of a kept segment
 using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
-/// Two ends of each kept segment and all crossings are numbered in 32 bits: there are at most so many
-/// kept segments, and so many crossings.
+/// Two ends of each kept segment and all crossings are numbered in 32 bits: there are at most so
+/// many kept segments, and so many crossings.
 inline constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30;
 
 /// A segment that touches an uncovered cell, with its approximate place. Or several that overlap on
@@ -54,11 +54,11 @@ struct Piece {
 /// Kept segments split at their nodes.
 ///
 /// Complete where it matters: every point of the sum's boundary at which two kept segments meet is
-/// one node, found on both. Crossings inside the cover may be missing, and pieces that run through it,
-/// or begin or end on the left of another segment, are: they are not boundary. A loop that such pieces
-/// would have kept from closing is made of pieces that are not boundary either: those that are follow
-/// each other around a free face, and nothing is within it. No two pieces have the same ends:
-/// of equal ones one stays; opposite ones have the sum on both sides and are dropped.
+/// one node, found on both. Crossings inside the cover may be missing, and pieces that run through
+/// it, or begin or end on the left of another segment, are: they are not boundary. A loop that such
+/// pieces would have kept from closing is made of pieces that are not boundary either: those that
+/// are follow each other around a free face, and nothing is within it. No two pieces have the same
+/// ends: of equal ones one stays; opposite ones have the sum on both sides and are dropped.
 struct Arrangement {
   /// First those that were split, then the members of joined ones: pieces refer to the members.
   std::vector<KeptSegment> kept;
@@ -85,8 +85,8 @@ struct Event {
   std::uint32_t point;  ///< see ArrangementScratch
 };
 
-/// A proper crossing of two kept segments, at `lambda` along the first. That one comes from the left
-/// of the second; so the second comes from the right of the first.
+/// A proper crossing of two kept segments, at `lambda` along the first. That one comes from the
+/// left of the second; so the second comes from the right of the first.
 struct Crossing {
   KeptId first;
   KeptId second;
@@ -177,20 +177,20 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              const Options& options, const std::function<void()>& stop, Predicates& predicates,
              ArrangementScratch& scratch, Arrangement& arrangement);
 
-/// The same where each operand is one convex ring, by merging: their edges in order of direction are
-/// the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
+/// The same where each operand is one convex ring, by merging: their edges in order of direction
+/// are the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
 void arrange_convex(const Operands& operands, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
 /// Whether so many segments share directions that many may share lines, and doubles are exact
 /// (B ≤ 25).
 [[nodiscard]] bool lines_are_joined(const Operands& operands, std::size_t segments);
-/// If wanted: joins segments that overlap, or touch, on one line in one direction; drops what others
-/// contain. Then coinciding pieces and the points at which they end or meet others are found once
-/// instead of once for each pair. The union of segments is the same, and so is its arrangement, but
-/// for nodes in the middle of a line at which nothing else ends. Vectors d of joined segments have
-/// one bit more than edges have: cross products with them are differences of products below
-/// 2^(2B+2), exact for B ≤ 25. O(k log k).
+/// If wanted: joins segments that overlap, or touch, on one line in one direction; drops what
+/// others contain. Then coinciding pieces and the points at which they end or meet others are found
+/// once instead of once for each pair. The union of segments is the same, and so is its
+/// arrangement, but for nodes in the middle of a line at which nothing else ends. Vectors d of
+/// joined segments have one bit more than edges have: cross products with them are differences of
+/// products below 2^(2B+2), exact for B ≤ 25. O(k log k).
 void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
                 std::vector<KeptSegment>& kept);
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are

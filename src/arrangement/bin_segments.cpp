@@ -114,7 +114,8 @@ class Binner {
     kept_.resize(count);
   }
 
-  /// Directions that several edges have: only segments of such can be equal. False if there are none.
+  /// Directions that several edges have: only segments of such can be equal. False if
+  /// there are none.
   bool list_shared_directions() {
     if (o_.rank_count == o_.size()) return false;
     auto& shared = scratch_.bin.shared;

@@ -40,8 +40,8 @@ void SegmentMeeter::meet(KeptId s, KeptId t) {
   cross_at(s, of_s, t, of_t);
 }
 
-/// Unites an end that both of two segments have, if it is seen at once: the common case of neighbours
-/// in the convolution. Not parallel, they have no other point in common.
+/// Unites an end that both of two segments have, if it is seen at once: the common case of
+/// neighbours in the convolution. Not parallel, they have no other point in common.
 bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
   const KeptSegment& ks = kept_[s];
   const KeptSegment& kt = kept_[t];

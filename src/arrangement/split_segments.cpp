@@ -192,9 +192,9 @@ class Splitter {
     return member;
   }
 
-  /// Whether a piece of s begins, or ends, with a crossing to or from the left of another segment: the
-  /// sum's interior is there, all along that segment. (Of joined segments that is not known where one
-  /// ends and the next begins.)
+  /// Whether a piece of s begins, or ends, with a crossing to or from the left of another segment:
+  /// the sum's interior is there, all along that segment. (Of joined segments that is not known
+  /// where one ends and the next begins.)
   [[nodiscard]] bool is_inside(KeptId s, std::uint32_t begin, std::uint32_t end) const {
     if (tight_wanted_) return false;  // tight places are inside
     const auto is_left_of = [&](KeptId other) { return result_.kept[other].joined == 0; };

@@ -10,8 +10,9 @@
 namespace minksum {
 namespace {
 
-// Boxes are sums of two, in cells, in single precision: cells are below 2^13, so that is off by at most
-// three times 2^-12, and covered cells are inside the sum with a margin of 3 · kMargin around them.
+// Boxes are sums of two, in cells, in single precision: cells are below 2^13, so that is off by at
+// most three times 2^-12, and covered cells are inside the sum with a margin of 3 ·
+// kMargin around them.
 static_assert(UniformGrid::kMaxSide <= 1 << 13);
 
 /// Tells most boxes that lie wholly in covered cells, with one look at a bitmap.

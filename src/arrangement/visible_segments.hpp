@@ -1,5 +1,5 @@
-// Which segments may touch uncovered cells. Hidden ones are dropped by runs, never one by one, if there
-// are many.
+// Which segments may touch uncovered cells. Hidden ones are dropped by runs, never one by one, if
+// there are many.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct SiteRun {
   RankRange directions;  ///< has those of the edges, or those that the vertices meet
 };
 
-/// All runs of an operand's edges or vertices: leaves of a few sites each, then pairs of them, and so
-/// on.
+/// All runs of an operand's edges or vertices: leaves of a few sites each, then pairs of them, and
+/// so on.
 struct RunTree {
   static constexpr SiteId kLeaf = 8;
   SiteId begin = 0;  ///< the operand's sites
@@ -64,12 +64,12 @@ struct VisibleScratch {
 /// Whether a cover has anything.
 [[nodiscard]] bool covers_any(const Cover& cover);
 
-/// All segments but such as lie, with a margin, in covered cells of an active cover: most of those. In
-/// the order in which they are listed.
+/// All segments but such as lie, with a margin, in covered cells of an active cover: most of those.
+/// In the order in which they are listed.
 ///
-/// If the convolution is listed, each segment is looked at. Else both operands' sites are arranged in
-/// trees by runs along their rings, with the boxes and directions of their edges, and the boxes of
-/// their convex vertices with the directions that these meet. Of two runs, one of edges, one of
+/// If the convolution is listed, each segment is looked at. Else both operands' sites are arranged
+/// in trees by runs along their rings, with the boxes and directions of their edges, and the boxes
+/// of their convex vertices with the directions that these meet. Of two runs, one of edges, one of
 /// vertices, all segments are hidden if the sum of their boxes is covered, and there are none if no
 /// direction is met; else the larger is divided. So hidden segments are dropped run by run, and
 /// what the search takes depends on those that are visible. `stop` is asked now and then and throws

@@ -11,8 +11,8 @@ namespace minksum::checking {
 
 /// P and Q, to be asked for any number of points.
 ///
-/// x is in P ⊕ Q if and only if P meets x − Q. Two closed sets meet if and only if two of their edges
-/// do, or else one holds a connected part of the other: any one point of it.
+/// x is in P ⊕ Q if and only if P meets x − Q. Two closed sets meet if and only if two of their
+/// edges do, or else one holds a connected part of the other: any one point of it.
 class Placement {
  public:
   /// Both resolved.

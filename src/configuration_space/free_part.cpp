@@ -16,9 +16,9 @@ Point along(const Point& a, const Point& b, const Rational& t) {
 
 /// A segment's line in doubles: on which side points are, where rounding leaves no doubt.
 ///
-/// With M the largest coordinate and R the largest difference, coordinates are off by 2^-53·M, differences
-/// by less than 2^-51·M, as R ≤ 2M, and the determinant by less than 4·R·2^-51·M and its own
-/// roundings, 2^-51·R²: together less than 2^-47·M·R.
+/// With M the largest coordinate and R the largest difference, coordinates are off by 2^-53·M,
+/// differences by less than 2^-51·M, as R ≤ 2M, and the determinant by less than 4·R·2^-51·M and
+/// its own roundings, 2^-51·R²: together less than 2^-47·M·R.
 class Line {
  public:
   Line(double ax, double ay, double bx, double by, double magnitude)
@@ -135,8 +135,8 @@ std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* 
       *crosses = other.side(ends.ax, ends.ay) * other.side(ends.bx, ends.by) < 0;
       if (*crosses) return found;
     }
-    // Of an edge that has one end off the line, the other end is the only hit, if it is at an end of
-    // the segment: no need for long numbers.
+    // Of an edge that has one end off the line, the other end is the only hit, if it is at an end
+    // of the segment: no need for long numbers.
     if ((from == 0) != (to == 0)) {
       const std::uint32_t v = from == 0 ? edge : end;
       if (is_at(v, a, ends.ax, ends.ay)) {
@@ -247,8 +247,8 @@ std::vector<Point> FreePart::walk(const Point& a, const Point& b) const {
       i = after;
       continue;
     }
-    // The ring by which the segment leaves, and where it meets that for the last time: from there on
-    // it is on that ring's free side, so that each ring is gone around once at most.
+    // The ring by which the segment leaves, and where it meets that for the last time: from there
+    // on it is on that ring's free side, so that each ring is gone around once at most.
     while (i < after && !is_beyond(ring_of_[found[i].edge], middle)) ++i;
     std::size_t last = found.size();
     for (std::size_t k = found.size(); i < after && k-- > after;) {

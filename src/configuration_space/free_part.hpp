@@ -38,11 +38,12 @@ class FreePart {
     return locate(point) != Location::kOutside;
   }
 
-  /// Whether the closed segment is in the closed polygon. O(n) and what log n it takes for its hits.
+  /// Whether the closed segment is in the closed polygon. O(n) and what log n it
+  /// takes for its hits.
   [[nodiscard]] bool sees(const Point& a, const Point& b) const;
 
-  /// A path in the closed polygon between two of its points, both included: straight, and around what is
-  /// in the way along its boundary; then shortened where corners see each other.
+  /// A path in the closed polygon between two of its points, both included: straight, and around
+  /// what is in the way along its boundary; then shortened where corners see each other.
   [[nodiscard]] std::vector<Point> way(const Point& a, const Point& b) const;
 
  private:
@@ -76,8 +77,8 @@ class FreePart {
   LooseBox box_{};
 };
 
-/// A point strictly inside of a region with area; exact, and as far from the boundary as a look at a
-/// few of them tells, near a way from `from` to `to`. Coordinates are short where there is room.
+/// A point strictly inside of a region with area; exact, and as far from the boundary as a look at
+/// a few of them tells, near a way from `from` to `to`. Coordinates are short where there is room.
 [[nodiscard]] Point point_within(const Region& region, const Point& from, const Point& to);
 
 }  // namespace minksum

@@ -1,4 +1,5 @@
-// The graph of free parts of neighbouring slices, a path through it, and the moves within its parts.
+// The graph of free parts of neighbouring slices, a path through it, and the moves
+// within its parts.
 #include "minksum/reach.hpp"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ std::vector<Turn> turns_of(const Turn& from, const Turn& to, const ReachOptions&
   return turns;
 }
 
-/// The tangent of half the angle from one turn to another, counter-clockwise; nothing for half a turn.
+/// The tangent of half the angle from one turn to another, counter-clockwise; nothing
+/// for half a turn.
 std::optional<Rational> half_step(const Turn& from, const Turn& to) {
   const Point a = from.direction();
   const Point b = to.direction();
@@ -54,8 +56,8 @@ Rational margin_of(const std::vector<Turn>& turns, const Rational& reach, double
   return reach * largest;
 }
 
-/// An octagon that contains the disc: a corner is cut along a line that is 17/12 > √2 radii away, in
-/// the sum of coordinates.
+/// An octagon that contains the disc: a corner is cut along a line that is 17/12 > √2 radii away,
+/// in the sum of coordinates.
 Region octagon(const Rational& radius) {
   const Rational& r = radius;
   const Rational s = radius * Rational(5, 12);
@@ -129,8 +131,8 @@ class Planner {
   }
 
  private:
-  /// How a part may be entered: from another one by a turn, or at the start. `slice` is kNone for the
-  /// last step, to the goal.
+  /// How a part may be entered: from another one by a turn, or at the start. `slice` is kNone for
+  /// the last step, to the goal.
   struct Step {
     double cost;         ///< of the way up to the turn, and it; at least that, while it is not known
     std::size_t parent;  ///< in done_
@@ -154,8 +156,8 @@ class Planner {
     std::push_heap(open_.begin(), open_.end(), later);
   }
 
-  /// Looks whether and where the robot can turn. If it has to go somewhere for that, the step is offered
-  /// again with its cost; false then, and if it cannot.
+  /// Looks whether and where the robot can turn. If it has to go somewhere for that, the step is
+  /// offered again with its cost; false then, and if it cannot.
   bool make_known(Step& step) {
     const Step& from = done_[step.parent];
     const FreePart& here = part(from);

@@ -104,8 +104,8 @@ void ConfigurationSpace::set_up(State state) {
   state.reach = reach_of(state.robot);
   state.forbidden = state.obstacles;
   if (state.options.workspace) {
-    // A robot inside the workspace has its reference point in the boundary, and one that has it there
-    // is within twice the reach of the box: the frame's outer side is never seen.
+    // A robot inside the workspace has its reference point in the boundary, and one that has it
+    // there is within twice the reach of the box: the frame's outer side is never seen.
     boundary_ = widened(*bounding_box(state.workspace), state.reach);
     const Region frame = as_region(widened(boundary_, state.reach * Rational(2)));
     const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace), {}, {}}};

@@ -40,7 +40,8 @@ RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank 
   return {from < o.rank_count ? from : 0, to - from};
 }
 
-/// Calls visit(edges, v) for runs of edges of the other operand that meet each vertex v of this one.
+/// Calls visit(edges, v) for runs of edges of the other operand that meet each vertex
+/// v of this one.
 template <class Visit>
 void visit_runs(const Operands& o, Vertices which, int vertex_operand, ConvolutionScratch& scratch,
                 Visit visit) {

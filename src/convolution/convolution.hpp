@@ -10,8 +10,8 @@
 
 namespace minksum {
 
-/// Directed segments. The sum lies on the left of each; only its right side can be free. Where there
-/// are many they are only counted: most are inside the sum, and need never be listed.
+/// Directed segments. The sum lies on the left of each; only its right side can be free. Where
+/// there are many they are only counted: most are inside the sum, and need never be listed.
 struct Convolution {
   std::vector<Segment> segments;  ///< all, if `listed()`; else of each `step` in turn one
   std::uint64_t size = 0;         ///< how many there are
@@ -47,8 +47,8 @@ struct ConvolutionScratch {
 void reduced_convolution(const Operands& operands, const Limits& limits,
                          ConvolutionScratch& scratch, Convolution& convolution);
 
-/// The same; but if there are more than `many`, only a sample of `kSample` to twice as many (if so many
-/// there are) is listed. O(n + m + min(k, many)).
+/// The same; but if there are more than `many`, only a sample of `kSample` to twice as many (if so
+/// many there are) is listed. O(n + m + min(k, many)).
 void reduced_convolution_or_sample(const Operands& operands, const Limits& limits, std::uint64_t many,
                                    ConvolutionScratch& scratch, Convolution& convolution);
 inline constexpr std::size_t kSample = 256;
@@ -61,8 +61,8 @@ inline constexpr std::size_t kSample = 256;
 void full_convolution(const Operands& operands, const Limits& limits,
                       ConvolutionScratch& scratch, Convolution& convolution);
 
-/// What the signed convolution (Guibas, Ramshaw, Stolfi 1983) has beyond the reduced one: each reflex
-/// vertex with the edges in its small range, traversed backwards. Together they are closed.
+/// What the signed convolution (Guibas, Ramshaw, Stolfi 1983) has beyond the reduced one: each
+/// reflex vertex with the edges in its small range, traversed backwards. Together they are closed.
 void reflex_convolution(const Operands& operands, const Limits& limits,
                         ConvolutionScratch& scratch, Convolution& convolution);
 

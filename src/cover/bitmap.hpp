@@ -12,7 +12,8 @@ namespace minksum {
 /// Rows of bits, 64 to a word. Columns past the last are never set.
 class Bitmap {
  public:
-  /// All clear. Rows may be longer than the columns need: bitmaps with equal `words` per row line up.
+  /// All clear. Rows may be longer than the columns need: bitmaps with equal `words`
+  /// per row line up.
   void reset(std::int32_t columns, std::int32_t rows, std::size_t words = 0) {
     columns_ = columns;
     rows_ = rows;

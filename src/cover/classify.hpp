@@ -8,9 +8,9 @@
 
 namespace minksum {
 
-/// A segment of the signed convolution: where it starts, and its edge. The winding number is greater
-/// by one on its left. Coordinates are integers of at most 24 bits: floats hold them and their
-/// differences exactly.
+/// A segment of the signed convolution: where it starts, and its edge. The winding number is
+/// greater by one on its left. Coordinates are integers of at most 24 bits: floats hold them and
+/// their differences exactly.
 struct alignas(16) RoundedSegment {
   float x;
   float y;
@@ -66,9 +66,9 @@ struct Tally {
 /// Quarter k is the right one if k & 1, the upper one if k & 2. Sets the masks of the entries
 /// [begin, end): segments within `margin` of a quarter count as near to it.
 ///
-/// In floats: r, the way from an end to the centre, is exact, and so are edges times a power of two.
-/// A determinant is off by five roundings, at most, of terms whose sizes sum up to B: by less than
-/// B · 2^-21. Signs that this cannot tell, and segments within two units of a centre, are
+/// In floats: r, the way from an end to the centre, is exact, and so are edges times a power of
+/// two. A determinant is off by five roundings, at most, of terms whose sizes sum up to B: by less
+/// than B · 2^-21. Signs that this cannot tell, and segments within two units of a centre, are
 /// *unsure*, and looked at again in integers. What decides nothing exact errs on the safe side.
 std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
                               std::size_t end, SegmentStack& stack);

@@ -138,8 +138,8 @@ bool has_holes(const Operands& operands) {
                      [](const OperandRing& ring) { return ring.is_hole(); });
 }
 
-/// About how many crossings the segments have, from how far they go in x and y: exactly what is to be
-/// expected if half of them were horizontal, half of them vertical, and all anywhere in the box.
+/// About how many crossings the segments have, from how far they go in x and y: exactly what is to
+/// be expected if half of them were horizontal, half of them vertical, and all anywhere in the box.
 double expected_crossings(const Operands& o, std::span<const Segment> segments) {
   double across = 0;
   double up = 0;
@@ -151,8 +151,8 @@ double expected_crossings(const Operands& o, std::span<const Segment> segments) 
   return area > 0 ? across * up / area : 0;
 }
 
-/// Whether a cover has nothing to save: a segment or two for each edge, which hardly meet others. So
-/// it is where one operand is small beside the other's features. `list()` lists the segments.
+/// Whether a cover has nothing to save: a segment or two for each edge, which hardly meet others.
+/// So it is where one operand is small beside the other's features. `list()` lists the segments.
 template <class List>
 bool is_sparse(const Operands& operands, std::uint64_t size, List list) {
   constexpr double kFewCrossings = 0.1;

@@ -76,19 +76,19 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
 
 /// Marks cells of the grid as it is laid.
 ///
-/// If a cell C, moved by −q for a point q of Q, lies in the interior of P, then C = (C − q) + q lies
-/// in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same size,
-/// move that by one point of Q for each cell that has one, runs of them at a time, unite; the same with
-/// P and Q exchanged. O(words of a raster · runs of the other).
+/// If a cell C, moved by −q for a point q of Q, lies in the interior of P, then C = (C − q) + q
+/// lies in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same
+/// size, move that by one point of Q for each cell that has one, runs of them at a time, unite; the
+/// same with P and Q exchanged. O(words of a raster · runs of the other).
 void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover);
 
 /// Marks more cells of the grid: those that lie in e ⊕ f for some long edges e of P and f of Q.
 ///
-/// If a cell lies in the interior of that parallelogram, e crosses x − f for each x of the cell: then the
-/// interiors of P and x − Q meet next to where they do. So no tight place is covered either. An
-/// operand's edges are taken in 4 · √side stretches, and of each the longest: long ones from
-/// everywhere. Narrow shapes are covered by few of these, where no cell fits inside any translate.
-/// O(n + m + side^2) rows of cells.
+/// If a cell lies in the interior of that parallelogram, e crosses x − f for each x of the cell:
+/// then the interiors of P and x − Q meet next to where they do. So no tight place is covered
+/// either. An operand's edges are taken in 4 · √side stretches, and of each the longest: long ones
+/// from everywhere. Narrow shapes are covered by few of these, where no cell fits inside any
+/// translate. O(n + m + side^2) rows of cells.
 void cover_by_parallelograms(const Operands& operands, CoverScratch& scratch, Cover& cover);
 
 /// Divides the sum's box into quarters, again and again, until a cell is certainly inside the sum,
@@ -102,9 +102,9 @@ void cover_by_parallelograms(const Operands& operands, CoverScratch& scratch, Co
 /// 1. Let K' be K with its vertices rounded to integer units, 2^24 to the root's side, each vertex
 ///    once: closed chains again. Everything about K' is decided exactly, in floats where their
 ///    rounding cannot matter, else in integers (`classify`).
-/// 2. w_K'(c) follows from w_K' at the parent's centre by the segments that cross the way between the
-///    two, which stays in the cell: so they are in its list. A centre on a segment or in line with
-///    a vertex is taken to be moved by (ε, ε²), all centres alike, which leaves no such case.
+/// 2. w_K'(c) follows from w_K' at the parent's centre by the segments that cross the way between
+///    the two, which stays in the cell: so they are in its list. A centre on a segment or in line
+///    with a vertex is taken to be moved by (ε, ε²), all centres alike, which leaves no such case.
 /// 3. From K' to K each vertex moves by less than a unit in x and y. Let it do so evenly. A segment
 ///    sweeps a quadrilateral, whose boundary winds around c at most once: so each that may come
 ///    within a unit of c, a *doubtful* one, changes the winding number by one at most; others by

@@ -15,17 +15,17 @@ void set_run(std::uint64_t* row, std::int32_t first, std::int32_t last) {
   }
 }
 
-/// The points between two parallel lines, by height: at height y those with x from `slope` · y + `low`
-/// to `slope` · y + `high`. All points if the lines are level.
+/// The points between two parallel lines, by height: at height y those with x from `slope` · y +
+/// `low` to `slope` · y + `high`. All points if the lines are level.
 struct Strip {
   double slope = 0;
   double low = -HUGE_VAL;
   double high = HUGE_VAL;
 };
 
-/// The strip that an edge with start `from` and vector `d` sweeps if it goes on in both directions and
-/// is moved by another one; `area` = d × that one's vector. False if it is too flat to divide by its
-/// height, and not level.
+/// The strip that an edge with start `from` and vector `d` sweeps if it goes on in both directions
+/// and is moved by another one; `area` = d × that one's vector. False if it is too flat to divide
+/// by its height, and not level.
 bool make_strip(const Vec<double>& from, const Vec<double>& d, double area, Strip& strip) {
   if (d.y == 0) return true;
   if (std::abs(d.y) <= UniformGrid::kMargin) return false;

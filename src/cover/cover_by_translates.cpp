@@ -123,8 +123,9 @@ void unite_moved(const std::uint64_t* __restrict from, std::size_t count, int bi
   if (one_more) to[count] |= from[count - 1] >> (64 - bits);
 }
 
-/// Unites a bitmap, moved along whole runs of columns at a time, with another whose rows are as long.
-/// Bitmaps that are united with themselves moved by 1, 2, 4, ... columns make two moves of a run.
+/// Unites a bitmap, moved along whole runs of columns at a time, with another whose rows are as
+/// long. Bitmaps that are united with themselves moved by 1, 2, 4, ... columns make two
+/// moves of a run.
 class RunSpreader {
  public:
   RunSpreader(const Bitmap& source, std::vector<std::uint64_t>& widened, Bitmap& target)

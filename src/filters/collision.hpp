@@ -114,9 +114,9 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Visit visit) {
 
 /// Decides for probes x whether P meets x − Q, exactly.
 ///
-/// A probe is in general position, so the two sets meet if and only if two edges cross, or a polygon
-/// of one lies inside the other. Edge e of P crosses edge f of x − Q if and only if x lies in the
-/// parallelogram e ⊕ f: four sides of convolution lines to x.
+/// A probe is in general position, so the two sets meet if and only if two edges cross, or a
+/// polygon of one lies inside the other. Edge e of P crosses edge f of x − Q if and only if x lies
+/// in the parallelogram e ⊕ f: four sides of convolution lines to x.
 class CollisionTest {
  public:
   CollisionTest(const Operands& operands, BoxTrees& trees, Predicates& predicates)

@@ -52,8 +52,9 @@ class BoxPairs {
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
-  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once, and pause() now and then. If
-  /// neighbours, boxes added one right after the other, touch anyway, their pairs may be left out.
+  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once, and pause() now and then.
+  /// If neighbours, boxes added one right after the other, touch anyway, their pairs
+  /// may be left out.
   template <class Visit, class Pause>
   void for_each(Visit visit, Pause pause, bool neighbours_touch = false) {
     if (scratch_.boxes.size() <= kFew) return for_each_of_few(visit, neighbours_touch ? 2 : 1);

@@ -58,8 +58,8 @@ void append_separated(Writer& writer, const Items& items, Append append) {
   }
 }
 
-/// What a geometry has of regions, polylines and points, each kind by its own function; between `open`
-/// and `close` if it is of several kinds. Of none, an empty region.
+/// What a geometry has of regions, polylines and points, each kind by its own function; between
+/// `open` and `close` if it is of several kinds. Of none, an empty region.
 template <class AppendRegion, class AppendPolylines, class AppendPoints>
 void append_kinds(Writer& writer, const GeometryView& geometry, std::string_view open,
                   std::string_view close, AppendRegion append_region,

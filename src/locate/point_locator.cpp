@@ -124,7 +124,8 @@ struct PointLocator::State {
   void sort(std::vector<Edge>& node) const {
     std::sort(node.begin(), node.end(), [this](const Edge& a, const Edge& b) {
       if (a.low == b.low && a.high == b.high) return false;
-      // Where a's ends are beside b, and b's beside a; within the common heights one of these tells.
+      // Where a's ends are beside b, and b's beside a; within the common heights one
+      // of these tells.
       const int s = beside(b, a);
       return s != 0 ? s > 0 : beside(a, b) < 0;
     });

@@ -8,8 +8,8 @@
 
 namespace minksum {
 
-/// How far the nearest double of a coordinate up to `magnitude` can be off: twice half a unit in the
-/// last place, so that adding and subtracting it with rounding stays on the safe side; never 0.
+/// How far the nearest double of a coordinate up to `magnitude` can be off: twice half a unit in
+/// the last place, so that adding and subtracting it with rounding stays on the safe side; never 0.
 inline double rounding_error(double magnitude) { return 0x1p-52 * magnitude + 0x1p-1073; }
 
 // A `Rounded` has doubles x and y, each off by no more than its `error`, and exact_x(), exact_y().
@@ -29,9 +29,9 @@ int compare_y(const Rounded& a, const Rounded& b) {
 /// 1 if a, b, c turn left, -1 if right, 0 if they are in one line.
 ///
 /// With r the largest difference of coordinates as computed and e a bound of how far such a
-/// difference is off, the determinant is off by at most 4 r e + 4 e² from inexact differences and by
-/// 2^-51 r² from its own roundings; `error` is twice that. It also covers underflow as long as it is
-/// far above the smallest doubles. Where anything overflows, nothing is certain.
+/// difference is off, the determinant is off by at most 4 r e + 4 e² from inexact differences and
+/// by 2^-51 r² from its own roundings; `error` is twice that. It also covers underflow as long as
+/// it is far above the smallest doubles. Where anything overflows, nothing is certain.
 template <class Rounded>
 int turn(const Rounded& a, const Rounded& b, const Rounded& c) {
   constexpr double kFarAboveUnderflow = 0x1p-1000;

@@ -78,8 +78,8 @@ void find_loops(const Operands& operands, const Arrangement& arrangement, LoopSc
   loops.pieces.clear();
   loops.begin.assign(1, 0);
   loops.positive.clear();
-  // Successors are unique both ways, so chains are paths or cycles. Each piece is marked with the first
-  // piece of the walk that came to it: a walk that ends at a mark of its own has gone round.
+  // Successors are unique both ways, so chains are paths or cycles. Each piece is marked with the
+  // first piece of the walk that came to it: a walk that ends at a mark of its own has gone round.
   scratch.walk.assign(n, kNoPiece);
   for (PieceId first = 0; first < n; ++first) {
     PieceId p = first;

@@ -45,9 +45,9 @@ class DirectionCircle {
   [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + size() - from;
   }
-  /// How often a turn by less than half a circle passes the positive x axis, where places begin: -1, 0
-  /// or 1. To the left it does if the turn's end comes before the reverse of its begin, and that before
-  /// the begin itself; to the right the other way round.
+  /// How often a turn by less than half a circle passes the positive x axis, where places begin:
+  /// -1, 0 or 1. To the left it does if the turn's end comes before the reverse of its begin, and
+  /// that before the begin itself; to the right the other way round.
   [[nodiscard]] int wraps(DirectionRank from, DirectionRank to) const {
     const std::uint32_t begin = place(from);
     const std::uint32_t back = reverse(from);

@@ -56,8 +56,8 @@ Box widened(const Box& box, const Rational& by) {
 Geometry eroded(const Region& a, const Geometry& b, const MorphologyOptions& options) {
   Geometry result;
   if (a.empty()) return result;
-  // x + B ⊆ A puts x into A's box moved by −b for any b of B, so within B's size of A's box moved by
-  // one of them. The frame reaches beyond that by its size again, so that all is enclosed in
+  // x + B ⊆ A puts x into A's box moved by −b for any b of B, so within B's size of A's box moved
+  // by one of them. The frame reaches beyond that by its size again, so that all is enclosed in
   // complement ⊕ −B.
   const Box size = box_of(b);
   const Rational reach = size.max.x - size.min.x + size.max.y - size.min.y + Rational(1);

@@ -63,8 +63,8 @@ class ContactFinder {
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
     return extent;
   }
-  /// Where rings lie in each other is asked of cells. Else they pay only if many edges lie over each
-  /// other.
+  /// Where rings lie in each other is asked of cells. Else they pay only if many edges lie over
+  /// each other.
   [[nodiscard]] bool few_in_columns(double width) const {
     constexpr std::size_t kMostInColumn = 200;
     if (o_.size() <= kMostInColumn) return true;

@@ -40,8 +40,9 @@ struct Operands {
 
   std::vector<DirectionRank> rank;     ///< by edge
   std::vector<SiteId> by_direction;    ///< all edges, sorted by rank
-  /// By rank: where the direction and its reverse stand, counter-clockwise from the positive x axis, on
-  /// a circle of all directions and all reverses; a reverse that is itself a direction shares its place.
+  /// By rank: where the direction and its reverse stand, counter-clockwise from the positive x
+  /// axis, on a circle of all directions and all reverses; a reverse that is itself a direction
+  /// shares its place.
   std::vector<std::uint32_t> place;
   std::vector<std::uint32_t> reverse_place;
   std::uint32_t place_count = 0;

@@ -25,7 +25,8 @@ struct OperandRing {
   [[nodiscard]] bool is_hole() const { return ring != 0; }
 };
 
-/// An edge with a rounded, monotone function of its direction in [0, 4), off by less than kKeyError.
+/// An edge with a rounded, monotone function of its direction in [0, 4), off by less
+/// than kKeyError.
 struct KeyedEdge {
   double key;
   SiteId edge;

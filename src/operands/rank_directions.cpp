@@ -8,8 +8,8 @@
 namespace minksum {
 namespace {
 
-/// Both operands' edges in one order, parallel ones by id, their ranks and places. Which of two lists
-/// goes on is a toss-up at each step, so the merges are written without branches on it.
+/// Both operands' edges in one order, parallel ones by id, their ranks and places. Which of two
+/// lists goes on is a toss-up at each step, so the merges are written without branches on it.
 class Ranker {
  public:
   Ranker(const PreparedOperand& p, const PreparedOperand& q, Operands& operands)
@@ -80,8 +80,8 @@ class Ranker {
     o_.by_direction[count_++] = edge.edge;
     o_.rank[edge.edge] = static_cast<DirectionRank>(ranks_ - 1);
   }
-  /// Order of the direction of rank i and the reverse of that of rank r, which is in the lower half of
-  /// the circle if that one is in the `upper` half.
+  /// Order of the direction of rank i and the reverse of that of rank r, which is in the lower half
+  /// of the circle if that one is in the `upper` half.
   Sign compare_with_reverse(std::size_t i, std::size_t r, bool upper) {
     const SiteId edge = of_rank_[i].edge;
     const int half = half_circle(predicates_, edge);

@@ -80,8 +80,8 @@ class ExactKernel {
   /// Exponents that go with them (see ExactCoordinate).
   [[nodiscard]] virtual int exp2() const = 0;
   [[nodiscard]] virtual int exp10() const = 0;
-  /// The doubles nearest to all sites (moved and, on the arbitrary rung, scaled) and, once connected,
-  /// to all edge vectors.
+  /// The doubles nearest to all sites (moved and, on the arbitrary rung, scaled) and, once
+  /// connected, to all edge vectors.
   virtual void approximate_sites(std::span<double> x, std::span<double> y) const = 0;
   virtual void approximate_edges(std::span<double> dx, std::span<double> dy) const = 0;
 
@@ -127,9 +127,9 @@ struct GridPart {
   std::span<const SiteId> sites;
 };
 
-/// A kernel for integer coordinates: those of the parts, one after the other. They must fit the rung
-/// (kNarrow, kMedium or kWide), and the sum of their scaled offsets 127 bits. `unit` is that of the
-/// common grid. Reuses `old` if it is of the same rung.
+/// A kernel for integer coordinates: those of the parts, one after the other. They must fit the
+/// rung (kNarrow, kMedium or kWide), and the sum of their scaled offsets 127 bits. `unit` is that
+/// of the common grid. Reuses `old` if it is of the same rung.
 void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old);
 /// A kernel for any rational coordinates; `origin_first`, `origin_second` and `exponent` say how

@@ -177,8 +177,8 @@ class Predicates {
     const Vec<double> d = direction(probe.segment.edge);
     return {a.x + lambda * d.x, a.y + lambda * d.y};
   }
-  /// Never zero: the probe stands off its segment by an infinitesimal along its right normal, and by
-  /// one of second order along its direction.
+  /// Never zero: the probe stands off its segment by an infinitesimal along its right normal, and
+  /// by one of second order along its direction.
   Sign orientation(SiteId edge, const SumVertex& v, const Probe& probe, const Vec<double>& at) {
     const Vec<double> d = direction(edge);
     const Vec<double> p = position(v);

@@ -84,7 +84,8 @@ int width_of(Uint128 value) {
                    : 64 - std::countl_zero(static_cast<std::uint64_t>(value));
 }
 
-// The same as for big integers, where the numerator has up to 128 bits and the denominator up to 64.
+// The same as for big integers, where the numerator has up to 128 bits and the
+// denominator up to 64.
 double nearest_to_short(Uint128 numerator, Uint128 denominator, std::int64_t exp2) {
   const int shift = 63 - (width_of(numerator) - width_of(denominator));
   (shift >= 0 ? numerator : denominator) <<= std::abs(shift);

@@ -5,8 +5,9 @@
 
 namespace minksum {
 
-/// The region turned counter-clockwise by `quarters` times 90 degrees; canonical if it was so before.
-/// No arithmetic: coordinates change places and signs. Origins are kept. O(n), and sorting of rings.
+/// The region turned counter-clockwise by `quarters` times 90 degrees; canonical if it was so
+/// before. No arithmetic: coordinates change places and signs. Origins are kept. O(n), and
+/// sorting of rings.
 [[nodiscard]] Region turned(const Region& region, int quarters);
 
 /// The same with rings and vertices in the order that they have. O(n).
