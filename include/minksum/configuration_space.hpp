@@ -107,7 +107,8 @@ class ConfigurationSpace {
   void for_each_slice(std::span<const Turn> turns, bool with_free,
                       const std::function<void(std::size_t, Slice&)>& finish,
                       const std::function<void(std::size_t, Slice&)>& visit) const;
-  [[nodiscard]] std::vector<Slice> slices(std::span<const Turn> turns, bool with_free = false) const;
+  [[nodiscard]] std::vector<Slice> slices(std::span<const Turn> turns,
+                                          bool with_free = false) const;
 
   struct State;
 

@@ -153,7 +153,7 @@ struct ArrangementScratch {
   std::vector<CellItem> in_cells;          ///< and cell by cell
   std::vector<std::uint32_t> cells;        ///< those that have items
   std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
-  std::vector<KeptId> kept_id;             ///< by segment of the convolution, if the cover is divided
+  std::vector<KeptId> kept_id;             ///< by segment, if the cover is divided
   std::vector<std::uint32_t> leaf_end;     ///< by leaf: where its items end in `in_cells`
   std::vector<KeptId> hash_table;
   std::vector<std::vector<CellItem>> stack;  ///< items of a cell, level by level of its division

@@ -50,8 +50,9 @@ bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
     return (bits(p.x) ^ bits(q.x)) | (bits(p.y) ^ bits(q.y));
   };
-  const std::uint32_t common = (apart(ks.a, kt.a) == 0 ? 1U : 0U) | (apart(ks.a, kt.b) == 0 ? 2U : 0U) |
-                               (apart(ks.b, kt.a) == 0 ? 4U : 0U) | (apart(ks.b, kt.b) == 0 ? 8U : 0U);
+  const std::uint32_t common =
+      (apart(ks.a, kt.a) == 0 ? 1U : 0U) | (apart(ks.a, kt.b) == 0 ? 2U : 0U) |
+      (apart(ks.b, kt.a) == 0 ? 4U : 0U) | (apart(ks.b, kt.b) == 0 ? 8U : 0U);
   if (common == 0) return false;
   const auto first = static_cast<std::uint32_t>(std::countr_zero(common));
   const std::uint32_t of_s = 2 * s + (first >> 1);

@@ -36,7 +36,8 @@ struct RunTree {
   static constexpr SiteId kLeaf = 8;
   SiteId begin = 0;  ///< the operand's sites
   SiteId end = 0;
-  std::vector<SiteRun> runs;  ///< level by level, the leaves first: an even number, but for the root
+  /// Level by level, the leaves first: an even number, but for the root.
+  std::vector<SiteRun> runs;
   std::vector<std::uint32_t> level_begin;
 };
 
@@ -50,8 +51,9 @@ struct RunPair {
 struct VisibleScratch {
   static constexpr std::size_t kLevels = 3;
   std::vector<CellSite> sites;
-  std::array<Bitmap, kLevels + 1> blocks;  ///< where blocks of 2, 4, 8 cells a side are covered; nothing
-  std::vector<std::uint32_t> uncovered;    ///< cells below and to the left of each corner
+  /// Where blocks of 2, 4, 8 cells a side are covered; then nothing.
+  std::array<Bitmap, kLevels + 1> blocks;
+  std::vector<std::uint32_t> uncovered;  ///< cells below and to the left of each corner
   std::vector<RankRange> ranges;  ///< by site: directions that it meets; none if it is reflex
   RunTree edges;
   RunTree vertices;

@@ -61,7 +61,8 @@ Rational margin_of(const std::vector<Turn>& turns, const Rational& reach, double
 Region octagon(const Rational& radius) {
   const Rational& r = radius;
   const Rational s = radius * Rational(5, 12);
-  return Region(Polygon{{{r, -s}, {r, s}, {s, r}, {-s, r}, {-r, s}, {-r, -s}, {-s, -r}, {s, -r}}, {}});
+  return Region(
+      Polygon{{{r, -s}, {r, s}, {s, r}, {-s, r}, {-r, s}, {-r, -s}, {-s, -r}, {s, -r}}, {}});
 }
 
 /// A slice, taken apart.
@@ -117,7 +118,9 @@ class Planner {
   /// The path; empty if there is none.
   std::vector<Waypoint> find(std::size_t first, std::size_t last) {
     for (std::size_t p = 0; p < slices_[first].parts.size(); ++p) {
-      if (slices_[first].parts[p].contains(from_.at)) offer({0, kNone, first, p, true, from_.at, {}});
+      if (slices_[first].parts[p].contains(from_.at)) {
+        offer({0, kNone, first, p, true, from_.at, {}});
+      }
     }
     while (!open_.empty()) {
       std::pop_heap(open_.begin(), open_.end(), later);
@@ -134,7 +137,8 @@ class Planner {
   /// How a part may be entered: from another one by a turn, or at the start. `slice` is kNone for
   /// the last step, to the goal.
   struct Step {
-    double cost;         ///< of the way up to the turn, and it; at least that, while it is not known
+    /// Of the way up to the turn, and of the turn; a lower bound while that is not known.
+    double cost;
     std::size_t parent;  ///< in done_
     std::size_t slice;
     std::size_t part;

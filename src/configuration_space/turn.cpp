@@ -34,7 +34,9 @@ void approximate(double rest, double tolerance, Turn& turn) {
     const bool quarter = p >= q;
     turn.tan_half = quarter ? Rational(0) : Rational(p, q);
     turn.degrees = 90;
-    if (!quarter) turn.degrees = 2 * std::atan(turn.tan_half.to_double()) * (180 / std::numbers::pi);
+    if (!quarter) {
+      turn.degrees = 2 * std::atan(turn.tan_half.to_double()) * (180 / std::numbers::pi);
+    }
     turn.off = std::abs(turn.degrees - rest) + kRounding;
     if (turn.off > tolerance) continue;
     turn.quarters += quarter ? 1 : 0;

@@ -49,8 +49,9 @@ void reduced_convolution(const Operands& operands, const Limits& limits,
 
 /// The same; but if there are more than `many`, only a sample of `kSample` to twice as many (if so
 /// many there are) is listed. O(n + m + min(k, many)).
-void reduced_convolution_or_sample(const Operands& operands, const Limits& limits, std::uint64_t many,
-                                   ConvolutionScratch& scratch, Convolution& convolution);
+void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
+                                   std::uint64_t many, ConvolutionScratch& scratch,
+                                   Convolution& convolution);
 inline constexpr std::size_t kSample = 256;
 
 /// The directions of the edges that meet a convex vertex in the reduced convolution.

@@ -44,7 +44,8 @@ std::int32_t classify_block(const Frame& c, std::size_t count,
     const float length = std::abs(dx) + std::abs(dy);
     const float error = (std::abs(left) + std::abs(right) + length * c.half) * 0x1p-21F;
     const float near = length * reach + error;
-    const float doubt = -(1.25F * length + 2.5F * (std::abs(rx) + std::abs(ry)) + doubt_here + error);
+    const float doubt =
+        -(1.25F * length + 2.5F * (std::abs(rx) + std::abs(ry)) + doubt_here + error);
     const float close = 2 * length + error;
     const std::int32_t to_right = std::min(rx, ex) <= c.margin;
     const std::int32_t to_left = std::max(rx, ex) >= -c.margin;

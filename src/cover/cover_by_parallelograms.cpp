@@ -84,8 +84,12 @@ class ParallelogramRasteriser {
     for (std::int32_t j = first; j <= last; ++j) {
       const double y0 = j - kMargin;
       const double y1 = j + 1 + kMargin;
-      const auto left = [&](const Strip& s) { return std::max(s.slope * y0, s.slope * y1) + s.low; };
-      const auto right = [&](const Strip& s) { return std::min(s.slope * y0, s.slope * y1) + s.high; };
+      const auto left = [&](const Strip& s) {
+        return std::max(s.slope * y0, s.slope * y1) + s.low;
+      };
+      const auto right = [&](const Strip& s) {
+        return std::min(s.slope * y0, s.slope * y1) + s.high;
+      };
       const double x0 = std::max(left(along_e), left(along_f)) + kMargin;
       const double x1 = std::min(right(along_e), right(along_f)) - kMargin;
       if (x1 - x0 < 1) continue;

@@ -20,7 +20,9 @@ class BoxTree {
 
   void build(const Operands& operands, int operand);
   [[nodiscard]] std::size_t levels() const { return levels_; }
-  [[nodiscard]] std::size_t nodes(std::size_t level) const { return first_[level + 1] - first_[level]; }
+  [[nodiscard]] std::size_t nodes(std::size_t level) const {
+    return first_[level + 1] - first_[level];
+  }
   [[nodiscard]] const Box& box(std::size_t level, std::size_t node) const {
     return boxes_[first_[level] + node];
   }
@@ -141,9 +143,9 @@ class CollisionTest {
 
 /// A probe just right of the middle of the part of `segment` between two nodes on it. `exact` is
 /// where its position is kept if it needs more bits than a Probe has.
-[[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<double>& from_at,
-                                  double from_error, const NodePoint& to, const Vec<double>& to_at,
-                                  double to_error, const Predicates& predicates,
-                                  BigRational& exact);
+[[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from,
+                                  const Vec<double>& from_at, double from_error,
+                                  const NodePoint& to, const Vec<double>& to_at, double to_error,
+                                  const Predicates& predicates, BigRational& exact);
 
 }  // namespace minksum

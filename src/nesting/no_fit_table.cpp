@@ -23,8 +23,9 @@ struct NoFitTable::State {
   [[nodiscard]] const Geometry& sum(std::size_t fixed, std::size_t moving, int turn) const {
     const auto all = static_cast<std::size_t>(turns);
     const std::size_t before =
-        fixed == moving ? 0
-                        : static_cast<std::size_t>(turns_with_itself()) + (moving - fixed - 1) * all;
+        fixed == moving
+            ? 0
+            : static_cast<std::size_t>(turns_with_itself()) + (moving - fixed - 1) * all;
     return rows[fixed][before + static_cast<std::size_t>(turn)];
   }
 };
@@ -136,8 +137,8 @@ Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving) const {
   Geometry result{turned(sum.region, quarters), {}, {}};
   if (mirrored) RegionAccess::exchange_operands(result.region);
   if (sum.has_thin_parts()) {
-    const Geometry tight =
-        resolve(transform(Geometry{{}, sum.polylines, sum.points}, Affine::quarter_turns(quarters)));
+    const Geometry tight = resolve(
+        transform(Geometry{{}, sum.polylines, sum.points}, Affine::quarter_turns(quarters)));
     result.polylines = tight.polylines;
     result.points = tight.points;
   }

@@ -228,7 +228,8 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_w
   for (const SiteId site : o.scratch.kept[1]) renumbered[site + p.size()] = id++;
 }
 
-void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options, Operands& o) {
+void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+                Operands& o) {
   const CommonGrid common = common_grid(p, q, options);
   if (common.fits) {
     join_on_grid(p, q, common, options, o);
@@ -244,7 +245,8 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Option
   connect(o);
 }
 
-void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options, Operands& o) {
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+                      Operands& o) {
   fill_holes(p, q, options.tight != nullptr, o);
   join_sites(p, q, options, o);
   o.convex.clear();

@@ -57,7 +57,9 @@ class ContactFinder {
 
  private:
   [[nodiscard]] Vec<double> extent() const {
-    if (!o_.rational) return {static_cast<double>(o_.grid.extent.x), static_cast<double>(o_.grid.extent.y)};
+    if (!o_.rational) {
+      return {static_cast<double>(o_.grid.extent.x), static_cast<double>(o_.grid.extent.y)};
+    }
     Vec<double> extent{};
     for (const double x : o_.sites.x) extent.x = std::max(extent.x, x);
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
@@ -110,8 +112,9 @@ class ContactFinder {
 
   [[nodiscard]] bool full() const { return faults_.size() >= max_faults_; }
   [[nodiscard]] std::size_t ring_of(SiteId v) const {
-    const auto after = std::upper_bound(o_.rings.begin(), o_.rings.end(), v,
-                                        [](SiteId site, const OperandRing& r) { return site < r.begin; });
+    const auto after =
+        std::upper_bound(o_.rings.begin(), o_.rings.end(), v,
+                         [](SiteId site, const OperandRing& r) { return site < r.begin; });
     return static_cast<std::size_t>(after - o_.rings.begin()) - 1;
   }
 
@@ -309,8 +312,9 @@ class ContactFinder {
     const auto stamp = static_cast<SiteId>(inner);
     for (std::int32_t j = grid_.row(low); j <= grid_.row(high); ++j) {
       for (std::int32_t i = grid_.column(at.x - doubt()); i < grid_.columns; ++i) {
-        const std::size_t cell = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
-                                 static_cast<std::size_t>(i);
+        const std::size_t cell =
+            static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
+            static_cast<std::size_t>(i);
         for (std::uint32_t k = scratch_.cell_begin[cell]; k < scratch_.cell_begin[cell + 1]; ++k) {
           const SiteId e = scratch_.in_cells[k];
           const double y0 = o_.sites.y[e];

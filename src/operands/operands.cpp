@@ -8,7 +8,8 @@ constexpr std::size_t kMaxVertices = std::size_t{1} << 30;
 
 /// Everything but the directions.
 void load_and_validate(const Region& region, const Options& options, std::size_t max_faults,
-                       OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults) {
+                       OperandScratch& scratch, PreparedOperand& operand,
+                       std::vector<Fault>& faults) {
   if (region.vertex_count() > kMaxVertices) {
     throw Error(ErrorCode::kLimitExceeded, "an operand has more than 2^30 vertices");
   }
@@ -20,7 +21,8 @@ void load_and_validate(const Region& region, const Options& options, std::size_t
 }  // namespace
 
 void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
-                     OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults) {
+                     OperandScratch& scratch, PreparedOperand& operand,
+                     std::vector<Fault>& faults) {
   load_and_validate(region, options, max_faults, scratch, operand, faults);
   if (faults.empty()) sort_directions(scratch, operand);
 }
@@ -86,7 +88,9 @@ std::optional<std::string> check(const Operands& o) {
     if (ring.begin != expected || ring.end < ring.begin + fewest) {
       return "rings do not tile the sites";
     }
-    if (r + 1 == o.first_rings && ring.end != o.split) return "the operands are not split at a ring";
+    if (r + 1 == o.first_rings && ring.end != o.split) {
+      return "the operands are not split at a ring";
+    }
     expected = ring.end;
   }
   if (expected != n) return "rings do not tile the sites";

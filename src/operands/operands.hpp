@@ -96,7 +96,8 @@ void list_parallel_sums(const Operands& operands, std::span<const Region, 2> wal
 void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_wanted,
                 Operands& operands);
 /// Both operands' exact coordinates on their common grid.
-void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options, Operands& operands);
+void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+                Operands& operands);
 /// Merges directions; sets rank, by_direction and the places.
 void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Operands& operands);
 

@@ -42,9 +42,9 @@ class Ranker {
     const std::size_t n = of_rank_.size();
     o_.place.resize(n);
     o_.reverse_place.resize(n);
-    const auto lower = std::partition_point(of_rank_.begin(), of_rank_.end(), [&](const KeyedEdge& e) {
-      return half_circle(predicates_, e.edge) == 0;
-    });
+    const auto lower = std::partition_point(
+        of_rank_.begin(), of_rank_.end(),
+        [&](const KeyedEdge& e) { return half_circle(predicates_, e.edge) == 0; });
     const auto first = static_cast<std::size_t>(lower - of_rank_.begin());
     const auto rank_of = [&](std::size_t reverse) {
       const std::size_t r = first + reverse;
@@ -57,7 +57,9 @@ class Ranker {
       const std::size_t r = rank_of(j);
       const double ahead = of_rank_[r].key + (r < first ? 2.0 : -2.0) - of_rank_[i].key;
       Sign order = ahead > 0 ? kNegative : kPositive;
-      if (!keys_tell_ || std::abs(ahead) <= 4 * kKeyError) order = compare_with_reverse(i, r, r < first);
+      if (!keys_tell_ || std::abs(ahead) <= 4 * kKeyError) {
+        order = compare_with_reverse(i, r, r < first);
+      }
       // What is written for the one that does not go on is written again.
       o_.place[i] = place;
       o_.reverse_place[r] = place;

@@ -93,8 +93,9 @@ RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const
       result.sites.push_back(operand.rationals.sites[site]);
       continue;
     }
-    const Vec<Int128> at = grid.small ? Vec<Int128>{grid.small_sites[site].x, grid.small_sites[site].y}
-                                      : grid.large_sites[site];
+    const Vec<Int128> at = grid.small
+                               ? Vec<Int128>{grid.small_sites[site].x, grid.small_sites[site].y}
+                               : grid.large_sites[site];
     result.sites.push_back({grid_coordinate(at.x, grid.offset.x, grid),
                             grid_coordinate(at.y, grid.offset.y, grid)});
   }

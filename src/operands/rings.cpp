@@ -15,8 +15,12 @@ namespace {
 class RingCleaner {
  public:
   RingCleaner(OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults)
-      : operand_(operand), region_(*operand.region),
-        predicates_(operand.sites, *operand.kernel, operand.bounds), distinct_(scratch.distinct), order_(scratch.order), faults_(faults) {}
+      : operand_(operand),
+        region_(*operand.region),
+        predicates_(operand.sites, *operand.kernel, operand.bounds),
+        distinct_(scratch.distinct),
+        order_(scratch.order),
+        faults_(faults) {}
 
   /// Leaves the order of sites, their convexity, the edges' sources and rings.
   void run() {
@@ -49,7 +53,8 @@ class RingCleaner {
     // The edge that starts at order[i] has an index in its region: of a reversed ring it is the one
     // that started at order[i + 1].
     auto& sources = operand_.edge_source;
-    sources.insert(sources.end(), order_.begin() + static_cast<std::ptrdiff_t>(begin_), order_.end());
+    sources.insert(sources.end(), order_.begin() + static_cast<std::ptrdiff_t>(begin_),
+                   order_.end());
     const auto first = sources.end() - static_cast<std::ptrdiff_t>(order_.size() - begin_);
     if (reversed) std::rotate(first, first + 1, sources.end());
     operand_.rings.push_back({static_cast<SiteId>(begin_), static_cast<SiteId>(order_.size()),

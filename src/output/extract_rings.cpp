@@ -26,7 +26,9 @@ class RingExtractor {
   void run(const Loops& loops, const FilteredLoops& filtered) {
     if (loops_are_rings(loops, filtered)) {
       for (std::size_t i = 0; i < loops.size(); ++i) {
-        if (filtered.state[i] == LoopState::kAccepted) add_ring(loops.loop(i), static_cast<std::uint32_t>(i));
+        if (filtered.state[i] == LoopState::kAccepted) {
+          add_ring(loops.loop(i), static_cast<std::uint32_t>(i));
+        }
       }
       return;
     }

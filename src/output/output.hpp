@@ -39,7 +39,8 @@ struct RowIndex {
   double inverse = 0;                ///< rows per unit
   double error = 0;                  ///< of any node's place
   std::size_t count = 0;             ///< of rows
-  std::vector<std::uint32_t> begin;  ///< by row, and one more: where its edges are; empty = not built
+  /// By row, and one more: where its edges are; empty if it is not built.
+  std::vector<std::uint32_t> begin;
   struct Edge {
     std::uint32_t ring;
     std::uint32_t vertex;

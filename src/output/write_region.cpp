@@ -111,8 +111,10 @@ std::optional<std::string> check(const Boundary& b, const Arrangement& arrangeme
     if (std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end()) {
       return "a ring visits a node twice";
     }
-    const Segment first = arrangement.kept[arrangement.pieces[b.vertices[ring.begin].piece].segment].segment;
-    const Segment last = arrangement.kept[arrangement.pieces[b.vertices[ring.end - 1].piece].segment].segment;
+    const Segment first =
+        arrangement.kept[arrangement.pieces[b.vertices[ring.begin].piece].segment].segment;
+    const Segment last =
+        arrangement.kept[arrangement.pieces[b.vertices[ring.end - 1].piece].segment].segment;
     const Sign turn = operands.kernel->cross(last.edge, first.edge);
     if ((turn == kPositive) != ring.positive) return "a ring's orientation is wrong";
   }

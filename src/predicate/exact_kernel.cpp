@@ -67,7 +67,8 @@ class GridKernel final : public KernelOf<Rung> {
     const Int128 x = at.x + offset_.x;
     const Int128 y = at.y + offset_.y;
     out = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
-    return unit_.divisor == 1 && out.x == x && out.y == y && out.x != std::numeric_limits<std::int64_t>::min() &&
+    return unit_.divisor == 1 && out.x == x && out.y == y &&
+           out.x != std::numeric_limits<std::int64_t>::min() &&
            out.y != std::numeric_limits<std::int64_t>::min();
   }
   int exp2() const override { return unit_.exp2; }

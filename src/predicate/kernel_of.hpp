@@ -47,7 +47,8 @@ class KernelOf : public ExactKernel {
     return cross_sign(difference(a, b), difference(a, c));
   }
   Sign dot(SiteId a, SiteId b, SiteId c, SiteId d) const override {
-    return sign_of(minksum::dot(as<CrossNumber>(difference(a, b)), as<CrossNumber>(difference(c, d))));
+    return sign_of(
+        minksum::dot(as<CrossNumber>(difference(a, b)), as<CrossNumber>(difference(c, d))));
   }
   Sign compare(SiteId a, SiteId b, Axis axis) const override {
     return sign_of(Coord(along(sites_[a], axis) - along(sites_[b], axis)));
@@ -56,7 +57,8 @@ class KernelOf : public ExactKernel {
     return cross_sign(direction(edge), direction(other));
   }
   Sign dot(SiteId edge, SiteId other) const override {
-    return sign_of(minksum::dot(as<CrossNumber>(direction(edge)), as<CrossNumber>(direction(other))));
+    return sign_of(
+        minksum::dot(as<CrossNumber>(direction(edge)), as<CrossNumber>(direction(other))));
   }
 
   Sign orientation(const Segment& s, const SumVertex& v) const override {

@@ -75,7 +75,9 @@ class Predicates {
   [[nodiscard]] Vec<double> position(const SumVertex& v) const {
     return {sites_->x[v.first] + sites_->x[v.second], sites_->y[v.first] + sites_->y[v.second]};
   }
-  [[nodiscard]] Vec<double> start(const Segment& s) const { return position(sum_vertex(s.edge, s.vertex)); }
+  [[nodiscard]] Vec<double> start(const Segment& s) const {
+    return position(sum_vertex(s.edge, s.vertex));
+  }
   [[nodiscard]] static SumVertex start_vertex(const Segment& s) {
     return sum_vertex(s.edge, s.vertex);
   }

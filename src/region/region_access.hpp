@@ -37,7 +37,8 @@ class RegionAccess {
   static void copy_vertex(Region& region, const Region& from, std::size_t vertex) {
     const auto copy = [&](StoredCoordinate c) {
       if (c.denominator_limbs == 0) return c;
-      const std::size_t count = (c.numerator_limbs & kLimbCountMask) + std::size_t{c.denominator_limbs};
+      const std::size_t count =
+          (c.numerator_limbs & kLimbCountMask) + std::size_t{c.denominator_limbs};
       const auto* digits = from.limbs_.data() + c.payload;
       c.payload = static_cast<std::int64_t>(region.limbs_.size());
       region.limbs_.insert(region.limbs_.end(), digits, digits + count);

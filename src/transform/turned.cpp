@@ -41,7 +41,9 @@ class Turner {
     std::vector<IndexRange> polygons;
     rings.reserve(region_.ring_count());
     polygons.reserve(region_.polygon_count());
-    const auto before = [this](const TurnedRing& a, const TurnedRing& b) { return ring_before(a, b); };
+    const auto before = [this](const TurnedRing& a, const TurnedRing& b) {
+      return ring_before(a, b);
+    };
     for (const std::size_t polygon : region_.polygons()) {
       const auto begin = static_cast<std::ptrdiff_t>(rings.size());
       for (const std::size_t ring : region_.rings_of(polygon)) rings.push_back(turned_ring(ring));
