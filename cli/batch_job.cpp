@@ -1,5 +1,6 @@
 #include "batch_job.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -72,7 +73,7 @@ Job parse_job(std::string_view text, std::string_view& id) {
   return job;
 }
 
-// A value as it would be typed: [1, 2] as 1,2; true is an option without a value.
+// A value as it would be typed: [1, 2] as 1,2.
 std::string typed_value(const std::string& name, std::string_view value) {
   if (auto text = json_string(value)) return "--" + name + "=" + *text;
   if (const auto elements = json_elements(value)) {
@@ -86,13 +87,14 @@ std::string typed_value(const std::string& name, std::string_view value) {
   return "--" + name + "=" + std::string(value);
 }
 
+// Whether it is a list of placements, not one: [x, y], where numbers may be strings, is one.
 bool is_list(std::string_view value) {
   const auto elements = json_elements(value);
   if (!elements) return false;
-  for (const std::string_view element : *elements) {
-    if (element.front() != '"' && element.front() != '[') return false;
-  }
-  return !elements->empty();
+  return std::ranges::any_of(*elements, [](std::string_view element) {
+    return element.front() == '[' ||
+           json_string(element).value_or("").find(',') != std::string::npos;
+  });
 }
 
 std::vector<TypedOption> parse_options(std::string_view text) {

@@ -107,6 +107,33 @@ class Jobs(BatchTest):
                              "options": {"at": [2, 2.5]}}], "--coords", "exact")
         self.assertEqual(given[0]["result"], {"contacts": ["touching"]})
 
+    def test_pairs_of_numbers(self):
+        """Both as JSON's numbers, or as strings, or as one string; and lists of such."""
+        for operation in ("nfp", "ifp"):
+            expected = self.fine(operation, self.slit, self.square, "--reference", "1/3,1/7")
+            for pair in (["1/3", "1/7"], "1/3,1/7"):
+                given = self.one(operation=operation, a="slit.wkt", b="square.wkt",
+                                 options={"reference": pair})
+                self.assertEqual(given["result"]["wkt"] + "\n", expected)
+        expected = json.loads(self.fine("depth", self.slit, self.square, "--json", "--along",
+                                        "-1/3,1/7"))
+        for pair in (["-1/3", "1/7"], "-1/3,1/7"):
+            given = self.one(operation="depth", a="slit.wkt", b="square.wkt",
+                             options={"along": pair})
+            self.assertEqual(given["result"], expected)
+        for at, contacts in (
+                (["2", "5/2"], ["touching"]), ([2, "5/2"], ["touching"]), ("2,5/2", ["touching"]),
+                (["2,5/2"], ["touching"]), ([["2", "5/2"]], ["touching"]),
+                (["2,5/2", "-3,0"], ["touching", "free"]),
+                ([["2", "5/2"], "-3,0", [1.5, 2]], ["touching", "free", "overlapping"])):
+            given = self.one(operation="nfp", a="slit.wkt", b="square.wkt", options={"at": at})
+            self.assertEqual(given["result"], {"contacts": contacts}, at)
+        for at in (["2"], ["x", "y"], ["2", "3", "4"], ["2", "1,2"], [[1, 2], 3], []):
+            error = self.one(2, operation="nfp", a="slit.wkt", b="square.wkt",
+                             options={"at": at})["error"]
+            self.assertEqual(error["code"], "bad-job")
+            self.assertIn("two numbers", error["message"])
+
     def test_tight_places_of_sums(self):
         mirrored = "POLYGON ((0 0, -2 0, -2 -2, 0 -2, 0 0))"
         given = self.one(operation="sum", a="slit.wkt", b=wkt(mirrored), options={"tight": True})
