@@ -6,16 +6,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <ostream>
 
 #include "batch_job.hpp"
 #include "batch_run.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
-#include "output_file.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -107,20 +106,12 @@ class JobLines {
   std::size_t at_ = 0;
 };
 
-void require_different_files(const BatchArguments& arguments) {
-  std::error_code ignored;
-  if (arguments.jobs == "-" || arguments.output.empty()) return;
-  if (std::filesystem::equivalent(arguments.jobs, arguments.output, ignored)) {
-    throw Failure(kWrongUsage, "JOBS and -o are the same file");
-  }
-}
-
 }  // namespace
 
 int run_batch(const BatchArguments& arguments) {
   if (!arguments.pairs.empty()) return run_pairs(arguments);
-  require_different_files(arguments);
-  check_writable(arguments.stats);
+  OutputFiles files;
+  expect_files(arguments, files);
   JobLines lines(arguments.jobs, arguments.limits.read.max_bytes);
   JobRunner runner(arguments);
   BatchRun run(arguments);
@@ -139,7 +130,7 @@ int run_batch(const BatchArguments& arguments) {
   };
   work.is_at_hand = [&] { return lines.are_at_hand(); };
   run.run(std::move(work), [&] { return lines.share(); });
-  return run.finish(nlohmann::ordered_json::object());
+  return run.finish(nlohmann::ordered_json::object(), files);
 }
 
 }  // namespace minksum::cli

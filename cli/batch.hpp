@@ -7,6 +7,7 @@
 
 #include "limits.hpp"
 #include "operations.hpp"
+#include "output_file.hpp"
 #include "result_options.hpp"
 
 namespace minksum::cli {
@@ -39,6 +40,9 @@ CLI::App* add_batch(CLI::App& app, BatchArguments& arguments, TypedBatch& typed,
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(BatchArguments& arguments, const TypedBatch& typed);
+
+/// Takes note of the outputs, of which none may be another, nor JOBS. Throws a Failure.
+void expect_files(const BatchArguments& arguments, OutputFiles& files);
 
 /// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
 int run_batch(const BatchArguments& arguments);

@@ -11,7 +11,6 @@
 #include "failure.hpp"
 #include "json_members.hpp"
 #include "minksum/prepared_region.hpp"
-#include "output_file.hpp"
 #include "result_file.hpp"
 #include "turns.hpp"
 #include "uses.hpp"
@@ -203,7 +202,8 @@ class PairRunner {
 }  // namespace
 
 int run_pairs(const BatchArguments& arguments) {
-  check_writable(arguments.stats);
+  OutputFiles files;
+  expect_files(arguments, files);
   const auto start = std::chrono::steady_clock::now();
   const Parts parts = load(arguments);
   const double preparing =
@@ -225,7 +225,7 @@ int run_pairs(const BatchArguments& arguments) {
   };
   run.run(std::move(work),
           [&] { return static_cast<double>(run.jobs()) / static_cast<double>(count); });
-  return run.finish({{"parts", parts.parts.size()}, {"preparing_seconds", preparing}});
+  return run.finish({{"parts", parts.parts.size()}, {"preparing_seconds", preparing}}, files);
 }
 
 }  // namespace minksum::cli

@@ -7,11 +7,21 @@
 #include "commands.hpp"
 #include "failure.hpp"
 #include "minksum/version.hpp"
-#include "output_file.hpp"
 #include "progress.hpp"
 #include "sum_picture.hpp"
 
 namespace minksum::cli {
+
+void expect_files(const BatchArguments& arguments, OutputFiles& files) {
+  if (!arguments.jobs.empty() && arguments.jobs != "-") files.reserve("JOBS", arguments.jobs);
+  if (!arguments.no_output) {
+    files.expect("-o", arguments.output);
+    if (!arguments.output.empty() && !is_special(arguments.output)) {
+      files.reserve("FILE.partial of -o", LineOutput::unfinished_place(arguments.output));
+    }
+  }
+  files.expect_if_any("--stats", arguments.stats);
+}
 
 BatchRun::BatchRun(const BatchArguments& arguments) : arguments_(arguments) {
   if (!arguments.no_output) output_.emplace(arguments.output, arguments.restart);
@@ -46,15 +56,16 @@ void BatchRun::run(Work work, const std::function<std::optional<double>()>& shar
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int BatchRun::finish(nlohmann::ordered_json more) {
-  if (output_) output_->finish();
+int BatchRun::finish(nlohmann::ordered_json more, OutputFiles& files) {
   if (!arguments_.stats.empty()) {
     nlohmann::ordered_json json{{"jobs", jobs_},       {"failed", failed_},
                                 {"earlier", earlier_}, {"threads", arguments_.threads},
                                 {"seconds", seconds_}, {"version", MINKSUM_VERSION}};
     json.update(more);
-    write_output(arguments_.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+    files.write(arguments_.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
   }
+  if (output_) output_->finish();
+  files.finish();
   if (failed_ == 0) return kFine;
   tell(grouped(failed_) + " of " + grouped(jobs_) + (jobs_ == 1 ? " job" : " jobs") + " failed");
   return kBadInput;

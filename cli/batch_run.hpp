@@ -24,7 +24,7 @@ class BatchRun {
   /// is known.
   void run(Work work, const std::function<std::optional<double>()>& share);
   /// Ends the output, writes statistics, of which some are given, and returns the exit code.
-  [[nodiscard]] int finish(nlohmann::ordered_json more);
+  [[nodiscard]] int finish(nlohmann::ordered_json more, OutputFiles& files);
 
   [[nodiscard]] std::uint64_t jobs() const { return jobs_; }
   [[nodiscard]] double seconds() const { return seconds_; }

@@ -100,7 +100,7 @@ int run_check(const CheckArguments& arguments) {
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }
-  write_output("", [&](std::ostream& out) {
+  write_standard_output([&](std::ostream& out) {
     arguments.json ? write_json(out, check) : write_text(out, check);
   });
   return check.ok() ? kFine : kWrongResult;

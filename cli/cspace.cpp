@@ -51,27 +51,39 @@ std::string feature(const Slice& slice, const CspaceArguments& arguments) {
   return std::move(out).str();
 }
 
-/// So that names sort as the slices do.
-std::string slice_name(std::size_t index, std::size_t count) {
-  std::string number = std::to_string(index);
-  const std::size_t digits = std::to_string(count - 1).size();
-  return "slice-" + std::string(digits - number.size(), '0') + number + ".svg";
+/// Names sort as the slices do.
+std::string slice_file(const CspaceArguments& arguments, std::size_t index) {
+  const std::string number = std::to_string(index);
+  const std::size_t digits = std::to_string(arguments.turns.size() - 1).size();
+  return arguments.slices + "/slice-" + std::string(digits - number.size(), '0') + number + ".svg";
 }
 
-void write_statistics(const CspaceArguments& arguments, const Totals& totals, double seconds) {
+void expect_files(const CspaceArguments& arguments, OutputFiles& files) {
+  files.expect("-o", arguments.result.output);
+  files.expect_if_any("--svg", arguments.picture);
+  files.expect_if_any("--stats", arguments.stats);
+  if (arguments.slices.empty()) return;
+  make_folder(arguments.slices);
+  for (std::size_t i = 0; i < arguments.turns.size(); ++i) {
+    files.expect("--slices", slice_file(arguments, i));
+  }
+}
+
+void write_statistics(const CspaceArguments& arguments, const Totals& totals, double seconds,
+                      OutputFiles& files) {
   const auto count = static_cast<double>(totals.slices);
   const Json json{{"slices", totals.slices},
                   {"vertices", totals.vertices},
                   {"seconds", seconds},
                   {"seconds_per_slice", totals.sum / count},
                   {"slowest_slice", totals.largest}};
-  write_output(arguments.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+  files.write(arguments.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
 class Run {
  public:
-  explicit Run(const CspaceArguments& arguments)
-      : arguments_(arguments), options_(arguments.options),
+  Run(const CspaceArguments& arguments, OutputFiles& files)
+      : arguments_(arguments), files_(files), options_(arguments.options),
         scene_(read_scene(arguments, options_)) {}
 
   void all() {
@@ -82,7 +94,7 @@ class Run {
     std::vector<Written> written(turns.size());
     Overview overview(picture, turns.size(), arguments_.free);
     Totals totals;
-    write_output(arguments_.result.output, [&](std::ostream& out) {
+    files_.write(arguments_.result.output, [&](std::ostream& out) {
       out << R"({"type": "FeatureCollection", "features": [)";
       space.for_each_slice(
           turns, arguments_.free,
@@ -97,23 +109,21 @@ class Run {
           });
       out << "\n]}\n";
     });
-    // One file after the other: the program promises to leave no half of one.
     for (std::size_t i = 0; i < turns.size() && !arguments_.slices.empty(); ++i) {
       save(written[i], i);
     }
     if (!arguments_.picture.empty()) {
       const std::string drawn = std::move(overview).finish();
-      write_output(arguments_.picture, [&](std::ostream& out) { out << drawn; });
+      files_.write(arguments_.picture, [&](std::ostream& out) { out << drawn; });
     }
     if (arguments_.stats.empty()) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    write_statistics(arguments_, totals, seconds.count());
+    write_statistics(arguments_, totals, seconds.count(), files_);
   }
 
  private:
   void save(const Written& written, std::size_t i) const {
-    const std::string file = arguments_.slices + '/' + slice_name(i, arguments_.turns.size());
-    write_output(file, [&](std::ostream& out) { out << written.picture; });
+    files_.write(slice_file(arguments_, i), [&](std::ostream& out) { out << written.picture; });
   }
   void count(const Slice& slice, Totals& totals) const {
     ++totals.slices;
@@ -123,6 +133,7 @@ class Run {
   }
 
   const CspaceArguments& arguments_;
+  OutputFiles& files_;
   ConfigurationOptions options_;
   RobotScene scene_;
 };
@@ -196,16 +207,15 @@ void settle(CspaceArguments& arguments, const TypedCspace& typed) {
 }
 
 int run_cspace(const CspaceArguments& arguments) {
-  check_writable(arguments.result.output);
-  check_writable(arguments.picture);
-  check_writable(arguments.stats);
-  if (!arguments.slices.empty()) make_folder(arguments.slices);
-  Run run(arguments);
+  OutputFiles files;
+  expect_files(arguments, files);
+  Run run(arguments, files);
   try {
     run.all();
   } catch (const Error& error) {
     fail_about_scene(error, arguments);
   }
+  files.finish();
   return kFine;
 }
 

@@ -76,15 +76,15 @@ Json feature_json(const Feature& feature) {
   throw Error(ErrorCode::kBadInput, "there is no distance from a shape without area", culprit);
 }
 
-void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b,
-          const Depth& depth) {
+void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b, const Depth& depth,
+          OutputFiles& files) {
   const ResolveOptions reading{arguments.options.fill, true, {}};
   Geometry second = resolve(b, reading);
   const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
   const char* const title = depth.overlapping ? "B, separated" : "B, in contact";
   const std::string picture = sum_picture(
       {resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true, {}});
-  write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+  files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
 }
 
 }  // namespace
@@ -123,13 +123,15 @@ Json depth_json(const DepthArguments& arguments, const DepthFindings& findings) 
 }
 
 int run_depth(const DepthArguments& arguments) {
-  check_writable(arguments.picture);
+  OutputFiles files;
+  files.expect("the answer", "");
+  files.expect_if_any("--svg", arguments.picture);
   const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
   const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
   try {
     const DepthFindings findings = find_depth(arguments, a, b);
-    if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth);
-    write_output("", [&](std::ostream& out) {
+    if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth, files);
+    write_standard_output([&](std::ostream& out) {
       if (arguments.json) {
         out << depth_json(arguments, findings).dump(2) << '\n';
       } else {
@@ -139,6 +141,7 @@ int run_depth(const DepthArguments& arguments) {
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }
+  files.finish();
   return kFine;
 }
 

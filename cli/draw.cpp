@@ -151,7 +151,8 @@ void settle(DrawArguments& arguments) {
 }
 
 int run_draw(const DrawArguments& arguments) {
-  check_writable(arguments.output);
+  OutputFiles files;
+  files.expect("-o", arguments.output);
   std::vector<Geometry> given;
   for (const std::string& file : arguments.files) {
     given.push_back(read_operand(file, arguments.limits).geometry);
@@ -162,7 +163,8 @@ int run_draw(const DrawArguments& arguments) {
     figure.layers.push_back(layer_of(arguments, i, given[i]));
   }
   const std::string picture = figure_picture(figure);
-  write_output(arguments.output, [&](std::ostream& out) { out << picture; });
+  files.write(arguments.output, [&](std::ostream& out) { out << picture; });
+  files.finish();
   return kFine;
 }
 

@@ -141,7 +141,7 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Finding
 int run_info(const InfoArguments& arguments) {
   const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
   const Findings findings = examine(geometry, arguments.resolve);
-  write_output("", [&](std::ostream& out) {
+  write_standard_output([&](std::ostream& out) {
     if (arguments.json) {
       write_json(out, arguments, findings);
     } else {

@@ -7,31 +7,17 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 
 #include "failure.hpp"
 #include "output_file.hpp"
 
 namespace minksum::cli {
-namespace {
-
-namespace fs = std::filesystem;
-
-bool is_special(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status);
-}
-
-}  // namespace
 
 LineOutput::LineOutput(const std::string& path, bool restart) {
   if (path.empty()) {
     descriptor_ = STDOUT_FILENO;
     return;
   }
-  check_writable(path);
   shown_ = path;
   if (is_special(path)) {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
@@ -42,10 +28,8 @@ LineOutput::LineOutput(const std::string& path, bool restart) {
 }
 
 void LineOutput::open_file(const std::string& path, bool restart) {
-  std::error_code error;
-  place_ = fs::weakly_canonical(path, error).string();  // not to replace a symbolic link
-  if (error) fail(error.value());
-  partial_ = place_ + ".partial";
+  place_ = real_place(path).string();
+  partial_ = unfinished_place(path);
   shown_ = path + ".partial";
   descriptor_ = ::open(partial_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(errno);
@@ -54,6 +38,10 @@ void LineOutput::open_file(const std::string& path, bool restart) {
   }
   if (restart && ::ftruncate(descriptor_, 0) != 0) fail(errno);
   reading_ = true;
+}
+
+std::string LineOutput::unfinished_place(const std::string& path) {
+  return real_place(path).string() + ".partial";
 }
 
 LineOutput::~LineOutput() {

@@ -27,6 +27,8 @@ class LineOutput {
   void write(std::string_view lines);
   /// Everything is written. Without this the file stays unfinished.
   void finish();
+  /// Where a file stays until it is finished. Throws a Failure.
+  [[nodiscard]] static std::string unfinished_place(const std::string& path);
   /// What messages call the unfinished file.
   [[nodiscard]] const std::string& unfinished() const { return shown_; }
 

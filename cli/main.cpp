@@ -201,7 +201,7 @@ int run(int argc, char** argv, ProcessLimits& limits) {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help and --version
     int code = kFine;
-    write_output("", [&](std::ostream& out) { code = app.exit(success, out, out); });
+    write_standard_output([&](std::ostream& out) { code = app.exit(success, out, out); });
     return code;
   } catch (const CLI::ParseError& error) {
     throw Failure(kWrongUsage, std::string(error.what()) + " (minksum --help)");

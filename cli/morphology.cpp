@@ -46,13 +46,14 @@ Geometry morphology(const MorphologyArguments& arguments, const Geometry& a, con
 }
 
 int run_morphology(const MorphologyArguments& arguments) {
-  check_writable(arguments.output);
-  check_writable(arguments.picture);
+  OutputFiles files;
+  files.expect("-o", arguments.output);
+  files.expect_if_any("--svg", arguments.picture);
   const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
   const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
   try {
     const Geometry result = morphology(arguments, a, b);
-    write_geometry(arguments, rounded(result, arguments));
+    write_geometry(files, arguments, rounded(result, arguments));
     if (!arguments.picture.empty()) {
       const ResolveOptions reading{arguments.options.fill, false, {}};
       const std::string picture = sum_picture({resolve(a, reading),
@@ -62,11 +63,12 @@ int run_morphology(const MorphologyArguments& arguments) {
                                                captions_of(arguments.operation),
                                                true,
                                                {}});
-      write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+      files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
     }
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }
+  files.finish();
   return kFine;
 }
 

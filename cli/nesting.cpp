@@ -32,7 +32,7 @@ Geometry thin_parts_of(const Geometry& geometry) {
 }
 
 void draw(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
-          const Geometry& polygon) {
+          const Geometry& polygon, OutputFiles& files) {
   const ResolveOptions reading{arguments.options.fill, true, {}};
   const Geometry area = without_thin_parts(polygon);
   const Geometry tight = thin_parts_of(polygon);
@@ -44,22 +44,23 @@ void draw(const NestingArguments& arguments, const Geometry& fixed, const Geomet
       arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
   const std::string picture = sum_picture(
       {resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark});
-  write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+  files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
 }
 
 void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
                     const Geometry& moving) {
   const std::vector<const char*> answers = contacts(arguments, fixed, moving);
-  write_output("", [&](std::ostream& out) {
+  write_standard_output([&](std::ostream& out) {
     for (const char* const answer : answers) out << answer << '\n';
   });
 }
 
 void write_polygon(const NestingArguments& arguments, const Geometry& fixed,
-                   const Geometry& moving) {
+                   const Geometry& moving, OutputFiles& files) {
   const Geometry polygon = fit_polygon(arguments, fixed, moving);
-  write_geometry(arguments, rounded_fit_polygon(arguments, polygon));
-  if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon);
+  write_geometry(files, arguments, rounded_fit_polygon(arguments, polygon));
+  if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
+  files.finish();
   if (arguments.inner_fit && polygon.empty()) {
     tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
          shown_name(arguments.operands[0]) + ")");
@@ -98,15 +99,16 @@ std::vector<const char*> contacts(const NestingArguments& arguments, const Geome
 }
 
 int run_nesting(const NestingArguments& arguments) {
-  check_writable(arguments.output);
-  check_writable(arguments.picture);
+  OutputFiles files;
+  files.expect("-o", arguments.output);
+  files.expect_if_any("--svg", arguments.picture);
   const Geometry fixed = read_operand(arguments.operands[0], arguments.limits).geometry;
   const Geometry moving = read_operand(arguments.operands[1], arguments.limits).geometry;
   try {
     if (!arguments.placements.empty()) {
       write_contacts(arguments, fixed, moving);
     } else {
-      write_polygon(arguments, fixed, moving);
+      write_polygon(arguments, fixed, moving, files);
     }
   } catch (const Error& error) {
     fail_about(error, arguments.operands);

@@ -38,12 +38,13 @@ Rational parse_number(const std::string& option, const std::string& text) {
   throw Failure(kWrongUsage, option + " takes a number as 1.5 or 2/3, not '" + text + "'");
 }
 
-void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& result) {
+void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& result,
+          OutputFiles& files) {
   const ResolveOptions reading{arguments.options.fill, false, {}};
   Drawing drawing{resolve(a, reading), {}, result, nullptr, {}, true, {}};
   drawing.captions = {"Offset", "A", nullptr, "Offset"};
   const std::string picture = sum_picture(drawing);
-  write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+  files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
 }
 
 }  // namespace
@@ -116,16 +117,18 @@ void settle(OffsetArguments& arguments, const TypedOffset& typed) {
 }
 
 int run_offset(const OffsetArguments& arguments) {
-  check_writable(arguments.output);
-  check_writable(arguments.picture);
+  OutputFiles files;
+  files.expect("-o", arguments.output);
+  files.expect_if_any("--svg", arguments.picture);
   const Geometry a = read_operand(arguments.operand, arguments.limits).geometry;
   try {
     const Geometry result = offset(a, arguments.distance, arguments.options);
-    write_geometry(arguments, rounded(result, arguments));
-    if (!arguments.picture.empty()) draw(arguments, a, result);
+    write_geometry(files, arguments, rounded(result, arguments));
+    if (!arguments.picture.empty()) draw(arguments, a, result, files);
   } catch (const Error& error) {
     fail_about(error, {arguments.operand, ""});
   }
+  files.finish();
   return kFine;
 }
 

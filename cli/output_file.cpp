@@ -29,25 +29,6 @@ namespace fs = std::filesystem;
 
 bool is_standard_output(const std::string& path) { return path.empty() || path == "-"; }
 
-// A device or a pipe has no "beside".
-bool is_special(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status);
-}
-
-// The file that a symbolic link stands for: a rename would replace the link itself.
-fs::path real_place(const std::string& path) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(path, error);
-  if (error) fail(path, "cannot be written", error.value());
-  return real;
-}
-
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 // Writes to a file descriptor. Unlike a file stream's, its buffer needs no memory of the heap, and
 // the first failure is thrown, with its reason.
 class DescriptorBuffer : public std::streambuf {
@@ -131,30 +112,17 @@ mode_t rights_for(const fs::path& place) {
   return 0666 & ~mask;
 }
 
-void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  const fs::path place = real_place(path);
-  TemporaryFile file(folder_of(place).string(), path);
-  write_descriptor(file.descriptor(), path, write);
-  ::fchmod(file.descriptor(), rights_for(place));
-  // Without this, the loss of power soon after could leave an empty file in the old one's place.
-  // Where a file system cannot do it (EINVAL, ENOTSUP), there is nothing to wait for.
-  if (::fsync(file.descriptor()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
-    fail(path, "cannot be written", errno);
-  }
-  if (const int reason = file.move_to(place.string())) fail(path, "cannot be written", reason);
-}
-
-}  // namespace
+// What the path stands for, if it is there.
+bool find(const fs::path& path, struct stat& status) { return ::stat(path.c_str(), &status) == 0; }
 
 void check_writable(const std::string& path) {
-  if (is_standard_output(path)) return;
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) fail(path, "cannot be written", EISDIR);
   if (is_special(path)) {
     if (::access(path.c_str(), W_OK) != 0) fail(path, "cannot be written", errno);
     return;
   }
-  const fs::path folder = folder_of(real_place(path));
+  const fs::path folder = real_place(path).parent_path();
   if (!fs::is_directory(folder, ignored)) {
     fail(path, "cannot be written: there is no folder " + folder.string());
   }
@@ -164,13 +132,89 @@ void check_writable(const std::string& path) {
   }
 }
 
-void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  if (is_standard_output(path)) return write_descriptor(STDOUT_FILENO, "standard output", write);
-  check_writable(path);
-  if (!is_special(path)) return write_file(path, write);
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_NOCTTY));
-  if (file.get() < 0) fail(path, "cannot be written", errno);
-  write_descriptor(file.get(), path, write);
+}  // namespace
+
+bool is_special(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+fs::path real_place(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system has it
+  std::error_code error;
+  fs::path at = path;
+  // Links to what is not there yet would be taken for files that are not there.
+  for (int links = 0; links < kMostLinks && fs::is_symlink(at, error); ++links) {
+    at = at.parent_path() / fs::read_symlink(at, error);
+  }
+  const fs::path real = fs::weakly_canonical(fs::absolute(at, error), error);
+  if (error) fail(path, "cannot be written", error.value());
+  return real;
+}
+
+void OutputFiles::refuse_twice(const std::string& name, const std::string& path) {
+  const auto refuse = [&](const std::string& other) {
+    throw Failure(kWrongUsage, other + " and " + name + " are the same file" +
+                                   (is_standard_output(path) ? "" : ": " + path));
+  };
+  struct stat status {};
+  const bool standard = is_standard_output(path);
+  const bool there = standard ? ::fstat(STDOUT_FILENO, &status) == 0 : find(path, status);
+  if (there && !S_ISREG(status.st_mode)) return;
+  if (!standard) {
+    const auto [known, added] = names_by_place_.emplace(real_place(path), name);
+    if (!added) refuse(known->second);
+  }
+  if (!there) return;
+  const auto [known, added] =
+      names_by_identity_.emplace(Identity{status.st_dev, status.st_ino}, name);
+  if (!added) refuse(known->second);
+}
+
+void OutputFiles::expect(const std::string& name, const std::string& path) {
+  refuse_twice(is_standard_output(path) ? "standard output" : name, path);
+  if (!is_standard_output(path)) check_writable(path);
+}
+
+void OutputFiles::expect_if_any(const std::string& name, const std::string& path) {
+  if (!path.empty()) expect(name, path);
+}
+
+void OutputFiles::reserve(const std::string& name, const std::string& path) {
+  refuse_twice(name, path);
+}
+
+void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (is_standard_output(path)) return write_standard_output(write);
+  if (is_special(path)) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_NOCTTY));
+    if (file.get() < 0) fail(path, "cannot be written", errno);
+    return write_descriptor(file.get(), path, write);
+  }
+  const fs::path place = real_place(path);
+  TemporaryFile& file = written_.emplace_back(path, place).file;
+  write_descriptor(file.descriptor(), path, write);
+  ::fchmod(file.descriptor(), rights_for(place));
+  // Without this, the loss of power soon after could leave an empty file in the old one's place.
+  // Where a file system cannot do it (EINVAL, ENOTSUP), there is nothing to wait for.
+  if (::fsync(file.descriptor()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
+    fail(path, "cannot be written", errno);
+  }
+  if (const int reason = file.close()) fail(path, "cannot be written", reason);
+}
+
+void OutputFiles::finish() {
+  const SignalsBlocked blocked;
+  for (Written& written : written_) {
+    const int reason = written.file.move_to(written.place.string());
+    if (reason != 0) fail(written.shown, "cannot be written", reason);
+  }
+  written_.clear();
+}
+
+void write_standard_output(const std::function<void(std::ostream&)>& write) {
+  write_descriptor(STDOUT_FILENO, "standard output", write);
 }
 
 void make_folder(const std::string& path) {

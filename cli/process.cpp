@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <climits>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -20,28 +19,12 @@
 namespace minksum::cli {
 namespace {
 
-// What a signal handler needs has to be static. One thread of the program writes files, one at a
-// time, and it alone takes signals; they are blocked while these change.
-char temporary_name[PATH_MAX] = "";  // empty: there is none
+// What a signal handler needs has to be static. One thread of the program writes files, and it
+// alone takes signals; they are blocked while these change.
+TemporaryFile* newest_file = nullptr;
 char timeout_message[128] = "";
 
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
-
-// Holds all signals back for a few steps that belong together.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t all;
-    sigfillset(&all);
-    sigprocmask(SIG_SETMASK, &all, &before_);
-  }
-  ~SignalsBlocked() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t before_{};
-};
 
 void set_handler(int signal, void (*handler)(int)) {
   struct sigaction action {};
@@ -78,13 +61,13 @@ std::uint64_t number_in(const char* file) {
 extern "C" {
 
 static void minksum_end_by_signal(int signal) {
-  if (minksum::cli::temporary_name[0] != '\0') ::unlink(minksum::cli::temporary_name);
+  minksum::cli::TemporaryFile::remove_all();
   ::raise(signal);  // once this handler returns, with the default action
 }
 
 static void minksum_end_by_clock(int) {
   using namespace minksum::cli;
-  if (temporary_name[0] != '\0') ::unlink(temporary_name);
+  TemporaryFile::remove_all();
   const auto written = ::write(STDERR_FILENO, timeout_message, std::strlen(timeout_message));
   static_cast<void>(written);  // there is nobody left to tell
   ::_exit(kLimitExceeded);
@@ -142,37 +125,59 @@ std::uint64_t available_memory() {
   return bytes;
 }
 
+SignalsBlocked::SignalsBlocked() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before_);
+}
+
+SignalsBlocked::~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
 TemporaryFile::TemporaryFile(const std::string& folder, const std::string& shown) {
   // Not the final name and more: that could be too long for the file system.
   constexpr const char* kEnding = ".tmp";
-  std::string name = folder + "/minksum-XXXXXX" + kEnding;
+  name_ = folder + "/minksum-XXXXXX" + kEnding;
   const SignalsBlocked blocked;
-  int reason = ENAMETOOLONG;
-  if (name.size() < sizeof temporary_name) {
-    descriptor_ = ::mkstemps(name.data(), static_cast<int>(std::strlen(kEnding)));
-    reason = errno;
-  }
+  descriptor_ = ::mkstemps(name_.data(), static_cast<int>(std::strlen(kEnding)));
   if (descriptor_ < 0) {
-    throw Failure(kBadInput, shown + ": cannot be written: " + std::strerror(reason));
+    throw Failure(kBadInput, shown + ": cannot be written: " + std::strerror(errno));
   }
-  std::memcpy(temporary_name, name.c_str(), name.size() + 1);
+  older_ = newest_file;
+  if (older_ != nullptr) older_->newer_ = this;
+  newest_file = this;
 }
 
 TemporaryFile::~TemporaryFile() {
   const SignalsBlocked blocked;
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (temporary_name[0] != '\0') ::unlink(temporary_name);
-  temporary_name[0] = '\0';
+  if (name_.empty()) return;
+  ::unlink(name_.c_str());
+  forget();
+}
+
+void TemporaryFile::forget() {
+  if (older_ != nullptr) older_->newer_ = newer_;
+  (newer_ != nullptr ? newer_->older_ : newest_file) = older_;
+  name_.clear();
+}
+
+int TemporaryFile::close() {
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  return ::close(descriptor) == 0 ? 0 : errno;
 }
 
 int TemporaryFile::move_to(const std::string& place) {
   const SignalsBlocked blocked;
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  // Some file systems tell only now that there was no room.
-  if (::close(descriptor) != 0 || ::rename(temporary_name, place.c_str()) != 0) return errno;
-  temporary_name[0] = '\0';
+  if (::rename(name_.c_str(), place.c_str()) != 0) return errno;
+  forget();
   return 0;
+}
+
+void TemporaryFile::remove_all() noexcept {
+  for (const TemporaryFile* file = newest_file; file != nullptr; file = file->older_) {
+    ::unlink(file->name_.c_str());
+  }
 }
 
 }  // namespace minksum::cli

@@ -127,25 +127,28 @@ void settle(ReachArguments& arguments, const TypedReach& typed) {
 }
 
 int run_reach(const ReachArguments& arguments) {
-  check_writable(arguments.output);
-  check_writable(arguments.picture);
+  OutputFiles files;
+  files.expect("the answer", "");
+  files.expect_if_any("-o", arguments.output);
+  files.expect_if_any("--svg", arguments.picture);
   ReachOptions options = arguments.options;
   const RobotScene scene = read_scene(arguments, options);
   try {
     const Reach found = reach(scene.robot, scene.obstacles, arguments.from, arguments.to, options);
     if (!arguments.output.empty()) {
-      write_output(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
+      files.write(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
     }
     if (!arguments.picture.empty()) {
       const std::string picture = reach_picture(arguments, options, scene, found);
-      write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+      files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
     }
-    write_output("", [&](std::ostream& out) {
+    write_standard_output([&](std::ostream& out) {
       arguments.json ? write_json(out, found) : write_text(out, found);
     });
   } catch (const Error& error) {
     fail_about_reach(error, arguments);
   }
+  files.finish();
   return kFine;
 }
 

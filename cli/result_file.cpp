@@ -2,8 +2,6 @@
 
 #include <ostream>
 
-#include "output_file.hpp"
-
 namespace minksum::cli {
 
 RoundOptions rounding_of(const ResultArguments& arguments) {
@@ -16,9 +14,10 @@ RoundOptions rounding_of(const ResultArguments& arguments) {
   return options;
 }
 
-void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
-                    const io::Coordinates& coordinates, const std::string* properties) {
-  write_output(file, [&](std::ostream& out) {
+void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
+                    io::Format format, const io::Coordinates& coordinates,
+                    const std::string* properties) {
+  files.write(file, [&](std::ostream& out) {
     if (properties != nullptr) {
       out << R"({"type": "Feature", "properties": )" << *properties << R"(, "geometry": )";
     }
@@ -33,8 +32,9 @@ Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
   return round(geometry, rounding_of(arguments));
 }
 
-void write_geometry(const ResultArguments& arguments, const Geometry& geometry) {
-  write_geometry(arguments.output, geometry, arguments.format, arguments.coordinates);
+void write_geometry(OutputFiles& files, const ResultArguments& arguments,
+                    const Geometry& geometry) {
+  write_geometry(files, arguments.output, geometry, arguments.format, arguments.coordinates);
 }
 
 }  // namespace minksum::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "output_file.hpp"
 
 namespace minksum::cli {
 
@@ -12,12 +13,13 @@ namespace minksum::cli {
 
 /// Writes a geometry whose coordinates are rounded already, or exact; with `properties`, as a
 /// GeoJSON Feature.
-void write_geometry(const std::string& file, const Geometry& geometry, io::Format format,
-                    const io::Coordinates& coordinates, const std::string* properties = nullptr);
+void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
+                    io::Format format, const io::Coordinates& coordinates,
+                    const std::string* properties = nullptr);
 
 /// The geometry, which is resolved, as it is to be written; itself if nothing is to be rounded.
 [[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
 /// Writes it where and in the format that the arguments say.
-void write_geometry(const ResultArguments& arguments, const Geometry& geometry);
+void write_geometry(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry);
 
 }  // namespace minksum::cli

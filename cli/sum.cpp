@@ -27,6 +27,18 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+void expect_files(const SumArguments& arguments, OutputFiles& files) {
+  files.expect("-o", arguments.output);
+  files.expect_if_any("--tight", arguments.tight);
+  files.expect_if_any("--stats", arguments.stats);
+  files.expect_if_any("--svg", arguments.picture);
+  if (arguments.trace.empty()) return;
+  make_folder(arguments.trace);
+  for (const char* const name : kTraceFiles) {
+    files.expect("--trace", arguments.trace + '/' + name);
+  }
+}
+
 void read_operands(const SumArguments& arguments, SumRun& run) {
   const Stopwatch watch;
   for (int i = 0; i < 2; ++i) {
@@ -64,12 +76,12 @@ void compute(const SumArguments& arguments, SumRun& run) {
 }
 
 // Tracing takes a run of its own, so that the times are those of plain runs.
-void compute_and_write_trace(const SumArguments& arguments, const SumRun& run) {
+void compute_and_write_trace(const SumArguments& arguments, const SumRun& run, OutputFiles& files) {
   Trace trace;
   Options options = arguments.options;
   options.trace = &trace;
   static_cast<void>(minkowski_sum(run.operands[0], run.operands[1], options));
-  write_trace(arguments.trace, drawing_of(run, arguments.options), trace);
+  write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace);
 }
 
 // What is written: rounded as a whole, so that it stays valid.
@@ -83,22 +95,22 @@ void round_result(const SumArguments& arguments, SumRun& run) {
   run.seconds.round = watch.seconds();
 }
 
-void write_results(const SumArguments& arguments, SumRun& run) {
+void write_results(const SumArguments& arguments, SumRun& run, OutputFiles& files) {
   const Stopwatch watch;
-  write_geometry(arguments.output, run.rounding ? run.rounded : run.exact, arguments.format,
+  write_geometry(files, arguments.output, run.rounding ? run.rounded : run.exact, arguments.format,
                  arguments.coordinates, arguments.keep_properties ? &*run.properties : nullptr);
   run.seconds.write = watch.seconds();
   if (run.tight) {
-    write_geometry(arguments.tight, run.rounding ? run.rounded_tight : *run.tight,
+    write_geometry(files, arguments.tight, run.rounding ? run.rounded_tight : *run.tight,
                    arguments.tight_format, arguments.coordinates);
   }
   if (!arguments.picture.empty()) {
     const std::string picture = sum_picture(drawing_of(run, arguments.options));
-    write_output(arguments.picture, [&](std::ostream& out) { out << picture; });
+    files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
   }
   if (!arguments.stats.empty()) {
     const auto json = statistics_json(arguments, run);
-    write_output(arguments.stats, [&](std::ostream& out) {
+    files.write(arguments.stats, [&](std::ostream& out) {
       out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
     });
   }
@@ -116,21 +128,19 @@ void tell_summary(const SumArguments& arguments, const SumRun& run) {
 }  // namespace
 
 int run_sum(const SumArguments& arguments) {
-  for (const std::string* path :
-       {&arguments.output, &arguments.tight, &arguments.stats, &arguments.picture}) {
-    check_writable(*path);
-  }
-  if (!arguments.trace.empty()) make_folder(arguments.trace);
+  OutputFiles files;
+  expect_files(arguments, files);
   SumRun run;
   read_operands(arguments, run);
   try {
     compute(arguments, run);
-    if (!arguments.trace.empty()) compute_and_write_trace(arguments, run);
+    if (!arguments.trace.empty()) compute_and_write_trace(arguments, run, files);
     round_result(arguments, run);
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }
-  write_results(arguments, run);
+  write_results(arguments, run, files);
+  files.finish();
   if (arguments.verbose) tell_summary(arguments, run);
   return kFine;
 }

@@ -4,7 +4,6 @@
 #include <ostream>
 
 #include "minksum/io.hpp"
-#include "output_file.hpp"
 #include "sum_picture.hpp"
 #include "svg_picture.hpp"
 
@@ -69,8 +68,8 @@ class Features {
 
 class TraceWriter {
  public:
-  TraceWriter(std::string folder, const Drawing& drawing, const Trace& trace)
-      : folder_(std::move(folder)), drawing_(drawing), trace_(trace) {
+  TraceWriter(OutputFiles& files, std::string folder, const Drawing& drawing, const Trace& trace)
+      : files_(files), folder_(std::move(folder)), drawing_(drawing), trace_(trace) {
     extent_.include(drawing.sum);
     for (const Segment& s : trace.convolution) {
       extent_.include(s.from.x, s.from.y);
@@ -80,7 +79,6 @@ class TraceWriter {
   }
 
   void write_all() {
-    make_folder(folder_);
     write_operands();
     write_convolution();
     write_cover();
@@ -92,11 +90,11 @@ class TraceWriter {
 
  private:
   void save(const std::string& name, const std::string& text) const {
-    write_output(folder_ + "/" + name, [&text](std::ostream& out) { out << text; });
+    files_.write(folder_ + "/" + name, [&text](std::ostream& out) { out << text; });
   }
   template <typename Fill>
   void save_features(const std::string& name, Fill fill) const {
-    write_output(folder_ + "/" + name + ".geojson", [&fill](std::ostream& out) {
+    files_.write(folder_ + "/" + name + ".geojson", [&fill](std::ostream& out) {
       Features features(out);
       fill(features);
       features.finish();
@@ -118,7 +116,7 @@ class TraceWriter {
 
   void write_operands() const {
     save("1-operands.svg", operands_picture(drawing_));
-    write_output(folder_ + "/1-operands.geojson", [this](std::ostream& out) {
+    files_.write(folder_ + "/1-operands.geojson", [this](std::ostream& out) {
       out << "{\"type\":\"FeatureCollection\",\"features\":[";
       const char* separator = "\n";
       for (const Geometry* geometry : {&drawing_.p, &drawing_.q}) {
@@ -212,7 +210,7 @@ class TraceWriter {
                      picture.thin_parts(*drawing_.tight, placement, "tight");
                    }
                  });
-    write_output(folder_ + "/7-result.geojson", [this](std::ostream& out) {
+    files_.write(folder_ + "/7-result.geojson", [this](std::ostream& out) {
       io::write(out, drawing_.sum, io::Format::kGeoJson);
       out << '\n';
     });
@@ -228,6 +226,7 @@ class TraceWriter {
     }
   }
 
+  OutputFiles& files_;
   std::string folder_;
   const Drawing& drawing_;
   const Trace& trace_;
@@ -254,7 +253,7 @@ void TraceWriter::write_cover() const {
     picture.segments(trace_.convolution, placement, "edge-first", kept(true));
     picture.segments(trace_.convolution, placement, "edge-second", kept(false));
   });
-  write_output(folder_ + "/3-cover.json", [&grid](std::ostream& out) {
+  files_.write(folder_ + "/3-cover.json", [&grid](std::ostream& out) {
     out << "{\"min_x\":" << number(grid.min_x) << ",\"min_y\":" << number(grid.min_y)
         << ",\"cell\":" << number(grid.cell) << ",\"columns\":" << grid.columns
         << ",\"rows\":" << grid.rows << ",\"covered\":[";
@@ -272,8 +271,9 @@ void TraceWriter::write_cover() const {
 
 }  // namespace
 
-void write_trace(const std::string& folder, const Drawing& drawing, const Trace& trace) {
-  TraceWriter(folder, drawing, trace).write_all();
+void write_trace(OutputFiles& files, const std::string& folder, const Drawing& drawing,
+                 const Trace& trace) {
+  TraceWriter(files, folder, drawing, trace).write_all();
 }
 
 }  // namespace minksum::cli

@@ -298,6 +298,15 @@ class Jobs(BatchTest):
         self.fails(1, "--threads", "batch", jobs, "--threads", 0)
         self.fails(1, "--format", "batch", jobs, "--format", "svg")
         self.fails(1, "same file", "batch", jobs, "-o", jobs)
+        out = self.folder / "out"
+        for name in ("out", "out.partial", "./out"):
+            self.fails(1, "same file", "batch", jobs, "-o", out, "--stats", name, cwd=self.folder)
+        for option, path in (("-o", "./jobs.jsonl"), ("--stats", "jobs.jsonl"), ("-o", "link")):
+            (self.folder / "link").unlink(missing_ok=True)
+            (self.folder / "link").symlink_to(jobs)
+            self.fails(1, "same file", "batch", jobs, option, path, cwd=self.folder)
+        partial = self.file("more.partial", "")
+        self.fails(1, "same file", "batch", partial, "-o", self.folder / "more", "--restart")
         self.fails(2, "nowhere: cannot be read", "batch", "nowhere")
         self.fails(2, "cannot be read", "batch", self.folder)
         self.fails(2, "there is no folder", "batch", jobs, "-o", self.folder / "no" / "out")
@@ -409,6 +418,13 @@ class GoingOn(BatchTest):
             self.partial.write_bytes(content)
             self.fails(2, "--restart", "batch", self.jobs, "-o", self.out)
         self.finish("--restart")
+
+    def test_old_file_stays_if_statistics_fail(self):
+        self.out.write_text("old")
+        self.fails(2, "No space left", "batch", self.jobs, "-o", self.out, "--stats", "/dev/full")
+        self.assertEqual(self.out.read_text(), "old")
+        self.assertEqual(self.partial.read_bytes(), self.whole)
+        self.finish()
 
     def test_one_run_at_a_time(self):
         with open(self.partial, "wb") as file:

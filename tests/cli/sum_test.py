@@ -246,6 +246,87 @@ class Files(ProgramTest):
         self.assertEqual(out.read_text(), "precious")
         self.assertEqual(len(list(self.folder.iterdir())), 3)
 
+    def test_failure_keeps_all_old_files(self):
+        old = {name: self.file(name, "precious") for name in ("a.wkt", "b.wkt", "c.json", "d.svg")}
+        full = "/dev/full"
+        bracket = os.path.join(EXAMPLES, "bracket.wkt")
+        outputs = {"-o": old["a.wkt"], "--tight": old["b.wkt"], "--stats": old["c.json"],
+                   "--svg": old["d.svg"]}
+        for failing in outputs:
+            words = [word for pair in {**outputs, failing: full}.items() for word in pair]
+            trace = self.folder / "trace"
+            self.fails(2, "No space left", "sum", self.p, self.p, *words, "--trace", trace)
+            self.assertEqual({path.read_text() for path in old.values()}, {"precious"})
+            self.assertEqual(list(trace.iterdir()), [])
+        out = old["a.wkt"]
+        for command in (["dilate", self.p, self.p], ["nfp", self.p, self.p],
+                        ["ifp", bracket, self.p], ["offset", self.p, "-d1"],
+                        ["cspace", self.p, bracket, "--angles", "4"],
+                        ["reach", self.p, bracket, "--angles", "4", "--from", "20,20,0", "--to",
+                         "21,20,0"]):
+            self.fails(2, "No space left", *command, "-o", out, "--svg", full)
+            self.assertEqual(out.read_text(), "precious", command)
+        self.fails(2, "No space left", "cspace", self.p, bracket, "--angles", "4", "-o", out,
+                   "--slices", self.folder / "slices", "--stats", full)
+        self.assertEqual(list((self.folder / "slices").iterdir()), [])
+        for command in (["depth", self.p, bracket, "--svg", out],
+                        ["sum", self.p, self.p, "--svg", out],
+                        ["reach", self.p, bracket, "--angles", "4", "--from", "20,20,0", "--to",
+                         "21,20,0", "-o", out]):
+            self.fails(2, "No space left", *command, before=lambda: os.dup2(
+                os.open("/dev/full", os.O_WRONLY), 1))
+            self.assertEqual(out.read_text(), "precious", command)
+        self.assertEqual([f.name for f in self.folder.iterdir() if f.suffix == ".tmp"], [])
+
+    def test_one_file_for_two_outputs(self):
+        """Refused before anything is written, by whatever paths."""
+        bracket = os.path.join(EXAMPLES, "bracket.wkt")
+        (self.folder / "sub").mkdir()
+        (self.folder / "here").symlink_to(self.folder)
+        there = self.file("there", "precious")
+        (self.folder / "link").symlink_to(there)
+        (self.folder / "dangling").symlink_to("new")
+        os.link(there, self.folder / "hard")
+        robot = ["--angles", "4"]
+        ends = ["--from", "20,20,0", "--to", "21,20,0"]
+        commands = [(["sum", self.p, self.p], ("-o", "--svg", "--tight", "--stats")),
+                    (["dilate", self.p, self.p], ("-o", "--svg")),
+                    (["nfp", self.p, self.p], ("-o", "--svg")),
+                    (["ifp", bracket, self.p], ("-o", "--svg")),
+                    (["offset", self.p, "-d1"], ("-o", "--svg")),
+                    (["cspace", self.p, bracket, *robot], ("-o", "--svg", "--stats")),
+                    (["reach", self.p, bracket, *robot, *ends], ("-o", "--svg"))]
+        before = sorted(self.folder.iterdir())
+        for command, options in commands:
+            for first, second in zip(options, options[1:]):
+                for a, b in (("new", "new"), ("there", "there"), ("new", "./new"),
+                             ("new", "sub/../new"), ("new", "here/new"), ("new", "dangling"),
+                             ("there", "link"), ("there", "hard"), ("here/link", "there"),
+                             ("new", self.folder / "new")):
+                    self.fails(1, f"{first} and {second} are the same file", *command, first, a,
+                               second, b, cwd=self.folder)
+        for option, name in (("--trace", "7-result.svg"), ("--trace", "3-cover.json")):
+            self.fails(1, f"--svg and {option} are the same file", "sum", self.p, self.p, option,
+                       "sub", "--svg", f"here/sub/{name}", cwd=self.folder)
+        self.fails(1, "--svg and --slices are the same file", "cspace", self.p, bracket, *robot,
+                   "--slices", "sub", "--svg", "sub/slice-3.svg", cwd=self.folder)
+        self.assertEqual(sorted(self.folder.iterdir()), before)
+        self.assertEqual(list((self.folder / "sub").iterdir()), [])
+        self.assertEqual(there.read_text(), "precious")
+
+    def test_standard_output_is_a_file_too(self):
+        shown = self.file("shown", "")
+        for command in (["sum", self.p, self.p], ["depth", self.p, self.p]):
+            self.fails(1, "standard output and --svg are the same file", *command, "--svg", shown,
+                       before=lambda: os.dup2(os.open(shown, os.O_WRONLY), 1))
+        self.assertEqual(shown.read_text(), "")
+
+    def test_devices_may_be_named_twice(self):
+        self.fine("sum", self.p, self.p, "-o", "/dev/null", "--svg", "/dev/null", "--stats",
+                  "/dev/null")
+        text = self.fine("sum", self.p, self.p, "-o", "/dev/stdout", "--tight", "/dev/stdout")
+        self.assertEqual(text, SQUARES + "POLYGON EMPTY\n")
+
     def test_rights_and_links_stay(self):
         out = self.file("out.wkt", "old")
         out.chmod(0o640)
