@@ -1,15 +1,16 @@
 #include "in_order.hpp"
 
 #include <condition_variable>
-#include <csignal>
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "failure.hpp"
+#include "process.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -28,13 +29,8 @@ struct Slot {
 class Pool {
  public:
   explicit Pool(int threads) {
-    // Signals end the process by the thread that they would have ended without this pool.
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
+    threads_.reserve(static_cast<std::size_t>(threads));
     start(threads);
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
     if (threads_.empty()) throw Failure(kLimitExceeded, "the system gives no thread to work on");
   }
   ~Pool() {
@@ -80,15 +76,18 @@ class Pool {
   }
 
  private:
+  // Fewer threads do the same, if there is no memory, or the system gives no more.
   void start(int threads) {
+    // Signals end the process by the thread that they would have ended without this pool.
+    const SignalsBlocked blocked;
     try {
       for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
-      // Fewer threads do the same.
+    } catch (const std::bad_alloc&) {
     }
   }
   void work() {
-    Worker worker;
+    std::optional<Worker> worker;  // made where its failure is one of a task
     std::unique_lock lock(mutex_);
     for (;;) {
       wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
@@ -97,7 +96,8 @@ class Pool {
       waiting_.pop_front();
       lock.unlock();
       try {
-        slot.result = slot.task.run(worker);
+        if (!worker) worker.emplace();
+        slot.result = slot.task.run(*worker);
       } catch (...) {
         slot.failure = std::current_exception();
       }
