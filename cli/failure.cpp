@@ -1,9 +1,9 @@
 #include "failure.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <utility>
 
 namespace minksum::cli {
@@ -57,17 +57,35 @@ int tell_out_of_memory(std::optional<std::uint64_t> limit) noexcept {
   return kLimitExceeded;
 }
 
+// The option that sets the limit that an error of reading is about; nullptr if none does.
+const char* option_of(const io::ReadError& error) {
+  const std::string_view message = error.what();
+  if (message.starts_with("more vertices than the limit of ")) return "--max-vertices";
+  // All others are at some place in the text.
+  const bool is_of_all = error.line() == 0 && message.starts_with("the text is longer than ");
+  return is_of_all ? "--max-bytes" : nullptr;
+}
+
 // The message with the option that sets the limit, not with the member that does so in the library.
-std::string with_option(std::string message) {
-  constexpr std::pair<const char*, const char*> kOptions[] = {{"vertices", "--max-vertices"},
-                                                              {"segments", "--max-segments"},
-                                                              {"crossings", "--max-crossings"},
-                                                              {"bytes", "--max-bytes"}};
-  for (const auto& [subject, option] : kOptions) {
-    if (message.find(subject) == std::string::npos) continue;
-    message.resize(std::min(message.size(), message.find(" (Limits::")));
-    return message + " (" + option + ')';
+// Other limits are fixed, and have no option.
+std::string with_option(const Error& error) {
+  std::string message = error.what();
+  const auto with = [&message](const char* option) { return message + " (" + option + ')'; };
+  if (const auto* reading = dynamic_cast<const io::ReadError*>(&error)) {
+    const char* const option = option_of(*reading);
+    return option != nullptr ? with(option) : message;
   }
+  constexpr std::pair<std::string_view, const char*> kMembers[] = {
+      {" (Limits::max_segments)", "--max-segments"},
+      {" (Limits::max_crossings)", "--max-crossings"}};
+  for (const auto& [member, option] : kMembers) {
+    if (!message.ends_with(member)) continue;
+    message.resize(message.size() - member.size());
+    return with(option);
+  }
+  // Those of the signed method do not say which member.
+  if (message == "the convolution has more segments than allowed") return with("--max-segments");
+  if (message == "the arrangement has more crossings than allowed") return with("--max-crossings");
   return message;
 }
 
@@ -124,7 +142,7 @@ Failure failure_of(const Error& error, const std::string& file) {
     line += part;
   };
   if (const std::string place = describe(error.culprit()); !place.empty()) append(place + ":");
-  append(error.code() == ErrorCode::kLimitExceeded ? with_option(error.what()) : error.what());
+  append(error.code() == ErrorCode::kLimitExceeded ? with_option(error) : error.what());
   return Failure(exit_code_of(error.code()), line);
 }
 

@@ -182,6 +182,17 @@ class Limits(ProgramTest):
         self.assertGreater(codes.count(3), 10)
 
     @unittest.skipIf(MEMORY_MB == 0, "a sanitizer needs more addresses than any limit allows")
+    def test_any_memory_of_many_threads(self):
+        """Whichever request fails, in whichever thread: no crash."""
+        self.file("square.wkt", SQUARE)
+        jobs = self.file("jobs.jsonl", 100 * (
+            '{"operation": "sum", "a": "square.wkt", "b": "square.wkt"}\n'))
+        for kilobytes in (*range(18_500, 40_000, 1500), *range(40_000, 400_000, 20_000)):
+            with self.subTest(kilobytes):
+                result = run("batch", jobs, "--threads", 20, "--max-memory", f"{kilobytes}K")
+                self.assertIn(result.returncode, (0, 2, 3), result.stderr)
+
+    @unittest.skipIf(MEMORY_MB == 0, "a sanitizer needs more addresses than any limit allows")
     def test_memory_while_reading_and_from_outside(self):
         big = self.file("big.wkt", squares(20_000))
         for command in (["sum", big, self.square], ["info", big]):
@@ -224,11 +235,26 @@ class Limits(ProgramTest):
                 ("more than 2 segments (--max-segments)", "--max-segments", "2"),
                 ("more than 1000 segments (--max-segments)", "--max-segments", "1K"),
                 ("more than 3 crossings (--max-crossings)", "--max-crossings", "3", "--no-cover"),
-                ("limit of 1024 bytes (--max-bytes)", "--max-bytes", "1K")):
+                ("limit of 1024 bytes (--max-bytes)", "--max-bytes", "1K"),
+                ("more segments than allowed (--max-segments)", "--max-segments", "2", "--method",
+                 "signed"),
+                ("more crossings than allowed (--max-crossings)", "--max-crossings", "2",
+                 "--method", "signed")):
             self.fails(3, fragment, "sum", p, p, *limit)
+        # What the message is about is not what the limit is of.
+        many = self.file("many.wkt", "MULTIPOINT (0 0, 9 9, 20 20)")
+        self.fails(3, "vertices (--max-segments)\n", "sum", p, many, "--max-segments", "250")
         self.fine("sum", p, p, "--max-vertices", "1K", "--max-segments", "1G", "--max-crossings",
                   "2M", "--max-bytes", "1T")
         self.fails(3, "(--max-vertices)", "info", p, "--max-vertices", "99")
+
+    def test_fixed_limits_have_no_option(self):
+        for arguments in (["offset", self.square, "-d1", "--tolerance", "1e-13"],
+                          ["offset", self.square, "-d1", "--tolerance", "1e-13", "--join", "miter"],
+                          ["info", self.file("deep.wkt", "GEOMETRYCOLLECTION (" * 99)],
+                          ["info", self.file("long.wkt", f"POINT (0 {'1' * 5000})")]):
+            result = self.fails(3, "", *arguments)
+            self.assertNotIn(b"--", result.stderr)
 
     def test_what_is_no_limit(self):
         for option in ("--max-vertices", "--max-segments", "--max-crossings"):
