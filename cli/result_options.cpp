@@ -8,7 +8,7 @@
 namespace minksum::cli {
 namespace {
 
-constexpr int kMaxDecimals = 1000;
+constexpr int kMaxDecimals = 4096;  // as RoundOptions::decimals has it
 
 const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
                                                     {"geojson", io::Format::kGeoJson},

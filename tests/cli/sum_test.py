@@ -56,6 +56,26 @@ class Results(ProgramTest):
         self.assertIn("0.30 0.00, 1.30 0.00, 1.30 0.43,",
                       self.fine("sum", p, q, "--coords", "decimal:2"))
 
+    def test_most_decimals(self):
+        third = self.file("third.wkt", "MULTIPOINT (1/3 0, 2/3 1/7)")
+        origin = self.file("origin.wkt", "POINT (0 0)")
+        for form in ("wkt", "geojson"):
+            text = self.fine("sum", third, origin, "--coords", "decimal:4096", "--format", form)
+            for digits in ("0." + "3" * 4096, "0." + "6" * 4095 + "7", "0." + "142857" * 682 + "1429"):
+                self.assertIn(digits, text)
+        for side, last in (("outside", "4"), ("inside", "3")):
+            text = self.fine("sum", self.file("p.wkt", "POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))"),
+                             origin, "--coords", "decimal:4096", "--round", side)
+            self.assertIn("0." + "3" * 4095 + last, text)
+        # Of 4,096 digits in all; of one more it cannot be read.
+        out = self.folder / "out.wkt"
+        for digits, code in ((4095, 0), (4096, 3)):
+            self.fine("sum", third, origin, "--coords", f"decimal:{digits}", "-o", out)
+            self.assertEqual(run("info", out).returncode, code)
+        for digits in ("4097", "99999"):
+            self.fails(1, "decimal:N with N from 0 to 4096", "sum", third, origin, "--coords",
+                       f"decimal:{digits}")
+
     def test_formats(self):
         text = self.fine("sum", self.frame, self.square, "--format", "geojson")
         self.assertEqual(json.loads(text)["type"], "Polygon")
