@@ -1,5 +1,6 @@
 #include "cspace.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -51,10 +52,12 @@ std::string feature(const Slice& slice, const CspaceArguments& arguments) {
   return std::move(out).str();
 }
 
-/// Names sort as the slices do.
+/// slice-000.svg and so on: names sort as the slices do.
 std::string slice_file(const CspaceArguments& arguments, std::size_t index) {
   const std::string number = std::to_string(index);
-  const std::size_t digits = std::to_string(arguments.turns.size() - 1).size();
+  constexpr std::size_t kFewestDigits = 3;
+  const std::size_t digits =
+      std::max(kFewestDigits, std::to_string(arguments.turns.size() - 1).size());
   return arguments.slices + "/slice-" + std::string(digits - number.size(), '0') + number + ".svg";
 }
 

@@ -91,7 +91,7 @@ class ConfigurationSpace(Robots):
             self.assertEqual(out.read_text(), expected)
         each = sorted((self.folder / "each").iterdir())
         self.assertEqual([file.name for file in each],
-                         [f"slice-{i:02}.svg" for i in range(30)])
+                         [f"slice-{i:03}.svg" for i in range(30)])
         for file in [picture, *each[:3]]:
             xml.etree.ElementTree.parse(file)
         numbers = json.loads(stats.read_text())

@@ -329,7 +329,7 @@ class Files(ProgramTest):
             self.fails(1, f"--svg and {option} are the same file", "sum", self.p, self.p, option,
                        "sub", "--svg", f"here/sub/{name}", cwd=self.folder)
         self.fails(1, "--svg and --slices are the same file", "cspace", self.p, bracket, *robot,
-                   "--slices", "sub", "--svg", "sub/slice-3.svg", cwd=self.folder)
+                   "--slices", "sub", "--svg", "sub/slice-003.svg", cwd=self.folder)
         self.assertEqual(sorted(self.folder.iterdir()), before)
         self.assertEqual(list((self.folder / "sub").iterdir()), [])
         self.assertEqual(there.read_text(), "precious")
