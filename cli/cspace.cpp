@@ -12,6 +12,7 @@
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "result_file.hpp"
+#include "typed_numbers.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -86,7 +87,9 @@ void write_statistics(const CspaceArguments& arguments, const Totals& totals, do
 class Run {
  public:
   Run(const CspaceArguments& arguments, OutputFiles& files)
-      : arguments_(arguments), files_(files), options_(arguments.options),
+      : arguments_(arguments),
+        files_(files),
+        options_(arguments.options),
         scene_(read_scene(arguments, options_)) {}
 
   void all() {
@@ -174,7 +177,7 @@ CLI::App* add_cspace(CLI::App& app, CspaceArguments& arguments, TypedCspace& typ
   command
       ->add_option("--angle-tolerance", typed.tolerance,
                    "How many degrees an angle may be off to be a rational turn (default 0.001)")
-      ->check(CLI::Range(1e-10, 1.0))
+      ->check(between(1e-10, 1))
       ->type_name("D");
   command->add_flag("--free", arguments.free, "Free space, not the obstacles");
   command->add_flag("--tight", arguments.options.tight,

@@ -13,6 +13,7 @@
 #include "output_file.hpp"
 #include "result_options.hpp"
 #include "sum_options.hpp"
+#include "typed_numbers.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -94,7 +95,7 @@ void add_look_options(CLI::App& command, DrawArguments& arguments) {
       ->check(CLI::IsMember(names_of(kThemes)))
       ->type_name("THEME");
   command.add_option("--width", arguments.width, "Width in pixels (default 960)")
-      ->check(CLI::Range(kMinWidth, kMaxWidth))
+      ->check(between(kMinWidth, kMaxWidth))
       ->type_name("PX");
   command.add_flag("!--no-axes", arguments.axes, "Leave out axes and their numbers");
   command.add_flag("!--no-legend", arguments.legend, "Leave out the legend");

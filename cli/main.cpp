@@ -18,6 +18,7 @@
 #include "process.hpp"
 #include "reach.hpp"
 #include "sum_options.hpp"
+#include "typed_numbers.hpp"
 #include "uses_options.hpp"
 
 namespace minksum::cli {
@@ -61,17 +62,16 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& lim
   add_fill_option(*check, arguments.options.fill);
   check->add_flag("--regularize", arguments.options.regularize,
                   "Drop operands' polylines, points and spikes");
-  check->add_option_function<std::string>(
-           "--within",
-           [&arguments](const std::string& text) {
-             const auto value = Rational::parse(text);
-             if (!value || value->sign() < 0) {
-               throw CLI::ValidationError("--within", "takes a number that is not negative, not '" +
-                                                          text + "'");
-             }
-             arguments.options.within = *value;
-           },
-           "How far, in x and in y, the result may be off; 0, the default: not at all")
+  check
+      ->add_option_function<std::string>(
+          "--within",
+          [&arguments](const std::string& text) {
+            arguments.options.within = parse_number("--within", text);
+            if (arguments.options.within.sign() < 0) {
+              throw Failure(kWrongUsage, "--within takes a number that is not negative");
+            }
+          },
+          "How far, in x and in y, the result may be off; 0, the default: not at all")
       ->type_name("D");
   check->add_option("--samples", arguments.options.samples,
                     "Random points, beside those near edges; 1000 without it")

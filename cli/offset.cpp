@@ -10,6 +10,7 @@
 #include "result_file.hpp"
 #include "sum_options.hpp"
 #include "sum_picture.hpp"
+#include "typed_numbers.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -31,11 +32,6 @@ Files as for `minksum sum`; FILE may be "-" for standard input. Numbers as 1.5, 
 template <typename Value>
 void choose(const std::map<std::string, Value>& values, const std::string& typed, Value& value) {
   if (!typed.empty()) value = values.at(typed);
-}
-
-Rational parse_number(const std::string& option, const std::string& text) {
-  if (const auto value = Rational::parse(text)) return *value;
-  throw Failure(kWrongUsage, option + " takes a number as 1.5 or 2/3, not '" + text + "'");
 }
 
 void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& result,

@@ -6,6 +6,7 @@
 #include "failure.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "typed_numbers.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -101,7 +102,7 @@ CLI::App* add_reach(CLI::App& app, ReachArguments& arguments, TypedReach& typed,
   command
       ->add_option("--angle-tolerance", arguments.options.tolerance,
                    "How many degrees an angle may be off to be a rational turn (default 0.001)")
-      ->check(CLI::Range(1e-10, 1.0))
+      ->check(between(1e-10, 1))
       ->type_name("D");
   command->add_flag("--certain", arguments.options.certain,
                     "Free of collisions at all angles between as well: the robot is grown for that");

@@ -1,10 +1,10 @@
 #include "robot_options.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "failure.hpp"
 #include "sum_options.hpp"
+#include "typed_numbers.hpp"
 
 namespace minksum::cli {
 
@@ -34,26 +34,7 @@ void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
                       (arguments.workspace == "-" ? 1 : 0);
   if (inputs > 1) throw Failure(kWrongUsage, "only one file can be standard input");
   if (typed.reference.empty()) return;
-  const auto numbers = parse_numbers("--reference", typed.reference, 2, ',', "1.5,-2/3");
-  options.reference = {numbers[0], numbers[1]};
-}
-
-std::vector<Rational> parse_numbers(const std::string& option, const std::string& text,
-                                    std::size_t count, char between, const char* example) {
-  std::vector<Rational> numbers;
-  std::string_view rest = text;
-  while (numbers.size() < count) {
-    const bool last = numbers.size() + 1 == count;
-    const std::size_t end = last ? rest.size() : rest.find(between);
-    if (end == std::string_view::npos) break;
-    const auto number = Rational::parse(rest.substr(0, end));
-    if (!number) break;
-    numbers.push_back(*number);
-    rest.remove_prefix(last ? end : end + 1);
-  }
-  if (numbers.size() == count) return numbers;
-  throw Failure(kWrongUsage, option + " takes " + std::to_string(count) + " numbers as " + example +
-                                 ", not '" + text + "'");
+  options.reference = parse_point("--reference", typed.reference);
 }
 
 std::size_t parse_angles(const std::string& text) {

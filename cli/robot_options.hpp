@@ -29,11 +29,6 @@ void add_robot_options(CLI::App& command, RobotArguments& arguments, TypedRobot&
 void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
                   ConfigurationOptions& options);
 
-/// So many numbers with commas between; `example` is what the message says. Throws a Failure.
-[[nodiscard]] std::vector<Rational> parse_numbers(const std::string& option,
-                                                  const std::string& text, std::size_t count,
-                                                  char between, const char* example);
-
 /// More slices than anybody waits for.
 inline constexpr int kMostTurns = 1'000'000;
 /// A number of angles, 1 to kMostTurns. Throws a Failure.

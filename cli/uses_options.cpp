@@ -2,6 +2,7 @@
 
 #include "failure.hpp"
 #include "sum_options.hpp"
+#include "typed_numbers.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -44,16 +45,6 @@ void require_one_standard_input(const std::string (&operands)[2], const std::str
 
 void require_file(const std::string& picture) {
   if (picture == "-") throw Failure(kWrongUsage, "--svg needs a file, not standard output");
-}
-
-Point parse_point(const std::string& option, const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma != std::string::npos) {
-    const auto x = Rational::parse(std::string_view(text).substr(0, comma));
-    const auto y = Rational::parse(std::string_view(text).substr(comma + 1));
-    if (x && y) return {*x, *y};
-  }
-  throw Failure(kWrongUsage, option + " takes two numbers as 1.5,-2/3, not '" + text + "'");
 }
 
 }  // namespace

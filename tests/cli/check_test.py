@@ -44,6 +44,7 @@ class Check(ProgramTest):
         self.fine("sum", self.p, self.q, "--coords", "decimal:2", "-o", rounded)
         self.assertEqual(self.verdict(rounded)[0], 5)
         self.assertEqual(self.verdict(rounded, "--within", "0.005")[0], 0)
+        self.assertEqual(self.verdict(rounded, "--within", ".005")[0], 0)
         self.assertEqual(self.verdict(rounded, "--within", "1/1000000")[0], 5)
 
     def test_invalid_result(self):
@@ -62,6 +63,7 @@ class Check(ProgramTest):
     def test_wrong_usage_and_input(self):
         self.fails(1, "--within", "check", self.sum, self.p, self.q, "--within", "-1")
         self.fails(1, "--within", "check", self.sum, self.p, self.q, "--within", "near")
+        self.fails(1, "±4096", "check", self.sum, self.p, self.q, "--within", "1e-5000")
         self.fails(1, "Q is required", "check", self.sum, self.p)
         self.fails(2, "nothing.wkt", "check", self.folder / "nothing.wkt", self.p, self.q)
         bow_tie = self.file("bow_tie.wkt", "POLYGON ((0 0, 9 9, 9 0, 0 9, 0 0))")

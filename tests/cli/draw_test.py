@@ -84,7 +84,8 @@ class Draw(ProgramTest):
     def test_width(self):
         self.assertEqual(self.picture(self.frame, "--width", 500).get("width"), "500")
         for width in ("0", "-5", "1e9", "x"):
-            self.fails(1, "--width", "draw", self.frame, f"--width={width}")
+            self.fails(1, f"--width: takes a number from 200 to 10000, not '{width}'", "draw",
+                       self.frame, f"--width={width}")
 
     def test_thin_parts(self):
         lines = self.file("lines.wkt", "GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)), "

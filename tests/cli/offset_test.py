@@ -38,6 +38,22 @@ class Offset(ProgramTest):
         self.assertEqual(self.offset(self.line, 0), LINE + "\n")
         self.assertEqual(self.fine("offset", "-", "-d", "0", stdin=SQUARE), SQUARE + "\n")
 
+    def test_numbers_as_files_have_them(self):
+        for typed, number in ((".5", "0.5"), ("5.", "5"), ("-.5", "-1/2"), ("+.5", "1/2"),
+                              ("5.e-1", "0.5"), (".05E1", "0.5"), ("1e4096", None)):
+            given = self.offset(self.square, typed, "--join", "miter", "--coords", "exact")
+            if number:
+                self.assertEqual(given, self.offset(self.square, number, "--join", "miter",
+                                                    "--coords", "exact"))
+        for typed in (".", "-.", ".e1", "1./2", "1/.5", "1.5.5", "1e", "e5", "1e.5", "1e5000.5"):
+            self.fails(1, "takes a number", "offset", self.square, f"--distance={typed}")
+        for option in ("--distance", "--tolerance", "--miter-limit"):
+            for typed in ("1e5000", "-.5e-4097", "1e99999999999999999999"):
+                self.fails(1, f"{option} takes exponents up to ±4096, not '{typed}'", "offset",
+                           self.square, *(() if option == "--distance" else ("-d1",)),
+                           f"{option}={typed}")
+        self.fails(1, "1111...", "offset", self.square, "-d", "1" * 10_000)
+
     def test_round_joins_keep_their_side(self):
         # The farthest point of a disc from the origin, and the nearest edge's middle, squared.
         point = self.file("point.wkt", "POINT (0 0)")

@@ -111,6 +111,9 @@ class ConfigurationSpace(Robots):
         piped = self.fine("cspace", "-", self.walls, "--angles", 2, stdin=SQUARE)
         self.assertEqual(piped, self.fine("cspace", self.square, self.walls, "--angles", 2))
 
+    def pair_of_places(self):
+        return "reach", self.square, self.walls, "--from", "0,0,0", "--to", "0,0,90"
+
     def test_wrong_usage(self):
         both = ("cspace", self.square, self.walls)
         self.fails(1, "needs --angles or --theta", *both)
@@ -125,14 +128,18 @@ class ConfigurationSpace(Robots):
         self.fails(2, "million degrees", *both, "--theta", "1e9:1e9:1")
         self.fails(1, "--format", *both, "--angles", 1, "--format", "wkt")
         self.fails(1, "--threads", *both, "--angles", 1, "--threads", 0)
-        self.fails(1, "--angle-tolerance", *both, "--angles", 1, "--angle-tolerance", 0)
+        for tolerance in ("0", "1e-11", "1.5", "x"):
+            for command in (both, self.pair_of_places()):
+                self.fails(1, "--angle-tolerance: takes a number from 1e-10 to 1, not "
+                           f"'{tolerance}'", *command, "--angles", 1, "--angle-tolerance",
+                           tolerance)
         self.fails(1, "needs --free", *both, "--angles", 1, "--tight")
         self.fails(1, "--svg", *both, "--angles", 1, "--svg", "-")
         self.fails(1, "both go to standard output", *both, "--angles", 1, "--stats", "-")
         self.fails(1, "only one file", "cspace", "-", "-", "--angles", 1)
         self.fails(1, "only one file", "cspace", "-", self.walls, "--workspace", "-", "--angles",
                    1)
-        self.fails(1, "--reference takes 2 numbers", *both, "--angles", 1, "--reference", "1")
+        self.fails(1, "--reference takes two numbers", *both, "--angles", 1, "--reference", "1")
 
     def test_bad_input(self):
         line = self.file("line.wkt", "LINESTRING (0 0, 10 0)")

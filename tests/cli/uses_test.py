@@ -117,6 +117,9 @@ class Nesting(ProgramTest):
         self.assertEqual(self.fine("nfp", "--at", "2,5/2", "--at", "-3,0", "--at", "-2,-2", "--at",
                                    "1.5,2", self.slit, self.square),
                          "touching\nfree\ntouching\noverlapping\n")
+        self.assertEqual(self.fine("nfp", "--at", ".5,2.", self.slit, self.square), "overlapping\n")
+        self.fails(1, "--at takes exponents up to ±4096, not '1e-5000'", "nfp", "--at", "0,1e-5000",
+                   self.slit, self.square)
         for option in (["-o", "x"], ["--format", "svg"], ["--svg", "x"], ["--coords", "exact"],
                        ["--round", "inside"]):
             self.fails(1, "excludes", "nfp", self.slit, self.square, "--at", "0,0", *option)
