@@ -104,8 +104,9 @@ std::vector<TypedOption> parse_options(std::string_view text) {
   if (!members) throw usage("'options' is an object");
   for (const auto& [name, value] : *members) {
     TypedOption option{name, {}};
-    if (value == "false") continue;
-    if (value == "true") {
+    if (value == "false") {
+      option.is_off = true;
+    } else if (value == "true") {
       option.words.push_back("--" + name);
     } else if (is_list(value)) {
       const auto elements = json_elements(value);

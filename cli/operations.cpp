@@ -183,6 +183,9 @@ const std::vector<Entry>& operations() {
   return kOperations;
 }
 
+// Those that are there or not; all others have a value.
+constexpr const char* kFlags[] = {"regularize", "tight"};
+
 constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
                                          "max-crossings", "timeout"};
 
@@ -202,10 +205,17 @@ bool has_own_option(const Entry& entry, const std::string& name) {
 // Options of a job are checked against the list: the subcommand would take names of files, too.
 void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
   for (const TypedOption& option : typed) {
-    if (has_own_option(entry, option.name)) continue;
-    if (std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions)) continue;
-    throw Failure(kWrongUsage,
-                  std::string(entry.name) + " has no option '" + option.name + "' in a job");
+    const bool is_limit =
+        std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions);
+    if (!is_limit && !has_own_option(entry, option.name)) {
+      throw Failure(kWrongUsage,
+                    std::string(entry.name) + " has no option '" + option.name + "' in a job");
+    }
+    const std::string name = "--" + option.name;
+    const bool is_boolean = option.is_off || option.words.front() == name;
+    const bool is_flag = std::ranges::find(kFlags, option.name) != std::end(kFlags);
+    if (is_flag && !is_boolean) throw Failure(kWrongUsage, name + " takes true or false");
+    if (!is_flag && is_boolean) throw Failure(kWrongUsage, name + " takes no such value");
   }
 }
 

@@ -15,10 +15,11 @@
 
 namespace minksum::cli {
 
-/// An option and how it is typed: "coords", {"--coords=exact"}.
+/// An option and how it is typed: "coords", {"--coords=exact"}; "tight", {"--tight"}.
 struct TypedOption {
   std::string name;
   std::vector<std::string> words;
+  bool is_off = false;  ///< "tight": false; there are no words
 };
 
 /// An operation with its options, for any operands and any thread.
