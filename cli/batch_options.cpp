@@ -1,4 +1,3 @@
-#include <map>
 #include <thread>
 
 #include "batch.hpp"
@@ -10,7 +9,7 @@ namespace {
 
 constexpr const char* kFooter = R"(
 JOBS has a JSON object a line: "operation" (sum, dilate, erode, open, close, nfp,
-ifp, depth), "a" and "b" (the path of a file, {"wkt": "..."}, or GeoJSON),
+ifp, depth, offset), "a" and "b" (the path of a file, {"wkt": "..."}, or GeoJSON),
 "options" (named as on the command line), "id". Results are lines in the same
 order. A job that fails is a line with "error"; the exit code is 2 then.
 )";

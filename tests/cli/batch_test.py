@@ -296,6 +296,14 @@ class Jobs(BatchTest):
         self.assertEqual((found["jobs"], found["threads"], found["earlier"]), (60, 2, 0))
         self.assertGreater(found["failed"], 0)
 
+    def test_help_names_all_operations(self):
+        text = self.fine("batch", "--help")
+        error = self.one(2, operation="none", a="-", b="-")["error"]["message"]
+        names = error.split("there are ")[1].split(", ")
+        self.assertEqual(len(names), 9)
+        listed = text.split('"operation" (')[1].split(")")[0]
+        self.assertEqual(listed.replace("\n", " ").split(", "), names)
+
     def test_wrong_usage(self):
         jobs = self.file("jobs.jsonl", "")
         self.fails(1, "either JOBS or --pairs", "batch")
