@@ -7,6 +7,8 @@
 namespace minksum::cli {
 namespace {
 
+constexpr int kMostCells = 2048;  // along a side: the cover takes no more
+
 constexpr const char* kSumFooter = R"(
 P and Q are files, or one of them "-" for standard input: WKT, GeoJSON, .poly
 or .dat, told by content: areas, polylines, points, alone or together. Numbers are
@@ -53,7 +55,7 @@ void add_test_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
   sum.add_flag("--no-cover", typed.no_cover, "No cover: build the whole arrangement")->group(group);
   sum.add_option("--grid", arguments.options.grid,
                  "Cells along the longer side of the cover's grid")
-      ->check(CLI::Range(0, 1 << 14))
+      ->check(CLI::Range(0, kMostCells))
       ->group(group);
   sum.add_option_function<std::string>(
          "--arithmetic",

@@ -309,7 +309,7 @@ class Files(ProgramTest):
         os.link(there, self.folder / "hard")
         robot = ["--angles", "4"]
         ends = ["--from", "20,20,0", "--to", "21,20,0"]
-        commands = [(["sum", self.p, self.p], ("-o", "--svg", "--tight", "--stats")),
+        commands = [(["sum", self.p, self.p], ("-o", "--tight", "--stats", "--svg")),
                     (["dilate", self.p, self.p], ("-o", "--svg")),
                     (["nfp", self.p, self.p], ("-o", "--svg")),
                     (["ifp", bracket, self.p], ("-o", "--svg")),
@@ -392,7 +392,7 @@ class Usage(ProgramTest):
                           ["sum", p, p, "--repeat", "0"], ["sum", p, p, "--repeat", "x"],
                           ["sum", p, p, "--stats", "-"], ["sum", p, p, "--svg", "-"],
                           ["sum", p, p, "--arithmetic", "float"], ["info"], ["info", p, p],
-                          ["sum", p, p, "--grid", "-1"], ["sum", p, p, "--fill", "odd"],
+                          ["sum", p, p, "--grid", "-1"], ["sum", p, p, "--grid", "2049"], ["sum", p, p, "--fill", "odd"],
                           ["sum", p, p, "--round", "up"], ["info", p, "--fill", "odd"],
                           ["sum", p, p, "--coords", "exact", "--round", "outside"],
                           ["sum", p, p, "--keep-properties"],
