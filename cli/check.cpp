@@ -1,12 +1,13 @@
 // minksum check: is a file the sum of two others?
-#include <ostream>
+#include "minksum/check.hpp"
+
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <ostream>
 
 #include "commands.hpp"
 #include "failure.hpp"
 #include "faults.hpp"
-#include "minksum/check.hpp"
+#include "numbers.hpp"
 #include "output_file.hpp"
 
 namespace minksum::cli {
@@ -14,15 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(17);
-  text << value;
-  return text.str();
-}
-
 std::string shown(const Point& point) {
-  return number(point.x.to_double()) + " " + number(point.y.to_double());
+  return shortest(point.x.to_double()) + " " + shortest(point.y.to_double());
 }
 
 const char* to_string(Proof proof) {
@@ -36,7 +30,7 @@ const char* to_string(Proof proof) {
 
 void write_difference(std::ostream& out, const char* name, const std::optional<Difference>& part) {
   if (!part || !part->at) return;
-  out << name << number(part->area);
+  out << name << shortest(part->area);
   out << " (near " << shown(*part->at) << ")\n";
 }
 
@@ -49,8 +43,8 @@ void write_text(std::ostream& out, const SumCheck& check) {
         << (wrong.in_result ? " is in the result, not in the sum\n"
                             : " is in the sum, not in the result\n");
   }
-  out << "area      " << number(check.result_area);
-  if (check.sum_area) out << ", of the sum " << number(*check.sum_area);
+  out << "area      " << shortest(check.result_area);
+  if (check.sum_area) out << ", of the sum " << shortest(*check.sum_area);
   out << "\nproof     " << to_string(check.proof) << '\n';
   write_difference(out, "missing   ", check.missing);
   write_difference(out, "surplus   ", check.surplus);
@@ -100,9 +94,8 @@ int run_check(const CheckArguments& arguments) {
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }
-  write_standard_output([&](std::ostream& out) {
-    arguments.json ? write_json(out, check) : write_text(out, check);
-  });
+  write_standard_output(
+      [&](std::ostream& out) { arguments.json ? write_json(out, check) : write_text(out, check); });
   return check.ok() ? kFine : kWrongResult;
 }
 

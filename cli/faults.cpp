@@ -1,18 +1,14 @@
 #include "faults.hpp"
 
-#include <sstream>
-
 #include "failure.hpp"
+#include "numbers.hpp"
 
 namespace minksum::cli {
 
 std::string described(const Fault& fault) {
-  std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
-  text.precision(17);
-  if (const std::string place = describe(fault.place); !place.empty()) text << place << ": ";
-  text << fault.message << " (near " << fault.x << " " << fault.y << ")";
-  return text.str();
+  std::string text = describe(fault.place);
+  if (!text.empty()) text += ": ";
+  return text + fault.message + " (near " + shortest(fault.x) + ' ' + shortest(fault.y) + ')';
 }
 
 nlohmann::ordered_json fault_json(const Fault& fault) {

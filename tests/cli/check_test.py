@@ -47,6 +47,15 @@ class Check(ProgramTest):
         self.assertEqual(self.verdict(rounded, "--within", ".005")[0], 0)
         self.assertEqual(self.verdict(rounded, "--within", "1/1000000")[0], 5)
 
+    def test_numbers_are_short(self):
+        tenth = self.file("tenth.wkt", "POLYGON ((0 0, 0.1 0, 0.1 0.7, 0 0.7, 0 0))")
+        origin = self.file("origin.wkt", "POINT (0 0)")
+        wrong = self.file("wrong.wkt", "POLYGON ((0.1 0, 0.2 0, 0.2 0.7, 0.1 0.7, 0.1 0))")
+        text = run("check", wrong, tenth, origin).stdout.decode()
+        self.assertIn(" (near 0.05 0.35)\n", text)
+        self.assertIn(" (near 0.15 0.35)\n", text)
+        self.assertIn("wrong     0.2 0.7 is in the result", text)
+
     def test_invalid_result(self):
         bow_tie = self.file("bow_tie.wkt", "POLYGON ((0 0, 9 9, 9 0, 0 9, 0 0))")
         code, report = self.verdict(bow_tie)

@@ -50,6 +50,11 @@ class Info(ProgramTest):
         self.assertIn("valid     no\n", text)
         self.assertIn("fault     polygon 2, ring 1", text)
 
+    def test_places_of_faults_are_short(self):
+        text = run("info", self.file("bow.wkt", "POLYGON ((0.1 0.7, 0.3 0.9, 0.3 0.7, 0.1 0.9, 0.1 0.7))"))
+        self.assertIn(b"(near 0.1 0.7)", text.stdout)
+        self.assertIn(b"(near 0.1 0.7)", text.stderr)
+
     def test_what_it_means(self):
         self.assertEqual(self.meaning(FRAME),
                          "8 vertices, 1 hole; area 72 (fill rule automatic)")
