@@ -27,7 +27,6 @@ class BatchRun {
   [[nodiscard]] int finish(nlohmann::ordered_json more, OutputFiles& files);
 
   [[nodiscard]] std::uint64_t jobs() const { return jobs_; }
-  [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
   const BatchArguments& arguments_;

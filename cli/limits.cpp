@@ -1,7 +1,6 @@
 #include "limits.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <string_view>
 

@@ -1,5 +1,4 @@
 // minksum nfp, ifp: where a part can be placed.
-#include <cstdio>
 #include <ostream>
 
 #include "commands.hpp"
@@ -55,8 +54,8 @@ void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
   });
 }
 
-void write_polygon(const NestingArguments& arguments, const Geometry& fixed,
-                   const Geometry& moving, OutputFiles& files) {
+void write_polygon(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
+                   OutputFiles& files) {
   const Geometry polygon = fit_polygon(arguments, fixed, moving);
   write_geometry(files, arguments, rounded_fit_polygon(arguments, polygon));
   if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);

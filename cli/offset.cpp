@@ -21,9 +21,6 @@ const std::map<std::string, Join> kJoins = {{"round", Join::kRound},
                                             {"bevel", Join::kBevel}};
 const std::map<std::string, Cap> kCaps = {
     {"round", Cap::kRound}, {"butt", Cap::kButt}, {"square", Cap::kSquare}};
-const std::map<std::string, RoundingSide> kSides = {{"nearest", RoundingSide::kNearest},
-                                                    {"outside", RoundingSide::kOutside},
-                                                    {"inside", RoundingSide::kInside}};
 
 constexpr const char* kFooter = R"(
 Files as for `minksum sum`; FILE may be "-" for standard input. Numbers as 1.5, 1e-3 or 2/3.
@@ -73,7 +70,7 @@ CLI::App* add_offset(CLI::App& app, OffsetArguments& arguments, TypedOffset& typ
           "--side", typed.side,
           "nearest (the default), outside (contains the true offset), inside (within it); "
           "these two for round joins and caps only, and followed by --round if that is not given")
-      ->check(CLI::IsMember(names_of(kSides)))
+      ->check(CLI::IsMember(names_of(rounding_sides())))
       ->type_name("SIDE");
   add_result_options(*command, arguments, typed, "result");
   add_fill_option(*command, arguments.options.fill);
@@ -91,7 +88,7 @@ void settle(OffsetArguments& arguments, const TypedOffset& typed) {
   arguments.distance = parse_number("--distance", typed.distance);
   choose(kJoins, typed.join, options.join);
   choose(kCaps, typed.cap, options.cap);
-  choose(kSides, typed.side, options.side);
+  choose(rounding_sides(), typed.side, options.side);
   if (!typed.miter_limit.empty()) {
     options.miter_limit = parse_number("--miter-limit", typed.miter_limit);
     if (options.miter_limit < Rational(1)) {

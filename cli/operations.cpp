@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <span>
 #include <sstream>
 
 #include "failure.hpp"
@@ -205,8 +204,7 @@ bool has_own_option(const Entry& entry, const std::string& name) {
 // Options of a job are checked against the list: the subcommand would take names of files, too.
 void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
   for (const TypedOption& option : typed) {
-    const bool is_limit =
-        std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions);
+    const bool is_limit = std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions);
     if (!is_limit && !has_own_option(entry, option.name)) {
       throw Failure(kWrongUsage,
                     std::string(entry.name) + " has no option '" + option.name + "' in a job");

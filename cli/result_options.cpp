@@ -1,7 +1,6 @@
 #include "result_options.hpp"
 
 #include <filesystem>
-#include <map>
 
 #include "failure.hpp"
 
@@ -14,9 +13,6 @@ const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
                                                     {"geojson", io::Format::kGeoJson},
                                                     {"svg", io::Format::kSvg},
                                                     {"poly", io::Format::kPoly}};
-const std::map<std::string, RoundingSide> kSides = {{"nearest", RoundingSide::kNearest},
-                                                    {"outside", RoundingSide::kOutside},
-                                                    {"inside", RoundingSide::kInside}};
 
 io::Coordinates parse_coordinates(const std::string& text) {
   using Style = io::Coordinates::Style;
@@ -34,6 +30,13 @@ io::Coordinates parse_coordinates(const std::string& text) {
 }
 
 }  // namespace
+
+const std::map<std::string, RoundingSide>& rounding_sides() {
+  static const std::map<std::string, RoundingSide> kSides = {{"nearest", RoundingSide::kNearest},
+                                                             {"outside", RoundingSide::kOutside},
+                                                             {"inside", RoundingSide::kInside}};
+  return kSides;
+}
 
 io::Format choose_format(const std::string& typed, const std::string& output) {
   if (!typed.empty()) return kFormats.at(typed);
@@ -67,7 +70,7 @@ std::vector<CLI::Option*> add_result_options(CLI::App& command, ResultArguments&
                                 .add_option("--round", typed.round,
                                             "nearest (the default), outside (contains the exact " +
                                                 result + "), inside (within it)")
-                                ->check(CLI::IsMember(names_of(kSides)))
+                                ->check(CLI::IsMember(names_of(rounding_sides())))
                                 ->type_name("SIDE");
   return {output, format, coordinates, side};
 }
@@ -80,7 +83,7 @@ void settle_result(ResultArguments& arguments, const TypedResult& typed) {
       throw Failure(kWrongUsage,
                     "--round has nothing to do with --coords exact, which never rounds");
     }
-    arguments.rounding = kSides.at(typed.round);
+    arguments.rounding = rounding_sides().at(typed.round);
   }
   arguments.format = choose_format(typed.format, arguments.output);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ std::vector<CLI::Option*> add_result_options(CLI::App& command, ResultArguments&
 
 /// Fills `arguments`. Throws a Failure for wrong usage.
 void settle_result(ResultArguments& arguments, const TypedResult& typed);
+
+/// What --round and --side take.
+[[nodiscard]] const std::map<std::string, RoundingSide>& rounding_sides();
 
 /// The format that was asked for, or the one that the output's name ends in, or WKT.
 [[nodiscard]] io::Format choose_format(const std::string& typed, const std::string& output);

@@ -96,12 +96,6 @@ void Extent::include(double x, double y) {
   empty = false;
 }
 
-void Extent::include(const Extent& other) {
-  if (other.empty) return;
-  include(other.min_x, other.min_y);
-  include(other.max_x, other.max_y);
-}
-
 void Extent::include(const Geometry& geometry) {
   const Region& region = geometry.region;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) include(region.x(v), region.y(v));

@@ -19,7 +19,6 @@ struct Extent {
   bool empty = true;
 
   void include(double x, double y);
-  void include(const Extent& other);
   void include(const Geometry& geometry);
   [[nodiscard]] double width() const { return max_x - min_x; }
   [[nodiscard]] double height() const { return max_y - min_y; }
@@ -46,7 +45,6 @@ class Placement {
   Placement(const Extent& extent, double left, double top, double scale);
   [[nodiscard]] double x(double world) const { return left_ + (world - min_x_) * scale_; }
   [[nodiscard]] double y(double world) const { return top_ + (max_y_ - world) * scale_; }
-  [[nodiscard]] double length(double world) const { return world * scale_; }
 
  private:
   double min_x_;

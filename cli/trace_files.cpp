@@ -1,9 +1,9 @@
 #include "trace_files.hpp"
 
-#include <charconv>
 #include <ostream>
 
 #include "minksum/io.hpp"
+#include "numbers.hpp"
 #include "sum_picture.hpp"
 #include "svg_picture.hpp"
 
@@ -20,15 +20,10 @@ constexpr std::size_t kMaxTicked = 30'000;
 using Segment = Trace::Segment;
 using Vertex = Trace::Vertex;
 
-std::string number(double value) {
-  char buffer[32];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
 // Appended piece by piece: for `"[" + text`, g++ 12 warns of a copy that cannot happen.
 std::string position(const Vertex& v) {
   std::string text = "[";
-  text.append(number(v.x)).append(",").append(number(v.y)).append("]");
+  text.append(shortest(v.x)).append(",").append(shortest(v.y)).append("]");
   return text;
 }
 
@@ -254,8 +249,8 @@ void TraceWriter::write_cover() const {
     picture.segments(trace_.convolution, placement, "edge-second", kept(false));
   });
   files_.write(folder_ + "/3-cover.json", [&grid](std::ostream& out) {
-    out << "{\"min_x\":" << number(grid.min_x) << ",\"min_y\":" << number(grid.min_y)
-        << ",\"cell\":" << number(grid.cell) << ",\"columns\":" << grid.columns
+    out << "{\"min_x\":" << shortest(grid.min_x) << ",\"min_y\":" << shortest(grid.min_y)
+        << ",\"cell\":" << shortest(grid.cell) << ",\"columns\":" << grid.columns
         << ",\"rows\":" << grid.rows << ",\"covered\":[";
     // A string a row, the lowest row first: "1" is covered.
     for (std::uint32_t row = 0; row < grid.rows; ++row) {
