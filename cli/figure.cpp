@@ -2,35 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 #include "axes.hpp"
 #include "faults.hpp"
+#include "text_layout.hpp"
 
 namespace minksum::cli {
 namespace {
 
 constexpr double kMargin = 20;
 constexpr double kPadding = 16;  // between the frame and what is in it
-constexpr double kTitleHeight = 28;
+constexpr double kTitleHeight = 28;  // of one line
+constexpr double kTitleRow = 20;     // each further line
 constexpr double kLegendRow = 22;
+constexpr double kLegendLine = 17;  // between the lines of one caption
 constexpr double kSwatch = 18;
 constexpr double kTickLength = 5;
 constexpr double kTickLabels = 24;  // below the frame
 constexpr double kFaultRow = 18;
+constexpr double kFaultIndent = 26;  // of what follows a fault's number
 constexpr double kMinHeight = 120;  // of the frame, so that a mere point has some room
 constexpr double kPointScale = 48;  // for what has no extent: some numbers beside it
 constexpr std::size_t kMaxFaultsListed = 20;
 
 // Fonts are not known here: about as wide as the widest of the usual ones.
-double text_width(std::string_view words, double character = 7.4) {
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
-  const auto characters = std::count_if(words.begin(), words.end(), std::not_fn(continues));
-  return character * static_cast<double>(characters);
+constexpr double kCharacter = 7.4;
+constexpr double kTitleCharacter = 9.4;
+constexpr double kLabelCharacter = 6.6;
+
+double text_width(std::string_view words, double character = kCharacter) {
+  return character * static_cast<double>(character_count(words));
+}
+std::vector<std::string> lines_of(std::string_view words, double width,
+                                  double character = kCharacter) {
+  return wrapped(words, static_cast<std::size_t>(std::max(1.0, width / character)));
 }
 double label_width(const std::vector<Tick>& ticks) {
   double width = 0;
-  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.label, 6.6));
+  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.label, kLabelCharacter));
   return width;
 }
 
@@ -106,7 +116,7 @@ std::string legend_text(const Layer& layer) {
 
 struct LegendEntry {
   const Layer* layer;
-  std::string text;
+  std::vector<std::string> lines;
   double left;
   double top;
 };
@@ -114,18 +124,23 @@ struct LegendEntry {
 // Entries flow like words; `top` becomes where they end.
 std::vector<LegendEntry> lay_out_legend(const Figure& figure, double& top) {
   std::vector<LegendEntry> entries;
+  constexpr double kWordsFrom = kSwatch + 8;
   double left = kMargin;
+  double height = 0;  // of the row
   for (const Layer& layer : figure.layers) {
-    std::string text = legend_text(layer);
-    const double width = kSwatch + 8 + text_width(text) + 20;
+    const std::string text = legend_text(layer);
+    const double width = kWordsFrom + text_width(text) + 20;
     if (left > kMargin && left + width > figure.width - kMargin) {
       left = kMargin;
-      top += kLegendRow;
+      top += height;
+      height = 0;
     }
-    entries.push_back({&layer, std::move(text), left, top});
+    auto lines = lines_of(text, figure.width - 2 * kMargin - kWordsFrom);
+    height = std::max(height, kLegendRow + kLegendLine * static_cast<double>(lines.size() - 1));
+    entries.push_back({&layer, std::move(lines), left, top});
     left += width;
   }
-  top += kLegendRow + 6;
+  top += height + 6;
   return entries;
 }
 
@@ -142,7 +157,11 @@ void draw_entry(SvgPicture& picture, const LegendEntry& entry) {
     const Trace::Vertex dot{entry.left + kSwatch / 2, -middle};
     picture.dots({&dot, 1}, Placement({}, 0, 0, 1), 3, "dot " + style);
   }
-  picture.text(entry.left + kSwatch + 8, entry.top + 13, "caption", entry.text);
+  double baseline = entry.top + 13;
+  for (const std::string& line : entry.lines) {
+    picture.text(entry.left + kSwatch + 8, baseline, "caption", line);
+    baseline += kLegendLine;
+  }
 }
 
 void draw_axes(SvgPicture& picture, const Layout& layout) {
@@ -240,34 +259,86 @@ void draw_layers(SvgPicture& picture, const Figure& figure, const Placement& pla
   }
 }
 
+// Numbers of faults that share a mark, or nearly so.
+struct FaultLabel {
+  double x;  // of the mark
+  double y;
+  std::string numbers;
+  std::size_t last;
+  bool is_run;  // the last numbers follow each other, and are not written out
+};
+
+void add_number(std::vector<FaultLabel>& labels, double x, double y, std::size_t number) {
+  constexpr double kNear = 13;
+  const auto found = std::ranges::find_if(labels, [x, y](const FaultLabel& label) {
+    return std::fabs(label.x - x) < kNear && std::fabs(label.y - y) < kNear;
+  });
+  if (found == labels.end()) {
+    labels.push_back({x, y, std::to_string(number), number, false});
+    return;
+  }
+  const auto end_run = [&found] {
+    if (found->is_run) found->numbers += "–" + std::to_string(found->last);
+    found->is_run = false;
+  };
+  if (number == found->last + 1) {
+    found->is_run = true;
+  } else {
+    end_run();
+    found->numbers += ", " + std::to_string(number);
+  }
+  found->last = number;
+}
+
 // Marks with numbers, which the list below the frame explains.
 void mark_faults(SvgPicture& picture, const Figure& figure, const Placement& placement) {
   constexpr double kRadius = 7;
   std::size_t number = 0;
+  std::vector<FaultLabel> labels;
+  for (const Layer& layer : figure.layers) {
+    for (const Fault& fault : layer.faults) {
+      add_number(labels, placement.x(fault.x), placement.y(fault.y), ++number);
+    }
+  }
+  for (const FaultLabel& label : labels) {
+    std::string text = label.numbers;
+    if (label.is_run) text += "–" + std::to_string(label.last);
+    const double beside = kRadius + 2;
+    const bool fits = label.x + beside + text_width(text) <= figure.width;
+    picture.text(fits ? label.x + beside : label.x - beside, label.y - kRadius + 2,
+                 fits ? "number" : "number end", text);
+  }
   for (const Layer& layer : figure.layers) {
     std::vector<Trace::Vertex> places;
-    for (const Fault& fault : layer.faults) {
-      places.push_back({fault.x, fault.y});
-      picture.text(placement.x(fault.x) + kRadius + 2, placement.y(fault.y) - kRadius + 2, "number",
-                   std::to_string(++number));
-    }
+    for (const Fault& fault : layer.faults) places.push_back({fault.x, fault.y});
     if (!places.empty()) picture.dots(places, placement, kRadius, "fault");
   }
 }
 
-// Returns its lines.
-std::vector<std::string> list_faults(const Figure& figure) {
-  std::vector<std::string> lines;
+// A line below the frame.
+struct ListedLine {
+  double indent;
+  std::string text;
+};
+
+std::vector<ListedLine> list_faults(const Figure& figure) {
+  std::vector<ListedLine> lines;
   std::size_t number = 0;
+  const double width = figure.width - 2 * kMargin - kFaultIndent;
   for (const Layer& layer : figure.layers) {
     const std::string name = figure.layers.size() > 1 ? layer.caption + ": " : "";
     for (const Fault& fault : layer.faults) {
       if (++number > kMaxFaultsListed) continue;
-      lines.push_back(std::to_string(number) + "  " + name + described(fault));
+      double indent = 0;
+      std::string prefix = std::to_string(number) + "  ";
+      for (const std::string& line : lines_of(name + described(fault), width)) {
+        lines.push_back({indent, std::exchange(prefix, "") + line});
+        indent = kFaultIndent;
+      }
     }
   }
   if (number > kMaxFaultsListed) {
-    lines.push_back("and " + std::to_string(number - kMaxFaultsListed) + " more");
+    lines.push_back({0, "and " + std::to_string(number - kMaxFaultsListed) + " more"});
   }
   return lines;
 }
@@ -276,15 +347,24 @@ std::vector<std::string> list_faults(const Figure& figure) {
 
 std::string figure_picture(const Figure& figure) {
   double top = kMargin;
-  if (!figure.title.empty()) top += kTitleHeight;
+  std::vector<std::string> title;
+  if (!figure.title.empty()) {
+    title = lines_of(figure.title, figure.width - 2 * kMargin, kTitleCharacter);
+    top += kTitleHeight + kTitleRow * static_cast<double>(title.size() - 1);
+  }
   std::vector<LegendEntry> entries;
   if (figure.legend) entries = lay_out_legend(figure, top);
   const Layout layout = lay_out(figure, top);
-  const std::vector<std::string> faults = list_faults(figure);
-  const double faults_height = faults.empty() ? 0 : kFaultRow * static_cast<double>(faults.size());
-  const std::string title = figure.title.empty() ? figure.layers.front().caption : figure.title;
-  SvgPicture picture(figure.width, layout.bottom + faults_height + kMargin, title, figure.theme);
-  if (!figure.title.empty()) picture.text(kMargin, kMargin + 12, "title", figure.title);
+  const std::vector<ListedLine> faults = list_faults(figure);
+  const double faults_height = kFaultRow * static_cast<double>(faults.size());
+  SvgPicture picture(figure.width, layout.bottom + faults_height + kMargin,
+                     figure.title.empty() ? figure.layers.front().caption : figure.title,
+                     figure.theme);
+  double baseline = kMargin + 12;
+  for (const std::string& line : title) {
+    picture.text(kMargin, baseline, "title", line);
+    baseline += kTitleRow;
+  }
   for (const LegendEntry& entry : entries) draw_entry(picture, entry);
   if (figure.axes) draw_axes(picture, layout);
   if (!layout.extent.empty) {
@@ -292,10 +372,9 @@ std::string figure_picture(const Figure& figure) {
     draw_layers(picture, figure, placement);
     mark_faults(picture, figure, placement);
   }
-  double baseline = layout.bottom + kFaultRow;
-  for (const std::string& line : faults) {
-    picture.text(kMargin, baseline, "caption", line);
-    baseline += kFaultRow;
+  baseline = layout.bottom;
+  for (const ListedLine& line : faults) {
+    picture.text(kMargin + line.indent, baseline += kFaultRow, "caption", line.text);
   }
   return std::move(picture).finish();
 }

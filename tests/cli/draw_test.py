@@ -146,6 +146,48 @@ class Draw(ProgramTest):
             for i in range(30)) + ")")
         self.assertIn("and 10 more", self.texts(self.picture(many, "--faults")))
 
+    def test_words_stay_in_the_picture(self):
+        """By the width of characters in the widest of the usual fonts."""
+        words = "a title of many words " * 12
+        bowtie = self.file("bowtie.wkt", BOWTIE)
+        for width in (200, 400, 960):
+            for text in (words.strip(), "oneverylongword" * 20, "ü" * 300):
+                picture = self.picture(bowtie, self.frame, "--faults", "--title", text, "--caption",
+                                       text, "--caption", "short", "--width", width)
+                found = [(e.get("class"), float(e.get("x")), e.text)
+                         for e in picture.iter(SVG + "text")]
+                for style, x, line in found:
+                    size = {"title": 9.4, "caption": 7.4}.get(style, 0)
+                    self.assertLessEqual(x + size * len(line or ""), width + 8)
+                for wanted in ("title", "caption"):
+                    said = "".join(line for style, _, line in found if style == wanted)
+                    self.assertIn(text.replace(" ", ""), said.replace(" ", ""))
+                # One below the other.
+                places = [float(e.get("y")) for e in picture.iter(SVG + "text")
+                          if e.get("class") in ("title", "caption") and e.text != "short"]
+                self.assertEqual(len(set(places)), len(places))
+                self.assertLess(max(places), float(picture.get("height")))
+
+    def test_numbers_of_faults_at_one_place(self):
+        """They are side by side, not on top of each other."""
+        hub = self.file("hub.wkt", "MULTIPOLYGON (" + ", ".join(
+            f"(({x} 0, {x + 4} 4, {x + 4} 0, {x} 4, {x} 0))" for x in (0, 0, 0, 50)) + ")")
+        picture = self.picture(hub, "--faults")
+        numbers = [(e.text, float(e.get("x")), float(e.get("y")))
+                   for e in picture.iter(SVG + "text") if "number" in e.get("class").split()]
+        marks = [e for e in picture.iter(SVG + "circle") if e.get("class") == "fault"]
+        self.assertGreater(len(marks), len(numbers))
+        self.assertTrue(any("–" in text or "," in text for text, _, _ in numbers), numbers)
+        for i, (_, x, y) in enumerate(numbers):
+            for _, u, v in numbers[:i]:
+                self.assertTrue(abs(x - u) >= 9 or abs(y - v) >= 9)
+        said = []
+        for text, _, _ in numbers:
+            for run_ in text.split(", "):
+                first, _, last = run_.partition("–")
+                said += range(int(first), int(last or first) + 1)
+        self.assertEqual(sorted(said), list(range(1, len(marks) + 1)))
+
     def test_labels_are_those_of_messages(self):
         picture = self.picture(self.frame, "--labels", "--no-axes", "--no-legend")
         self.assertEqual(sorted(self.texts(picture)), sorted(["1", "2", "3", "4"] * 2))
