@@ -1,7 +1,6 @@
 #include "numbers.hpp"
 
 #include <charconv>
-#include <sstream>
 
 namespace minksum::cli {
 namespace {
@@ -17,11 +16,7 @@ std::string readable(const Rational& value) {
     std::string text = value.to_decimal(digits);
     if (Rational::parse(text) == value) return text;
   }
-  std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
-  text.precision(17);
-  text << value.to_string() << " (about " << value.to_double() << ")";
-  return text.str();
+  return value.to_string() + " (about " + shortest(value.to_double()) + ")";
 }
 
 std::string shortest(double value) {
