@@ -1,4 +1,4 @@
-// Rounding an exact region to doubles or decimals, so that it stays valid.
+// Rounding an exact set to doubles or decimals, so that it stays valid.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace minksum {
 
 enum class RoundingSide {
   kNearest,  ///< as close as can be
-  kOutside,  ///< the result certainly contains the exact region
+  kOutside,  ///< the result certainly contains the exact set, every point of it
   kInside,   ///< the result is certainly contained in it
 };
 /// "nearest", "outside", "inside".
@@ -25,11 +25,13 @@ struct RoundOptions {
 
 /// What rounding did.
 struct RoundingReport {
-  bool exact = false;          ///< nothing had to be rounded
-  bool snapped = false;        ///< vertex by vertex would not have been valid, or not safe
-  bool topology_kept = false;  ///< as many polygons, each with as many holes, as the exact region
+  bool exact = false;    ///< nothing had to be rounded
+  bool snapped = false;  ///< vertex by vertex would not have been valid, or not safe
+  /// As many polygons, each with as many holes, as the exact region; as many polylines and points.
+  bool topology_kept = false;
   /// No boundary point of the result is farther than this from the exact boundary, and no point
-  /// farther from either that belongs to one of the two regions only. Rounded up.
+  /// farther from either that belongs to one of the two sets only. Thin parts are boundary: of
+  /// those that go, this says nothing. Rounded up.
   double largest_move = 0;
   double bound = 0;  ///< what `largest_move` cannot exceed
 };
@@ -49,12 +51,24 @@ struct RoundingReport {
 ///   stays valid. Vertices that are of the target stay. Else the region is grown (shrunk) by u/2
 ///   along each axis and snap-rounded. `bound` is u·√2.
 ///
-/// Thin parts of a geometry are rounded to the nearest, whatever the side; where they meet a region
-/// that moves, or one another, all is snap-rounded together. The geometry must be resolved.
+/// Thin parts of a geometry (polylines, points), which must be resolved:
+/// - kNearest: every point to the nearest by itself; where parts meet a region that moves, or would
+///   cross one another, all is snap-rounded together.
+/// - kOutside: what is of the target stays as it is. A point becomes the cell of the target that it
+///   is in, a segment the convex hull of the cells that its ends are in: area, unless that hull is
+///   a segment along an axis or a point. So do pieces of the others that end, at the rounded region
+///   or where they cross, between places of the target. All areas together are rounded as a region:
+///   `bound` is up to 2√2·u then. If that leads to more and more such pieces, everything, thin or
+///   not, is grown by u/2 and snap-rounded: `bound` is u·√2.
+/// - kInside: what is of the target stays: points, and polylines from vertex to vertex. Of a
+/// segment
+///   along an axis the part between the outermost places stays; of any other, its ends, as points,
+///   if they are of the target. The rest goes.
 ///
 /// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum
-/// with a square (for a side) and of `resolve`. Throws Error: kBadInput if the region is not legal,
-/// or a coordinate or its rounded value is beyond the doubles; kLimitExceeded; kCancelled.
+/// with a square (for a side) and of `resolve`. Thin parts take a few times that of `resolve`,
+/// where hulls may overlap. Throws Error: kBadInput if the region is not legal, or a coordinate or
+/// its rounded value is beyond the doubles; kLimitExceeded; kCancelled.
 [[nodiscard]] Region round(const Region& region, const RoundOptions& options = {},
                            RoundingReport* report = nullptr);
 [[nodiscard]] Geometry round(const Geometry& geometry, const RoundOptions& options = {},

@@ -23,6 +23,13 @@ Region grown(const Region& region, const Rational& half, const std::optional<Can
   return minkowski_sum(region, square(half), options);
 }
 
+Region grown(const Geometry& geometry, const Rational& half,
+             const std::optional<CancelToken>& cancel) {
+  Options options;
+  options.cancel = cancel;
+  return minkowski_sum(geometry, Geometry{square(half), {}, {}}, options).region;
+}
+
 Region shrunk(const Region& region, const Rational& half,
               const std::optional<CancelToken>& cancel) {
   const auto around = bounding_box(region);

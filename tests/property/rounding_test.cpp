@@ -11,7 +11,6 @@
 #include "minksum/boolean.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/minkowski_sum.hpp"
-#include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
 #include "property/sums.hpp"
 #include "reference/brute_force_overlay.hpp"
@@ -162,82 +161,6 @@ void round_every_way(const Region& exact, bool by_reference, Tally& tally) {
       SCOPED_TRACE(checker.text());
       checker.check_all(tally);
       if (by_reference) checker.check_by_reference();
-    }
-  }
-}
-
-std::vector<Point> random_points(Random& random, int count, int size) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    const int x = random.between(0, size);
-    points.push_back({Rational(x), Rational(random.between(0, size))});
-  }
-  return points;
-}
-
-/// Areas, paths and points together, resolved, at some scale.
-Geometry random_geometry(Random& random) {
-  Geometry geometry;
-  const int size = random.between(2, 9);
-  if (random.one_in(2)) {
-    geometry.region.begin_polygon();
-    geometry.region.begin_ring();
-    for (const Point& p : random_points(random, random.between(3, 6), size)) {
-      geometry.region.add_vertex(p.x, p.y);
-    }
-  }
-  for (int i = random.between(1, 3); i > 0; --i) {
-    geometry.polylines.push_back(random_points(random, random.between(2, 4), size));
-  }
-  geometry.points = random_points(random, random.between(0, 3), size);
-  const Rational scale(random.between(1, 40), random.between(1, 40));
-  geometry.region = scaled(geometry.region, scale);
-  const auto scale_point = [&](Point& p) { p = {p.x * scale, p.y * scale}; };
-  for (Polyline& line : geometry.polylines) std::for_each(line.begin(), line.end(), scale_point);
-  std::for_each(geometry.points.begin(), geometry.points.end(), scale_point);
-  return resolve(geometry);
-}
-
-bool on_target(const Geometry& geometry, std::optional<int> decimals) {
-  Region all = geometry.region;
-  all.begin_polygon();
-  all.begin_ring();
-  for (const Polyline& line : geometry.polylines) {
-    for (const Point& p : line) all.add_vertex(p.x, p.y);
-  }
-  for (const Point& p : geometry.points) all.add_vertex(p.x, p.y);
-  return on_target(all, decimals);
-}
-
-TEST(Rounding, RandomGeometries) {
-  constexpr int kDefaultGeometries = 250;
-  const std::uint64_t first = seed_from_environment(1);
-  const auto count = static_cast<std::uint64_t>(count_from_environment(kDefaultGeometries));
-  for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
-    Random random(seed);
-    const Geometry exact = random_geometry(random);
-    for (const RoundingSide side : kSides) {
-      for (const std::optional<int> decimals : {std::optional<int>{}, std::optional<int>{0}}) {
-        RoundOptions options;
-        options.side = side;
-        options.decimals = decimals;
-        RoundingReport report;
-        const Geometry rounded = round(exact, options, &report);
-        SCOPED_TRACE("seed " + std::to_string(seed) + ", " + to_string(side) +
-                     (decimals ? ", integers" : ", doubles"));
-        EXPECT_EQ(reference::resolved_fault(rounded), "");
-        EXPECT_TRUE(on_target(rounded, decimals));
-        EXPECT_LE(report.largest_move, report.bound);
-        if (report.exact) {
-          EXPECT_EQ(rounded, exact);
-        }
-        if (side == RoundingSide::kOutside) {
-          EXPECT_TRUE(contains(rounded.region, exact.region));
-        }
-        if (side == RoundingSide::kInside) {
-          EXPECT_TRUE(contains(exact.region, rounded.region));
-        }
-      }
     }
   }
 }

@@ -1,8 +1,10 @@
 #include "support/geometries.hpp"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
+#include "minksum/boolean.hpp"
 #include "reference/exact.hpp"
 
 namespace minksum::test {
@@ -85,6 +87,8 @@ Geometry scaled(const Geometry& geometry, const Rational& factor) {
   std::for_each(result.points.begin(), result.points.end(), scale);
   return result;
 }
+
+bool contains(const Geometry& b, const Geometry& a) { return unite(std::array{a, b}) == b; }
 
 std::string to_text(const Geometry& geometry) {
   std::ostringstream out;

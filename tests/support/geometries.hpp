@@ -23,6 +23,9 @@ namespace minksum::test {
 
 [[nodiscard]] Geometry scaled(const Geometry& geometry, const Rational& factor);
 
+/// Whether a ⊆ b, of resolved geometries: as sets, points and all.
+[[nodiscard]] bool contains(const Geometry& b, const Geometry& a);
+
 /// Exact WKT, part after part, for messages.
 [[nodiscard]] std::string to_text(const Geometry& geometry);
 

@@ -191,10 +191,10 @@ std::string broken_rounding(const Geometry& exact, const RoundOptions& options,
   if (!(round(rounded, options, &again) == rounded) || !again.exact) {
     return fault("a second time changes nothing");
   }
-  if (options.side == RoundingSide::kOutside && !contains(rounded.region, exact.region)) {
+  if (options.side == RoundingSide::kOutside && !contains(rounded, exact)) {
     return fault("it is outside");
   }
-  if (options.side == RoundingSide::kInside && !contains(exact.region, rounded.region)) {
+  if (options.side == RoundingSide::kInside && !contains(exact, rounded)) {
     return fault("it is inside");
   }
   return {};

@@ -9,7 +9,6 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/minkowski_sum.hpp"
-#include "minksum/resolve.hpp"
 #include "round/hot_pixels.hpp"
 #include "round/keep_topology.hpp"
 #include "support/shapes.hpp"
@@ -242,64 +241,6 @@ TEST(Round, SidesHaveNames) {
   EXPECT_STREQ(to_string(RoundingSide::kNearest), "nearest");
   EXPECT_STREQ(to_string(RoundingSide::kOutside), "outside");
   EXPECT_STREQ(to_string(RoundingSide::kInside), "inside");
-}
-
-// -- Thin parts
-// ------------------------------------------------------------------------------------
-
-TEST(RoundGeometry, PathsAndPointsGoToTheNearest) {
-  Geometry thin;
-  thin.polylines = {{point("0", "0"), point("10/3", "1/3"), point("5", "5")}};
-  thin.points = {point("-1/3", "7")};
-  RoundingReport report;
-  const Geometry rounded = round(thin, to_decimals(1), &report);
-  Geometry expected;
-  expected.polylines = {{point("0", "0"), point("3.3", "0.3"), point("5", "5")}};
-  expected.points = {point("-0.3", "7")};
-  EXPECT_EQ(rounded, expected);
-  EXPECT_TRUE(report.topology_kept);
-  EXPECT_FALSE(report.snapped);
-  EXPECT_GT(report.largest_move, 0.0471);
-  EXPECT_LT(report.largest_move, 0.0472);
-  EXPECT_LE(report.largest_move, report.bound);
-}
-
-TEST(RoundGeometry, PathsThatWouldCrossAreSnapped) {
-  Geometry thin;
-  thin.polylines = {{point("0", "0"), point("9", "1")}, {point("0", "-3"), point("5", "0.54")}};
-  RoundingReport report;
-  const Geometry rounded = round(thin, to_decimals(0), &report);
-  EXPECT_TRUE(report.snapped);
-  Geometry expected;
-  expected.polylines = {{point("0", "-3"), point("5", "1")},
-                        {point("0", "0"), point("5", "1")},
-                        {point("5", "1"), point("9", "1")}};
-  EXPECT_EQ(rounded, expected);
-}
-
-TEST(RoundGeometry, PathsStayWhereTheyEndOnAnEdge) {
-  Geometry geometry;
-  geometry.region = third_triangle();
-  // Ends in the middle of the slanted edge.
-  geometry.polylines = {{point("1/6", "1/3"), point("2", "2")}};
-  const Geometry exact = resolve(geometry);
-  for (const RoundingSide side :
-       {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
-    RoundingReport report;
-    const Geometry rounded = round(exact, to_decimals(3, side), &report);
-    EXPECT_EQ(resolve(rounded), rounded);
-    ASSERT_EQ(rounded.polylines.size(), 1U);
-    EXPECT_LE(report.largest_move, report.bound);
-    EXPECT_EQ(rounded.polylines[0].back(), point("2", "2"));
-    if (side == RoundingSide::kNearest) {
-      const Region& region = rounded.region;
-      bool attached = false;
-      for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-        attached |= region.point(v) == rounded.polylines[0].front();
-      }
-      EXPECT_TRUE(attached);
-    }
-  }
 }
 
 // -- The parts
