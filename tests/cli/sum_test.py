@@ -184,6 +184,26 @@ class Geometries(ProgramTest):
         stats = json.loads(self.fine("sum", p, q, "-o", out, "--stats", "-", "--coords", "exact"))
         self.assertNotIn("rounding", stats)
 
+    def test_rounding_keeps_points_and_polylines_on_their_side(self):
+        out = self.folder / "sum.wkt"
+        origin = self.file("origin.wkt", "POINT (0 0)")
+        cell = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"
+        # Nearest loses the one, and moves the other out of the sum.
+        for exact, outside, inside in (
+                ("LINESTRING (0 0, 1/3 1/7)", cell, "POINT (0 0)\n"),
+                ("POINT (0.4 0.4)", cell, "POLYGON EMPTY\n"),
+                ("LINESTRING (0 0, 3 4)", "LINESTRING (0 0, 3 4)\n", "LINESTRING (0 0, 3 4)\n"),
+                ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 0)), "
+                 "LINESTRING (1/3 1/3, 5/7 6/7), POINT (9/7 1/9))",
+                 "POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))\n", "POLYGON EMPTY\n")):
+            shape = self.file("shape.wkt", exact)
+            for side, expected in (("outside", outside), ("inside", inside)):
+                stats = json.loads(self.fine("sum", shape, origin, "--round", side, "--coords",
+                                             "decimal:0", "-o", out, "--stats", "-"))["rounding"]
+                self.assertEqual(out.read_text(), expected)
+                self.assertEqual(stats["exact"], outside == inside)
+                self.assertLessEqual(stats["largest_move"], stats["bound"])
+
     def test_properties(self):
         geometry = '"geometry":{"type":"Point","coordinates":[1,2]}'
         feature = '{"type":"Feature","id":7,"properties":{"price": 1.50, "name":"\\u00e9"},%s}'

@@ -101,6 +101,12 @@ class Nesting(ProgramTest):
         self.assertEqual(
             self.fine("ifp", self.square, self.square, "--reference", "-1/3,1e1", "--coords",
                       "exact"), "POINT (-1/3 10)\n")
+        # Without play: with a side, the result is that point's superset or subset.
+        for side, rounded in (("nearest", "POINT (0 10)"), ("outside", "LINESTRING (-1 10, 0 10)"),
+                              ("inside", "POLYGON EMPTY")):
+            self.assertEqual(
+                self.fine("ifp", self.square, self.square, "--reference", "-1/3,1e1", "--coords",
+                          "decimal:0", "--round", side), rounded + "\n")
 
     def test_tight_places(self):
         nfp = self.fine("nfp", self.slit, self.square)
