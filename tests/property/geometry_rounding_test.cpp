@@ -169,7 +169,7 @@ void check(const Geometry& exact, const RoundOptions& options, bool by_reference
 }
 
 TEST(GeometryRounding, RandomGeometries) {
-  constexpr int kDefaultGeometries = 400;
+  constexpr int kDefaultGeometries = 250;
   constexpr std::uint64_t kReferenceEvery = 8;
   const std::uint64_t first = seed_from_environment(1);
   const auto count = static_cast<std::uint64_t>(count_from_environment(kDefaultGeometries));
