@@ -50,9 +50,9 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& lim
   CLI::App* check = app.add_subcommand(
       "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
   check->footer(
-      "\nDecided by other methods than `sum` uses: validity; points near edges and at random;\n"
-      "and, where it is small enough for the second method, the whole sum exactly. Rounded results\n"
-      "need --within. Exit code 5 if an error is found.\n");
+      "\nDecided by other methods than `sum` uses: validity; points near edges, in holes and at\n"
+      "random; and, where it is small enough for the second method, the whole sum exactly.\n"
+      "Rounded results need --within. Exit code 5 if an error is found.\n");
   const auto add_file = [check](const char* name, std::string& file, const char* what) {
     check->add_option(name, file, what)->required()->type_name("FILE");
   };

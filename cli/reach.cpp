@@ -105,7 +105,8 @@ CLI::App* add_reach(CLI::App& app, ReachArguments& arguments, TypedReach& typed,
       ->check(between(1e-10, 1))
       ->type_name("D");
   command->add_flag("--certain", arguments.options.certain,
-                    "Free of collisions at all angles between as well: the robot is grown for that");
+                    "Free of collisions at all angles between as well: the robot is grown for "
+                    "that");
   command->add_flag("--json", arguments.json, "As JSON, with exact numbers");
   command->add_option("-o,--output", arguments.output, "The path as a GeoJSON Feature")
       ->type_name("FILE");

@@ -25,7 +25,8 @@ double length_of(const std::vector<Waypoint>& path) {
   return length;
 }
 
-/// Poses to draw: along each move at even distances, and after each turn by another tenth of a circle.
+/// Poses to draw: along each move at even distances, and after each turn by another tenth of a
+/// circle.
 std::vector<Waypoint> poses_on(const std::vector<Waypoint>& path) {
   std::vector<Waypoint> poses;
   const double step = length_of(path) / kPoses;

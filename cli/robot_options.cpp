@@ -30,7 +30,8 @@ void add_robot_options(CLI::App& command, RobotArguments& arguments, TypedRobot&
 
 void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
                   ConfigurationOptions& options) {
-  const auto inputs = std::count(std::begin(arguments.operands), std::end(arguments.operands), "-") +
+  const auto& operands = arguments.operands;
+  const auto inputs = std::count(std::begin(operands), std::end(operands), "-") +
                       (arguments.workspace == "-" ? 1 : 0);
   if (inputs > 1) throw Failure(kWrongUsage, "only one file can be standard input");
   if (typed.reference.empty()) return;

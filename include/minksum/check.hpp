@@ -67,9 +67,9 @@ struct SumCheck {
 
 /// Checks whether `result` is P ⊕ Q, without the method that `minkowski_sum` uses by default:
 /// - validity of the result (`validate`);
-/// - points close to its edges on both sides, its vertices, points at random, and points where a part
-///   of one operand may be inside a hole of the other: is x in the result exactly if P meets x − Q,
-///   decided by code of its own;
+/// - points close to its edges on both sides, its vertices, points at random, and points where a
+///   part of one operand may be inside a hole of the other: is x in the result exactly if P meets
+///   x − Q, decided by code of its own;
 /// - the whole sum and its area by Method::kSigned, compared exactly: a proof, where that method is
 ///   fast enough.
 /// The result may be anybody's, rounded or not. O(n + m) and more for each point.

@@ -69,6 +69,10 @@ class Witness {
   SumCheck& check_;
 };
 
+std::size_t next_in(const IndexRange& ring, std::size_t vertex) {
+  return vertex + 1 < ring.front() + ring.size() ? vertex + 1 : ring.front();
+}
+
 // A lost hole, a shifted vertex, a spurious ring: each shows next to an edge.
 void ask_near_edges(const Region& region, std::uint64_t edges, Witness& witness) {
   const std::uint64_t count = region.vertex_count();
@@ -78,7 +82,7 @@ void ask_near_edges(const Region& region, std::uint64_t edges, Witness& witness)
       const IndexRange vertices = region.vertices_of(ring);
       for (const std::size_t v : vertices) {
         if (edges < count && turn(v) == turn(v + 1)) continue;
-        const std::size_t next = v + 1 < vertices.front() + vertices.size() ? v + 1 : vertices.front();
+        const std::size_t next = next_in(vertices, v);
         const Point a = region.point(v);
         const Point b = region.point(next);
         const Rational dx = b.x - a.x;
@@ -218,7 +222,7 @@ Point inner_point(const Region& region) {
     for (const std::size_t r : region.rings_of(polygon)) {
       const IndexRange vertices = region.vertices_of(r);
       for (const std::size_t v : vertices) {
-        const std::size_t next = v + 1 < vertices.front() + vertices.size() ? v + 1 : vertices.front();
+        const std::size_t next = next_in(vertices, v);
         const Point a = region.point(v);
         const Point b = region.point(next);
         if ((a.x < x) == (b.x < x)) continue;

@@ -22,15 +22,20 @@ class Lines {
   }
 
   [[nodiscard]] const Point& point(std::size_t vertex) const { return points_[vertex]; }
-  [[nodiscard]] Rational line_of(const Point& at) const { return along_.x * at.y - along_.y * at.x; }
-  [[nodiscard]] Rational place_of(const Point& at) const { return along_.x * at.x + along_.y * at.y; }
+  [[nodiscard]] Rational line_of(const Point& at) const {
+    return along_.x * at.y - along_.y * at.x;
+  }
+  [[nodiscard]] Rational place_of(const Point& at) const {
+    return along_.x * at.x + along_.y * at.y;
+  }
 
   /// The first vertex on an edge that is parallel to the lines.
   [[nodiscard]] std::optional<std::size_t> first_on(const Point& from, const Point& to) const {
     const Rational line = line_of(from);
     const auto [low, high] = std::minmax({place_of(from), place_of(to)});
-    auto at = std::lower_bound(lines_.begin(), lines_.end(), Entry{line.to_double(), 0, {}}, before);
-    for (; at != lines_.end() && at->about == line.to_double(); ++at) {
+    const Entry key{line.to_double(), 0, {}};
+    auto at = std::lower_bound(lines_.begin(), lines_.end(), key, before);
+    for (; at != lines_.end() && at->about == key.about; ++at) {
       if (at->line != line) continue;
       const Rational place = place_of(points_[at->vertex]);
       if (low <= place && place <= high) return at->vertex;

@@ -94,8 +94,8 @@ class Reader {
     }
     resolve();
   }
-  /// Polylines need not be cut where they cross: each crossing has a denominator of its own, and all
-  /// sums would have their product. The geometry is the same set then, but not resolved.
+  /// Polylines need not be cut where they cross: each crossing has a denominator of its own, and
+  /// all sums would have their product. The geometry is the same set then, but not resolved.
   void leave_crossings() {
     if (as_given_ || options_.fill != FillRule::kAutomatic || options_.regularize) return;
     // Rings that are not legal may add polylines.

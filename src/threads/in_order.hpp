@@ -29,11 +29,11 @@ inline void block_signals_in_this_thread() {
 #endif
 }
 
-/// make(i, memory) for all i < count on so many threads (0 = one for each core), each with a Memory of
-/// its own; visit(i, result) in order of i by the calling thread.
+/// make(i, memory) for all i < count on so many threads (0 = one for each core), each with a Memory
+/// of its own; visit(i, result) in order of i by the calling thread.
 ///
-/// No more than a few results wait to be visited. What make(i) throws is thrown in the place of visit(i);
-/// all threads have ended then. A thread that cannot be started is done without.
+/// No more than a few results wait to be visited. What make(i) throws is thrown in the place of
+/// visit(i); all threads have ended then. A thread that cannot be started is done without.
 template <class Result, class Memory, class Make, class Visit>
 class InOrder {
  public:
