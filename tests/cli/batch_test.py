@@ -263,10 +263,13 @@ class Jobs(BatchTest):
 
     def test_time_limit_of_a_job(self):
         quick = {"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}
-        coral = str(SOURCE / "examples" / "coral.wkt")
-        slow = {"operation": "open", "a": coral, "b": coral, "options": {"timeout": 0.05}}
-        results = self.batch([quick, slow, quick, {**slow, "options": {}}], "--timeout", "0.06",
-                             code=2)
+        # Minutes, if it were let: nearly all of its segments cross.
+        corners = [(round(r * math.cos(math.pi * i / 150)), round(r * math.sin(math.pi * i / 150)))
+                   for i in range(300) for r in [5000 if i % 2 else 100000]]
+        star = "POLYGON ((" + ", ".join(f"{x} {y}" for x, y in [*corners, corners[0]]) + "))"
+        slow = {"operation": "sum", "a": wkt(star), "b": wkt(star), "options": {"method": "signed"}}
+        limited = {**slow, "options": {"method": "signed", "timeout": 0.05}}
+        results = self.batch([quick, limited, quick, slow], "--timeout", "0.5", code=2)
         self.assertEqual([r.get("error", {}).get("code") for r in results],
                          [None, "timeout", None, "timeout"])
         self.assertIn("0.05 seconds", results[1]["error"]["message"])
