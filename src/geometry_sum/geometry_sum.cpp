@@ -8,6 +8,7 @@
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
+#include "region/point_order.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
@@ -37,8 +38,6 @@ Geometry moved(const Geometry& geometry, const Point& by) {
   return result;
 }
 
-bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
 /// A polyline as walks without repeated or straight vertices, each ending where it turns back.
 void append_walks(const Polyline& given, std::vector<Polyline>& walks) {
   Polyline walk;
@@ -66,10 +65,10 @@ void append_walks(const Polyline& given, std::vector<Polyline>& walks) {
 bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given) {
   std::vector<Point> known;
   for (const Polyline& line : given) known.insert(known.end(), line.begin(), line.end());
-  std::sort(known.begin(), known.end(), before);
+  std::sort(known.begin(), known.end(), comes_before);
   for (const Polyline& line : polylines) {
     for (const Point& at : line) {
-      if (!std::binary_search(known.begin(), known.end(), at, before)) return true;
+      if (!std::binary_search(known.begin(), known.end(), at, comes_before)) return true;
     }
   }
   return false;
@@ -79,8 +78,7 @@ bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<
 class Reader {
  public:
   Reader(int operand, const Geometry& given, const Options& options, PartialSums& partial)
-      : operand_(operand), given_(given), geometry_(&given), options_(options),
-        partial_(partial) {}
+      : operand_(operand), given_(given), geometry_(&given), options_(options), partial_(partial) {}
 
   [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
   [[nodiscard]] bool is_as_given() const { return as_given_; }
@@ -97,18 +95,19 @@ class Reader {
   /// Polylines need not be cut where they cross: each crossing has a denominator of its own, and
   /// all sums would have their product. The geometry is the same set then, but not resolved.
   void leave_crossings() {
-    if (as_given_ || options_.fill != FillRule::kAutomatic || options_.regularize) return;
+    if (as_given_ || given_.polylines.empty()) return;
+    if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
+    if (!has_new_vertices(resolved_.polylines, given_.polylines)) return;
     // Rings that are not legal may add polylines.
     if (!validate(given_.region, 1).empty()) return;
-    if (!has_new_vertices(resolved_.polylines, given_.polylines)) return;
     resolved_.polylines.clear();
     for (const Polyline& line : given_.polylines) append_walks(line, resolved_.polylines);
   }
   void resolve() {
     if (!as_given_) return;
     as_given_ = false;
-    resolved_ = minksum::resolve(
-        *geometry_, {options_.fill, options_.regularize, options_.cancel, operand_});
+    resolved_ = minksum::resolve(*geometry_,
+                                 {options_.fill, options_.regularize, options_.cancel, operand_});
     geometry_ = &resolved_;
     if (!partial_.take(operand_, resolved_.region)) {
       throw Error(ErrorCode::kInternal, "a resolved operand is not legal", {}, "operands");

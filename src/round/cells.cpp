@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
+#include <iterator>
 #include <utility>
 
 #include "minksum/error.hpp"
+#include "region/point_order.hpp"
 
 namespace minksum {
 namespace {
@@ -37,8 +38,6 @@ bool is_place(const Rational& value, const Target& target) {
   const double nearest = value.to_double();
   return std::isfinite(nearest) && Rational(nearest) == value;
 }
-
-bool before(const Point& a, const Point& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
 
 bool turns_left(const Point& a, const Point& b, const Point& c) {
   return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign() > 0;
@@ -80,7 +79,7 @@ Ring hull_of(const Cell& a, const Cell& b) {
     corners[count++] = cell->high;
     corners[count++] = {cell->low.x, cell->high.y};
   }
-  std::sort(corners.begin(), corners.end(), before);
+  std::sort(corners.begin(), corners.end(), comes_before);
   const auto end = std::unique(corners.begin(), corners.end());
   if (end - corners.begin() == 1) return {corners[0]};
   Ring hull;

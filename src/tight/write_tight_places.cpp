@@ -1,15 +1,15 @@
 // Slits and nodes to polylines and points with exact coordinates, in canonical order.
 #include <algorithm>
 
+#include "region/point_order.hpp"
 #include "region/rational_access.hpp"
 #include "tight/tight.hpp"
 
 namespace minksum {
 namespace {
 
-bool less(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 bool polyline_less(const Polyline& a, const Polyline& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_before);
 }
 
 class TightWriter {
@@ -24,7 +24,7 @@ class TightWriter {
     for (const SumVertex& v : places_.pinches) {
       result_.points.push_back(point(NodePoint{false, {}, {}, v}));
     }
-    std::sort(result_.points.begin(), result_.points.end(), less);
+    std::sort(result_.points.begin(), result_.points.end(), comes_before);
     result_.points.erase(std::unique(result_.points.begin(), result_.points.end()),
                          result_.points.end());
   }
@@ -72,8 +72,8 @@ class TightWriter {
       end = next;
     }
     if (!ends_are_fixed) start_at_smallest(path, line(end) == line(first));
-    if (path.front() == path.back() ? less(path[path.size() - 2], path[1])
-                                    : less(path.back(), path.front())) {
+    if (path.front() == path.back() ? comes_before(path[path.size() - 2], path[1])
+                                    : comes_before(path.back(), path.front())) {
       std::reverse(path.begin(), path.end());
     }
     result_.polylines.push_back(std::move(path));
@@ -81,7 +81,8 @@ class TightWriter {
   static void start_at_smallest(Polyline& closed, bool straight_at_start) {
     closed.pop_back();
     if (straight_at_start) closed.erase(closed.begin());
-    std::rotate(closed.begin(), std::min_element(closed.begin(), closed.end(), less), closed.end());
+    std::rotate(closed.begin(), std::min_element(closed.begin(), closed.end(), comes_before),
+                closed.end());
     closed.push_back(closed.front());
   }
 
