@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "region/region_access.hpp"
 #include "transform/turned.hpp"
 
 namespace minksum {
@@ -73,12 +72,10 @@ Point Affine::operator()(const Point& point) const {
 }
 
 Region transform(const Region& region, const Affine& map) {
-  Region image;
   if (const std::optional<int> quarters = quarters_of(map)) {
-    image = turned_in_order(region, *quarters);
-    RegionAccess::clear_origins(image);
-    return image;
+    return turned_in_order(region, *quarters);
   }
+  Region image;
   for (const std::size_t polygon : region.polygons()) {
     image.begin_polygon();
     for (const std::size_t ring : region.rings_of(polygon)) {

@@ -17,8 +17,8 @@ struct StoredPoint {
 
 class Turner {
  public:
-  Turner(const Region& region, int quarters)
-      : region_(region), quarters_(((quarters % 4) + 4) % 4), with_origins_(region.has_origins()) {
+  Turner(const Region& region, int quarters, bool with_origins)
+      : region_(region), quarters_(((quarters % 4) + 4) % 4), with_origins_(with_origins) {
     RegionAccess::reserve(image_, region.vertex_count());
     RegionAccess::mutable_limbs(image_).assign(RegionAccess::limbs(region).begin(),
                                                RegionAccess::limbs(region).end());
@@ -89,7 +89,8 @@ class Turner {
     const StoredCoordinate& y = RegionAccess::y(region_, vertex);
     if (quarters_ == 1) return {negative(y), x};
     if (quarters_ == 2) return {negative(x), negative(y)};
-    return {y, negative(x)};
+    if (quarters_ == 3) return {y, negative(x)};
+    return {x, y};
   }
 
   [[nodiscard]] std::strong_ordering compare(const StoredPoint& a, const StoredPoint& b) const {
@@ -141,10 +142,11 @@ class Turner {
 }  // namespace
 
 Region turned(const Region& region, int quarters) {
-  return quarters % 4 == 0 ? region : Turner(region, quarters).in_canonical_order();
+  return quarters % 4 == 0 ? region
+                           : Turner(region, quarters, region.has_origins()).in_canonical_order();
 }
 Region turned_in_order(const Region& region, int quarters) {
-  return quarters % 4 == 0 ? region : Turner(region, quarters).in_order();
+  return Turner(region, quarters, false).in_order();
 }
 
 }  // namespace minksum

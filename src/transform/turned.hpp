@@ -10,7 +10,7 @@ namespace minksum {
 /// sorting of rings.
 [[nodiscard]] Region turned(const Region& region, int quarters);
 
-/// The same with rings and vertices in the order that they have. O(n).
+/// The same with rings and vertices in the order that they have, and without origins. O(n).
 [[nodiscard]] Region turned_in_order(const Region& region, int quarters);
 
 }  // namespace minksum
