@@ -83,9 +83,6 @@ std::string with_option(const Error& error) {
     message.resize(message.size() - member.size());
     return with(option);
   }
-  // Those of the signed method do not say which member.
-  if (message == "the convolution has more segments than allowed") return with("--max-segments");
-  if (message == "the arrangement has more crossings than allowed") return with("--max-crossings");
   return message;
 }
 

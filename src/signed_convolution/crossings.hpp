@@ -222,7 +222,8 @@ class CrossingFinder {
       met_here = touch(grid, cell, candidates);
     }
     if (met_here && ++crossings_ > options_.limits.max_crossings) {
-      throw Error(ErrorCode::kLimitExceeded, "the arrangement has more crossings than allowed");
+      throw Error(ErrorCode::kLimitExceeded,
+                  "the arrangement has more crossings than allowed (Limits::max_crossings)");
     }
   }
 

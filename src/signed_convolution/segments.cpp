@@ -107,7 +107,8 @@ class Lister {
 
   void add(const SignedSegment& segment) {
     if (segments_.size() >= options_.limits.max_segments) {
-      throw Error(ErrorCode::kLimitExceeded, "the convolution has more segments than allowed");
+      throw Error(ErrorCode::kLimitExceeded,
+                  "the convolution has more segments than allowed (Limits::max_segments)");
     }
     segments_.push_back(segment);
   }
