@@ -1,6 +1,5 @@
 // The driver: operands → convolution → cover → arrangement → loops → filters → output.
 #include "minksum/minkowski_sum.hpp"
-#include "minksum/prepared_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +7,10 @@
 #include <new>
 
 #include "geometry_sum/geometry_sum.hpp"
+#include "minksum/prepared_region.hpp"
 #include "output/output.hpp"
 #include "signed_convolution/signed_convolution.hpp"
+#include "stage_runner.hpp"
 #include "tight/tight.hpp"
 #include "trace/fill_trace.hpp"
 
@@ -57,42 +58,6 @@ const char* to_string(Stage stage) {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Asks before each stage whether to go on, times it and runs its checker if these are wanted. A
-/// checker's time counts for the stage after it.
-class StageRunner {
- public:
-  explicit StageRunner(const Options& options) : options_(options) {
-    if (options.statistics != nullptr) last_ = Clock::now();
-  }
-
-  template <class Work>
-  void run(Stage stage, Work work) {
-    stage_ = stage;
-    stop_if_asked();
-    work();
-    // All readings of clocks together take a tenth of a sum of rectangles.
-    if (options_.statistics == nullptr) return;
-    const Clock::time_point now = Clock::now();
-    options_.statistics->stage_seconds[static_cast<int>(stage)] +=
-        std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-  void stop_if_asked() const {
-    if ((options_.cancel && options_.cancel->cancelled()) ||
-        (options_.progress && !options_.progress(stage_))) {
-      throw Error(ErrorCode::kCancelled, "cancelled", {}, to_string(stage_));
-    }
-  }
-  void require(const std::optional<std::string>& fault) const {
-    if (fault) throw Error(ErrorCode::kInternal, *fault, {}, to_string(stage_));
-  }
-
- private:
-  const Options& options_;
-  Stage stage_ = Stage::kOperands;
-  Clock::time_point last_;  ///< when the last stage ended
-};
 
 /// Reflex vertices of polylines have no place in the sum of two of them.
 bool is_full(const Workspace::State& w, const Options& options) {
@@ -178,16 +143,15 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
   if (options.check) {
     runner.require(check(w.convolution, w.operands, is_full(w, options)));
   }
-  runner.run(Stage::kCover, [&] {
-    cover_interior(w.operands, options, w.cover_scratch, w.convolution, w.cover);
-  });
+  runner.run(Stage::kCover,
+             [&] { cover_interior(w.operands, options, w.cover_scratch, w.convolution, w.cover); });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {
     if (w.operands.both_convex && options.method == Method::kReduced) {
       arrange_convex(w.operands, w.arrangement);
     } else {
-      arrange(w.operands, w.convolution, w.cover, options, stop, predicates,
-              w.arrangement_scratch, w.arrangement);
+      arrange(w.operands, w.convolution, w.cover, options, stop, predicates, w.arrangement_scratch,
+              w.arrangement);
     }
   });
   if (options.check) runner.require(check(w.arrangement, w.operands));
@@ -365,9 +329,7 @@ void run(const Geometry& p, const Geometry& q, const Options& options, Workspace
   sums.count_time();
 }
 
-Given given(const PreparedRegion& region) {
-  return {region.region(), &region.state().operand};
-}
+Given given(const PreparedRegion& region) { return {region.region(), &region.state().operand}; }
 
 }  // namespace
 
