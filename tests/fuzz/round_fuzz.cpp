@@ -7,6 +7,7 @@
 #include <string>
 
 #include "minksum/minksum.hpp"
+#include "support/rounding_options.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -94,13 +95,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const int below = reader.take();
   const Region exact = reader.read_region(Rational(1 + above % 32, 1 + below % 32));
   if (exact.empty() || !validate(exact, 1).empty()) return 0;
-  for (const RoundingSide side :
-       {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
-    RoundOptions options;
-    options.side = side;
-    try_rounding(exact, options);
-    options.decimals = above / 32;
-    try_rounding(exact, options);
+  for (const RoundingSide side : test::kRoundingSides) {
+    try_rounding(exact, test::to_doubles(side));
+    try_rounding(exact, test::to_decimals(above / 32, side));
   }
   return 0;
 }

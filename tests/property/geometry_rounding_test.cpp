@@ -2,7 +2,6 @@
 // no farther away than they say.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iostream>
@@ -13,22 +12,21 @@
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
+#include "reference/boundary_distance.hpp"
 #include "reference/brute_force_overlay.hpp"
 #include "reference/exact.hpp"
 #include "support/generators.hpp"
 #include "support/geometries.hpp"
 #include "support/geometry_laws.hpp"
 #include "support/messes.hpp"
+#include "support/rounding_options.hpp"
 
 namespace {
 
 using namespace minksum;
 using namespace minksum::test;
-using reference::Number;
-using reference::Pt;
+using reference::farther_than;
 
-constexpr std::array kSides = {RoundingSide::kNearest, RoundingSide::kOutside,
-                               RoundingSide::kInside};
 constexpr std::array<std::optional<int>, 3> kTargets = {std::nullopt, 3, 0};
 
 std::vector<Point> random_points(Random& random, int count, int size) {
@@ -82,53 +80,6 @@ Geometry random_geometry(Random& random) {
   return resolve(scaled(geometry, Rational(above, random.between(1, 40))));
 }
 
-Number squared_distance(const Pt& p, const Pt& a, const Pt& b) {
-  const Number dx = b.x - a.x;
-  const Number dy = b.y - a.y;
-  const Number length = dx * dx + dy * dy;
-  Number t = length == 0 ? Number(0) : Number(((p.x - a.x) * dx + (p.y - a.y) * dy) / length);
-  if (t < 0) t = 0;
-  if (t > 1) t = 1;
-  const Number ex = p.x - a.x - t * dx;
-  const Number ey = p.y - a.y - t * dy;
-  return ex * ex + ey * ey;
-}
-
-/// Where a set ends: edges, segments, and points as segments of no length.
-std::vector<std::array<Pt, 2>> boundary_of(const Geometry& geometry) {
-  std::vector<std::array<Pt, 2>> boundary;
-  for (const auto& loops : reference::to_loops(geometry.region)) {
-    for (const auto& loop : loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        boundary.push_back({loop[i], loop[(i + 1) % loop.size()]});
-      }
-    }
-  }
-  for (const Polyline& line : geometry.polylines) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      boundary.push_back({reference::to_pt(line[i]), reference::to_pt(line[i + 1])});
-    }
-  }
-  for (const Point& p : geometry.points) {
-    boundary.push_back({reference::to_pt(p), reference::to_pt(p)});
-  }
-  return boundary;
-}
-
-/// Whether some end of the boundary of `from` is farther from the boundary of `to` than `distance`.
-bool farther_than(double distance, const Geometry& from, const Geometry& to) {
-  const Number limit = reference::to_number(Rational(distance) * Rational(distance));
-  const auto target = boundary_of(to);
-  const auto far = [&](const Pt& p) {
-    return std::none_of(target.begin(), target.end(), [&](const auto& edge) {
-      return squared_distance(p, edge[0], edge[1]) <= limit;
-    });
-  };
-  const auto ends = boundary_of(from);
-  return std::any_of(ends.begin(), ends.end(),
-                     [&](const auto& edge) { return far(edge[0]) || far(edge[1]); });
-}
-
 /// By means that share nothing with the library.
 bool contains_by_reference(const Geometry& b, const Geometry& a) {
   return reference::brute_force_unite(std::array{a, b}) == b;
@@ -177,14 +128,11 @@ TEST(GeometryRounding, RandomGeometries) {
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
     Random random(seed);
     const Geometry exact = random_geometry(random);
-    for (const RoundingSide side : kSides) {
+    for (const RoundingSide side : kRoundingSides) {
       for (const std::optional<int> decimals : kTargets) {
-        RoundOptions options;
-        options.side = side;
-        options.decimals = decimals;
         SCOPED_TRACE("seed " + std::to_string(seed) + ", " + to_string(side) + ", decimals " +
                      (decimals ? std::to_string(*decimals) : "none") + "\nexact " + to_text(exact));
-        check(exact, options, seed % kReferenceEvery == 0, tally);
+        check(exact, rounding(decimals, side), seed % kReferenceEvery == 0, tally);
       }
     }
   }

@@ -28,7 +28,7 @@ TEST(Offset, RectanglesMoveExactly) {
     EXPECT_EQ(offset(square, by, options), of_area(expected));
     if (by.sign() < 0) {  // no reflex vertices: no corners
       for (const Join join : kJoins) EXPECT_EQ(offset(square, by, with(join)), of_area(expected));
-      for (const RoundingSide side : kSides) {
+      for (const RoundingSide side : kRoundingSides) {
         EXPECT_EQ(offset(square, by, round_to(side, Rational(1, 10))), of_area(expected));
       }
     } else {

@@ -7,13 +7,12 @@
 #include "minksum/offset.hpp"
 #include "support/generators.hpp"
 #include "support/geometries.hpp"
+#include "support/rounding_options.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum::test {
 
 inline constexpr int kShapes = 60;
-inline constexpr std::array kSides = {RoundingSide::kNearest, RoundingSide::kOutside,
-                                      RoundingSide::kInside};
 inline constexpr std::array kJoins = {Join::kRound, Join::kMiter, Join::kSquare, Join::kBevel};
 inline constexpr std::array kCaps = {Cap::kRound, Cap::kButt, Cap::kSquare};
 

@@ -104,7 +104,7 @@ TEST(Disc, IsWithinItsTolerance) {
                                  Rational(1, 20), Rational(1, 999)}) {
       const Rational t = radius * part;
       const Rational small = std::min(t, radius / Rational(2));
-      for (const RoundingSide side : kSides) {
+      for (const RoundingSide side : kRoundingSides) {
         const Region d = disc(radius, t, side);
         const Rational inner = side == RoundingSide::kOutside ? radius : radius - small;
         const Rational outer = side == RoundingSide::kInside ? radius : radius + small;
@@ -146,7 +146,7 @@ TEST(RoundOffset, IsBetweenTrueOffsetsAtSampledPoints) {
     const Rational d(random.between(-9, 24), 4);
     const Rational t(random.between(1, 9), 20);
     if (d.sign() == 0) continue;
-    for (const RoundingSide side : kSides) {
+    for (const RoundingSide side : kRoundingSides) {
       const Geometry result = offset(a, d, round_to(side, t));
       EXPECT_FALSE(result.has_thin_parts());
       EXPECT_EQ(resolve(result), result);

@@ -1,9 +1,6 @@
 // Rounded regions: valid, on the target, close to the exact one, and on the right side of it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <iostream>
 #include <optional>
 #include <vector>
@@ -13,20 +10,17 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/round.hpp"
 #include "property/sums.hpp"
+#include "reference/boundary_distance.hpp"
 #include "reference/brute_force_overlay.hpp"
 #include "reference/exact.hpp"
 #include "reference/validity.hpp"
 #include "support/geos_validity.hpp"
+#include "support/rounding_options.hpp"
 
 namespace {
 
 using namespace minksum;
 using namespace minksum::test;
-using reference::Number;
-using reference::Pt;
-
-constexpr std::array kSides = {RoundingSide::kNearest, RoundingSide::kOutside,
-                               RoundingSide::kInside};
 
 Rational power_of_ten(int exponent) { return Rational(Decimal{1, exponent}); }
 
@@ -44,36 +38,6 @@ bool on_target(const Region& region, std::optional<int> decimals) {
 /// Decimals as integers: GEOS knows doubles only.
 std::string fault_by_geos(const Region& region, std::optional<int> decimals) {
   return geos_fault(decimals ? scaled(region, power_of_ten(*decimals)) : region);
-}
-
-Number squared_distance(const Pt& p, const Pt& a, const Pt& b) {
-  const Number dx = b.x - a.x;
-  const Number dy = b.y - a.y;
-  Number t = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
-  if (t < 0) t = 0;
-  if (t > 1) t = 1;
-  const Number ex = p.x - a.x - t * dx;
-  const Number ey = p.y - a.y - t * dy;
-  return ex * ex + ey * ey;
-}
-
-/// Whether a vertex of `from` is farther from the boundary of `to` than `distance`.
-bool farther_than(double distance, const Region& from, const Region& to) {
-  const Number limit = reference::to_number(Rational(distance) * Rational(distance));
-  const auto polygons = reference::to_loops(to);
-  for (std::size_t v = 0; v < from.vertex_count(); ++v) {
-    const Pt p = reference::to_pt(from.point(v));
-    bool close = false;
-    for (const auto& loops : polygons) {
-      for (const auto& loop : loops) {
-        for (std::size_t i = 0; i < loop.size() && !close; ++i) {
-          close = squared_distance(p, loop[i], loop[(i + 1) % loop.size()]) <= limit;
-        }
-      }
-    }
-    if (!close) return true;
-  }
-  return false;
 }
 
 /// What happened, for the log of a long run.
@@ -114,7 +78,7 @@ class Checker {
   void check_by_reference() const {
     EXPECT_EQ(reference::legal_fault(rounded_), "");
     EXPECT_EQ(reference::canonical_fault(rounded_), "");
-    EXPECT_FALSE(farther_than(report_.largest_move, rounded_, exact_));
+    EXPECT_FALSE(is_far(rounded_));
     const auto lost = reference::brute_force_boolean(
         exact_, rounded_, [](bool exact, bool rounded) { return exact && !rounded; });
     const auto won = reference::brute_force_boolean(
@@ -125,8 +89,8 @@ class Checker {
     if (options_.side == RoundingSide::kInside) {
       EXPECT_TRUE(won.empty());
     }
-    EXPECT_FALSE(farther_than(report_.largest_move, lost, exact_));
-    EXPECT_FALSE(farther_than(report_.largest_move, won, exact_));
+    EXPECT_FALSE(is_far(lost));
+    EXPECT_FALSE(is_far(won));
   }
 
   [[nodiscard]] std::string text() const {
@@ -136,6 +100,10 @@ class Checker {
   }
 
  private:
+  [[nodiscard]] bool is_far(const Region& region) const {
+    return reference::farther_than(report_.largest_move, {region, {}, {}}, {exact_, {}, {}});
+  }
+
   const Region& exact_;
   RoundOptions options_;
   RoundingReport report_;
@@ -151,13 +119,10 @@ Region random_sum(Random& random) {
 }
 
 void round_every_way(const Region& exact, bool by_reference, Tally& tally) {
-  for (const RoundingSide side : kSides) {
+  for (const RoundingSide side : kRoundingSides) {
     for (const std::optional<int> decimals :
          {std::optional<int>{}, std::optional<int>{3}, std::optional<int>{0}}) {
-      RoundOptions options;
-      options.side = side;
-      options.decimals = decimals;
-      const Checker checker(exact, options);
+      const Checker checker(exact, rounding(decimals, side));
       SCOPED_TRACE(checker.text());
       checker.check_all(tally);
       if (by_reference) checker.check_by_reference();
@@ -167,8 +132,9 @@ void round_every_way(const Region& exact, bool by_reference, Tally& tally) {
 
 TEST(Rounding, ItsJudgesCanReject) {
   const Region square = rectangle(0, 0, 4, 4);
-  EXPECT_FALSE(farther_than(0.5, square, rectangle(0, 0, 4, 4)));
-  EXPECT_TRUE(farther_than(0.9, rectangle(1, 1, 3, 3), rectangle(0, 0, 4, 4)));
+  EXPECT_FALSE(reference::farther_than(0.5, {square, {}, {}}, {rectangle(0, 0, 4, 4), {}, {}}));
+  EXPECT_TRUE(reference::farther_than(0.9, {rectangle(1, 1, 3, 3), {}, {}},
+                                      {rectangle(0, 0, 4, 4), {}, {}}));
   EXPECT_FALSE(on_target(scaled(square, Rational(1, 3)), std::nullopt));
   EXPECT_FALSE(on_target(scaled(square, Rational(1, 100)), 1));
   EXPECT_TRUE(on_target(scaled(square, Rational(1, 100)), 2));

@@ -19,6 +19,7 @@
 #include "minksum/round.hpp"
 #include "real/shape_run.hpp"
 #include "support/geos_validity.hpp"
+#include "support/rounding_options.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -63,8 +64,7 @@ class Runner {
     expect(name, !sum.has_thin_parts(), "thin parts");
     proofs_ += check.proof == Proof::kHolds ? 1 : 0;
     for (const auto decimals : {std::optional<int>(), std::optional<int>(3)}) {
-      for (const auto side :
-           {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
+      for (const auto side : test::kRoundingSides) {
         check_rounded(name, sum.region, side, decimals);
       }
     }

@@ -13,6 +13,7 @@
 #include "reference/tight_places.hpp"
 #include "support/geometries.hpp"
 #include "support/messes.hpp"
+#include "support/rounding_options.hpp"
 
 namespace minksum::test {
 namespace {
@@ -201,13 +202,10 @@ std::string broken_rounding(const Geometry& exact, const RoundOptions& options,
 }
 
 std::string broken_rounding(const Geometry& exact) {
-  for (const RoundingSide side :
-       {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
+  for (const RoundingSide side : kRoundingSides) {
     for (const std::optional<int> decimals :
          {std::optional<int>{}, std::optional<int>{3}, std::optional<int>{0}}) {
-      RoundOptions options;
-      options.side = side;
-      options.decimals = decimals;
+      const RoundOptions options = rounding(decimals, side);
       RoundingReport report;
       const Geometry rounded = round(exact, options, &report);
       std::string fault = broken_rounding(exact, options, report, rounded);

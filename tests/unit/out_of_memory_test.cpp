@@ -11,6 +11,7 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
+#include "support/rounding_options.hpp"
 
 namespace {
 // Requests that are still granted; below 0 all are.
@@ -140,10 +141,8 @@ TEST(OutOfMemory, Geometries) {
   EXPECT_GT(fail_at_each([&] { return resolve(p) == resolved; }), 5);
   const Geometry sum = minkowski_sum(p, q);
   EXPECT_GT(fail_at_each([&] { return minkowski_sum(p, q) == sum; }), 5);
-  for (const auto side : {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
-    RoundOptions options;
-    options.side = side;
-    options.decimals = 1;
+  for (const auto side : test::kRoundingSides) {
+    const RoundOptions options = test::to_decimals(1, side);
     const Geometry rounded = round(sum, options);
     EXPECT_GT(fail_at_each([&] { return round(sum, options) == rounded; }), 5);
   }

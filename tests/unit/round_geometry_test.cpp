@@ -6,21 +6,14 @@
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
 #include "support/geometries.hpp"
+#include "support/rounding_options.hpp"
 
 namespace {
 
 using namespace minksum;
 using namespace minksum::test;
 
-RoundOptions to_decimals(int digits, RoundingSide side = RoundingSide::kNearest) {
-  RoundOptions options;
-  options.decimals = digits;
-  options.side = side;
-  return options;
-}
 RoundOptions to_integers(RoundingSide side) { return to_decimals(0, side); }
-
-Point point(const char* x, const char* y) { return {*Rational::parse(x), *Rational::parse(y)}; }
 
 Geometry lines(std::vector<Polyline> polylines, std::vector<Point> points = {}) {
   return {{}, std::move(polylines), std::move(points)};
@@ -28,18 +21,13 @@ Geometry lines(std::vector<Polyline> polylines, std::vector<Point> points = {}) 
 
 Region polygon(Ring outer) { return Region(Polygon{std::move(outer), {}}); }
 
-Region third_triangle() { return polygon({point("0", "0"), point("1/3", "0"), point("0", "2/3")}); }
-
 /// Rounds to both sides, to doubles and to decimals, and holds what is promised.
 void expect_sides_of(const Geometry& exact) {
   for (const std::optional<int> decimals :
        {std::optional<int>{}, std::optional<int>{1}, std::optional<int>{0}}) {
     for (const RoundingSide side : {RoundingSide::kOutside, RoundingSide::kInside}) {
-      RoundOptions options;
-      options.decimals = decimals;
-      options.side = side;
       RoundingReport report;
-      const Geometry rounded = round(exact, options, &report);
+      const Geometry rounded = round(exact, rounding(decimals, side), &report);
       SCOPED_TRACE(std::string(to_string(side)) + ' ' + to_text(rounded));
       EXPECT_EQ(resolve(rounded), rounded);
       EXPECT_EQ(report.exact, rounded == exact);

@@ -11,6 +11,7 @@
 #include "minksum/minkowski_sum.hpp"
 #include "round/hot_pixels.hpp"
 #include "round/keep_topology.hpp"
+#include "support/rounding_options.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -18,25 +19,9 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-RoundOptions to_decimals(int digits, RoundingSide side = RoundingSide::kNearest) {
-  RoundOptions options;
-  options.decimals = digits;
-  options.side = side;
-  return options;
-}
-RoundOptions to_doubles(RoundingSide side) {
-  RoundOptions options;
-  options.side = side;
-  return options;
-}
-
-Point point(const char* x, const char* y) { return {*Rational::parse(x), *Rational::parse(y)}; }
-
 Region polygon(Ring outer, std::vector<Ring> holes = {}) {
   return Region(Polygon{std::move(outer), std::move(holes)});
 }
-
-Region third_triangle() { return polygon({point("0", "0"), point("1/3", "0"), point("0", "2/3")}); }
 
 TEST(Round, NearestDoubles) {
   RoundingReport report;
@@ -60,8 +45,7 @@ TEST(Round, NearestDoubles) {
 
 TEST(Round, WhatIsExactStays) {
   const Region sum = minkowski_sum(rectangle(0, 0, 2, 3), rectangle(0, 0, 1, 1));
-  for (const RoundingSide side :
-       {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
+  for (const RoundingSide side : kRoundingSides) {
     RoundingReport report;
     const Region rounded = round(sum, to_doubles(side), &report);
     EXPECT_EQ(rounded, sum);

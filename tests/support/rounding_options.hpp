@@ -1,0 +1,33 @@
+// Ways to round, and a small region that has to be.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "minksum/round.hpp"
+
+namespace minksum::test {
+
+inline constexpr std::array kRoundingSides{RoundingSide::kNearest, RoundingSide::kOutside,
+                                           RoundingSide::kInside};
+
+inline RoundOptions rounding(std::optional<int> decimals, RoundingSide side) {
+  RoundOptions options;
+  options.decimals = decimals;
+  options.side = side;
+  return options;
+}
+inline RoundOptions to_decimals(int digits, RoundingSide side = RoundingSide::kNearest) {
+  return rounding(digits, side);
+}
+inline RoundOptions to_doubles(RoundingSide side) { return rounding({}, side); }
+
+inline Point point(const char* x, const char* y) {
+  return {*Rational::parse(x), *Rational::parse(y)};
+}
+
+inline Region third_triangle() {
+  return Region(Polygon{{point("0", "0"), point("1/3", "0"), point("0", "2/3")}, {}});
+}
+
+}  // namespace minksum::test
