@@ -40,12 +40,11 @@ struct RoundingReport {
 /// and canonical (see Region). The exact one must be legal (see `validate`).
 ///
 /// Let u be a decimal step, or the last place of the coordinates' largest as a double.
-/// - kNearest: every coordinate to the nearest by itself, if that keeps the region valid and rings
-/// as
-///   they are oriented: `bound` is u/√2. Else the boundary is snap-rounded (Hobby 1999; Guibas,
-///   Marimont 1998): vertices to the nearest points of a grid of step u, and edges to the rounded
-///   vertices that they pass closely, so that nothing crosses; what collapses goes. `bound` is the
-///   same.
+/// - kNearest: every coordinate to the nearest by itself, if that keeps the region valid and its
+///   rings as they are oriented: `bound` is u/√2. Else the boundary is snap-rounded (Hobby 1999;
+///   Guibas, Marimont 1998): vertices to the nearest points of a grid of step u, and edges to the
+///   rounded vertices that they pass closely, so that nothing crosses; what collapses goes. `bound`
+///   is the same.
 /// - kOutside, kInside: every vertex that has to move goes to a corner of its cell of the target,
 ///   chosen such that no edge moves inwards (outwards), if there is such a choice and the region
 ///   stays valid. Vertices that are of the target stay. Else the region is grown (shrunk) by u/2
@@ -61,9 +60,8 @@ struct RoundingReport {
 ///   `bound` is up to 2√2·u then. If that leads to more and more such pieces, everything, thin or
 ///   not, is grown by u/2 and snap-rounded: `bound` is u·√2.
 /// - kInside: what is of the target stays: points, and polylines from vertex to vertex. Of a
-/// segment
-///   along an axis the part between the outermost places stays; of any other, its ends, as points,
-///   if they are of the target. The rest goes.
+///   segment along an axis the part between the outermost places stays; of any other, its ends, as
+///   points, if they are of the target. The rest goes.
 ///
 /// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum
 /// with a square (for a side) and of `resolve`. Thin parts take a few times that of `resolve`,
