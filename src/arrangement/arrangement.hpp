@@ -12,6 +12,7 @@
 #include "convolution/convolution.hpp"
 #include "cover/cover.hpp"
 #include "grid/box_pairs.hpp"
+#include "number/wide_int.hpp"
 
 namespace minksum {
 
@@ -115,7 +116,7 @@ struct JoinedSegments {
 
 /// A segment's line, as the cross product with the direction of its rank, and its ends along that.
 struct PlaceOnLine {
-  double line;
+  Int128 line;
   double from;
   double to;
   DirectionRank rank;
@@ -182,15 +183,16 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 void arrange_convex(const Operands& operands, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Whether so many segments share directions that many may share lines, and doubles are exact
-/// (B ≤ 25).
+/// Whether so many segments share directions that many may share lines, and their places in
+/// doubles are exact (B ≤ 52).
 [[nodiscard]] bool lines_are_joined(const Operands& operands, std::size_t segments);
 /// If wanted: joins segments that overlap, or touch, on one line in one direction; drops what
 /// others contain. Then coinciding pieces and the points at which they end or meet others are found
 /// once instead of once for each pair. The union of segments is the same, and so is its
 /// arrangement, but for nodes in the middle of a line at which nothing else ends. Vectors d of
-/// joined segments have one bit more than edges have: cross products with them are differences of
-/// products below 2^(2B+2), exact for B ≤ 25. O(k log k).
+/// joined segments have one bit more than edges have, and are exact: their cross products are
+/// differences of products below 2^(2B+2), exact for B ≤ 25, and bounded as others are beyond.
+/// O(k log k).
 void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
                 std::vector<KeptSegment>& kept);
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are

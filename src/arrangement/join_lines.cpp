@@ -1,10 +1,16 @@
 // Segments that overlap on one line, in one direction, are one.
 #include <algorithm>
+#include <cstdint>
 
 #include "arrangement/arrangement.hpp"
+#include "predicate/formulas.hpp"
 
 namespace minksum {
 namespace {
+
+Vec<Int128> exact(const Vec<double>& v) {
+  return {static_cast<std::int64_t>(v.x), static_cast<std::int64_t>(v.y)};
+}
 
 /// By line, and along it.
 void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch) {
@@ -15,8 +21,12 @@ void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinSc
     const DirectionRank rank = o.rank[kept[id].segment.edge];
     const SiteId e = scratch.edge_of_rank[rank];
     const Vec<double> d{o.sites.dx[e], o.sites.dy[e]};
-    scratch.places.push_back(
-        {cross(d, kept[id].a), dot(d, kept[id].a), dot(d, kept[id].b), rank, id});
+    const auto along = [&d](const Vec<double>& p) {
+      const double place = d.x != 0 ? p.x : p.y;
+      return (d.x != 0 ? d.x : d.y) > 0 ? place : -place;
+    };
+    scratch.places.push_back({cross(exact(d), exact(kept[id].a)), along(kept[id].a),
+                              along(kept[id].b), rank, id});
   }
   std::sort(scratch.places.begin(), scratch.places.end(),
             [](const PlaceOnLine& s, const PlaceOnLine& t) {
@@ -30,7 +40,7 @@ void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinSc
 
 bool lines_are_joined(const Operands& o, std::size_t segments) {
   constexpr std::size_t kSegmentsPerDirection = 8;  // then many may share lines
-  const bool exact = o.bounds.product == 0 && o.bounds.difference == 0 && o.bounds.direction == 0;
+  const bool exact = o.bounds.difference == 0 && o.bounds.direction == 0;
   return exact && segments >= kSegmentsPerDirection * o.rank_count;
 }
 

@@ -154,7 +154,13 @@ SegmentMeeter::Parameter SegmentMeeter::crossing_parameter(KeptId s, const Sides
 SegmentMeeter::Parameter SegmentMeeter::from_kernel(KeptId s, const PointOnSegment& point) {
   constexpr double kKernelError = 0x1p-47;
   predicates_.count_kernel(1);
-  return {predicates_.kernel().parameter(kept_[s].segment, point), kKernelError};
+  const KeptSegment& ks = kept_[s];
+  const double lambda = predicates_.kernel().parameter(ks.segment, point);
+  if (ks.joined == 0) return {lambda, kKernelError};
+  // The kernel knows the first member only, which begins where the whole begins.
+  const Vec<double> d = kept_[scratch_.join.joined[ks.joined - 1].first].d;
+  const bool by_x = std::abs(ks.d.x) >= std::abs(ks.d.y);
+  return {lambda * (by_x ? d.x / ks.d.x : d.y / ks.d.y), kKernelError};
 }
 
 void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides& of_t) {

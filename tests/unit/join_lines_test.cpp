@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "arrangement/arrangement.hpp"
+#include "minksum/minkowski_sum.hpp"
+#include "minksum/resolve.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 #include "unit/prepare_operands.hpp"
@@ -97,6 +100,47 @@ TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
     EXPECT_EQ(members.front().segment, s.segment);
     EXPECT_EQ(members.back().segment, joined.last);
   }
+}
+
+/// Determinant 1, and vectors of few bits become long and nearly parallel: doubles decide little.
+Point sheared(const Point& p) {
+  const Rational big(433494437);   // Fibonacci's, F(43)
+  const Rational more(267914296);  // F(42)
+  const Rational less(165580141);  // F(41)
+  return {big * p.x + more * p.y, more * p.x + less * p.y};
+}
+
+TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
+  Random random(7);
+  int joined_sums = 0;
+  for (int i = 0; i < 60; ++i) {
+    const bool halves = i % 2 == 1;
+    const Region p = random_cells(random, 5, 4, halves, false);
+    const Region q = i % 3 == 0 ? comb(4) : random_cells(random, 3, 4, halves, false);
+    const Region sum = minkowski_sum(p, q);
+    for (const std::function<Point(const Point&)>& map :
+         {std::function<Point(const Point&)>(sheared),
+          std::function<Point(const Point&)>([](const Point& a) {
+            const Rational factor(std::int64_t{1} << 40);
+            return Point{a.x * factor, a.y * (factor - Rational(1))};
+          })}) {
+      const Region image_p = transformed(p, map);
+      const Region image_q = transformed(q, map);
+      Operands o;
+      prepare_operands(image_p, image_q, {}, o);
+      ConvolutionScratch scratch;
+      Convolution convolution;
+      reduced_convolution(o, {}, scratch, convolution);
+      ASSERT_GT(o.bits, 25);
+      if (lines_are_joined(o, convolution.segments.size())) ++joined_sums;
+      Options options;
+      options.check = true;
+      EXPECT_EQ(minkowski_sum(image_p, image_q, options),
+                resolve({transformed(sum, map), {}, {}}).region)
+          << "case " << i;
+    }
+  }
+  EXPECT_GT(joined_sums, 60);
 }
 
 TEST(JoinLines, LeavesSegmentsOfManyDirections) {
