@@ -1,4 +1,5 @@
-// Equal sets have equal bytes: with every compiler, at every level of optimisation, on every machine.
+// Equal sets have equal bytes: with every compiler, at every level of optimisation, on every
+// machine.
 #include <gtest/gtest.h>
 
 #include <bit>

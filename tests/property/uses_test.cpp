@@ -178,7 +178,8 @@ TEST(PenetrationDepth, ItsVectorSeparatesAndLessDoesNot) {
     const auto depth = penetration_depth(as_geometry(pair.p), as_geometry(b));
     ASSERT_TRUE(depth.has_value());
     EXPECT_EQ(depth->overlapping, !intersect(pair.p, b).empty()) << message(pair);
-    EXPECT_EQ(depth->squared, depth->vector.x * depth->vector.x + depth->vector.y * depth->vector.y);
+    EXPECT_EQ(depth->squared,
+              depth->vector.x * depth->vector.x + depth->vector.y * depth->vector.y);
     const auto after = penetration_depth(as_geometry(pair.p), as_geometry(at(b, depth->vector)));
     EXPECT_FALSE(after->overlapping) << message(pair);
     EXPECT_EQ(after->squared, Rational(0)) << message(pair);

@@ -3,9 +3,10 @@
 //   outlines_run [--folders gis,fonts,nesting] [--every N] [--max-vertices N] [--first N]
 //
 // For each sum: it is valid and canonical; points near its edges and at random agree with a test of
-// its own (check_sum); where the second method is fast enough, the sum equals what that gives; it is
-// rounded to doubles and to 3 decimals, to all three sides, and stays valid (by GEOS too, if that is
-// there) and on its side. Prints a row a sum; exit code 1 if anything is wrong, 2 without shapes.
+// its own (check_sum); where the second method is fast enough, the sum equals what that gives; it
+// is rounded to doubles and to 3 decimals, to all three sides, and stays valid (by GEOS too, if
+// that is there) and on its side. Prints a row a sum; exit code 1 if anything is wrong, 2 without
+// shapes.
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -77,8 +78,8 @@ class Runner {
 
   [[nodiscard]] int finish() const {
     std::cout << sums_ << " sums, " << proofs_ << " proved by the second method, " << roundings_
-              << " roundings" << (test::geos_available() ? " (valid by GEOS)" : "") << ", " << faults_
-              << " faults" << std::endl;
+              << " roundings" << (test::geos_available() ? " (valid by GEOS)" : "") << ", "
+              << faults_ << " faults" << std::endl;
     return faults_ == 0 ? 0 : 1;
   }
 

@@ -38,12 +38,15 @@ struct ShapeRun {
     };
     for (int i = 1; i + 1 < count; i += 2) {
       const auto option = more.find(values[i]);
-      if (option == more.end()) throw std::runtime_error(std::string("unknown option ") + values[i]);
+      if (option == more.end()) {
+        throw std::runtime_error(std::string("unknown option ") + values[i]);
+      }
       option->second(values[i + 1]);
     }
   }
 
-  /// visit(name, shape, name of the next one in its folder, that shape); `wanted` tells which files.
+  /// visit(name, shape, name of the next one in its folder, that shape); `wanted` tells which
+  /// files.
   template <class Wanted, class Visit>
   void for_each(const std::filesystem::path& data, Wanted wanted, Visit visit) const {
     for (const std::string& folder : folders) {

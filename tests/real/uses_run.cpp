@@ -1,6 +1,6 @@
 // Real shapes put to use: morphology, no-fit polygons, depth and slices of configuration space of
-// each shape of some folders with a small element and with the next shape, by law, by definition and
-// beside a raster.
+// each shape of some folders with a small element and with the next shape, by law, by definition
+// and beside a raster.
 //
 //   uses_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices N]
 //            [--raster N] [--placements N]
@@ -129,9 +129,9 @@ class Runner {
            "duality");
   }
 
-  // By definition, x is in the erosion if x + b is in A for all b in B. Asked for the points of B on a
-  // fine grid and its vertices: all that the erosion has must pass; what passes must be in the erosion of
-  // A grown by the grid's step.
+  // By definition, x is in the erosion if x + b is in A for all b in B. Asked for points of B on
+  // a fine grid and its vertices: all that the erosion has must pass; what passes must be in the
+  // erosion of A grown by the grid's step.
   void check_raster(const Region& shape, const Region& element) {
     const Size size(shape);
     const Rational step = Size(element).longer() / Rational(16);
@@ -176,8 +176,8 @@ class Runner {
       const Region placed = transform(
           moving, Affine::translation(t.x - reference.x, t.y - reference.y));
       const bool overlap = !intersect(legal, placed).empty();
-      const bool meet = overlap || reference::contains_sum(legal, reflect(placed),
-                                                           {reference::Number(0), reference::Number(0)});
+      const reference::Pt origin{reference::Number(0), reference::Number(0)};
+      const bool meet = overlap || reference::contains_sum(legal, reflect(placed), origin);
       const Contact expected = overlap ? Contact::kOverlapping
                                : meet  ? Contact::kTouching
                                        : Contact::kFree;
@@ -220,8 +220,8 @@ class Runner {
     }
   }
 
-  // The next shape, about a tenth as large, as a robot among this one: a placed robot collides if and
-  // only if its configuration is inside the slice's obstacles.
+  // The next shape, about a tenth as large, as a robot among this one: a placed robot collides if
+  // and only if its configuration is inside the slice's obstacles.
   void check_slices(const Region& shape, const Region& next) {
     const double ratio = Size(shape).longer().to_double() / Size(next).longer().to_double();
     const Region robot = test::scaled(next, short_number(ratio / 10));

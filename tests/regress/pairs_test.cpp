@@ -1,5 +1,6 @@
 // Each file of `pairs` holds two operands, a line each: their sum is the same by every method, at
-// every setting, and by brute force, and so are their tight places. README.md says what each was about.
+// every setting, and by brute force, and so are their tight places. README.md says what each was
+// about.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -36,7 +36,9 @@ TEST(CheckSum, FindsALostHoleThatIsSmall) {
   Region plate;
   plate.begin_polygon();
   plate.begin_ring();
-  for (const auto& [x, y] : {std::pair{0, 0}, {900, 0}, {900, 900}, {0, 900}}) plate.add_vertex(x, y);
+  for (const auto& [x, y] : {std::pair{0, 0}, {900, 0}, {900, 900}, {0, 900}}) {
+    plate.add_vertex(x, y);
+  }
   plate.begin_ring();
   for (const auto& [x, y] : {std::pair{30, 30}, {30, 41}, {41, 41}, {41, 30}}) {
     plate.add_vertex(Rational(x, 10), Rational(y, 10));

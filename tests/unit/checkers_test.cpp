@@ -120,7 +120,7 @@ std::vector<Damage> damages() {
       {"a convexity flag", [](Stages& s) { s.operands.convex[0] ^= 1; }, run_operands,
        "a convexity flag is wrong"},
       {"a direction out of order",
-       [](Stages& s) { std::reverse(s.operands.by_direction.begin(), s.operands.by_direction.end()); },
+       [](Stages& s) { std::ranges::reverse(s.operands.by_direction); },
        run_operands, "directions are not sorted"},
       {"a ring's end", [](Stages& s) { s.operands.rings[0].end -= 1; }, run_operands,
        "rings do not tile the sites"},
@@ -150,7 +150,9 @@ std::vector<Damage> damages() {
          const auto& kept = s.arrangement.kept;
          KeptId& segment = s.arrangement.pieces[0].segment;
          const std::uint32_t line = kept[segment].line;
-         while (kept[segment].line == line) segment = (segment + 1) % static_cast<KeptId>(kept.size());
+         while (kept[segment].line == line) {
+           segment = (segment + 1) % static_cast<KeptId>(kept.size());
+         }
        },
        run_arrangement, "a piece's end is not on its segment"},
       {"a piece twice",

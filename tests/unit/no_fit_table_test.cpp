@@ -73,7 +73,8 @@ TEST(NoFitTable, HasCrossingsWithDigits) {
 TEST(NoFitTable, ReadsPartsByTheRule) {
   // A bow-tie, and a square with a spike that has no area.
   const Geometry bow_tie{test::make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), {}, {}};
-  const Geometry spiked{test::make_polygon({{0, 0}, {1, 0}, {1, 1}, {3, 1}, {1, 1}, {0, 1}}), {}, {}};
+  const Geometry spiked{
+      test::make_polygon({{0, 0}, {1, 0}, {1, 1}, {3, 1}, {1, 1}, {0, 1}}), {}, {}};
   expect_entries({bow_tie, spiked}, 4);
 }
 
@@ -121,7 +122,7 @@ TEST(NoFitTable, SaysWhichPartIsBad) {
 }
 
 TEST(NoFitTable, StopsWhenCancelled) {
-  const std::vector<Geometry> parts(4, {test::make_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), {}, {}});
+  const std::vector<Geometry> parts(4, {test::rectangle(0, 0, 1, 1), {}, {}});
   NoFitTableOptions options;
   options.cancel.emplace();
   options.cancel->cancel();

@@ -204,8 +204,8 @@ TEST(VisibleSegments, SamplesHaveOneOfEachStep) {
       EXPECT_LE(sample.segments.size(), sample.size / sample.step + 1);
       for (std::size_t i = 0; i < sample.segments.size(); ++i) {
         const std::span turn = std::span(c.all.segments).subspan(i * sample.step);
-        const auto end = turn.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(sample.step, turn.size()));
-        EXPECT_NE(std::find(turn.begin(), end, sample.segments[i]), end) << many << ": " << i;
+        const std::span first = turn.first(std::min<std::size_t>(sample.step, turn.size()));
+        EXPECT_NE(std::ranges::find(first, sample.segments[i]), first.end()) << many << ": " << i;
       }
       EXPECT_TRUE(sample.step <= 2 || (sample.segments.size() >= kSample &&
                                        sample.segments.size() < 2 * kSample));
@@ -221,7 +221,8 @@ TEST(VisibleSegments, TooManyAreAnError) {
   VisibleScratch scratch;
   Limits limits;
   limits.max_segments = 20;
-  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, limits, kGoOn, scratch), Error);
+  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, limits, kGoOn, scratch),
+               Error);
 }
 
 TEST(VisibleSegments, CanBeStopped) {
