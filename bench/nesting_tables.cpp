@@ -49,7 +49,7 @@ NoFitTable make_table(const Parts& parts, int threads) {
 }
 
 // All entries, from the parts as they were read. Reading and preparing the parts is counted.
-double table_seconds(const Parts& parts, int threads) {
+double run_table(const Parts& parts, int threads) {
   const Stopwatch watch;
   const NoFitTable table = make_table(parts, threads);
   std::vector<Geometry> entries;
@@ -62,22 +62,43 @@ double table_seconds(const Parts& parts, int threads) {
   return watch.seconds();
 }
 
-Json measure_minksum(const Parts& parts, double seconds) {
-  const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<double> one;
-  std::vector<double> all;
-  for (const Stopwatch watch; watch.seconds() < seconds || one.size() < 3;) {
-    one.push_back(table_seconds(parts, 1));
-    all.push_back(table_seconds(parts, threads));
+// The table again and again, on one thread and on all.
+class TableTimes {
+ public:
+  explicit TableTimes(const Parts& parts) : parts_(parts) {}
+
+  void measure() {
+    one_.push_back(run_table(parts_, 1));
+    all_.push_back(run_table(parts_, threads_));
+    seconds_ += one_.back() + all_.back();
   }
-  return {{"one_thread", summary(one)}, {"all_threads", summary(all)}, {"threads", threads}};
+  [[nodiscard]] double seconds() const { return seconds_; }
+  [[nodiscard]] std::size_t size() const { return one_.size(); }
+  [[nodiscard]] Json json() const {
+    return {{"one_thread", summary(one_)}, {"all_threads", summary(all_)}, {"threads", threads_}};
+  }
+
+ private:
+  const Parts& parts_;
+  int threads_ = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::vector<double> one_;
+  std::vector<double> all_;
+  double seconds_ = 0;
+};
+
+void measure_minksum(const Parts& parts, double seconds, const Report& report) {
+  TableTimes times(parts);
+  while (times.seconds() < seconds || times.size() < 3) times.measure();
+  report({{"table", times.json()}});
 }
 
-// A sample of the table by CGAL, each sum compared exactly first.
-void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] const Report& report) {
+// A sample of the table by CGAL, each sum compared exactly first, and the table in turn with it.
+void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] double table_seconds,
+                  [[maybe_unused]] const Report& report) {
 #ifdef MINKSUM_BENCH_CGAL
   test::Random random(2011);
   const NoFitTable table = make_table(parts, 1);
+  TableTimes times(parts);
   std::vector<double> seconds;
   std::size_t equal = 0;
   for (std::size_t k = 0; k < std::min(kSample, parts.sums()); ++k) {
@@ -89,9 +110,12 @@ void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] const Re
     equal += oracle::cgal_sum(p, q).sum == table.at({i, 0}, {j, turn}).region ? 1U : 0U;
     const std::unique_ptr<Peer> peer = make_cgal_reduced(p, q);
     seconds.push_back(median({peer->run(), peer->run(), peer->run()}));
+    const double share = table_seconds * static_cast<double>(k + 1) / kSample;
+    while (times.size() == 0 || times.seconds() < share) times.measure();
     double total = 0;
     for (const double each : seconds) total += each;
-    report({{"cgal",
+    report({{"table", times.json()},
+            {"cgal",
              {{"sums", seconds.size()},
               {"equal", equal},
               {"mean", total / static_cast<double>(seconds.size())}}}});
@@ -127,14 +151,14 @@ void measure_nesting_tables(const std::filesystem::path& data, const Effort& eff
                 {"parts", files.size()},
                 {"rotations", kTurns},
                 {"sums", parts.sums()}};
-    run_part("minksum", {}, record, [&](const Report& report) {
-      report({{"table", measure_minksum(parts, effort.least_seconds)}});
-    });
+    const double seconds = 8 * effort.least_seconds;
+    run_part("minksum", {}, record,
+             [&](const Report& report) { measure_minksum(parts, seconds / 4, report); });
     if (!cgal_name().empty()) {
       ChildLimits limits;
       limits.seconds_between_reports = effort.peer_seconds;
       run_part("cgal", limits, record,
-               [&](const Report& report) { measure_cgal(parts, report); });
+               [&](const Report& report) { measure_cgal(parts, seconds, report); });
     }
     take(record);
   }

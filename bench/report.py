@@ -238,8 +238,9 @@ def tables_section(records):
         "All ordered pairs of an instance's parts, the second one turned by 0, 90, 180 and 270 "
         "degrees: a `NoFitTable` of the parts as read, which makes every second sum and turns it for "
         "the other, and all entries taken from it; wall clock. CGAL takes a sample of the table's "
-        "sums, each compared exactly first; *times*: its mean times the number of sums, by the "
-        "table's time on one thread, and on all processors (CGAL's sums on one).",
+        "sums, each compared exactly first, in turn with the table; *times*: its mean times the "
+        "number of sums, by the table's time on one thread, and on all processors (CGAL's sums on "
+        "one).",
         table(["instance", "parts", "sums", "one thread", "all processors", "sums a second",
                "CGAL: mean of one sum", "equal", "times, one thread", "times, all"], rows)])
 
