@@ -96,6 +96,8 @@ class Reader {
   /// all sums would have their product. The geometry is the same set then, but not resolved.
   void leave_crossings() {
     if (as_given_ || given_.polylines.empty()) return;
+    // What runs along an area is none of the thin parts, whose sums would take tight places.
+    if (options_.tight != nullptr) return;
     if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
     if (!has_new_vertices(resolved_.polylines, given_.polylines)) return;
     // Rings that are not legal may add polylines.

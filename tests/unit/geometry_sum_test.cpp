@@ -206,6 +206,11 @@ TEST(GeometrySum, ThinPartsCoverTightPlaces) {
     EXPECT_EQ(minkowski_sum(with_point, square, options).region.polygon_count(), covers ? 1U : 2U);
     EXPECT_EQ(tight.points.size(), covers ? 0U : 1U);
   }
+  // Where a path runs along the hole it is the area's, and takes nothing, though it goes on through
+  // the area and crosses its edge.
+  const Geometry with_path{framed, {{{2, 2}, {4, 2}, {3, -2}}}, {}};
+  static_cast<void>(minkowski_sum(with_path, square, options));
+  EXPECT_EQ(to_text(tight), to_text(make_lines({}, {{3, 3}})));
   options.method = Method::kSigned;
   const Geometry line = make_lines({{{0, 0}, {1, 1}}});
   EXPECT_THROW(static_cast<void>(minkowski_sum(line, line, options)), Error);
