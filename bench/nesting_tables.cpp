@@ -152,6 +152,7 @@ void measure_nesting_tables(const std::filesystem::path& data, const Effort& eff
                 {"rotations", kTurns},
                 {"sums", parts.sums()}};
     const double seconds = 8 * effort.least_seconds;
+    // Stands where CGAL is not there, or ends without a sum: what is measured in turn replaces it.
     run_part("minksum", {}, record,
              [&](const Report& report) { measure_minksum(parts, seconds / 4, report); });
     if (!cgal_name().empty()) {
