@@ -12,7 +12,6 @@
 #include "convolution/convolution.hpp"
 #include "cover/cover.hpp"
 #include "grid/box_pairs.hpp"
-#include "number/wide_int.hpp"
 
 namespace minksum {
 
@@ -114,9 +113,10 @@ struct JoinedSegments {
   KeptId end;
 };
 
-/// A segment's line, as the cross product with the direction of its rank, and its ends along that.
+/// A segment's line, as the cross product with the direction of its rank, rounded, and its ends
+/// along that.
 struct PlaceOnLine {
-  Int128 line;
+  double line;
   double from;
   double to;
   DirectionRank rank;

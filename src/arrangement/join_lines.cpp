@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "arrangement/arrangement.hpp"
+#include "number/wide_int.hpp"
 #include "predicate/formulas.hpp"
 
 namespace minksum {
@@ -12,29 +13,63 @@ Vec<Int128> exact(const Vec<double>& v) {
   return {static_cast<std::int64_t>(v.x), static_cast<std::int64_t>(v.y)};
 }
 
-/// By line, and along it.
-void list_places(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch) {
-  scratch.edge_of_rank.resize(o.rank_count);
-  for (const SiteId e : o.by_direction) scratch.edge_of_rank[o.rank[e]] = e;
-  scratch.places.clear();
-  for (KeptId id = 0; id < kept.size(); ++id) {
-    const DirectionRank rank = o.rank[kept[id].segment.edge];
-    const SiteId e = scratch.edge_of_rank[rank];
-    const Vec<double> d{o.sites.dx[e], o.sites.dy[e]};
-    const auto along = [&d](const Vec<double>& p) {
-      const double place = d.x != 0 ? p.x : p.y;
-      return (d.x != 0 ? d.x : d.y) > 0 ? place : -place;
-    };
-    scratch.places.push_back({cross(exact(d), exact(kept[id].a)), along(kept[id].a),
-                              along(kept[id].b), rank, id});
+/// Places of segments on lines, in order: by line, and along it.
+class PlaceLister {
+ public:
+  PlaceLister(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch)
+      : o_(o), kept_(kept), scratch_(scratch), doubles_tell_(o.bounds.product == 0) {}
+
+  void run() {
+    scratch_.edge_of_rank.resize(o_.rank_count);
+    for (const SiteId e : o_.by_direction) scratch_.edge_of_rank[o_.rank[e]] = e;
+    scratch_.places.clear();
+    for (KeptId id = 0; id < kept_.size(); ++id) {
+      const DirectionRank rank = o_.rank[kept_[id].segment.edge];
+      const Vec<double> d = direction(rank);
+      const auto along = [&d](const Vec<double>& p) {
+        const double place = d.x != 0 ? p.x : p.y;
+        return (d.x != 0 ? d.x : d.y) > 0 ? place : -place;
+      };
+      const Vec<double>& a = kept_[id].a;
+      const double line =
+          doubles_tell_ ? cross(d, a) : static_cast<double>(cross(exact(d), exact(a)));
+      scratch_.places.push_back({line, along(a), along(kept_[id].b), rank, id});
+    }
+    doubles_tell_ ? sort<true>() : sort<false>();
   }
-  std::sort(scratch.places.begin(), scratch.places.end(),
-            [](const PlaceOnLine& s, const PlaceOnLine& t) {
-              if (s.rank != t.rank) return s.rank < t.rank;
-              if (s.line != t.line) return s.line < t.line;
-              return s.from != t.from ? s.from < t.from : s.id < t.id;
-            });
-}
+  [[nodiscard]] bool same_line(const PlaceOnLine& s, const PlaceOnLine& t) const {
+    return s.rank == t.rank && s.line == t.line &&
+           (doubles_tell_ || exact_line(s) == exact_line(t));
+  }
+
+ private:
+  template <bool kDoublesTell>
+  void sort() {
+    std::sort(scratch_.places.begin(), scratch_.places.end(),
+              [this](const PlaceOnLine& s, const PlaceOnLine& t) {
+                if (s.rank != t.rank) return s.rank < t.rank;
+                if (s.line != t.line) return s.line < t.line;
+                if constexpr (!kDoublesTell) {
+                  const Int128 line_s = exact_line(s);
+                  const Int128 line_t = exact_line(t);
+                  if (line_s != line_t) return line_s < line_t;
+                }
+                return s.from != t.from ? s.from < t.from : s.id < t.id;
+              });
+  }
+  [[nodiscard]] Vec<double> direction(DirectionRank rank) const {
+    const SiteId e = scratch_.edge_of_rank[rank];
+    return {o_.sites.dx[e], o_.sites.dy[e]};
+  }
+  [[nodiscard]] Int128 exact_line(const PlaceOnLine& place) const {
+    return cross(exact(direction(place.rank)), exact(kept_[place.id].a));
+  }
+
+  const Operands& o_;
+  const std::vector<KeptSegment>& kept_;
+  JoinScratch& scratch_;
+  bool doubles_tell_;  ///< cross products have no rounding
+};
 
 }  // namespace
 
@@ -49,7 +84,8 @@ void join_lines(const Operands& o, bool wanted, JoinScratch& scratch,
   scratch.joined.clear();
   scratch.members.clear();
   if (!wanted) return;
-  list_places(o, kept, scratch);
+  PlaceLister lister(o, kept, scratch);
+  lister.run();
   auto& members = scratch.members;
   auto& result = scratch.result;
   result.clear();
@@ -59,8 +95,7 @@ void join_lines(const Operands& o, bool wanted, JoinScratch& scratch,
     const std::size_t first = members.size();
     members.push_back(kept[start.id]);
     double reach = start.to;
-    for (++i; i < places.size() && places[i].rank == start.rank && places[i].line == start.line &&
-              places[i].from <= reach;
+    for (++i; i < places.size() && lister.same_line(places[i], start) && places[i].from <= reach;
          ++i) {
       if (places[i].to <= reach) continue;
       reach = places[i].to;
