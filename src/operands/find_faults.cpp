@@ -1,13 +1,13 @@
 // What makes an operand illegal: edges that meet where they must not, rings in the wrong place.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "grid/box_pairs.hpp"
 #include "grid/uniform_grid.hpp"
+#include "operands/bin_edges.hpp"
 #include "operands/prepared_operand.hpp"
 #include "region/region_access.hpp"
 
@@ -32,7 +32,7 @@ class ContactFinder {
     const double cells = edges < 100 ? edges / 4 : edges;
     const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
     grid_ = UniformGrid::over(extent.x, extent.y, side);
-    bin(grid_);
+    bin_edges(o_, grid_, scratch_);
     const auto& begin = scratch_.cell_begin;
     for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
       const std::uint32_t count = begin[cell + 1] - begin[cell];
@@ -123,51 +123,6 @@ class ContactFinder {
     const std::size_t vertex = o_.vertex_source[v];
     faults_.push_back({message, RegionAccess::culprit(*o_.region, vertex), o_.region->x(vertex),
                        o_.region->y(vertex)});
-  }
-
-  void bin(const UniformGrid& grid) {
-    auto& entries = scratch_.cell_entries;
-    auto& begin = scratch_.cell_begin;
-    entries.clear();
-    begin.assign(static_cast<std::size_t>(grid.size()) + 2, 0);
-    const auto columns = static_cast<std::uint32_t>(grid.columns);
-    const auto enter = [&](std::int32_t i, std::int32_t j, SiteId e) {
-      const std::uint32_t cell =
-          static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i);
-      entries.emplace_back(cell, e);
-      ++begin[cell + 2];
-      return true;
-    };
-    const auto& [x, y, dx, dy, next] = o_.sites;
-    const double margin = UniformGrid::kMargin * grid.cell;
-    for (SiteId e = 0; e < o_.size(); ++e) {
-      const SiteId f = next[e];
-      const std::int32_t left = grid.column(std::min(x[e], x[f]) - margin);
-      const std::int32_t right = grid.column(std::max(x[e], x[f]) + margin);
-      const std::int32_t bottom = grid.row(std::min(y[e], y[f]) - margin);
-      const std::int32_t top = grid.row(std::max(y[e], y[f]) + margin);
-      // Of a short edge's box hardly a cell is far from the edge.
-      if (right - left <= 1 && top - bottom <= 1) {
-        for (std::int32_t j = bottom; j <= top; ++j) {
-          for (std::int32_t i = left; i <= right; ++i) enter(i, j, e);
-        }
-      } else {
-        grid.walk({x[e], y[e]}, {x[f], y[f]}, UniformGrid::kMargin,
-                  [&](std::int32_t i, std::int32_t j) { return enter(i, j, e); });
-      }
-    }
-    limit_entries();
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    scratch_.in_cells.resize(entries.size());
-    for (const auto& [cell, e] : entries) scratch_.in_cells[begin[cell + 1]++] = e;
-    begin.pop_back();
-  }
-
-  /// An edge is in a cell once, so one cell's count is no problem; their sum may be.
-  void limit_entries() const {
-    if (scratch_.cell_entries.size() <= std::numeric_limits<std::uint32_t>::max()) return;
-    throw Error(ErrorCode::kLimitExceeded,
-                "the edges of an operand pass 2^32 cells of a grid or more");
   }
 
   [[nodiscard]] bool boxes_apart(SiteId e, SiteId f) const {
