@@ -20,10 +20,9 @@ struct Frame {
 };
 
 // Written without branches, for the compiler to turn into vector code.
-std::int32_t classify_block(const Frame& c, std::size_t count,
-                            const RoundedSegment* __restrict segment,
-                            const std::int32_t* __restrict id, std::int32_t* __restrict mask,
-                            Packed& sums) {
+[[gnu::always_inline]] inline std::int32_t classify_block(
+    const Frame& c, std::size_t count, const RoundedSegment* __restrict segment,
+    const std::int32_t* __restrict id, std::int32_t* __restrict mask, Packed& sums) {
   const float reach = c.half + c.margin;
   const float doubt_here = 5 * c.half + 8;
   std::int32_t unsure_any = 0;
@@ -179,15 +178,17 @@ std::int32_t winding_step_along_ray(const QuadCell& cell, std::size_t i,
 }
 
 std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
-                              std::size_t end, SegmentStack& stack) {
+                              std::size_t end, Vectors vectors, SegmentStack& stack) {
   std::array<Tally, 4> tallies{};
   const Frame frame{static_cast<float>(cell.x), static_cast<float>(cell.y),
                     static_cast<float>(cell.half / 2), static_cast<float>(margin)};
   for (std::size_t i = begin; i < end; i += kBlock) {
     Packed sums;
     const std::size_t count = std::min(kBlock, end - i);
-    const std::int32_t unsure = classify_block(
-        frame, count, stack.segment.data() + i, stack.id.data() + i, stack.mask.data() + i, sums);
+    const std::int32_t unsure = with_vectors(vectors, [&]() __attribute__((always_inline)) {
+      return classify_block(frame, count, stack.segment.data() + i, stack.id.data() + i,
+                            stack.mask.data() + i, sums);
+    });
     for (std::size_t k = 0; k < 4; ++k) {
       tallies[k].near += sums[k] & 0xFF;
       tallies[k].losing += (sums[k] >> 8) & 0xFF;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "cover/vectors.hpp"
+
 namespace minksum {
 
 /// A segment of the signed convolution: where it starts, and its edge. The winding number is
@@ -71,7 +73,7 @@ struct Tally {
 /// than B · 2^-21. Signs that this cannot tell, and segments within two units of a centre, are
 /// *unsure*, and looked at again in integers. What decides nothing exact errs on the safe side.
 std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
-                              std::size_t end, SegmentStack& stack);
+                              std::size_t end, Vectors vectors, SegmentStack& stack);
 
 /// What entry i adds to the winding number of the cell's centre if it crosses the ray from there to
 /// the right.

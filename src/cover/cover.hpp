@@ -9,6 +9,7 @@
 #include "convolution/convolution.hpp"
 #include "cover/bitmap.hpp"
 #include "cover/classify.hpp"
+#include "cover/vectors.hpp"
 #include "grid/uniform_grid.hpp"
 
 namespace minksum {
@@ -52,6 +53,7 @@ struct CellEdge {
 
 /// Memory for the stage.
 struct CoverScratch {
+  Vectors vectors = widest_vectors();  ///< of its inner loops; what comes out is always the same
   Bitmap inside[2];    ///< cells of an operand that lie inside it, with a margin
   Bitmap boundary;     ///< cells that its boundary may touch
   Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours

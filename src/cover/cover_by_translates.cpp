@@ -112,8 +112,9 @@ RowRange occupied_rows(const Bitmap& bitmap) {
 
 /// target |= source moved by `bits` < 64 columns, through rows as if they were one: what is set
 /// stays within its row. The target is as long as the source, and may have one word more.
-void unite_moved(const std::uint64_t* __restrict from, std::size_t count, int bits,
-                 std::uint64_t* __restrict to, bool one_more) {
+[[gnu::always_inline]] inline void unite_moved(const std::uint64_t* __restrict from,
+                                               std::size_t count, int bits,
+                                               std::uint64_t* __restrict to, bool one_more) {
   if (bits == 0) {
     for (std::size_t w = 0; w < count; ++w) to[w] |= from[w];
     return;
@@ -128,9 +129,10 @@ void unite_moved(const std::uint64_t* __restrict from, std::size_t count, int bi
 /// moves of a run.
 class RunSpreader {
  public:
-  RunSpreader(const Bitmap& source, std::vector<std::uint64_t>& widened, Bitmap& target)
-      : rows_(occupied_rows(source)), words_(source.words_per_row()), widened_(widened),
-        target_(target) {
+  RunSpreader(const Bitmap& source, Vectors vectors, std::vector<std::uint64_t>& widened,
+              Bitmap& target)
+      : rows_(occupied_rows(source)), words_(source.words_per_row()), vectors_(vectors),
+        widened_(widened), target_(target) {
     if (words_ != target.words_per_row()) {
       throw Error(ErrorCode::kInternal, "rows of different lengths", {}, "cover");
     }
@@ -160,7 +162,7 @@ class RunSpreader {
     widened_.resize(from + 2 * count_);
     std::uint64_t* source = widened_.data() + from;
     std::copy(source, source + count_, source + count_);
-    unite_moved(source, count_, 1 << levels_, source + count_, false);
+    unite(source, count_, 1 << levels_, source + count_, false);
     ++levels_;
   }
   void place(int level, std::int32_t column, std::int32_t row) {
@@ -168,13 +170,20 @@ class RunSpreader {
                                static_cast<std::size_t>(column >> 6);
     const std::size_t size = target_.words().size();
     if (offset >= size) return;
-    unite_moved(widened_.data() + static_cast<std::size_t>(level) * count_,
-                std::min(count_, size - offset), column & 63, target_.words().data() + offset,
-                offset + count_ < size);
+    unite(widened_.data() + static_cast<std::size_t>(level) * count_,
+          std::min(count_, size - offset), column & 63, target_.words().data() + offset,
+          offset + count_ < size);
+  }
+  void unite(const std::uint64_t* from, std::size_t count, int bits, std::uint64_t* to,
+             bool one_more) const {
+    with_vectors(vectors_, [&]() __attribute__((always_inline)) {
+      unite_moved(from, count, bits, to, one_more);
+    });
   }
 
   RowRange rows_;
   std::size_t words_;
+  Vectors vectors_;
   std::size_t first_ = 0;  ///< of the source's words
   std::size_t count_ = 0;
   int levels_ = 0;
@@ -219,7 +228,7 @@ class Spreader {
   /// Corners of cells inside the other operand are points of it, and moves by them keep the raster
   /// aligned.
   void by_lattice_points() {
-    RunSpreader spreader(inside_, scratch_.widened, cover_.covered);
+    RunSpreader spreader(inside_, scratch_.vectors, scratch_.widened, cover_.covered);
     if (spreader.empty()) return;
     const std::size_t words = other_inside_.words_per_row();
     auto& corners = scratch_.row;
@@ -242,7 +251,7 @@ class Spreader {
   /// block of four cells.
   void by_boundary_points() {
     make_blocks(inside_, scratch_.block);
-    RunSpreader spreader(scratch_.block, scratch_.widened, cover_.covered);
+    RunSpreader spreader(scratch_.block, scratch_.vectors, scratch_.widened, cover_.covered);
     if (spreader.empty()) return;
     sample_boundary();
     const std::size_t words = other_inside_.words_per_row();

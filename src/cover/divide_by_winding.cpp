@@ -18,8 +18,8 @@ constexpr int kMostFutile = 4;
 class Divider {
  public:
   Divider(const Operands& o, CoverScratch& scratch, Cover& cover)
-      : o_(o), reflex_(scratch.reflex.segments), stack_(scratch.stack), known_(scratch.known),
-        cover_(cover) {}
+      : o_(o), reflex_(scratch.reflex.segments), vectors_(scratch.vectors), stack_(scratch.stack),
+        known_(scratch.known), cover_(cover) {}
 
   void run(std::span<const Segment> reduced, std::int32_t side) {
     take_known();
@@ -119,7 +119,7 @@ class Divider {
   /// Of a cell whose quarters are `side` / 2 cells wide.
   void divide(const Cell& cell, std::int32_t side) {
     const std::array<Tally, 4> tallies =
-        classify(cell.square, margin_, cell.begin, cell.end, stack_);
+        classify(cell.square, margin_, cell.begin, cell.end, vectors_, stack_);
     const auto many = static_cast<std::int32_t>((cell.end - cell.begin) * 3 / 4);
     int crowded = 0;
     for (const Tally& tally : tallies) crowded += tally.near > many ? 1 : 0;
@@ -183,6 +183,7 @@ class Divider {
 
   const Operands& o_;
   std::span<const Segment> reflex_;
+  Vectors vectors_;
   SegmentStack& stack_;
   Bitmap& known_;           ///< what was covered before the division,
   UniformGrid known_grid_;  ///< and on which grid

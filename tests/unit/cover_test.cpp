@@ -178,6 +178,34 @@ TEST(Cover, DividedByWindingIsInside) {
   }
 }
 
+std::vector<std::uint64_t> words(const Cover& cover) {
+  const auto all = cover.covered.words();
+  return {all.begin(), all.end()};
+}
+
+/// What the machine has not is left out: on those that have nothing wider, this asserts nothing.
+TEST(Cover, IsTheSameWithWiderVectors) {
+  for (const auto& [name, p, q] : pairs()) {
+    for (const int grid : {16, 50, 300}) {
+      Covered plain(p, q, grid);
+      plain.scratch.vectors = Vectors::kPlain;
+      Covered wide(p, q, grid);
+      for (const Vectors vectors : {Vectors::kAvx2, Vectors::kAvx512}) {
+        if (vectors > widest_vectors()) continue;
+        wide.scratch.vectors = vectors;
+        for (Covered* c : {&plain, &wide}) {
+          c->cover.divided = false;
+          cover_interior(c->operands, c->options, c->scratch, c->convolution, c->cover);
+        }
+        EXPECT_EQ(words(plain.cover), words(wide.cover)) << name << " on grid " << grid;
+        for (Covered* c : {&plain, &wide}) c->divide(256);
+        EXPECT_EQ(words(plain.cover), words(wide.cover)) << name << " divided";
+        EXPECT_EQ(plain.cover.leaf_segments, wide.cover.leaf_segments) << name;
+      }
+    }
+  }
+}
+
 /// Every place that is near a reduced segment is in a covered cell or in a leaf that lists it.
 TEST(Cover, LeavesListTheirSegments) {
   for (const auto& pair : pairs()) {

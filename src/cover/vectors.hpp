@@ -1,0 +1,63 @@
+// Loops that are compiled several times: for every machine, and for those with wider vectors.
+#pragma once
+
+#include <cstdint>
+
+namespace minksum {
+
+/// The vector instructions that a loop may use.
+enum class Vectors : std::uint8_t {
+  kPlain,   ///< what the library is built for
+  kAvx2,
+  kAvx512,  ///< F, BW, DQ, VL
+};
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+/// The widest that this machine has.
+[[nodiscard]] inline Vectors widest_vectors() {
+  static const Vectors widest = [] {
+    const bool has_avx512 = __builtin_cpu_supports("avx512f") != 0 &&
+                            __builtin_cpu_supports("avx512bw") != 0 &&
+                            __builtin_cpu_supports("avx512dq") != 0 &&
+                            __builtin_cpu_supports("avx512vl") != 0;
+    if (has_avx512) return Vectors::kAvx512;
+    return __builtin_cpu_supports("avx2") != 0 ? Vectors::kAvx2 : Vectors::kPlain;
+  }();
+  return widest;
+}
+
+template <class Work>
+[[gnu::target("avx2")]] auto with_avx2(Work work) {
+  return work();
+}
+template <class Work>
+[[gnu::target("avx512f,avx512bw,avx512dq,avx512vl")]] auto with_avx512(Work work) {
+  return work();
+}
+
+/// work(), compiled for such vectors, which the machine must have. The same code, and no product is
+/// fused with a sum: so the result is the same, bit by bit. What is to gain from it has to be
+/// inlined: a lambda, and the functions it calls, marked [[gnu::always_inline]].
+template <class Work>
+auto with_vectors(Vectors vectors, Work work) {
+  switch (vectors) {
+    case Vectors::kAvx512: return with_avx512(work);
+    case Vectors::kAvx2: return with_avx2(work);
+    case Vectors::kPlain: break;
+  }
+  return work();
+}
+
+#else
+
+[[nodiscard]] inline Vectors widest_vectors() { return Vectors::kPlain; }
+
+template <class Work>
+auto with_vectors(Vectors, Work work) {
+  return work();
+}
+
+#endif
+
+}  // namespace minksum
