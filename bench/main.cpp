@@ -23,7 +23,7 @@ constexpr const char* kUsage =
     "                     [--budget SECONDS]\n"
     "  --set     what to measure (default: all): paper kin named figures spiky nesting\n"
     "            tables gis doubles families\n"
-    "  --only    only pairs, or families, with this in their names\n"
+    "  --only    only pairs, families, or instances, with this in their names\n"
     "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
     "  --budget  longest time for one sum by a peer, or it is given up (default: 60; quick: 4)\n"
@@ -87,7 +87,8 @@ void print(const Json& record) {
     std::printf(" %10.3f ms", member(record, "minksum_alone", "median") * 1e3);
   }
   for (const char* peer : {"cgal", "cgal_full", "clipper", "geos"}) {
-    if (record.contains(peer)) std::printf("  %s %.1f x", peer, member(record, peer, "ratio"));
+    const double ratio = member(record, peer, "ratio");
+    if (ratio > 0) std::printf("  %s %.1f x", peer, ratio);
   }
   if (record.contains("doubles")) {
     std::printf(" doubles / decimals %.2f", static_cast<double>(record["ratio"]));
@@ -96,8 +97,12 @@ void print(const Json& record) {
     std::printf(" %.0f sums a second", static_cast<double>(record["sums_per_second"]));
   }
   if (record.contains("table")) {
-    std::printf(" %zu sums in %.1f ms", record["sums"].get<std::size_t>(),
-                member(record["table"], "one_thread", "median") * 1e3);
+    const double table = member(record["table"], "one_thread", "median");
+    const double sums = record["sums"];
+    std::printf(" %.0f sums in %.1f ms", sums, table * 1e3);
+    if (record.contains("cgal")) {
+      std::printf("  cgal %.1f x", member(record, "cgal", "mean") * sums / table);
+    }
   }
   if (record.contains("equal_to_cgal") && record["equal_to_cgal"] == false) {
     std::printf("  NOT EQUAL to CGAL's result, not timed");
@@ -160,7 +165,7 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
   } else if (set == "doubles") {
     measure_doubles(*data, effort, arguments.quick, take);
   } else if (set == "tables") {
-    measure_nesting_tables(*data, effort, arguments.quick, take);
+    measure_nesting_tables(*data, effort, arguments.quick, arguments.only, take);
   } else {
     for (const Case& one : cases_of(set, *data, arguments.quick)) {
       if (one.name.find(arguments.only) != std::string::npos) take(measure(one, effort));

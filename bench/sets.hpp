@@ -24,8 +24,10 @@ void measure_families(const Effort& effort, double longest_seconds, const std::s
 /// Doubles against decimals of six digits, nearly the same shapes, in turn in one process.
 void measure_doubles(const std::filesystem::path& data, const Effort& effort, bool quick,
                      const std::function<void(const Json&)>& take);
-/// For each nesting instance the whole table of its no-fit polygons, and a sample of it by CGAL.
+/// For each nesting instance with `only` in its name the whole table of its no-fit polygons, and a
+/// sample of it by CGAL.
 void measure_nesting_tables(const std::filesystem::path& data, const Effort& effort, bool quick,
+                            const std::string& only,
                             const std::function<void(const Json&)>& take);
 /// Files of nesting parts without holes, of so many vertices, sorted by name.
 [[nodiscard]] std::vector<std::string> nesting_parts(const std::filesystem::path& data,

@@ -36,11 +36,12 @@ struct ShapeRun {
       std::stringstream list(value);
       for (std::string folder; std::getline(list, folder, ',');) folders.push_back(folder);
     };
-    for (int i = 1; i + 1 < count; i += 2) {
+    for (int i = 1; i < count; i += 2) {
       const auto option = more.find(values[i]);
       if (option == more.end()) {
         throw std::runtime_error(std::string("unknown option ") + values[i]);
       }
+      if (i + 1 == count) throw std::runtime_error(std::string(values[i]) + " needs a value");
       option->second(values[i + 1]);
     }
   }
