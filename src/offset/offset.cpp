@@ -51,8 +51,13 @@ class Offset {
                                      : radius_ / Rational(1000)) {}
 
   [[nodiscard]] Geometry run(const Geometry& a) const {
-    if (all_round(options_)) return round(a, options_.fill);
     const ResolveOptions reading{options_.fill, inwards_, options_.cancel, 0};
+    if (all_round(options_)) {
+      // The disc is read as A is, and its ring is counter-clockwise.
+      const bool reads_disc = options_.fill != FillRule::kNegative;
+      return reads_disc ? round(a, options_.fill)
+                        : round(resolve(a, reading), FillRule::kAutomatic);
+    }
     Geometry set = resolve({a.region, {}, {}}, reading);
     const Corners corners(radius_, tolerance_, options_);
     Region outlines;

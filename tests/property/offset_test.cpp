@@ -9,6 +9,7 @@
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "property/offsets.hpp"
+#include "support/messes.hpp"
 
 namespace minksum {
 namespace {
@@ -211,13 +212,23 @@ TEST(Offset, TinyEdges) {
 TEST(Offset, ReadsByFillRule) {
   const Geometry twice = of_area(make_region(
       {{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}}, {{{5, 5}, {15, 5}, {15, 15}, {5, 15}}}}));
-  for (const FillRule fill : {FillRule::kEvenOdd, FillRule::kNonZero, FillRule::kPositive}) {
-    for (const Join join : kJoins) {
-      OffsetOptions options = with(join);
-      options.fill = fill;
-      for (const int d : {1, -1, 0}) {
-        EXPECT_EQ(offset(twice, d, options),
-                  offset(resolve(twice, {fill, false, {}}), d, with(join)));
+  std::vector<Geometry> shapes{
+      twice, of_area(make_region({{{{0, 0}, {0, 10}, {10, 10}, {10, 0}}},
+                                  {{{5, 5}, {5, 15}, {15, 15}, {15, 5}}}}))};
+  Random random(3);
+  // Other joins than round ones take polylines as they are given.
+  for (int i = 0; i < kShapes; ++i) shapes.push_back(of_area(random_mess(random).region));
+  for (const FillRule fill : {FillRule::kEvenOdd, FillRule::kNonZero, FillRule::kPositive,
+                              FillRule::kNegative}) {
+    for (const Geometry& shape : shapes) {
+      const Geometry read = resolve(shape, {fill, false, {}});
+      for (const Join join : kJoins) {
+        OffsetOptions options = with(join);
+        options.fill = fill;
+        for (const int d : {1, 9, -1, 0}) {
+          EXPECT_EQ(offset(shape, d, options), offset(read, d, with(join)))
+              << to_string(fill) << ' ' << to_string(join) << ' ' << message(shape, d);
+        }
       }
     }
   }
