@@ -138,8 +138,7 @@ std::map<std::string, std::vector<std::string>> instances(const std::filesystem:
 }  // namespace
 
 void measure_nesting_tables(const std::filesystem::path& data, const Effort& effort, bool quick,
-                            const std::string& only,
-                            const std::function<void(const Json&)>& take) {
+                            const std::string& only, const std::function<void(const Json&)>& take) {
   std::size_t count = 0;
   for (const auto& [name, files] : instances(data)) {
     if (name.find(only) == std::string::npos) continue;

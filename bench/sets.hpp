@@ -27,8 +27,7 @@ void measure_doubles(const std::filesystem::path& data, const Effort& effort, bo
 /// For each nesting instance with `only` in its name the whole table of its no-fit polygons, and a
 /// sample of it by CGAL.
 void measure_nesting_tables(const std::filesystem::path& data, const Effort& effort, bool quick,
-                            const std::string& only,
-                            const std::function<void(const Json&)>& take);
+                            const std::string& only, const std::function<void(const Json&)>& take);
 /// Files of nesting parts without holes, of so many vertices, sorted by name.
 [[nodiscard]] std::vector<std::string> nesting_parts(const std::filesystem::path& data,
                                                      std::size_t least, std::size_t most);

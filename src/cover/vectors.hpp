@@ -7,7 +7,7 @@ namespace minksum {
 
 /// The vector instructions that a loop may use.
 enum class Vectors : std::uint8_t {
-  kPlain,   ///< what the library is built for
+  kPlain,  ///< what the library is built for
   kAvx2,
   kAvx512,  ///< F, BW, DQ, VL
 };
@@ -17,10 +17,9 @@ enum class Vectors : std::uint8_t {
 /// The widest that this machine has.
 [[nodiscard]] inline Vectors widest_vectors() {
   static const Vectors widest = [] {
-    const bool has_avx512 = __builtin_cpu_supports("avx512f") != 0 &&
-                            __builtin_cpu_supports("avx512bw") != 0 &&
-                            __builtin_cpu_supports("avx512dq") != 0 &&
-                            __builtin_cpu_supports("avx512vl") != 0;
+    const bool has_avx512 =
+        __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+        __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
     if (has_avx512) return Vectors::kAvx512;
     return __builtin_cpu_supports("avx2") != 0 ? Vectors::kAvx2 : Vectors::kPlain;
   }();
@@ -42,9 +41,12 @@ template <class Work>
 template <class Work>
 auto with_vectors(Vectors vectors, Work work) {
   switch (vectors) {
-    case Vectors::kAvx512: return with_avx512(work);
-    case Vectors::kAvx2: return with_avx2(work);
-    case Vectors::kPlain: break;
+    case Vectors::kAvx512:
+      return with_avx512(work);
+    case Vectors::kAvx2:
+      return with_avx2(work);
+    case Vectors::kPlain:
+      break;
   }
   return work();
 }

@@ -212,14 +212,14 @@ TEST(Offset, TinyEdges) {
 TEST(Offset, ReadsByFillRule) {
   const Geometry twice = of_area(make_region(
       {{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}}, {{{5, 5}, {15, 5}, {15, 15}, {5, 15}}}}));
-  std::vector<Geometry> shapes{
-      twice, of_area(make_region({{{{0, 0}, {0, 10}, {10, 10}, {10, 0}}},
-                                  {{{5, 5}, {5, 15}, {15, 15}, {15, 5}}}}))};
+  std::vector<Geometry> shapes{twice,
+                               of_area(make_region({{{{0, 0}, {0, 10}, {10, 10}, {10, 0}}},
+                                                    {{{5, 5}, {5, 15}, {15, 15}, {15, 5}}}}))};
   Random random(3);
   // Other joins than round ones take polylines as they are given.
   for (int i = 0; i < kShapes; ++i) shapes.push_back(of_area(random_mess(random).region));
-  for (const FillRule fill : {FillRule::kEvenOdd, FillRule::kNonZero, FillRule::kPositive,
-                              FillRule::kNegative}) {
+  for (const FillRule fill :
+       {FillRule::kEvenOdd, FillRule::kNonZero, FillRule::kPositive, FillRule::kNegative}) {
     for (const Geometry& shape : shapes) {
       const Geometry read = resolve(shape, {fill, false, {}});
       for (const Join join : kJoins) {
