@@ -6,6 +6,7 @@
 #include <chrono>
 #include <new>
 
+#include "fixed_sum.hpp"
 #include "geometry_sum/geometry_sum.hpp"
 #include "minksum/prepared_region.hpp"
 #include "output/output.hpp"
@@ -119,7 +120,16 @@ void prepare(const Given& p, const Given& q, const Options& options, Workspace::
     if (!faults.empty()) reject(faults[0], static_cast<int>(i));
     ready[i] = &w.prepared[i];
   }
-  combine_operands(*ready[0], *ready[1], options, w.operands);
+  combine_operands(*ready[0], *ready[1], options, NarrowHoles::kFill, w.operands);
+}
+
+/// The second operand, which is legal; the first one is prepared.
+void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
+                   const Options& options, Workspace::State& w) {
+  std::vector<Fault> faults;
+  prepare_operand(legal, options, 0, w.operand_scratch, w.prepared[1], faults);
+  if (!faults.empty()) reject(faults[0], 1);
+  combine_operands(p, w.prepared[1], options, narrow, w.operands);
 }
 
 void report_tight_places(const Options& options, const std::function<void()>& stop,
@@ -129,12 +139,10 @@ void report_tight_places(const Options& options, const std::function<void()>& st
   write_tight_places(w.operands, w.arrangement, w.tight, *options.tight);
 }
 
-void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
-                  Region& result) {
-  StageRunner runner(options);
+/// The stages after the operands'.
+void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
+                Workspace::State& w, Region& result) {
   const std::function<void()> stop = [&] { runner.stop_if_asked(); };
-
-  runner.run(Stage::kOperands, [&] { prepare(p, q, options, w); });
   if (options.check) runner.require(check(w.operands));
   if (w.operands.all_parallel()) return result.clear();
   Predicates predicates(w.operands.sites, *w.operands.kernel, w.operands.bounds);
@@ -143,8 +151,13 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
   if (options.check) {
     runner.require(check(w.convolution, w.operands, is_full(w, options)));
   }
-  runner.run(Stage::kCover,
-             [&] { cover_interior(w.operands, options, w.cover_scratch, w.convolution, w.cover); });
+  runner.run(Stage::kCover, [&] {
+    if (shared != nullptr) {
+      cover_interior(w.operands, *shared, options, w.cover_scratch, w.convolution, w.cover);
+    } else {
+      cover_interior(w.operands, options, w.cover_scratch, w.convolution, w.cover);
+    }
+  });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {
     if (w.operands.both_convex && options.method == Method::kReduced) {
@@ -182,6 +195,13 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
     fill_trace(w.operands, w.convolution, w.cover, w.arrangement, w.loops, w.filtered,
                *options.trace);
   }
+}
+
+void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
+                  Region& result) {
+  StageRunner runner(options);
+  runner.run(Stage::kOperands, [&] { prepare(p, q, options, w); });
+  run_stages(options, nullptr, runner, w, result);
 }
 
 void require_legal(const Given& p, const Given& q) {
@@ -361,6 +381,31 @@ Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Op
                       Workspace& workspace, Region& result) {
   return run_without_exceptions(given(p), given(q), options, workspace, result);
 }
+Outcome minkowski_sum(const PreparedRegion& fixed, const Region& legal, const SharedRaster* shared,
+                      const Options& options, Workspace& workspace, Region& result) {
+  Workspace::State& w = workspace.state();
+  const auto run_all = [&] {
+    if (options.statistics != nullptr) *options.statistics = Statistics{};
+    if (options.tight != nullptr) *options.tight = Geometry{};
+    if (fixed.region().empty() || legal.empty()) return result.clear();
+    StageRunner runner(options);
+    runner.run(Stage::kOperands, [&] {
+      prepare_legal(fixed.state().operand, legal, NarrowHoles::kFill, options, w);
+    });
+    run_stages(options, shared, runner, w, result);
+  };
+  return without_exceptions(run_all, [&] { result.clear(); });
+}
+
+std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Region& typical,
+                                         double widest, const Options& options) {
+  Workspace workspace;
+  Workspace::State& w = workspace.state();
+  prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, w);
+  convolve(w, options);
+  return share_raster(w.operands, widest, options, w.cover_scratch, w.convolution);
+}
+
 Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {
   Workspace workspace;
   Geometry result;

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "threads/in_order.hpp"
+#include "fixed_sum.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/configuration_space.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/prepared_region.hpp"
+#include "threads/in_order.hpp"
 
 namespace minksum {
 
@@ -76,6 +77,11 @@ std::optional<Box> box_of(const Geometry& geometry) {
 
 Box widened(const Box& box, const Rational& by) {
   return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+}
+
+/// −R(turn).
+Region turned_mirror(const Region& robot, const Turn& turn) {
+  return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()));
 }
 
 Region as_region(const Box& box) {
@@ -153,19 +159,24 @@ Slice ConfigurationSpace::slice(const Turn& turn, bool with_free) const {
 }
 
 Slice ConfigurationSpace::slice(const Turn& turn, bool with_free, Workspace& workspace) const {
+  return slice(turn, nullptr, with_free, workspace);
+}
+
+Slice ConfigurationSpace::slice(const Turn& turn, const SharedRaster* shared, bool with_free,
+                                Workspace& workspace) const {
   const auto begin = std::chrono::steady_clock::now();
   Slice slice;
   slice.turn = turn;
   Options options = sum_options(state_->options);
   Geometry tight;
   if (with_free && state_->options.tight) options.tight = &tight;
-  Region mirrored = transform(state_->robot, Affine::scaling(Rational(-1)).after(turn.map()));
+  Region mirrored = turned_mirror(state_->robot, turn);
   const Outcome outcome =
       state_->forbidden.has_thin_parts()
           ? minkowski_sum(state_->forbidden, {std::move(mirrored), {}, {}}, options, workspace,
                           slice.obstacles)
-          : minkowski_sum(state_->prepared, PreparedRegion(std::move(mirrored)), options,
-                          workspace, slice.obstacles.region);
+          : minkowski_sum(state_->prepared, mirrored, shared, options, workspace,
+                          slice.obstacles.region);
   if (!outcome.ok()) throw *outcome.error;
   if (with_free) {
     slice.free.region = subtract(as_region(boundary_), slice.obstacles.region);
@@ -180,8 +191,16 @@ void ConfigurationSpace::for_each_slice(
     std::span<const Turn> turns, bool with_free,
     const std::function<void(std::size_t, Slice&)>& finish,
     const std::function<void(std::size_t, Slice&)>& visit) const {
+  // For few slices it would take longer than it saves.
+  constexpr std::size_t kManySlices = 8;
+  std::optional<SharedRaster> shared;
+  if (turns.size() >= kManySlices && !state_->forbidden.region.empty() &&
+      !state_->forbidden.has_thin_parts()) {
+    shared = share_raster(state_->prepared, turned_mirror(state_->robot, turns.front()),
+                          2 * state_->reach.to_double(), sum_options(state_->options));
+  }
   const auto make = [&](std::size_t i, Workspace& workspace) {
-    Slice made = slice(turns[i], with_free, workspace);
+    Slice made = slice(turns[i], shared ? &*shared : nullptr, with_free, workspace);
     if (finish) finish(i, made);
     return made;
   };

@@ -31,6 +31,9 @@ class Bitmap {
   [[nodiscard]] const std::uint64_t* row(std::int32_t j) const {
     return bits_.data() + words_ * static_cast<std::size_t>(j);
   }
+  [[nodiscard]] bool has_any() const {
+    return std::any_of(bits_.begin(), bits_.end(), [](std::uint64_t word) { return word != 0; });
+  }
   [[nodiscard]] bool get(std::int32_t i, std::int32_t j) const {
     return ((row(j)[i >> 6] >> (i & 63)) & 1) != 0;
   }

@@ -177,6 +177,7 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
   const bool wanted = options.cover && options.method != Method::kFull &&
                       !operands.both_convex && !operands.both_thin() && size != 0;
   cover.divided = false;
+  cover.by_translates = true;
   cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
                                            !is_sparse(operands, size, list)));
   if (!cover.active) cover_on_grid(operands, choose_plain_side(size), scratch, cover);
@@ -201,6 +202,7 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
         cover_on_grid(operands, side, scratch, cover);
       }
       cover_by_parallelograms(operands, scratch, cover);
+      cover.by_translates = false;
       crowded = look(operands, sample, cover).crossings > kFewLeft * static_cast<double>(size);
     }
     crowded = crowded && divisible;
@@ -214,6 +216,7 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
     if (!crowded) cover_on_grid(operands, choose_plain_side(size), scratch, cover);
   }
   if (!crowded) return;
+  cover.by_translates = false;
   divide_by_winding(operands, convolution, options.limits, choose_division(size, options), scratch,
                     cover);
 }

@@ -35,6 +35,7 @@ struct Cover {
   UniformGrid grid;
   bool active = false;  ///< false: no cell is covered
   Bitmap covered;       ///< of the grid's size if active
+  bool by_translates = true;  ///< nothing else has marked cells
   bool divided = false;
   std::vector<CoverLeaf> leaves;
   std::vector<std::uint32_t> leaf_segments;  ///< indices into the convolution
@@ -51,13 +52,18 @@ struct CellEdge {
   Vec<double> d;
 };
 
+/// An operand on cells, from its own box's lower left corner on.
+struct OperandRaster {
+  Bitmap inside;   ///< cells that lie inside it, with a margin
+  Bitmap blocks;   ///< cells that are inside with their right, upper and upper right neighbours
+  Bitmap sampled;  ///< cells in which a boundary point was taken
+};
+
 /// Memory for the stage.
 struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< of its inner loops; what comes out is always the same
-  Bitmap inside[2];    ///< cells of an operand that lie inside it, with a margin
-  Bitmap boundary;     ///< cells that its boundary may touch
-  Bitmap block;        ///< cells that are inside with their right, upper and upper right neighbours
-  Bitmap sampled;      ///< cells of an operand in which a boundary point was taken
+  OperandRaster raster[2];
+  Bitmap boundary;     ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with itself moved by columns
   std::vector<std::uint64_t> row;
   std::vector<CellEdge> long_edges[2];
@@ -83,6 +89,12 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
 /// size, move that by one point of Q for each cell that has one, runs of them at a time, unite; the
 /// same with P and Q exchanged. O(words of a raster · runs of the other).
 void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover);
+/// The same with a raster of the first operand, of rows as long as the cover's.
+void cover_by_translates(const Operands& operands, const OperandRaster& first,
+                         CoverScratch& scratch, Cover& cover);
+/// The first operand on cells of the cover's size, in rows as long as its. `boundary` is memory.
+void rasterise_first(const Operands& operands, const Cover& cover, Bitmap& boundary,
+                     OperandRaster& raster);
 
 /// Marks more cells of the grid: those that lie in e ⊕ f for some long edges e of P and f of Q.
 ///

@@ -39,8 +39,9 @@ void fill_between_toggles(Bitmap& bitmap) {
 /// the boundary, and the parity at its centre tells which: rounding moves edges by far less.
 class Rasteriser {
  public:
-  Rasteriser(const Operands& o, int operand, const Cover& cover, CoverScratch& scratch)
-      : o_(o), sites_(o, operand), inside_(scratch.inside[operand]), boundary_(scratch.boundary) {
+  Rasteriser(const Operands& o, int operand, const Cover& cover, Bitmap& boundary,
+             OperandRaster& raster)
+      : o_(o), sites_(o, operand), raster_(raster), inside_(raster.inside), boundary_(boundary) {
     const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
     grid_.cell = cover.grid.cell;
     grid_.inverse = cover.grid.inverse;
@@ -64,6 +65,24 @@ class Rasteriser {
     fill_between_toggles(inside_);
     for (std::size_t w = 0; w < inside_.words().size(); ++w) {
       inside_.words()[w] &= ~boundary_.words()[w];
+    }
+    make_blocks(inside_, raster_.blocks);
+  }
+  void sample_boundary() {
+    Bitmap& sampled = raster_.sampled;
+    sampled.reset(grid_.columns, grid_.rows, words_);
+    const double inverse = grid_.inverse;
+    for (SiteId e = sites_.begin; e < sites_.end; ++e) {
+      const Vec<double> a = at(o_, e);
+      const Vec<double> b = at(o_, o_.sites.next[e]);
+      const double cells = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * inverse;
+      const int steps = static_cast<int>(cells) + 1;
+      const Vec<double> step{(b.x - a.x) * inverse / steps, (b.y - a.y) * inverse / steps};
+      for (int k = 0; k < steps; ++k) {
+        const auto i = static_cast<std::int32_t>(a.x * inverse + k * step.x);
+        const auto j = static_cast<std::int32_t>(a.y * inverse + k * step.y);
+        if (i >= 0 && j >= 0 && i < sampled.columns() && j < sampled.rows()) sampled.set(i, j);
+      }
     }
   }
 
@@ -90,6 +109,7 @@ class Rasteriser {
   SiteRange sites_;
   UniformGrid grid_;
   std::size_t words_;
+  OperandRaster& raster_;
   Bitmap& inside_;
   Bitmap& boundary_;
 };
@@ -215,9 +235,9 @@ void for_each_run(const std::vector<std::uint64_t>& row, Visit visit) {
 /// Marks what the interior of `moved` covers when it is moved by points of the other operand.
 class Spreader {
  public:
-  Spreader(const Operands& o, int moved, CoverScratch& scratch, Cover& cover)
-      : o_(o), sites_(o, 1 - moved), inside_(scratch.inside[moved]),
-        other_inside_(scratch.inside[1 - moved]), scratch_(scratch), cover_(cover) {}
+  Spreader(const OperandRaster& moved, const OperandRaster& other, CoverScratch& scratch,
+           Cover& cover)
+      : moved_(moved), other_(other), scratch_(scratch), cover_(cover) {}
 
   void run() {
     by_lattice_points();
@@ -228,16 +248,17 @@ class Spreader {
   /// Corners of cells inside the other operand are points of it, and moves by them keep the raster
   /// aligned.
   void by_lattice_points() {
-    RunSpreader spreader(inside_, scratch_.vectors, scratch_.widened, cover_.covered);
+    RunSpreader spreader(moved_.inside, scratch_.vectors, scratch_.widened, cover_.covered);
     if (spreader.empty()) return;
-    const std::size_t words = other_inside_.words_per_row();
+    const Bitmap& inside = other_.inside;
+    const std::size_t words = inside.words_per_row();
     auto& corners = scratch_.row;
     corners.resize(words);
-    for (std::int32_t j = 0; j <= other_inside_.rows(); ++j) {
+    for (std::int32_t j = 0; j <= inside.rows(); ++j) {
       std::uint64_t carry = 0;
       for (std::size_t w = 0; w < words; ++w) {
-        const std::uint64_t cells = (j > 0 ? other_inside_.row(j - 1)[w] : 0) |
-                                    (j < other_inside_.rows() ? other_inside_.row(j)[w] : 0);
+        const std::uint64_t cells = (j > 0 ? inside.row(j - 1)[w] : 0) |
+                                    (j < inside.rows() ? inside.row(j)[w] : 0);
         corners[w] = cells | (cells << 1) | carry;
         carry = cells >> 63;
       }
@@ -250,54 +271,64 @@ class Spreader {
   /// One point of the other for each cell that has one. A cell moved back by such a point lies in a
   /// block of four cells.
   void by_boundary_points() {
-    make_blocks(inside_, scratch_.block);
-    RunSpreader spreader(scratch_.block, scratch_.vectors, scratch_.widened, cover_.covered);
+    RunSpreader spreader(moved_.blocks, scratch_.vectors, scratch_.widened, cover_.covered);
     if (spreader.empty()) return;
-    sample_boundary();
-    const std::size_t words = other_inside_.words_per_row();
+    const std::size_t words = other_.inside.words_per_row();
     auto& cells = scratch_.row;
     cells.resize(words);
-    for (std::int32_t j = 0; j < other_inside_.rows(); ++j) {
+    for (std::int32_t j = 0; j < other_.inside.rows(); ++j) {
       // Cells inside join runs, and add nothing by themselves.
       for (std::size_t w = 0; w < words; ++w) {
-        cells[w] = scratch_.sampled.row(j)[w] | other_inside_.row(j)[w];
+        cells[w] = other_.sampled.row(j)[w] | other_.inside.row(j)[w];
       }
       for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
         spreader.spread(first + 1, last + 1, j + 1);
       });
     }
   }
-  void sample_boundary() {
-    Bitmap& sampled = scratch_.sampled;
-    sampled.reset(other_inside_.columns(), other_inside_.rows(), other_inside_.words_per_row());
-    const double inverse = cover_.grid.inverse;
-    for (SiteId e = sites_.begin; e < sites_.end; ++e) {
-      const Vec<double> a = at(o_, e);
-      const Vec<double> b = at(o_, o_.sites.next[e]);
-      const double cells = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * inverse;
-      const int steps = static_cast<int>(cells) + 1;
-      const Vec<double> step{(b.x - a.x) * inverse / steps, (b.y - a.y) * inverse / steps};
-      for (int k = 0; k < steps; ++k) {
-        const auto i = static_cast<std::int32_t>(a.x * inverse + k * step.x);
-        const auto j = static_cast<std::int32_t>(a.y * inverse + k * step.y);
-        if (i >= 0 && j >= 0 && i < sampled.columns() && j < sampled.rows()) sampled.set(i, j);
-      }
-    }
-  }
-
-  const Operands& o_;
-  SiteRange sites_;
-  const Bitmap& inside_;
-  const Bitmap& other_inside_;
+  const OperandRaster& moved_;
+  const OperandRaster& other_;
   CoverScratch& scratch_;
   Cover& cover_;
 };
 
 }  // namespace
 
+namespace {
+
+void spread(const OperandRaster& first, const OperandRaster& second, CoverScratch& scratch,
+            Cover& cover) {
+  Spreader(first, second, scratch, cover).run();
+  Spreader(second, first, scratch, cover).run();
+}
+
+}  // namespace
+
 void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover) {
-  for (const int operand : {0, 1}) Rasteriser(operands, operand, cover, scratch).run();
-  for (const int moved : {0, 1}) Spreader(operands, moved, scratch, cover).run();
+  auto& [first, second] = scratch.raster;
+  Rasteriser one(operands, 0, cover, scratch.boundary, first);
+  Rasteriser other(operands, 1, cover, scratch.boundary, second);
+  one.run();
+  other.run();
+  if (second.blocks.has_any()) one.sample_boundary();
+  if (first.blocks.has_any()) other.sample_boundary();
+  spread(first, second, scratch, cover);
+}
+
+void cover_by_translates(const Operands& operands, const OperandRaster& first,
+                         CoverScratch& scratch, Cover& cover) {
+  OperandRaster& second = scratch.raster[1];
+  Rasteriser other(operands, 1, cover, scratch.boundary, second);
+  other.run();
+  if (first.blocks.has_any()) other.sample_boundary();
+  spread(first, second, scratch, cover);
+}
+
+void rasterise_first(const Operands& operands, const Cover& cover, Bitmap& boundary,
+                     OperandRaster& raster) {
+  Rasteriser rasteriser(operands, 0, cover, boundary, raster);
+  rasteriser.run();
+  rasteriser.sample_boundary();
 }
 
 void make_blocks(const Bitmap& bitmap, Bitmap& block) {

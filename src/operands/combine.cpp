@@ -189,8 +189,8 @@ class HoleFiller {
 
 }  // namespace
 
-void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_wanted,
-                Operands& o) {
+void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles narrow,
+                bool tight_wanted, Operands& o) {
   auto& renumbered = o.scratch.renumbered;
   o.rings.clear();
   renumbered.clear();
@@ -201,7 +201,7 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_w
     auto& kept = o.scratch.kept[i];
     kept.clear();
     std::optional<HoleFiller> filler;
-    if (has_holes(operand)) {
+    if (narrow == NarrowHoles::kFill && has_holes(operand)) {
       filler.emplace(operand, i == 0 ? q : p, tight_wanted, o.scratch.sizes[i]);
     }
     for (const OperandRing& ring : operand.rings) {
@@ -246,8 +246,8 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Option
 }
 
 void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
-                      Operands& o) {
-  fill_holes(p, q, options.tight != nullptr, o);
+                      NarrowHoles narrow, Operands& o) {
+  fill_holes(p, q, narrow, options.tight != nullptr, o);
   join_sites(p, q, options, o);
   o.convex.clear();
   o.vertex_source.clear();

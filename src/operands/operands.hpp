@@ -74,10 +74,13 @@ struct Operands {
   }
 };
 
+/// What becomes of holes that nothing of the other operand fits into.
+enum class NarrowHoles : std::uint8_t { kFill, kKeep };
+
 /// Fills `operands` from two operands without faults. O(n + m) for n and m sites, if neither's
 /// coordinates are wide.
 void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
-                      Operands& operands);
+                      NarrowHoles narrow, Operands& operands);
 
 /// Whether `operands` keeps its promises; what is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Operands& operands);
@@ -88,13 +91,14 @@ void list_parallel_sums(const Operands& operands, std::span<const Region, 2> wal
                         const Limits& limits, std::vector<Polyline>& sums);
 
 // -- Steps, in their order ---------------------------------------------------------------------
-/// Lists the sites that stay: not those of holes into which no polygon of the other operand fits.
+/// Lists the sites that stay: all, or not those of holes into which no polygon of the other operand
+/// fits.
 ///
 /// If tight places are wanted, what fits without any play fits, and so does part of a polygon whose
 /// rings touch and cut its inside in parts. So holes are filled only if strictly narrower than
 /// polygons without holes; and only in operands of one polygon, so that polygons never overlap.
-void fill_holes(const PreparedOperand& p, const PreparedOperand& q, bool tight_wanted,
-                Operands& operands);
+void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles narrow,
+                bool tight_wanted, Operands& operands);
 /// Both operands' exact coordinates on their common grid.
 void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
                 Operands& operands);

@@ -227,13 +227,15 @@ class Runner {
     const Region robot = test::scaled(next, short_number(ratio / 10));
     const Region legal = resolve(as_geometry(shape)).region;
     const ConfigurationSpace space(as_geometry(robot), as_geometry(shape));
-    for (const int degrees : {0, 37, 160, 270}) {
-      const Turn turn = nearest_turn(degrees);
-      const Slice slice = space.slice(turn);
+    std::vector<Turn> turns;
+    for (const int degrees : {0, 37, 90, 121, 160, 200, 270, 333}) {
+      turns.push_back(nearest_turn(degrees));
+    }
+    for (const Slice& slice : space.slices(turns)) {
       const PointLocator obstacles(slice.obstacles);
       const Size size(slice.obstacles.region);
-      const Region turned = transform(robot, turn.map());
-      for (int k = 0; k < arguments_.placements / 4; ++k) {
+      const Region turned = transform(robot, slice.turn.map());
+      for (int k = 0; k < arguments_.placements / 8; ++k) {
         const Point at{size.min.x + size.width * Rational(random_.between(-20, 1020), 1000),
                        size.min.y + size.height * Rational(random_.between(-20, 1020), 1000)};
         const Region placed = transform(turned, Affine::translation(at.x, at.y));

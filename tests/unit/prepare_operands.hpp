@@ -15,7 +15,7 @@ inline void prepare_operands(const Region& p, const Region& q, const Options& op
   prepare_operand(p, options, 1, scratch, prepared[0], faults);
   prepare_operand(q, options, 1, scratch, prepared[1], faults);
   ASSERT_TRUE(faults.empty());
-  combine_operands(prepared[0], prepared[1], options, operands);
+  combine_operands(prepared[0], prepared[1], options, NarrowHoles::kFill, operands);
 }
 
 }  // namespace minksum::test

@@ -56,7 +56,7 @@ TEST(ThinOperand, TheCheckerKnowsEndsFromSpikes) {
   const Made hook(kHook);
   const auto combined = [&] {
     Operands operands;
-    combine_operands(triangle.operand, hook.operand, {}, operands);
+    combine_operands(triangle.operand, hook.operand, {}, NarrowHoles::kFill, operands);
     return operands;
   };
   EXPECT_EQ(check(combined()), std::nullopt);
@@ -74,7 +74,7 @@ TEST(ThinOperand, EndsTakeHalfACircleOfDirections) {
   const Made triangle(kTriangle);
   const Made segment({{{0, 0}, {5, 1}}});
   Operands operands;
-  combine_operands(triangle.operand, segment.operand, {}, operands);
+  combine_operands(triangle.operand, segment.operand, {}, NarrowHoles::kFill, operands);
   EXPECT_TRUE(operands.both_convex);
   ConvolutionScratch scratch;
   Convolution convolution;
@@ -91,7 +91,7 @@ TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
     const Made a(p);
     const Made b(q);
     Operands operands;
-    combine_operands(a.operand, b.operand, {}, operands);
+    combine_operands(a.operand, b.operand, {}, NarrowHoles::kFill, operands);
     ConvolutionScratch scratch;
     Convolution convolution;
     reduced_convolution(operands, {}, scratch, convolution);
@@ -110,7 +110,7 @@ TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
   const Made p({{{0, 0}, {3, 0}, {3, 2}}});
   const Made q({{{0, 0}, {-7, 0}}, {{5, 5}, {6, 5}}, {{0, 0}, {1, 1}}});
   Operands operands;
-  combine_operands(p.operand, q.operand, {}, operands);
+  combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, operands);
   const std::array<Region, 2> walks{p.region, q.region};
   std::vector<Polyline> sums;
   list_parallel_sums(operands, walks, {}, sums);

@@ -180,7 +180,7 @@ TEST(VisibleSegments, AlongAPolyline) {
     Region walk;
     walk_there_and_back(test::make_lines({line}).polylines, walk);
     prepare_thin_operand(walk, c.options, scratch, prepared[1]);
-    combine_operands(prepared[0], prepared[1], c.options, c.operands);
+    combine_operands(prepared[0], prepared[1], c.options, NarrowHoles::kFill, c.operands);
     c.find_cover();
     covers += compare(c, "polyline " + std::to_string(i), hidden) ? 1 : 0;
   }

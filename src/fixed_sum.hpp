@@ -1,0 +1,19 @@
+// Sums of a prepared region with regions that are known to be legal, as images of a legal one are.
+#pragma once
+
+#include "cover/shared_raster.hpp"
+#include "minksum/prepared_region.hpp"
+
+namespace minksum {
+
+/// minkowski_sum(fixed, legal). `shared`, if it is not null, is for sums of `fixed`.
+Outcome minkowski_sum(const PreparedRegion& fixed, const Region& legal, const SharedRaster* shared,
+                      const Options& options, Workspace& workspace, Region& result);
+
+/// What sums of `fixed` with others like `typical`, which is legal and not empty, can share; see
+/// `share_raster`.
+[[nodiscard]] std::optional<SharedRaster> share_raster(const PreparedRegion& fixed,
+                                                       const Region& typical, double widest,
+                                                       const Options& options);
+
+}  // namespace minksum
