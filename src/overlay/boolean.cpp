@@ -1,7 +1,11 @@
 // Boolean operations.
 #include "minksum/boolean.hpp"
 
+#include <optional>
+
+#include "complement/complement.hpp"
 #include "overlay/chains.hpp"
+#include "region/region_access.hpp"
 
 namespace minksum {
 namespace {
@@ -11,6 +15,23 @@ using overlay::Winding;
 // A point of a legal region has an odd number of its rings around it, whatever their directions.
 bool in_first(const Winding& w) { return w.first % 2 != 0; }
 bool in_second(const Winding& w) { return w.second % 2 != 0; }
+
+/// The box that a region is, if it is four vertices of one.
+std::optional<Box> as_box(const Region& region) {
+  if (region.ring_count() != 1 || region.vertex_count() != 4) return std::nullopt;
+  const auto equal = [&](const auto& coordinate, std::size_t v, std::size_t w) {
+    return RegionAccess::compare(region, coordinate(region, v), coordinate(region, w)) == 0;
+  };
+  // Whether it starts with a side along the x axis.
+  const bool across = equal(RegionAccess::y, 0, 1);
+  const auto& along = across ? RegionAccess::y : RegionAccess::x;
+  const auto& athwart = across ? RegionAccess::x : RegionAccess::y;
+  if (!equal(along, 0, 1) || !equal(athwart, 1, 2) || !equal(along, 2, 3) ||
+      !equal(athwart, 3, 0)) {
+    return std::nullopt;
+  }
+  return bounding_box(region);
+}
 
 Region combine(const Region& a, const Region& b, overlay::Inside inside) {
   std::vector<overlay::Chain> chains;
@@ -48,6 +69,9 @@ Region intersect(const Region& a, const Region& b) {
   return combine(a, b, [](const Winding& w) { return in_first(w) && in_second(w); });
 }
 Region subtract(const Region& a, const Region& b) {
+  if (const auto box = as_box(a)) {
+    if (auto result = complement_in(*box, b)) return std::move(*result);
+  }
   return combine(a, b, [](const Winding& w) { return in_first(w) && !in_second(w); });
 }
 Region symmetric_difference(const Region& a, const Region& b) {
