@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fuzz/geometry_reader.hpp"
@@ -166,6 +167,7 @@ void try_slice(const Case& c, int degrees) {
   if (robot.empty()) return;
   ConfigurationOptions options;
   options.fill = c.fill;
+  options.threads = 1;
   const ConfigurationSpace space(c.a, c.b, options);
   const Turn turn = nearest_turn(Rational(degrees * 3, 2), 0.5);
   const Slice slice = space.slice(turn, true);
@@ -176,6 +178,16 @@ void try_slice(const Case& c, int degrees) {
   const Region all(Polygon{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
   require(unite(slice.obstacles.region, slice.free.region) == all, c,
           "obstacles and free space are all there is");
+  // Many slices share some of their work.
+  std::vector<Turn> turns;
+  for (int k = 0; k < 8; ++k) turns.push_back(nearest_turn(turn.asked + Rational(7 * k), 0.5));
+  const std::vector<Slice> slices = space.slices(turns, true);
+  const Slice last = space.slice(turns.back(), true);
+  for (const auto& [shared, single] :
+       {std::pair(&slices.front(), &slice), {&slices.back(), &last}}) {
+    require(shared->obstacles == single->obstacles && shared->free == single->free, c,
+            "slices made together are as those made one by one");
+  }
 }
 
 }  // namespace
