@@ -1,0 +1,64 @@
+// The driver: operands → convolution → cover → arrangement → loops → filters → output.
+#pragma once
+
+#include <array>
+
+#include "cover/shared_raster.hpp"
+#include "minksum/prepared_region.hpp"
+#include "output/output.hpp"
+#include "stage_runner.hpp"
+#include "tight/tight.hpp"
+
+namespace minksum {
+
+/// Every stage's result and scratch memory.
+struct Workspace::State {
+  OperandScratch operand_scratch;
+  std::array<PreparedOperand, 2> prepared;
+  std::array<Region, 2> walks;          ///< along polylines, see thin operands
+  std::array<PreparedOperand, 2> thin;  ///< of `walks`
+  Operands operands;
+  ConvolutionScratch convolution_scratch;
+  Convolution convolution;
+  CoverScratch cover_scratch;
+  Cover cover;
+  ArrangementScratch arrangement_scratch;
+  Arrangement arrangement;
+  LoopScratch loop_scratch;
+  Loops loops;
+  BoxTrees trees;
+  FilteredLoops filtered;
+  OutputScratch output_scratch;
+  Boundary boundary;
+  TightScratch tight_scratch;
+  TightPlaces tight;
+};
+
+struct PreparedRegion::State {
+  Region region;
+  PreparedOperand operand;  ///< of `region`; nothing if that is empty
+};
+
+/// One of the two that are to be summed: prepared before, or now.
+struct Given {
+  const Region& region;
+  const PreparedOperand* operand = nullptr;
+};
+
+/// The sum of two that are not empty, by Method::kReduced or kFull.
+void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
+                  Region& result);
+
+// -- Parts of it --------------------------------------------------------------------------------
+/// Throws what tells of a fault of an operand.
+[[noreturn]] void reject(const Fault& fault, int operand);
+/// Combines a prepared operand with one that is legal.
+void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
+                   const Options& options, Workspace::State& w);
+/// Lists the convolution, or where there is much of it a sample.
+void convolve(Workspace::State& w, const Options& options);
+/// The stages after the operands'. With a raster for these operands, or null.
+void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
+                Workspace::State& w, Region& result);
+
+}  // namespace minksum
