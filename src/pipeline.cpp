@@ -89,12 +89,23 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
   if (w.operands.all_parallel()) return result.clear();
   Predicates predicates(w.operands.sites, *w.operands.kernel, w.operands.bounds);
 
-  runner.run(Stage::kConvolution, [&] { convolve(w, options); });
+  const bool merged = w.operands.both_convex && options.method == Method::kReduced;
+  // What is merged takes neither of these, but they may be looked at.
+  const bool skipped = merged && !options.check && options.trace == nullptr &&
+                       w.operands.size() <= options.limits.max_segments;
+  runner.run(Stage::kConvolution, [&] {
+    if (!skipped) return convolve(w, options);
+    w.convolution.segments.clear();
+    w.convolution.size = w.operands.size();
+    w.convolution.step = 1;
+  });
   if (options.check) {
     runner.require(check(w.convolution, w.operands, is_full(w, options)));
   }
   runner.run(Stage::kCover, [&] {
-    if (shared != nullptr) {
+    if (skipped) {
+      w.cover.active = false;
+    } else if (shared != nullptr) {
       cover_interior(w.operands, *shared, options, w.cover_scratch, w.convolution, w.cover);
     } else {
       cover_interior(w.operands, options, w.cover_scratch, w.convolution, w.cover);
@@ -102,7 +113,7 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
   });
   if (options.check) runner.require(check(w.cover, w.operands));
   runner.run(Stage::kArrangement, [&] {
-    if (w.operands.both_convex && options.method == Method::kReduced) {
+    if (merged) {
       arrange_convex(w.operands, w.arrangement);
     } else {
       arrange(w.operands, w.convolution, w.cover, options, stop, predicates, w.arrangement_scratch,
