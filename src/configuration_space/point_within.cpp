@@ -97,10 +97,13 @@ std::vector<Candidate> candidates(const Region& region, const Point& from, const
   return found;
 }
 
-/// A height that no vertex has, in the middle of the largest gap between heights of vertices.
-Rational height_between(const Region& region) {
+/// A height that no vertex of a polygon has, in the middle of the largest gap between heights of its
+/// vertices. A level line there crosses it: it is connected.
+Rational height_between(const Region& region, std::size_t polygon) {
   std::vector<Rational> heights;
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) heights.push_back(region.exact_y(v));
+  for (const std::size_t ring : region.rings_of(polygon)) {
+    for (const std::size_t v : region.vertices_of(ring)) heights.push_back(region.exact_y(v));
+  }
   std::sort(heights.begin(), heights.end());
   std::size_t best = 1;
   for (std::size_t i = 2; i < heights.size(); ++i) {
@@ -109,21 +112,20 @@ Rational height_between(const Region& region) {
   return (heights[best] + heights[best - 1]) * Rational(1, 2);
 }
 
-/// Between the first two edges that a level line crosses away from all vertices.
+/// In the first polygon, between two edges that a level line crosses away from all its vertices.
 Point exact_point(const Region& region) {
-  const Rational y = height_between(region);
+  const std::size_t polygon = region.polygons().front();
+  const Rational y = height_between(region, polygon);
   std::vector<Rational> crossings;
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      const IndexRange vertices = region.vertices_of(ring);
-      Point a = region.point(vertices.front() + vertices.size() - 1);
-      for (const std::size_t v : vertices) {
-        const Point b = region.point(v);
-        if ((a.y > y) != (b.y > y)) {
-          crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
-        }
-        a = b;
+  for (const std::size_t ring : region.rings_of(polygon)) {
+    const IndexRange vertices = region.vertices_of(ring);
+    Point a = region.point(vertices.front() + vertices.size() - 1);
+    for (const std::size_t v : vertices) {
+      const Point b = region.point(v);
+      if ((a.y > y) != (b.y > y)) {
+        crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
       }
+      a = b;
     }
   }
   std::sort(crossings.begin(), crossings.end());
