@@ -225,9 +225,14 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
                                          double widest, const Options& options) {
   Workspace workspace;
   Workspace::State& w = workspace.state();
-  prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, w);
-  convolve(w, options);
-  return share_raster(w.operands, widest, options, w.cover_scratch, w.convolution);
+  try {
+    prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, w);
+    convolve(w, options);
+    return share_raster(w.operands, widest, options, w.cover_scratch, w.convolution);
+  } catch (const Error&) {
+    // With narrow holes there may be more than the limits allow; each sum tells for itself.
+    return std::nullopt;
+  }
 }
 
 Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {

@@ -41,13 +41,6 @@ void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Co
 
 Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
 
-/// How a sample of the segments fares under a cover.
-struct Visibility {
-  double share = 0;    ///< of segments that touch an uncovered cell
-  double crowding = 0; ///< segments to an uncovered cell, on average
-  double crossings = 0; ///< in uncovered cells, roughly
-};
-
 /// A few of the segments; each stands for `step` of them.
 struct Sample {
   std::span<const Segment> segments;
@@ -219,6 +212,11 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
   cover.by_translates = false;
   divide_by_winding(operands, convolution, options.limits, choose_division(size, options), scratch,
                     cover);
+}
+
+Visibility look_at_sample(const Operands& operands, const Convolution& convolution,
+                          const Cover& cover, CoverScratch& scratch) {
+  return look(operands, take_sample(convolution, scratch), cover);
 }
 
 std::uint64_t Cover::covered_count() const {

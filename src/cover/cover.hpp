@@ -59,6 +59,13 @@ struct OperandRaster {
   Bitmap sampled;  ///< cells in which a boundary point was taken
 };
 
+/// How a sample of the segments fares under a cover.
+struct Visibility {
+  double share = 0;      ///< of segments that touch an uncovered cell
+  double crowding = 0;   ///< segments to an uncovered cell, on average
+  double crossings = 0;  ///< in uncovered cells, roughly
+};
+
 /// Memory for the stage.
 struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< of its inner loops; what comes out is always the same
@@ -81,6 +88,10 @@ struct CoverScratch {
 /// where no cell is covered.
 void cover_interior(const Operands& operands, const Options& options, CoverScratch& scratch,
                     Convolution& convolution, Cover& cover);
+
+/// What a cover leaves of the segments, by a look at some hundreds of them.
+[[nodiscard]] Visibility look_at_sample(const Operands& operands, const Convolution& convolution,
+                                        const Cover& cover, CoverScratch& scratch);
 
 /// Marks cells of the grid as it is laid.
 ///

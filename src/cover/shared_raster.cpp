@@ -1,6 +1,7 @@
 #include "cover/shared_raster.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace minksum {
 namespace {
@@ -19,6 +20,9 @@ UniformGrid grid_over(const Operands& o, double cell) {
   return grid;
 }
 
+/// Whether scaling by it is exact up to rounding.
+bool is_usable(double factor) { return factor > 0x1p-900 && factor < 0x1p900; }
+
 /// An operand's raster may have a column more than the grid.
 std::size_t words_for(std::int32_t columns) {
   return (static_cast<std::size_t>(columns) + 1 + 63) / 64;
@@ -34,8 +38,12 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   if (!cover.by_translates || cover.covered_count() == 0) return std::nullopt;
   SharedRaster shared;
   shared.cell = cover.grid.cell * operands.trace_unit;
+  if (!is_usable(shared.cell) || !is_usable(operands.trace_unit)) return std::nullopt;
   const double columns = operands.extent[0].x * cover.grid.inverse + widest / shared.cell + 1;
-  if (!(shared.cell > 0) || !(columns < UniformGrid::kMaxSide)) return std::nullopt;
+  if (!(columns < UniformGrid::kMaxSide)) return std::nullopt;
+  const Visibility typical = look_at_sample(operands, convolution, cover, scratch);
+  shared.visible = typical.share * static_cast<double>(convolution.size);
+  shared.crossings = typical.crossings;
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       words_for(static_cast<std::int32_t>(columns)));
   rasterise_first(operands, cover, scratch.boundary, shared.first);
@@ -44,18 +52,25 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
 
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
                     CoverScratch& scratch, Convolution& convolution, Cover& cover) {
+  const auto cover_without = [&] {
+    cover_interior(operands, options, scratch, convolution, cover);
+  };
+  if (convolution.size == 0 || !is_usable(operands.trace_unit)) return cover_without();
   cover.grid = grid_over(operands, shared.cell);
   const std::size_t words = shared.first.inside.words_per_row();
   if (words_for(cover.grid.columns) > words || cover.grid.rows > UniformGrid::kMaxSide) {
-    return cover_interior(operands, options, scratch, convolution, cover);
+    return cover_without();
   }
   cover.active = true;
   cover.divided = false;
   cover.by_translates = true;
   cover.covered.reset(cover.grid.columns, cover.grid.rows, words);
   cover_by_translates(operands, shared.first, scratch, cover);
-  if (!convolution.listed() && !cover.covered.has_any()) {
-    reduced_convolution(operands, options.limits, scratch.convolution, convolution);
+  const auto size = static_cast<double>(convolution.size);
+  const Visibility seen = look_at_sample(operands, convolution, cover, scratch);
+  if (!cover.covered.has_any() || seen.share * size > 1.5 * shared.visible + 0.1 * size ||
+      seen.crossings > 2 * shared.crossings + 0.5 * size) {
+    cover_without();
   }
 }
 

@@ -11,6 +11,8 @@ namespace minksum {
 /// Cells of one size for all sums.
 struct SharedRaster {
   double cell = 0;      ///< a cell's side, in the regions' unit of length
+  double visible = 0;   ///< segments of the typical sum, about
+  double crossings = 0;
   OperandRaster first;  ///< with narrow holes: what fits into them depends on the second operand
 };
 
@@ -23,8 +25,8 @@ struct SharedRaster {
                                                        CoverScratch& scratch,
                                                        Convolution& convolution);
 
-/// `cover_interior` with a raster of the first operand. Without looking whether another grid, or
-/// another way to cover, would do better.
+/// `cover_interior` with a raster of the first operand: where that leaves much more than in the
+/// typical sum, and where cells do not fit, as without.
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
                     CoverScratch& scratch, Convolution& convolution, Cover& cover);
 

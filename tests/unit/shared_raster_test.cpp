@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -121,6 +123,99 @@ TEST(SharedRaster, IsNotMadeWhereThereIsNoCover) {
   Random random(3);
   const PreparedRegion small(test::random_two_opt(random, 9, 50));
   EXPECT_FALSE(share_raster(small, test::random_two_opt(random, 9, 50), 100, {}));
+}
+
+/// Whether slices made together, and with the same limits one by one, are the same, or both fail.
+void expect_same_slices(const Region& robot, const Region& obstacles, const Limits& limits,
+                        const std::vector<Turn>& turns, const std::string& what) {
+  ConfigurationOptions options;
+  options.threads = 1;
+  options.limits = limits;
+  const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), options);
+  const auto one_by_one = [&] {
+    std::vector<Slice> slices;
+    for (const Turn& turn : turns) slices.push_back(space.slice(turn));
+    return slices;
+  };
+  const auto without_throwing = [](auto make) -> std::optional<std::vector<Slice>> {
+    try {
+      return make();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
+      return std::nullopt;
+    }
+  };
+  const auto expected = without_throwing(one_by_one);
+  const auto slices = without_throwing([&] { return space.slices(turns); });
+  ASSERT_EQ(slices.has_value(), expected.has_value()) << what;
+  for (std::size_t i = 0; slices && i < slices->size(); ++i) {
+    EXPECT_EQ((*slices)[i].obstacles, (*expected)[i].obstacles) << what;
+  }
+}
+
+/// Thin teeth of many heights on a thick back.
+Region tall_comb(Random& random, int teeth, int gap, int height, int back) {
+  test::Outline ring{{0, -back}, {2 * gap * teeth, -back}};
+  for (int i = teeth - 1; i >= 0; --i) {
+    const auto x = 2 * gap * i + static_cast<std::int64_t>(random.below(gap));
+    const auto top = height + static_cast<std::int64_t>(random.below(height / 4));
+    const auto end = x + 2 + static_cast<std::int64_t>(random.below(2));
+    for (const auto& at : {test::Vertex{end, 0}, {end, top}, {x, top}, {x, 0}}) ring.push_back(at);
+  }
+  return test::make_polygon(ring);
+}
+
+// Where a grid does for the first turn, and leaves all crossings of another one.
+TEST(SharedRaster, OtherTurnsMayBeHarder) {
+  Random random(40);
+  const Region obstacles = tall_comb(random, 40, 30, 2400, 1500);
+  const Region robot = tall_comb(random, 20, 25, 800, 200);
+  for (const std::uint64_t most : {3000U, 10000U, 30000U}) {
+    Limits limits;
+    limits.max_crossings = most;
+    expect_same_slices(robot, obstacles, limits, full_turn(8),
+                       std::to_string(most) + " crossings at most");
+  }
+}
+
+// Segments of narrow holes are none of any slice's.
+TEST(SharedRaster, NarrowHolesCountForNoLimit) {
+  Random random(5);
+  std::vector<test::Outline> holes;
+  for (int i = 0; i < 100; ++i) {
+    const int x = -450 + 90 * (i % 10);
+    const int y = -450 + 90 * (i / 10);
+    holes.push_back({{x, y}, {x, y + 10}, {x + 10, y + 10}, {x + 10, y}});
+  }
+  test::Outline circle;
+  const Region round = test::round_polygon(200, 1000);
+  for (const std::size_t v : round.vertices_of(0)) {
+    circle.push_back(
+        {static_cast<std::int64_t>(round.x(v)), static_cast<std::int64_t>(round.y(v))});
+  }
+  const Region obstacles = test::make_polygon(circle, holes);
+  const Region robot = test::random_two_opt(random, 40, 300);
+  for (const std::uint64_t most : {300U, 1000U, 1500U, 2000U, 4000U, 100000U}) {
+    Limits limits;
+    limits.max_segments = most;
+    expect_same_slices(robot, obstacles, limits, full_turn(8),
+                       std::to_string(most) + " segments at most");
+  }
+}
+
+// The side of a cell would have few bits, or none.
+TEST(SharedRaster, TinyCoordinates) {
+  std::vector<Turn> turns;
+  for (int i = 0; i < 8; ++i) turns.push_back(nearest_turn(Rational(90 * i)));
+  for (const int exponent : {-1074, -1073, -1071, -1000, -890, 890, 1000}) {
+    for (int seed = 0; seed < 8; ++seed) {
+      Random random(static_cast<std::uint64_t>(seed));
+      const Rational unit = Rational(std::ldexp(1.0, exponent));
+      const Region obstacles = test::scaled(test::random_two_opt(random, 120, 180), unit);
+      const Region robot = test::scaled(test::random_two_opt(random, 30, 36), unit);
+      expect_same_slices(robot, obstacles, {}, turns, "times two to " + std::to_string(exponent));
+    }
+  }
 }
 
 // Many slices share one; a single one has its own.
