@@ -1,9 +1,11 @@
 // Regions: what goes into a Minkowski sum, and what comes out.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "minksum/error.hpp"
@@ -148,6 +150,44 @@ class Region {
     StoredCoordinate x;
     StoredCoordinate y;
   };
+  /// Where polygons, or rings, start. The first of them starts at 0, for which no memory is taken:
+  /// most regions are one ring.
+  class Starts {
+   public:
+    Starts() = default;
+    ~Starts() = default;
+    Starts(const Starts&) = default;
+    Starts& operator=(const Starts&) = default;
+    Starts(Starts&& from) noexcept
+        : any_(std::exchange(from.any_, false)), rest_(std::move(from.rest_)) {}
+    Starts& operator=(Starts&& from) noexcept {
+      any_ = std::exchange(from.any_, false);
+      rest_ = std::move(from.rest_);
+      return *this;
+    }
+    [[nodiscard]] bool empty() const { return !any_; }
+    [[nodiscard]] std::size_t size() const { return any_ ? rest_.size() + 1 : 0; }
+    [[nodiscard]] std::size_t operator[](std::size_t i) const { return i == 0 ? 0 : rest_[i - 1]; }
+    [[nodiscard]] std::size_t back() const { return rest_.empty() ? 0 : rest_.back(); }
+    /// The last one that is not after `index`, of those that there are. They may repeat.
+    [[nodiscard]] std::size_t last_until(std::size_t index) const {
+      return static_cast<std::size_t>(std::upper_bound(rest_.begin(), rest_.end(), index) -
+                                      rest_.begin());
+    }
+    void clear() {
+      any_ = false;
+      rest_.clear();
+    }
+    void push_back(std::size_t start) {
+      if (any_) rest_.push_back(start);
+      any_ = true;
+    }
+    friend bool operator==(const Starts&, const Starts&) = default;
+
+   private:
+    bool any_ = false;
+    std::vector<std::size_t> rest_;
+  };
   [[nodiscard]] std::size_t polygon_count_with_rings() const;
   void require_open_ring() const;
   [[nodiscard]] double nearest(const StoredCoordinate& coordinate) const;
@@ -155,8 +195,8 @@ class Region {
   StoredCoordinate store(const Rational& value);
   StoredCoordinate store(double value);
 
-  std::vector<std::size_t> polygon_first_ring_;
-  std::vector<std::size_t> ring_first_vertex_;
+  Starts polygon_first_ring_;
+  Starts ring_first_vertex_;
   std::vector<StoredPoint> vertices_;
   std::vector<std::uint64_t> limbs_;
   std::vector<EdgeOrigin> origins_;

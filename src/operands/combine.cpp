@@ -64,8 +64,8 @@ void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const Comm
                        static_cast<double>(grid.extent.y * factor)};
   };
   o.extent = {extent(p.grid, common.factor[0]), extent(q.grid, common.factor[1])};
-  o.trace_unit = std::ldexp(1.0, common.unit.exp2) * std::pow(10.0, common.unit.exp10) /
-                 static_cast<double>(common.unit.divisor);
+  o.trace_unit = std::ldexp(1.0, common.unit.exp2) / static_cast<double>(common.unit.divisor);
+  if (common.unit.exp10 != 0) o.trace_unit *= std::pow(10.0, common.unit.exp10);
   const auto origin = [&](Int128 first, Int128 second) {
     return static_cast<double>(first * common.factor[0] + second * common.factor[1]) * o.trace_unit;
   };

@@ -18,12 +18,6 @@ Culprit next_vertex(std::size_t polygon, std::size_t ring, std::size_t vertex) {
   return place;
 }
 
-// The last range whose start is at most `index`. Starts are sorted but may repeat.
-std::size_t range_of(const std::vector<std::size_t>& starts, std::size_t index) {
-  const auto after = std::upper_bound(starts.begin(), starts.end(), index);
-  return static_cast<std::size_t>(after - starts.begin()) - 1;
-}
-
 }  // namespace
 
 Region::Region(const Polygon& polygon) : Region(std::span<const Polygon>(&polygon, 1)) {}
@@ -137,11 +131,11 @@ std::size_t Region::polygon_count_with_rings() const {
 }
 
 std::size_t RegionAccess::ring_of(const Region& region, std::size_t vertex) {
-  return range_of(region.ring_first_vertex_, vertex);
+  return region.ring_first_vertex_.last_until(vertex);
 }
 
 std::size_t RegionAccess::polygon_of(const Region& region, std::size_t ring) {
-  return range_of(region.polygon_first_ring_, ring);
+  return region.polygon_first_ring_.last_until(ring);
 }
 
 Culprit RegionAccess::culprit(const Region& region, std::size_t vertex, int operand) {

@@ -37,6 +37,7 @@ class Turner {
   }
 
   Region in_canonical_order() {
+    if (region_.ring_count() == 1) return only_ring();
     std::vector<TurnedRing> rings;
     std::vector<IndexRange> polygons;
     rings.reserve(region_.ring_count());
@@ -61,6 +62,12 @@ class Turner {
   }
 
  private:
+  Region only_ring() {
+    image_.begin_polygon();
+    write(turned_ring(0));
+    return std::move(image_);
+  }
+
   /// A ring of the region, and the vertex that its image starts at.
   struct TurnedRing {
     IndexRange vertices;
