@@ -229,8 +229,9 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
     prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, w);
     convolve(w, options);
     return share_raster(w.operands, widest, options, w.cover_scratch, w.convolution);
-  } catch (const Error&) {
+  } catch (const Error& error) {
     // With narrow holes there may be more than the limits allow; each sum tells for itself.
+    if (error.code() != ErrorCode::kLimitExceeded) throw;
     return std::nullopt;
   }
 }

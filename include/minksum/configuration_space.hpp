@@ -14,8 +14,6 @@
 
 namespace minksum {
 
-struct SharedRaster;
-
 /// A turn by a rational point of the unit circle, near an angle that was asked for: quarter turns,
 /// then a rest of 0 to 90 degrees, whose half has a rational tangent. Exact as a map.
 struct Turn {
@@ -116,8 +114,6 @@ class ConfigurationSpace {
 
  private:
   void set_up(State state);
-  [[nodiscard]] Slice slice(const Turn& turn, const SharedRaster* shared, bool with_free,
-                            Workspace& workspace) const;
 
   std::shared_ptr<const State> state_;
   Box boundary_;

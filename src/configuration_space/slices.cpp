@@ -89,6 +89,32 @@ Region as_region(const Box& box) {
       {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
 }
 
+/// `shared` is for these obstacles, or null.
+Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, const Turn& turn,
+                 const SharedRaster* shared, bool with_free, Workspace& workspace) {
+  const auto begin = std::chrono::steady_clock::now();
+  Slice slice;
+  slice.turn = turn;
+  Options options = sum_options(state.options);
+  Geometry tight;
+  if (with_free && state.options.tight) options.tight = &tight;
+  Region mirrored = turned_mirror(state.robot, turn);
+  const Outcome outcome =
+      state.forbidden.has_thin_parts()
+          ? minkowski_sum(state.forbidden, {std::move(mirrored), {}, {}}, options, workspace,
+                          slice.obstacles)
+          : minkowski_sum(state.prepared, mirrored, shared, options, workspace,
+                          slice.obstacles.region);
+  if (!outcome.ok()) throw *outcome.error;
+  if (with_free) {
+    slice.free.region = subtract(as_region(boundary), slice.obstacles.region);
+    slice.free.polylines = std::move(tight.polylines);
+    slice.free.points = std::move(tight.points);
+  }
+  slice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return slice;
+}
+
 }  // namespace
 
 ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
@@ -159,32 +185,7 @@ Slice ConfigurationSpace::slice(const Turn& turn, bool with_free) const {
 }
 
 Slice ConfigurationSpace::slice(const Turn& turn, bool with_free, Workspace& workspace) const {
-  return slice(turn, nullptr, with_free, workspace);
-}
-
-Slice ConfigurationSpace::slice(const Turn& turn, const SharedRaster* shared, bool with_free,
-                                Workspace& workspace) const {
-  const auto begin = std::chrono::steady_clock::now();
-  Slice slice;
-  slice.turn = turn;
-  Options options = sum_options(state_->options);
-  Geometry tight;
-  if (with_free && state_->options.tight) options.tight = &tight;
-  Region mirrored = turned_mirror(state_->robot, turn);
-  const Outcome outcome =
-      state_->forbidden.has_thin_parts()
-          ? minkowski_sum(state_->forbidden, {std::move(mirrored), {}, {}}, options, workspace,
-                          slice.obstacles)
-          : minkowski_sum(state_->prepared, mirrored, shared, options, workspace,
-                          slice.obstacles.region);
-  if (!outcome.ok()) throw *outcome.error;
-  if (with_free) {
-    slice.free.region = subtract(as_region(boundary_), slice.obstacles.region);
-    slice.free.polylines = std::move(tight.polylines);
-    slice.free.points = std::move(tight.points);
-  }
-  slice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return slice;
+  return make_slice(*state_, boundary_, turn, nullptr, with_free, workspace);
 }
 
 void ConfigurationSpace::for_each_slice(
@@ -200,7 +201,8 @@ void ConfigurationSpace::for_each_slice(
                           2 * state_->reach.to_double(), sum_options(state_->options));
   }
   const auto make = [&](std::size_t i, Workspace& workspace) {
-    Slice made = slice(turns[i], shared ? &*shared : nullptr, with_free, workspace);
+    Slice made = make_slice(*state_, boundary_, turns[i], shared ? &*shared : nullptr, with_free,
+                            workspace);
     if (finish) finish(i, made);
     return made;
   };

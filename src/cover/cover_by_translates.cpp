@@ -286,15 +286,12 @@ class Spreader {
       });
     }
   }
+
   const OperandRaster& moved_;
   const OperandRaster& other_;
   CoverScratch& scratch_;
   Cover& cover_;
 };
-
-}  // namespace
-
-namespace {
 
 void spread(const OperandRaster& first, const OperandRaster& second, CoverScratch& scratch,
             Cover& cover) {

@@ -1,7 +1,6 @@
 #include "cover/shared_raster.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace minksum {
 namespace {
