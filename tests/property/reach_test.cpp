@@ -126,6 +126,37 @@ TEST(Reach, ThroughADoor) {
   }
 }
 
+// The free space of two slices has only slivers in common, one above the other, far apart.
+TEST(Reach, ByWayOfSlivers) {
+  const Polygon obstacles[] = {
+      {{{24, 79}, {36, 61}, {42, 49}, {49, 52}, {39, 61}, {53, 74}, {35, 72}, {40, 64}}, {}},
+      {{{51, 49},
+        {58, 40},
+        {54, 20},
+        {60, 30},
+        {Rational(1212, 17), Rational(3474, 119)},
+        {65, 22},
+        {60, 19},
+        {56, 6},
+        {71, 13},
+        {76, 5},
+        {80, 19},
+        {80, 28},
+        {Rational(512, 7), Rational(208, 7)},
+        {62, 39},
+        {80, 42},
+        {73, 47}},
+       {}},
+      {{{55, 56}, {62, 56}, {62, 85}, {55, 85}}, {}}};
+  Scene scene;
+  scene.robot = test::make_polygon({{0, 0}, {14, 0}, {1, 1}, {0, 7}});
+  scene.obstacles = as_geometry(Region(obstacles));
+  scene.options.angles = 12;
+  const Configuration from{{13, -3}, 70};
+  const Configuration to{{-1, 36}, 173};
+  expect_good_path(scene, from, to, scene.from_to(from, to));
+}
+
 // With a margin for all angles between, a narrow door is too narrow; with more angles it is not.
 TEST(Reach, CertainNeedsRoomOrAngles) {
   const Region rod = test::moved(test::rectangle(0, 0, 10, 1), -5, Rational(-1, 2));
