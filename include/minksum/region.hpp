@@ -161,8 +161,9 @@ class Region {
     Starts(Starts&& from) noexcept
         : any_(std::exchange(from.any_, false)), rest_(std::move(from.rest_)) {}
     Starts& operator=(Starts&& from) noexcept {
-      any_ = std::exchange(from.any_, false);
       rest_ = std::move(from.rest_);
+      any_ = &from != this && from.any_;  // nothing is left of what is moved to itself
+      from.any_ = false;
       return *this;
     }
     [[nodiscard]] bool empty() const { return !any_; }

@@ -262,8 +262,20 @@ class InsideOut {
     return inside;
   }
 
-  /// Whether edges may touch that are not neighbours in a ring.
+  /// Whether so many edges are over each other, on average, that comparing them takes long.
+  [[nodiscard]] bool lie_over_each_other() const {
+    constexpr double kMostInColumn = 400;
+    double across = 0;
+    for (const RingPlace& ring : rings_) {
+      for (const std::size_t v : ring.vertices) {
+        across += std::abs(places_[ring.next(v)].x - places_[v].x);
+      }
+    }
+    return across > kMostInColumn * (places_.bounds().x1 - places_.bounds().x0);
+  }
+  /// Whether edges may touch that are not neighbours in a ring, or it would take long to tell.
   [[nodiscard]] bool touches_itself() {
+    if (lie_over_each_other()) return true;
     std::vector<std::size_t> next(region_.vertex_count());
     const Bounds& all = places_.bounds();
     BoxPairScratch scratch;
@@ -290,15 +302,18 @@ class InsideOut {
   /// Of each outer ring, the innermost hole that it lies in. False if that takes long, or is not
   /// certain.
   [[nodiscard]] bool find_holes_around() {
-    constexpr std::size_t kMostPairs = std::size_t{1} << 22;
+    // Next to these steps an overlay takes long.
+    constexpr std::size_t kStepsPerVertex = 32;
+    const std::size_t most = kStepsPerVertex * region_.vertex_count();
+    std::size_t steps = 0;
     std::vector<std::size_t> holes;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       if (rings_[r].is_hole) holes.push_back(r);
     }
-    if (holes.size() * region_.polygon_count() > kMostPairs) return false;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       RingPlace& ring = rings_[r];
       if (ring.is_hole || r == frame_) continue;
+      steps += holes.size();
       for (const std::size_t h : holes) {
         const RingPlace& hole = rings_[h];
         if (hole.polygon == ring.polygon || !has(hole.bounds, ring.bounds)) continue;
@@ -307,10 +322,13 @@ class InsideOut {
           if (has(rings_[ring.around].bounds, hole.bounds)) return false;
           continue;
         }
+        steps += hole.vertices.size();
+        if (steps > most) return false;
         const std::optional<bool> inside = is_inside(ring, hole);
         if (!inside) return false;
         if (*inside) ring.around = h;
       }
+      if (steps > most) return false;
       if (frame_ != kNone && ring.around == kNone) return false;
     }
     return true;

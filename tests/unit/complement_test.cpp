@@ -148,6 +148,35 @@ TEST(Complement, HairsApart) {
   EXPECT_FALSE(expect_difference(widened(*bounding_box(square), hair), square, "a hair's margin"));
 }
 
+// What would take longer to tell than an overlay takes.
+TEST(Complement, LongLists) {
+  // Edges over each other.
+  test::Outline comb;
+  for (int i = 0; i < 250; ++i) {
+    for (const auto& at :
+         {test::Vertex{1000, 4 * i}, {1000 - i % 7, 4 * i + 1}, {1, 4 * i + 2}, {2, 4 * i + 3}}) {
+      comb.push_back(at);
+    }
+  }
+  comb.push_back({0, 1000});
+  comb.push_back({0, -1});
+  const Region teeth = canonical(test::make_polygon(comb));
+  EXPECT_FALSE(expect_difference(box_of(-9, -9, 2000, 2000), teeth, "a comb"));
+  // Islands in a hole.
+  const Region hole = test::round_polygon(2000, 100'000);
+  Polygon around{
+      {{-200'000, -200'000}, {200'000, -200'000}, {200'000, 200'000}, {-200'000, 200'000}},
+      {hole.polygon(0).outer}};
+  std::vector<Polygon> polygons{around};
+  for (int i = 0; i < 900; ++i) {
+    const int x = -30'000 + 2000 * (i % 30);
+    const int y = -30'000 + 2000 * (i / 30);
+    polygons.push_back({{{x, y}, {x + 900, y}, {x, y + 900}}, {}});
+  }
+  const Region islands{std::span<const Polygon>(polygons)};
+  EXPECT_FALSE(expect_difference(box_of(-300'000, -300'000, 300'000, 300'000), islands, "islands"));
+}
+
 // Rings in any direction, from any vertex on, in any order.
 TEST(Complement, LegalRegions) {
   Random random(6);

@@ -11,6 +11,7 @@
 
 #include "region/region_access.hpp"
 #include "support/random.hpp"
+#include "support/shapes.hpp"
 
 namespace minksum {
 namespace {
@@ -194,6 +195,29 @@ TEST(Region, ResultsCarryOriginsAndCopiesKeepThem) {
   EXPECT_TRUE(region.empty());
   EXPECT_EQ(region.polygon_count(), 0U);
   EXPECT_EQ(copy.exact_x(0), Rational(-5, 3));
+}
+
+// What is left of a region that was moved is empty, and can be built on.
+TEST(Region, Moves) {
+  const Region two = test::make_region(
+      {{{{0, 0}, {4, 0}, {0, 4}}, {{1, 1}, {1, 2}, {2, 1}}}, {{{9, 9}, {12, 9}, {9, 12}}}});
+  Region from = two;
+  const Region to = std::move(from);
+  EXPECT_EQ(to, two);
+  EXPECT_TRUE(from == Region());  // NOLINT(bugprone-use-after-move)
+  Region other = test::rectangle(0, 0, 1, 1);
+  from = std::move(other);
+  EXPECT_EQ(from, test::rectangle(0, 0, 1, 1));
+  EXPECT_EQ(other.polygon_count() + other.ring_count(), 0U);  // NOLINT(bugprone-use-after-move)
+  other.begin_polygon();
+  other.begin_ring();
+  for (const auto& [x, y] : test::Outline{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+    other.add_vertex(x, y);
+  }
+  EXPECT_EQ(other, from);
+  Region& same = from;
+  from = std::move(same);
+  EXPECT_EQ(from.polygon_count() + from.ring_count(), from.vertex_count());
 }
 
 }  // namespace
