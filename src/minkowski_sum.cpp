@@ -10,6 +10,7 @@
 #include "minksum/prepared_region.hpp"
 #include "pipeline.hpp"
 #include "signed_convolution/signed_convolution.hpp"
+#include "small_sum/small_sum.hpp"
 
 namespace minksum {
 
@@ -43,6 +44,30 @@ void require_method_for_tight(const Options& options) {
   }
 }
 
+/// Whether nothing is asked for that the stages alone give.
+bool may_be_small(const Options& o) {
+  return o.method == Method::kReduced && o.arithmetic == Arithmetic::kAutomatic && o.filter &&
+         o.cover && o.grid == 0 && !o.check && !o.progress && o.statistics == nullptr &&
+         o.trace == nullptr && o.tight == nullptr && allow_small(o.limits);
+}
+
+/// Null if it is none.
+const SmallOperand* small_of(const Given& given, SmallOperand& memory) {
+  if (given.small != nullptr) return given.small;
+  if (given.operand != nullptr) return nullptr;  // it was looked for when that was made
+  return read_small(given.region, memory) ? &memory : nullptr;
+}
+
+bool run_small(const Given& p, const Given& q, const Options& options, Region& result) {
+  if (!may_be_small(options)) return false;
+  StageRunner(options).stop_if_asked();
+  std::array<SmallOperand, 2> memory;
+  const SmallOperand* const small_p = small_of(p, memory[0]);
+  if (small_p == nullptr) return false;
+  const SmallOperand* const small_q = small_of(q, memory[1]);
+  return small_q != nullptr && sum_small(*small_p, *small_q, result);
+}
+
 void run(const Given& p, const Given& q, const Options& options, Workspace::State& state,
          Region& result) {
   const std::optional<Clock::time_point> begin =
@@ -59,7 +84,7 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
     Statistics unwanted;
     Statistics& statistics = options.statistics != nullptr ? *options.statistics : unwanted;
     signed_convolution_sum(p.region, q.region, options, statistics, result);
-  } else {
+  } else if (!run_small(p, q, options, result)) {
     run_pipeline(p, q, options, state, result);
   }
   if (begin) {
@@ -111,6 +136,8 @@ class Sums final : public PartialSums {
     regions_[i] = &region;
     if (region.empty()) return true;
     stop_if_asked();
+    is_small_[i] = may_be_small(quiet_) && read_small(region, small_[i]);
+    if (is_small_[i]) return true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
     prepare_operand(region, options_, 1, state_.operand_scratch, state_.prepared[i], faults);
@@ -150,7 +177,11 @@ class Sums final : public PartialSums {
   static double seconds(Clock::duration time) {
     return std::chrono::duration<double>(time).count();
   }
-  [[nodiscard]] Given taken(std::size_t i) const { return {*regions_[i], &state_.prepared[i]}; }
+  /// What is small is prepared where it is summed with what is not.
+  [[nodiscard]] Given taken(std::size_t i) const {
+    if (is_small_[i]) return {*regions_[i], nullptr, &small_[i]};
+    return {*regions_[i], &state_.prepared[i]};
+  }
   Given walk(std::size_t i, std::span<const Polyline> polylines) {
     walk_there_and_back(polylines, state_.walks[i]);
     prepare_thin_operand(state_.walks[i], options_, state_.operand_scratch, state_.thin[i]);
@@ -163,6 +194,8 @@ class Sums final : public PartialSums {
   Clock::time_point begin_;
   Clock::duration preparing_{};
   std::array<const Region*, 2> regions_{};
+  std::array<bool, 2> is_small_{};
+  std::array<SmallOperand, 2> small_;
 };
 
 void run(const Geometry& p, const Geometry& q, const Options& options, Workspace::State& state,
@@ -173,7 +206,9 @@ void run(const Geometry& p, const Geometry& q, const Options& options, Workspace
   sums.count_time();
 }
 
-Given given(const PreparedRegion& region) { return {region.region(), &region.state().operand}; }
+Given given(const PreparedRegion& region) {
+  return {region.region(), &region.state().operand, region.state().small.get()};
+}
 
 }  // namespace
 
@@ -185,6 +220,8 @@ PreparedRegion::PreparedRegion(Region region) {
     std::vector<Fault> faults;
     prepare_operand(state->region, Options{}, 1, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
+    auto small = std::make_unique<SmallOperand>();
+    if (read_small(state->region, *small)) state->small = std::move(small);
   }
   state_ = std::move(state);
 }

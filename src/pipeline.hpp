@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "cover/shared_raster.hpp"
 #include "minksum/prepared_region.hpp"
 #include "output/output.hpp"
+#include "small_sum/small_operand.hpp"
 #include "stage_runner.hpp"
 #include "tight/tight.hpp"
 
@@ -37,12 +39,14 @@ struct Workspace::State {
 struct PreparedRegion::State {
   Region region;
   PreparedOperand operand;  ///< of `region`; nothing if that is empty
+  std::unique_ptr<const SmallOperand> small;  ///< the same, if it is one
 };
 
 /// One of the two that are to be summed: prepared before, or now.
 struct Given {
   const Region& region;
   const PreparedOperand* operand = nullptr;
+  const SmallOperand* small = nullptr;  ///< if it is known to be one
 };
 
 /// The sum of two that are not empty, by Method::kReduced or kFull.

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cover/vectors.hpp"
+#include "machine/vectors.hpp"
 
 namespace minksum {
 

@@ -9,7 +9,7 @@
 #include "convolution/convolution.hpp"
 #include "cover/bitmap.hpp"
 #include "cover/classify.hpp"
-#include "cover/vectors.hpp"
+#include "machine/vectors.hpp"
 #include "grid/uniform_grid.hpp"
 
 namespace minksum {

@@ -1,13 +1,14 @@
 // All pairs of a nesting problem: each sum once, the others as its images.
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "minksum/nesting.hpp"
-#include "minksum/prepared_region.hpp"
 #include "minksum/transform.hpp"
-#include "minksum/validity.hpp"
+#include "nesting/table_part.hpp"
 #include "region/region_access.hpp"
+#include "small_sum/small_sum.hpp"
 #include "threads/in_order.hpp"
 #include "transform/turned.hpp"
 
@@ -32,36 +33,6 @@ struct NoFitTable::State {
 
 namespace {
 
-[[noreturn]] void refuse(const char* what, std::size_t part) {
-  Culprit culprit;
-  culprit.operand = static_cast<int>(part);
-  throw Error(ErrorCode::kBadInput, what, culprit);
-}
-
-/// A part in each direction, its reference point at the origin.
-using Part = std::vector<PreparedRegion>;
-
-/// What a part covers. Resolving takes as long as some sums: what is legal already goes without.
-Region area_of(const Geometry& part, std::size_t index, const NoFitTableOptions& options) {
-  const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
-  if (by_role && validate(part.region, 1).empty()) return part.region;
-  return resolve(part, {options.fill, true, options.cancel, static_cast<int>(index)}).region;
-}
-
-Part prepare(const Geometry& given, std::size_t index, const NoFitTableOptions& options) {
-  const Region area = area_of(given, index, options);
-  if (area.empty() || given.region.empty()) refuse("a part without area cannot be paired", index);
-  const Point reference = given.region.point(0);
-  const Region at_origin = transform(area, Affine::translation(-reference.x, -reference.y));
-  Part part;
-  for (int quarters = 0; quarters < 4; quarters += 4 / options.turns) {
-    part.emplace_back(transform(at_origin, Affine::quarter_turns(quarters)));
-  }
-  // Of one direction, there is no point mirror among them.
-  if (options.turns == 1) part.emplace_back(reflect(at_origin));
-  return part;
-}
-
 Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
              const NoFitTableOptions& options, Workspace& workspace) {
   Geometry result;
@@ -77,34 +48,50 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
   return result;
 }
 
+/// The sum of two parts in their directions. The workspace is made where it is needed.
+Geometry sum(const TablePart& fixed, const TablePart& moving, std::size_t direction,
+             const NoFitTableOptions& options, std::optional<Workspace>& workspace) {
+  const SmallOperand* const p = fixed.small(0);
+  const SmallOperand* const q = moving.small(direction);
+  if (p != nullptr && q != nullptr && !options.tight && allow_small(options.limits)) {
+    Geometry result;
+    if (sum_small(*p, *q, result.region)) return result;
+  }
+  if (!workspace) workspace.emplace();
+  return sum(fixed.prepared(0), moving.prepared(direction), options, *workspace);
+}
+
 }  // namespace
 
 NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions& options) {
   if (options.turns != 1 && options.turns != 2 && options.turns != 4) {
     throw Error(ErrorCode::kBadInput, "a table of no-fit polygons has 1, 2 or 4 turns");
   }
-  std::vector<Part> parts;
+  std::vector<TablePart> parts;
   parts.reserve(given.size());
-  for (const Geometry& part : given) parts.push_back(prepare(part, parts.size(), options));
+  for (const Geometry& part : given) parts.emplace_back(part, parts.size(), options);
 
   State state;
   state.turns = options.turns;
   state.rows.reserve(parts.size());
   const int half = std::max(1, options.turns / 2);
-  const auto make_row = [&](std::size_t i, Workspace& workspace) {
+  const auto make_row = [&](std::size_t i, std::optional<Workspace>& workspace) {
+    if (options.cancel && options.cancel->cancelled()) {
+      throw Error(ErrorCode::kCancelled, "cancelled");
+    }
     std::vector<Geometry> row;
     row.reserve((parts.size() - i) * static_cast<std::size_t>(state.turns));
     for (std::size_t j = i; j < parts.size(); ++j) {
       const int turns = j == i ? state.turns_with_itself() : state.turns;
       for (int turn = 0; turn < turns; ++turn) {
         // Its point mirror is itself, turned by half a full turn.
-        const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].size();
-        row.push_back(sum(parts[i][0], parts[j][mirror], options, workspace));
+        const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].directions();
+        row.push_back(sum(parts[i], parts[j], mirror, options, workspace));
       }
     }
     return row;
   };
-  for_each_in_order<std::vector<Geometry>, Workspace>(
+  for_each_in_order<std::vector<Geometry>, std::optional<Workspace>>(
       parts.size(), options.threads, make_row,
       [&](std::size_t, std::vector<Geometry>& row) { state.rows.push_back(std::move(row)); });
   state_ = std::make_shared<const State>(std::move(state));

@@ -43,6 +43,9 @@ void compare(std::uint64_t seed, Tally& tally) {
   const Region reduced = minkowski_sum(pair.p, pair.q);
   EXPECT_EQ(to_text(reduced), to_text(truth)) << "reduced; " << note(seed, pair);
   EXPECT_EQ(provenance_fault(pair.p, pair.q, reduced), "") << note(seed, pair);
+  const Region staged = sum_by_stages(pair.p, pair.q);
+  EXPECT_EQ(to_text(staged), to_text(truth)) << "by stages; " << note(seed, pair);
+  EXPECT_EQ(provenance_fault(pair.p, pair.q, staged), "") << note(seed, pair);
   const Region by_winding = sum_by(Method::kSigned, pair.p, pair.q);
   EXPECT_EQ(to_text(by_winding), to_text(truth)) << "signed; " << note(seed, pair);
   if (seed % 4 == 0) {

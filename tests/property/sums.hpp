@@ -16,6 +16,14 @@ namespace minksum::test {
   return minkowski_sum(p, q, options);
 }
 
+/// By the stages, however small the operands are.
+[[nodiscard]] inline Region sum_by_stages(const Region& p, const Region& q) {
+  Statistics statistics;
+  Options options;
+  options.statistics = &statistics;
+  return minkowski_sum(p, q, options);
+}
+
 /// What a failure prints: enough to run the case again.
 [[nodiscard]] inline std::string note(std::uint64_t seed, const Region& p, const Region& q) {
   return "seed " + std::to_string(seed) + "\nP " + to_text(p) + "\nQ " + to_text(q);

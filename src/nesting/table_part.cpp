@@ -1,0 +1,70 @@
+#include "nesting/table_part.hpp"
+
+#include <utility>
+
+#include "minksum/transform.hpp"
+#include "minksum/validity.hpp"
+
+namespace minksum {
+namespace {
+
+[[noreturn]] void refuse(const char* what, std::size_t part) {
+  Culprit culprit;
+  culprit.operand = static_cast<int>(part);
+  throw Error(ErrorCode::kBadInput, what, culprit);
+}
+
+/// Whether a ring's orientation has no meaning.
+bool is_by_role(FillRule fill) { return fill == FillRule::kAutomatic || fill == FillRule::kStrict; }
+
+}  // namespace
+
+TablePart::TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options)
+    : given_(&given), index_(index), options_(&options) {
+  const std::size_t count = options.turns == 1 ? 2 : static_cast<std::size_t>(options.turns);
+  directions_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) directions_.push_back(std::make_unique<Direction>());
+  if (read_small_part()) return;
+  const Region covered = area();
+  if (covered.empty() || given.region.empty()) {
+    refuse("a part without area cannot be paired", index);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    directions_[i]->region.emplace(transform(covered, Affine::quarter_turns(quarters(i))));
+  }
+}
+
+int TablePart::quarters(std::size_t direction) const {
+  return static_cast<int>(direction * 4 / directions_.size());
+}
+
+bool TablePart::read_small_part() {
+  SmallOperand read;
+  if (!is_by_role(options_->fill) || !read_small(given_->region, read)) return false;
+  read.offset = {read.offset.x - read.first.x, read.offset.y - read.first.y};
+  small_.resize(directions_.size());
+  for (std::size_t i = 0; i < small_.size(); ++i) turn(read, quarters(i), small_[i]);
+  return true;
+}
+
+Region TablePart::area() const {
+  // Resolving takes as long as some sums: what is legal already goes without.
+  const bool legal = is_by_role(options_->fill) && validate(given_->region, 1).empty();
+  Region covered =
+      legal ? given_->region
+            : resolve(*given_, {options_->fill, true, options_->cancel, static_cast<int>(index_)})
+                  .region;
+  if (covered.empty() || given_->region.empty()) return {};
+  const Point reference = given_->region.point(0);
+  return transform(covered, Affine::translation(-reference.x, -reference.y));
+}
+
+const PreparedRegion& TablePart::prepared(std::size_t direction) const {
+  Direction& d = *directions_[direction];
+  std::call_once(d.once, [&] {
+    if (!d.region) d.region.emplace(transform(area(), Affine::quarter_turns(quarters(direction))));
+  });
+  return *d.region;
+}
+
+}  // namespace minksum

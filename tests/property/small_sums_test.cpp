@@ -1,0 +1,83 @@
+// Sums of small operands, which take a way of their own, and the same by the stages. MINKSUM_PAIRS
+// sets how many, MINKSUM_SEED where to start.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "minksum/transform.hpp"
+#include "property/provenance.hpp"
+#include "property/sums.hpp"
+#include "support/polygon_kinds.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+constexpr int kDefaultPairs = 40'000;
+
+Region random_shape(Random& random) {
+  switch (random.below(9)) {
+    case 0:
+      return random_two_opt(random, random.between(4, 16), random.between(5, 12));
+    case 1:
+      return random_two_opt(random, random.between(4, 14), random.between(100, 60'000));
+    case 2:
+      return random_star_shaped(random, random.between(4, 16), random.between(5, 40));
+    case 3:
+      return random_convex(random, random.between(3, 20), random.between(8, 1'000));
+    case 4:
+      return random_cells(random, random.between(2, 4), random.between(2, 4), random.one_in(2),
+                          true);
+    case 5:
+      return comb(random.between(2, 7), random.between(1, 3), random.between(1, 9));
+    case 6:
+      return spiral(random.between(1, 4));
+    case 7:
+      return random_triangle(random, random.between(1, 20));
+    default:
+      return random_polygon(random);
+  }
+}
+
+/// Turned, mirrored, on another grid, elsewhere.
+Affine random_map(Random& random) {
+  const auto power = [&](std::int64_t base, int most) {
+    Rational value = 1;
+    for (int k = random.below(most); k > 0; --k) value = value * base;
+    return random.one_in(2) ? value : Rational(1) / value;
+  };
+  const Rational scale = random.one_in(2) ? Rational(1) : power(10, 4) * power(2, 5);
+  Affine map = Affine::quarter_turns(random.below(4));
+  if (random.one_in(4)) map = Affine{-1, 0, 0, 0, 1, 0}.after(map);
+  map = Affine::scaling(scale).after(map);
+  if (random.one_in(3)) return map;
+  const auto far = [&] {
+    return Rational(static_cast<std::int64_t>(random.next() >> 6U) - (std::int64_t{1} << 57U));
+  };
+  const auto near = [&] { return Rational(random.between(-99, 99)); };
+  const bool is_far = random.one_in(8);
+  const Rational dx = is_far ? far() : near();
+  const Rational dy = is_far ? far() : near();
+  return Affine::translation(dx * scale, dy * scale).after(map);
+}
+
+void compare(std::uint64_t seed) {
+  Random random(seed);
+  const Region p = transform(random_shape(random), random_map(random));
+  const Region q = random.one_in(4) ? transform(p, Affine::quarter_turns(random.below(4)))
+                                    : transform(random_shape(random), random_map(random));
+  const Region sum = minkowski_sum(p, q);
+  EXPECT_EQ(to_text(sum), to_text(sum_by_stages(p, q))) << note(seed, p, q);
+  if (seed % 8 == 0) {
+    EXPECT_EQ(provenance_fault(p, q, sum), "") << note(seed, p, q);
+  }
+}
+
+TEST(SmallSums, AreAsByTheStages) {
+  const std::uint64_t first = seed_from_environment(1);
+  const auto count = static_cast<std::uint64_t>(count_from_environment(kDefaultPairs));
+  for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) compare(seed);
+}
+
+}  // namespace
