@@ -59,6 +59,25 @@ class RegionAccess {
     }
   }
   static void clear_origins(Region& region) { region.origins_.clear(); }
+  /// Adds to an empty region a polygon of one ring of so many vertices, to be set one by one.
+  static void make_ring(Region& region, std::size_t vertices, bool with_origins) {
+    region.begin_polygon();
+    region.begin_ring();
+    region.vertices_.resize(vertices);
+    if (with_origins) region.origins_.resize(vertices);
+  }
+  /// Drops all vertices but the first ones.
+  static void keep_vertices(Region& region, std::size_t vertices) {
+    region.vertices_.resize(vertices);
+    if (!region.origins_.empty()) region.origins_.resize(vertices);
+  }
+  static void set_vertex(Region& region, std::size_t vertex, const StoredCoordinate& x,
+                         const StoredCoordinate& y) {
+    region.vertices_[vertex] = {x, y};
+  }
+  static void set_origin(Region& region, std::size_t vertex, const EdgeOrigin& origin) {
+    region.origins_[vertex] = origin;
+  }
   static void reserve(Region& region, std::size_t vertices) {
     region.vertices_.reserve(vertices);
     region.origins_.reserve(vertices);

@@ -185,8 +185,9 @@ double Region::nearest(const StoredCoordinate& c) const {
 
 std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoordinate& a,
                                            const StoredCoordinate& b) {
-  if (a.denominator_limbs == 0 && b.denominator_limbs == 0 && a.exp2 == b.exp2 &&
-      a.exp10 == b.exp10) {
+  const bool on_one_grid = (a.exp2 == b.exp2 && a.exp10 == b.exp10) || a.payload == 0 ||
+                           b.payload == 0;
+  if (a.denominator_limbs == 0 && b.denominator_limbs == 0 && on_one_grid) {
     return a.payload <=> b.payload;
   }
   const auto near = [&](const StoredCoordinate& c) {

@@ -38,8 +38,8 @@ struct SmallFraction {
 /// Walks along the boundary of the unbounded face, the sum on its left. One use.
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, SmallBoundary& boundary)
-      : s_(segments), boundary_(boundary) {}
+  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings, SmallBoundary& boundary)
+      : s_(segments), m_(meetings), boundary_(boundary) {}
 
   /// From the smallest point. False if the walk does not come back, or might not be all of the
   /// sum's boundary.
@@ -51,9 +51,7 @@ class OuterWalk {
     corner(at, passed);
     for (std::size_t steps = 0; steps < SmallBoundary::kMaxCorners - 1; ++steps) {
       const Next next = next_after(at, passed);
-      if (next.segment == kNone) {
-        return s_.x[at] + s_.dx[at] == start_x && s_.y[at] + s_.dy[at] == start_y && no_holes();
-      }
+      if (next.segment == kNone) return false;
       if (next.turn != 0) corner(next.segment, next.passed);
       if (next.turn < 0) take(at, next.segment);
       at = next.segment;
@@ -89,28 +87,17 @@ class OuterWalk {
   /// Of those that start at the smallest point, the one that is farthest clockwise.
   [[gnu::always_inline]] std::uint32_t first_segment(double x, double y) {
     std::uint32_t first = kNone;
-    for (std::uint32_t t = 0; t < s_.size; ++t) {
-      if (s_.x[t] != x || s_.y[t] != y) continue;
+    for_each_bit(starting_at(s_, x, y), [&](std::uint32_t t) {
       if (first == kNone || turn(first, t) < 0) first = t;
-    }
+    });
     return first;
   }
-  [[gnu::always_inline]] const SmallMeetings& meetings(std::uint32_t of) {
-    if ((known_ & kBitOf[of]) == 0) {
-      known_ |= kBitOf[of];
-      meetings_[of] = meetings_of(s_, of);
-      right_corners_ += static_cast<unsigned>(std::popcount(meetings_[of].right));
-    }
-    return meetings_[of];
-  }
-
   /// The first ray counter-clockwise from where the walk came: to the right at the first place that
   /// offers it, else at the end, as far to the right as may be.
   [[gnu::always_inline]] Next next_after(std::uint32_t at, const SmallFraction& passed) {
-    const SmallMeetings& m = meetings(at);
     Next next;
     SmallFraction best{0, 0};
-    for_each_bit(m.right, [&](std::uint32_t t) {
+    for_each_bit(m_.right[at], [&](std::uint32_t t) {
       const double c = turn(at, t);
       const double along = (s_.x[t] - s_.x[at]) * s_.dy[t] - (s_.y[t] - s_.y[at]) * s_.dx[t];
       const SmallFraction place{-along, -c};
@@ -122,20 +109,26 @@ class OuterWalk {
       best = place;
       next = {t, {start_of(t, at), -c}, c};
     });
-    if (next.segment != kNone) return next;
-    const double end_x = s_.x[at] + s_.dx[at];
-    const double end_y = s_.y[at] + s_.dy[at];
-    for_each_bit(m.straight, [&](std::uint32_t t) {
-      const double along = s_.dx[t] * (end_x - s_.x[t]) + s_.dy[t] * (end_y - s_.y[t]);
-      const double whole = s_.dx[t] * s_.dx[t] + s_.dy[t] * s_.dy[t];
-      const bool same_sense = s_.dx[at] * s_.dx[t] + s_.dy[at] * s_.dy[t] > 0;
-      if (same_sense && along >= 0 && along < whole) next = {t, {along, whole}, 0};
-    });
-    if (next.segment != kNone) return next;
-    for_each_bit(m.left, [&](std::uint32_t t) {
-      if (next.segment != kNone && turn(next.segment, t) >= 0) return;
+    return next.segment != kNone ? next : next_at_end(at);
+  }
+  [[gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
+    Next next;
+    for_each_bit(m_.at_end[at], [&](std::uint32_t t) {
       const double c = turn(at, t);
-      next = {t, {-start_of(t, at), c}, c};
+      if (c == 0) {
+        // What goes on straight is before all that turns to the left.
+        const double to_x = s_.x[at] + s_.dx[at] - s_.x[t];
+        const double to_y = s_.y[at] + s_.dy[at] - s_.y[t];
+        const double along = s_.dx[t] * to_x + s_.dy[t] * to_y;
+        const double whole = s_.dx[t] * s_.dx[t] + s_.dy[t] * s_.dy[t];
+        const bool same_sense = s_.dx[at] * s_.dx[t] + s_.dy[at] * s_.dy[t] > 0;
+        if (same_sense && along >= 0 && along < whole) next = {t, {along, whole}, 0};
+        return;
+      }
+      const double start = start_of(t, at);
+      if (start + c == 0) return;  // it ends there
+      if (next.segment != kNone && (next.turn == 0 || turn(next.segment, t) >= 0)) return;
+      next = {t, {-start, c}, c};
     });
     return next;
   }
@@ -152,9 +145,8 @@ class OuterWalk {
   /// none of them one of the outer boundary. Where a walk from what looks like such a corner ends,
   /// there is none.
   [[gnu::always_inline]] bool no_holes() {
-    for_each_bit(s_.all() & ~known_, [&](std::uint32_t t) { meetings(t); });
-    for (std::uint32_t from = 0; from < s_.size && taken_count_ + 3 <= right_corners_; ++from) {
-      for (SmallMask left = meetings_[from].right; (left &= ~taken_[from]) != 0;) {
+    for (std::uint32_t from = 0; from < s_.size && taken_count_ + 3 <= m_.right_count; ++from) {
+      for (SmallMask left = m_.right[from]; (left &= ~taken_[from]) != 0;) {
         if (!ends(from, static_cast<std::uint32_t>(std::countr_zero(left)))) return false;
       }
     }
@@ -190,10 +182,8 @@ class OuterWalk {
   }
 
   const SmallSegments& s_;
+  const SmallMeetings& m_;
   SmallBoundary& boundary_;
-  SmallMask known_ = 0;
-  std::array<SmallMeetings, kMaxSmallSegments> meetings_;
-  unsigned right_corners_ = 0;                        ///< of the known segments
   std::array<SmallMask, kMaxSmallSegments> taken_{};  ///< of those, by segments: walked
   unsigned taken_count_ = 0;
 };

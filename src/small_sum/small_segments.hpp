@@ -22,13 +22,6 @@ struct SmallOrigin {
   std::uint8_t vertex;
 };
 
-/// Which segments a segment meets, seen from it on its way.
-struct SmallMeetings {
-  SmallMask right;     ///< that lead to its right from a point behind its start
-  SmallMask left;      ///< that lead to its left from its end
-  SmallMask straight;  ///< on its line
-};
-
 /// All numbers are integers of so few bits that every product and sum is exact.
 struct SmallSegments {
   using Row = std::array<double, kMaxSmallSegments>;
@@ -91,31 +84,49 @@ struct SmallSegments {
   return true;
 }
 
-[[gnu::always_inline]] inline SmallMeetings meetings_of(const SmallSegments& s, std::uint32_t of) {
-  const double x = s.x[of];
-  const double y = s.y[of];
-  const double dx = s.dx[of];
-  const double dy = s.dy[of];
-  SmallMask right = 0;
-  SmallMask left = 0;
-  SmallMask straight = 0;
+/// Which start here.
+[[gnu::always_inline]] inline SmallMask starting_at(const SmallSegments& s, double x, double y) {
+  SmallMask mask = 0;
   const std::size_t n = filled_up(s.size);
-  for (std::size_t t = 0; t < n; ++t) {
-    const double ax = s.x[t] - x;
-    const double ay = s.y[t] - y;
-    const double start = dx * ay - dy * ax;           // how far t starts on the left
-    const double turn = dx * s.dy[t] - dy * s.dx[t];  // and how much farther it ends there
-    const double end = start + turn;
-    const double along = ax * s.dy[t] - ay * s.dx[t];  // they meet at along / turn of the way
-    const bool to_right = (start >= 0) & (end < 0) & (along < 0) & (along >= turn);
-    const bool to_left = (start <= 0) & (end > 0) & (along == turn);
-    const bool same = (turn == 0) & (along == 0);
-    right |= to_right ? kBitOf[t] : 0;
-    left |= to_left ? kBitOf[t] : 0;
-    straight |= same ? kBitOf[t] : 0;
-  }
+  for (std::size_t t = 0; t < n; ++t) mask |= (s.x[t] == x) & (s.y[t] == y) ? kBitOf[t] : 0;
+  return mask & s.all();
+}
+
+/// By segments, whom each meets on its way and may be left for.
+struct SmallMeetings {
+  using Masks = std::array<SmallMask, kMaxSmallSegments>;
+  Masks right;   ///< from a point behind its start, leading to its right
+  Masks at_end;  ///< at its end: leading to its left, on its line, or ending there, too
+  unsigned right_count = 0;
+};
+
+[[gnu::always_inline]] inline void find_meetings(const SmallSegments& s, SmallMeetings& m) {
+  const std::size_t n = filled_up(s.size);
   const SmallMask all = s.all();
-  return {right & all, left & all, straight & all};
+  m.right_count = 0;
+  for (std::uint32_t of = 0; of < s.size; ++of) {
+    const double x = s.x[of];
+    const double y = s.y[of];
+    const double dx = s.dx[of];
+    const double dy = s.dy[of];
+    SmallMask right = 0;
+    SmallMask at_end = 0;
+    for (std::size_t t = 0; t < n; ++t) {
+      const double ax = s.x[t] - x;
+      const double ay = s.y[t] - y;
+      const double start = dx * ay - dy * ax;            // how far t starts on the left
+      const double turn = dx * s.dy[t] - dy * s.dx[t];   // and how much farther it ends there
+      const double end = start + turn;
+      const double along = ax * s.dy[t] - ay * s.dx[t];  // they meet at along / turn of the way
+      const bool to_right = (start >= 0) & (end < 0) & (along < 0) & (along >= turn);
+      const bool ends = (along == turn) & (start <= 0) & (end >= 0);
+      right |= to_right ? kBitOf[t] : 0;
+      at_end |= ends ? kBitOf[t] : 0;
+    }
+    m.right[of] = right & all;
+    m.at_end[of] = at_end & all & ~kBitOf[of];
+    m.right_count += static_cast<unsigned>(std::popcount(right & all));
+  }
 }
 
 }  // namespace minksum

@@ -21,14 +21,11 @@ class SmallWriter {
         exp10_(static_cast<std::int16_t>(p.exp10)),
         region_(region) {
     region.clear();
-    RegionAccess::reserve(region, corners);
-    region.begin_polygon();
-    region.begin_ring();
+    RegionAccess::make_ring(region, corners, true);
   }
   void add(double x, double y, bool edge_of_first, SmallOrigin origin) {
-    RegionAccess::add_vertex(region_, compact(static_cast<std::int64_t>(x) + offset_.x),
-                             compact(static_cast<std::int64_t>(y) + offset_.y),
-                             source(edge_of_first, origin));
+    set(compact(static_cast<std::int64_t>(x) + offset_.x),
+        compact(static_cast<std::int64_t>(y) + offset_.y), edge_of_first, origin);
   }
   void add(const SmallSegments& s, const SmallCorner& corner) {
     const std::uint32_t i = corner.segment;
@@ -36,8 +33,10 @@ class SmallWriter {
     if (corner.along == 0) return add(s.x[i], s.y[i], first, s.origin[i]);
     const StoredCoordinate x = store(s.x[i], s.dx[i], corner, offset_.x);
     const StoredCoordinate y = store(s.y[i], s.dy[i], corner, offset_.y);
-    RegionAccess::add_vertex(region_, x, y, source(first, s.origin[i]));
+    set(x, y, first, s.origin[i]);
   }
+  /// When all corners are there: they may be fewer.
+  void finish() { RegionAccess::keep_vertices(region_, size_); }
 
  private:
   [[nodiscard]] StoredCoordinate compact(std::int64_t value) const {
@@ -66,6 +65,11 @@ class SmallWriter {
     if (above < 0) count |= kNegativeLimbs;
     return {place, exp2_, exp10_, count, 1};
   }
+  void set(const StoredCoordinate& x, const StoredCoordinate& y, bool edge_of_first,
+           SmallOrigin origin) {
+    RegionAccess::set_vertex(region_, size_, x, y);
+    RegionAccess::set_origin(region_, size_++, source(edge_of_first, origin));
+  }
   [[nodiscard]] EdgeOrigin source(bool edge_of_first, SmallOrigin origin) const {
     const SmallOperand& edges = edge_of_first ? p_ : q_;
     const SmallOperand& vertices = edge_of_first ? q_ : p_;
@@ -79,6 +83,7 @@ class SmallWriter {
   std::int16_t exp2_;
   std::int16_t exp10_;
   Region& region_;
+  std::size_t size_ = 0;
 };
 
 /// Edges of both in the order of their directions: all of the boundary.
@@ -104,6 +109,7 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
       --left_q;
     }
   }
+  writer.finish();
 }
 
 bool walk(const SmallOperand& p, const SmallOperand& q, Region& result) {
@@ -112,7 +118,10 @@ bool walk(const SmallOperand& p, const SmallOperand& q, Region& result) {
   const double start_x = p.x[p.smallest] + q.x[q.smallest];
   const double start_y = p.y[p.smallest] + q.y[q.smallest];
   const auto find = [&]() __attribute__((always_inline)) {
-    return list_segments(p, q, segments) && OuterWalk(segments, boundary).run(start_x, start_y);
+    if (!list_segments(p, q, segments)) return false;
+    SmallMeetings meetings;
+    find_meetings(segments, meetings);
+    return OuterWalk(segments, meetings, boundary).run(start_x, start_y);
   };
   if (!with_vectors(widest_vectors(), find)) return false;
   SmallWriter writer(p, q, boundary.size, result);

@@ -19,13 +19,13 @@ class Turner {
  public:
   Turner(const Region& region, int quarters, bool with_origins)
       : region_(region), quarters_(((quarters % 4) + 4) % 4), with_origins_(with_origins) {
-    RegionAccess::reserve(image_, region.vertex_count());
     RegionAccess::mutable_limbs(image_).assign(RegionAccess::limbs(region).begin(),
                                                RegionAccess::limbs(region).end());
   }
 
   /// Rings and vertices in the order that they have.
   Region in_order() {
+    RegionAccess::reserve(image_, region_.vertex_count());
     for (const std::size_t polygon : region_.polygons()) {
       image_.begin_polygon();
       for (const std::size_t ring : region_.rings_of(polygon)) {
@@ -37,7 +37,10 @@ class Turner {
   }
 
   Region in_canonical_order() {
-    if (region_.ring_count() == 1) return only_ring();
+    if (region_.ring_count() == 1) {
+      return quarters_ == 1 ? only_ring<1>() : quarters_ == 2 ? only_ring<2>() : only_ring<3>();
+    }
+    RegionAccess::reserve(image_, region_.vertex_count());
     std::vector<TurnedRing> rings;
     std::vector<IndexRange> polygons;
     rings.reserve(region_.ring_count());
@@ -62,9 +65,23 @@ class Turner {
   }
 
  private:
+  template <int kQuarters>
   Region only_ring() {
-    image_.begin_polygon();
-    write(turned_ring(0));
+    const std::size_t n = region_.vertex_count();
+    std::size_t smallest = 0;
+    StoredPoint first = image<kQuarters>(0);
+    for (std::size_t v = 1; v < n; ++v) {
+      const StoredPoint point = image<kQuarters>(v);
+      if (compare(point, first) >= 0) continue;
+      smallest = v;
+      first = point;
+    }
+    RegionAccess::make_ring(image_, n, with_origins_);
+    for (std::size_t i = 0, v = smallest; i < n; ++i, v = v + 1 == n ? 0 : v + 1) {
+      const StoredPoint at = image<kQuarters>(v);
+      RegionAccess::set_vertex(image_, i, at.x, at.y);
+      if (with_origins_) RegionAccess::set_origin(image_, i, region_.origin(v));
+    }
     return std::move(image_);
   }
 
@@ -80,29 +97,44 @@ class Turner {
   StoredCoordinate negative(StoredCoordinate c) {
     if (c.denominator_limbs > 0) {
       if ((c.numerator_limbs & kLimbCountMask) != 0) c.numerator_limbs ^= kNegativeLimbs;
-    } else if (c.payload != std::numeric_limits<std::int64_t>::min()) {
-      c.payload = -c.payload;
-    } else {
-      auto& limbs = RegionAccess::mutable_limbs(image_);
-      c.payload = static_cast<std::int64_t>(limbs.size());
-      limbs.insert(limbs.end(), {std::uint64_t{1} << 63U, 1});
-      c.numerator_limbs = 1;
-      c.denominator_limbs = 1;
+      return c;
     }
+    if (c.payload == std::numeric_limits<std::int64_t>::min()) return negative_of_smallest(c);
+    c.payload = -c.payload;
     return c;
   }
+  [[gnu::noinline]] StoredCoordinate negative_of_smallest(StoredCoordinate c) {
+    auto& limbs = RegionAccess::mutable_limbs(image_);
+    c.payload = static_cast<std::int64_t>(limbs.size());
+    limbs.insert(limbs.end(), {std::uint64_t{1} << 63U, 1});
+    c.numerator_limbs = 1;
+    c.denominator_limbs = 1;
+    return c;
+  }
+  template <int kQuarters>
   StoredPoint image(std::size_t vertex) {
     const StoredCoordinate& x = RegionAccess::x(region_, vertex);
     const StoredCoordinate& y = RegionAccess::y(region_, vertex);
-    if (quarters_ == 1) return {negative(y), x};
-    if (quarters_ == 2) return {negative(x), negative(y)};
-    if (quarters_ == 3) return {y, negative(x)};
+    if constexpr (kQuarters == 1) return {negative(y), x};
+    if constexpr (kQuarters == 2) return {negative(x), negative(y)};
+    if constexpr (kQuarters == 3) return {y, negative(x)};
     return {x, y};
   }
+  StoredPoint image(std::size_t vertex) {
+    if (quarters_ == 1) return image<1>(vertex);
+    if (quarters_ == 2) return image<2>(vertex);
+    return quarters_ == 3 ? image<3>(vertex) : image<0>(vertex);
+  }
 
+  [[nodiscard]] std::strong_ordering compare(const StoredCoordinate& a,
+                                             const StoredCoordinate& b) const {
+    const bool quick = (a.denominator_limbs | b.denominator_limbs) == 0 && a.exp2 == b.exp2 &&
+                       a.exp10 == b.exp10;
+    return quick ? a.payload <=> b.payload : RegionAccess::compare(image_, a, b);
+  }
   [[nodiscard]] std::strong_ordering compare(const StoredPoint& a, const StoredPoint& b) const {
-    const std::strong_ordering by_x = RegionAccess::compare(image_, a.x, b.x);
-    return by_x != 0 ? by_x : RegionAccess::compare(image_, a.y, b.y);
+    const std::strong_ordering by_x = compare(a.x, b.x);
+    return by_x != 0 ? by_x : compare(a.y, b.y);
   }
   /// Rings differ in their first vertex, or at least in the one after it.
   [[nodiscard]] bool ring_before(const TurnedRing& a, const TurnedRing& b) const {
