@@ -58,14 +58,15 @@ const SmallOperand* small_of(const Given& given, SmallOperand& memory) {
   return read_small(given.region, memory) ? &memory : nullptr;
 }
 
-bool run_small(const Given& p, const Given& q, const Options& options, Region& result) {
+bool run_small(const Given& p, const Given& q, const Options& options, SmallScratch& scratch,
+               Region& result) {
   if (!may_be_small(options)) return false;
   StageRunner(options).stop_if_asked();
   std::array<SmallOperand, 2> memory;
   const SmallOperand* const small_p = small_of(p, memory[0]);
   if (small_p == nullptr) return false;
   const SmallOperand* const small_q = small_of(q, memory[1]);
-  return small_q != nullptr && sum_small(*small_p, *small_q, result);
+  return small_q != nullptr && sum_small(*small_p, *small_q, scratch, result);
 }
 
 void run(const Given& p, const Given& q, const Options& options, Workspace::State& state,
@@ -84,7 +85,7 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
     Statistics unwanted;
     Statistics& statistics = options.statistics != nullptr ? *options.statistics : unwanted;
     signed_convolution_sum(p.region, q.region, options, statistics, result);
-  } else if (!run_small(p, q, options, result)) {
+  } else if (!run_small(p, q, options, state.small_scratch, result)) {
     run_pipeline(p, q, options, state, result);
   }
   if (begin) {

@@ -7,14 +7,15 @@
 #include "cover/shared_raster.hpp"
 #include "minksum/prepared_region.hpp"
 #include "output/output.hpp"
-#include "small_sum/small_operand.hpp"
+#include "small_sum/small_sum.hpp"
 #include "stage_runner.hpp"
 #include "tight/tight.hpp"
 
 namespace minksum {
 
-/// Every stage's result and scratch memory.
+/// Every stage's result and scratch memory, and that of sums without stages.
 struct Workspace::State {
+  SmallScratch small_scratch;
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
   std::array<Region, 2> walks;          ///< along polylines, see thin operands

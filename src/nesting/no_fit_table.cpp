@@ -48,17 +48,22 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
   return result;
 }
 
-/// The sum of two parts in their directions. The workspace is made where it is needed.
+/// A thread's. The workspace is made where it is needed.
+struct Memory {
+  SmallScratch small;
+  std::optional<Workspace> workspace;
+};
+
 Geometry sum(const TablePart& fixed, const TablePart& moving, std::size_t direction,
-             const NoFitTableOptions& options, std::optional<Workspace>& workspace) {
+             const NoFitTableOptions& options, Memory& memory) {
   const SmallOperand* const p = fixed.small(0);
   const SmallOperand* const q = moving.small(direction);
   if (p != nullptr && q != nullptr && !options.tight && allow_small(options.limits)) {
     Geometry result;
-    if (sum_small(*p, *q, result.region)) return result;
+    if (sum_small(*p, *q, memory.small, result.region)) return result;
   }
-  if (!workspace) workspace.emplace();
-  return sum(fixed.prepared(0), moving.prepared(direction), options, *workspace);
+  if (!memory.workspace) memory.workspace.emplace();
+  return sum(fixed.prepared(0), moving.prepared(direction), options, *memory.workspace);
 }
 
 }  // namespace
@@ -75,7 +80,7 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions&
   state.turns = options.turns;
   state.rows.reserve(parts.size());
   const int half = std::max(1, options.turns / 2);
-  const auto make_row = [&](std::size_t i, std::optional<Workspace>& workspace) {
+  const auto make_row = [&](std::size_t i, Memory& memory) {
     if (options.cancel && options.cancel->cancelled()) {
       throw Error(ErrorCode::kCancelled, "cancelled");
     }
@@ -86,12 +91,12 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions&
       for (int turn = 0; turn < turns; ++turn) {
         // Its point mirror is itself, turned by half a full turn.
         const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].directions();
-        row.push_back(sum(parts[i], parts[j], mirror, options, workspace));
+        row.push_back(sum(parts[i], parts[j], mirror, options, memory));
       }
     }
     return row;
   };
-  for_each_in_order<std::vector<Geometry>, std::optional<Workspace>>(
+  for_each_in_order<std::vector<Geometry>, Memory>(
       parts.size(), options.threads, make_row,
       [&](std::size_t, std::vector<Geometry>& row) { state.rows.push_back(std::move(row)); });
   state_ = std::make_shared<const State>(std::move(state));

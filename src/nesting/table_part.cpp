@@ -20,49 +20,48 @@ bool is_by_role(FillRule fill) { return fill == FillRule::kAutomatic || fill == 
 }  // namespace
 
 TablePart::TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options)
-    : given_(&given), index_(index), options_(&options) {
-  const std::size_t count = options.turns == 1 ? 2 : static_cast<std::size_t>(options.turns);
-  directions_.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) directions_.push_back(std::make_unique<Direction>());
+    : given_(&given),
+      index_(index),
+      options_(&options),
+      directions_(options.turns == 1 ? 2 : static_cast<std::size_t>(options.turns)),
+      prepared_(std::make_unique<Prepared>()) {
   if (read_small_part()) return;
-  const Region covered = area();
-  if (covered.empty() || given.region.empty()) {
-    refuse("a part without area cannot be paired", index);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    directions_[i]->region.emplace(transform(covered, Affine::quarter_turns(quarters(i))));
-  }
+  for (std::size_t i = 0; i < directions_; ++i) static_cast<void>(prepared(i));
 }
 
 int TablePart::quarters(std::size_t direction) const {
-  return static_cast<int>(direction * 4 / directions_.size());
+  return static_cast<int>(direction * 4 / directions_);
 }
 
 bool TablePart::read_small_part() {
   SmallOperand read;
   if (!is_by_role(options_->fill) || !read_small(given_->region, read)) return false;
   read.offset = {read.offset.x - read.first.x, read.offset.y - read.first.y};
-  small_.resize(directions_.size());
-  for (std::size_t i = 0; i < small_.size(); ++i) turn(read, quarters(i), small_[i]);
+  small_.resize(directions_);
+  for (std::size_t i = 0; i < directions_; ++i) turn(read, quarters(i), small_[i]);
   return true;
 }
 
-Region TablePart::area() const {
+Region TablePart::covered() const {
   // Resolving takes as long as some sums: what is legal already goes without.
-  const bool legal = is_by_role(options_->fill) && validate(given_->region, 1).empty();
-  Region covered =
+  const bool legal =
+      !small_.empty() || (is_by_role(options_->fill) && validate(given_->region, 1).empty());
+  const Region area =
       legal ? given_->region
             : resolve(*given_, {options_->fill, true, options_->cancel, static_cast<int>(index_)})
                   .region;
-  if (covered.empty() || given_->region.empty()) return {};
+  if (area.empty() || given_->region.empty()) {
+    refuse("a part without area cannot be paired", index_);
+  }
   const Point reference = given_->region.point(0);
-  return transform(covered, Affine::translation(-reference.x, -reference.y));
+  return transform(area, Affine::translation(-reference.x, -reference.y));
 }
 
 const PreparedRegion& TablePart::prepared(std::size_t direction) const {
-  Direction& d = *directions_[direction];
+  std::call_once(prepared_->once, [&] { prepared_->covered = covered(); });
+  Direction& d = prepared_->directions[direction];
   std::call_once(d.once, [&] {
-    if (!d.region) d.region.emplace(transform(area(), Affine::quarter_turns(quarters(direction))));
+    d.region.emplace(transform(prepared_->covered, Affine::quarter_turns(quarters(direction))));
   });
   return *d.region;
 }

@@ -1,6 +1,7 @@
 // A part of a table of no-fit polygons, ready to be summed in each of its directions.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -20,7 +21,7 @@ class TablePart {
   TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options);
 
   /// As many as the table's turns; of one turn, there is the point mirror as well.
-  [[nodiscard]] std::size_t directions() const { return directions_.size(); }
+  [[nodiscard]] std::size_t directions() const { return directions_; }
   /// Null if the part is not small.
   [[nodiscard]] const SmallOperand* small(std::size_t direction) const {
     return small_.empty() ? nullptr : &small_[direction];
@@ -33,16 +34,23 @@ class TablePart {
     std::once_flag once;
     std::optional<PreparedRegion> region;
   };
+  /// What is made when it is asked for.
+  struct Prepared {
+    std::once_flag once;
+    Region covered;
+    std::array<Direction, 4> directions;
+  };
   [[nodiscard]] int quarters(std::size_t direction) const;
   [[nodiscard]] bool read_small_part();
-  /// What the part covers.
-  [[nodiscard]] Region area() const;
+  /// What the part covers, its reference point at the origin.
+  [[nodiscard]] Region covered() const;
 
   const Geometry* given_;
   std::size_t index_;
   const NoFitTableOptions* options_;
   std::vector<SmallOperand> small_;
-  mutable std::vector<std::unique_ptr<Direction>> directions_;
+  std::size_t directions_;
+  std::unique_ptr<Prepared> prepared_;
 };
 
 }  // namespace minksum

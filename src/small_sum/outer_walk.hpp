@@ -1,30 +1,25 @@
 // The walk along the outer boundary of a small convolution.
 #pragma once
 
-#include <algorithm>
-#include <utility>
-
 #include "number/wide_int.hpp"
-#include "small_sum/small_segments.hpp"
+#include "small_sum/small_meetings.hpp"
 
 namespace minksum {
 
-/// A vertex of the boundary: where segment `segment` is left, or started, for what follows.
+/// A vertex of the boundary, and the segment that starts the edge there: at along / whole of it.
 struct SmallCorner {
-  std::uint32_t segment;  ///< that starts the edge there
-  /// It is at along / whole of the segment.
+  std::uint32_t segment;
   double along;
   double whole;
 };
 
 struct SmallBoundary {
-  /// No piece between two crossings is walked twice.
-  static constexpr std::size_t kMaxCorners = 4 * kMaxSmallSegments;
-  std::uint32_t size = 0;
-  std::array<SmallCorner, kMaxCorners> corners;
+  static constexpr std::size_t kMax = 4 * SmallSegments::kMax;
+  std::uint32_t size;
+  std::array<SmallCorner, kMax> corners;
 };
 
-/// A fraction of a segment's way: numbers below 2^53.
+/// A fraction of a segment's way: numbers of up to 53 bits.
 struct SmallFraction {
   double above;
   double below;  ///< positive
@@ -35,43 +30,67 @@ struct SmallFraction {
   return integer(a.above) * integer(b.below) < integer(b.above) * integer(a.below);
 }
 
+/// By meeting on the right, which walk turned there, and as its how manieth turn.
+struct SmallTurns {
+  struct Turn {
+    std::uint16_t walk;  ///< 0: none
+    std::uint16_t number;
+  };
+  std::array<Turn, std::max(SmallMeetingSets::kMax, SmallMeetingLists::kMax)> of;
+};
+
 /// Walks along the boundary of the unbounded face, the sum on its left. One use.
+template <class Meetings>
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings, SmallBoundary& boundary)
-      : s_(segments), m_(meetings), boundary_(boundary) {}
+  OuterWalk(const SmallSegments& segments, const Meetings& meetings, SmallTurns& turns,
+            SmallBoundary& boundary)
+      : s_(segments), m_(meetings), turns_(turns), boundary_(boundary) {
+    for (std::uint32_t at = 0; at < s_.size; ++at) {
+      m_.for_each_right(at, [&](std::uint32_t, std::size_t meeting) {
+        turns_.of[meeting] = {0, 0};
+      });
+    }
+  }
 
   /// From the smallest point. False if the walk does not come back, or might not be all of the
   /// sum's boundary.
-  [[gnu::always_inline]] bool run(double start_x, double start_y) {
+  bool run(double start_x, double start_y) {
     boundary_.size = 0;
-    std::uint32_t at = first_segment(start_x, start_y);
-    if (at == kNone) return false;
-    SmallFraction passed{0, 1};
-    corner(at, passed);
-    for (std::size_t steps = 0; steps < SmallBoundary::kMaxCorners - 1; ++steps) {
-      const Next next = next_after(at, passed);
-      if (next.segment == kNone) return false;
-      if (next.turn != 0) corner(next.segment, next.passed);
-      if (next.turn < 0) take(at, next.segment);
-      at = next.segment;
-      passed = next.passed;
-      if (passed.above == 0 && s_.x[at] == start_x && s_.y[at] == start_y) {
-        // Back at the start, the first corner is there already.
-        --boundary_.size;
-        return no_holes();
+    const std::uint32_t first = first_segment(start_x, start_y);
+    if (first == kNone) return false;
+    Place place{first, {0, 1}};
+    std::uint32_t taken = 0;
+    do {
+      corner(place);
+      Next next;
+      do {
+        next = next_after(place);
+        if (next.place.segment == kNone) return false;
+        place = next.place;
+      } while (next.turn == 0);
+      if (next.turn < 0) {
+        turns_.of[next.meeting] = {1, 0};
+        ++taken;
       }
-    }
-    return false;
+      if (boundary_.size == SmallBoundary::kMax) return false;
+    } while (place.passed.above != 0 || s_.x[place.segment] != start_x ||
+             s_.y[place.segment] != start_y);
+    return taken + 3 > m_.right_count || no_holes(taken);
   }
 
  private:
-  static constexpr std::uint32_t kNone = kMaxSmallSegments;
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  /// A segment, and how much of its way has been passed.
+  struct Place {
+    std::uint32_t segment = kNone;
+    SmallFraction passed{0, 1};
+  };
   /// Where the walk goes on.
   struct Next {
-    std::uint32_t segment = kNone;
-    SmallFraction passed{0, 1};  ///< of that segment's way
-    double turn = 0;             ///< negative: to the right
+    Place place;
+    double turn = 0;  ///< negative: to the right
+    std::size_t meeting = 0;
   };
 
   [[nodiscard]] double turn(std::uint32_t a, std::uint32_t b) const {
@@ -81,111 +100,109 @@ class OuterWalk {
   [[nodiscard]] double start_of(std::uint32_t t, std::uint32_t of) const {
     return s_.dx[of] * (s_.y[t] - s_.y[of]) - s_.dy[of] * (s_.x[t] - s_.x[of]);
   }
-  void corner(std::uint32_t segment, const SmallFraction& passed) {
-    boundary_.corners[boundary_.size++] = {segment, passed.above, passed.below};
+  void corner(const Place& place) {
+    boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
   }
   /// Of those that start at the smallest point, the one that is farthest clockwise.
-  [[gnu::always_inline]] std::uint32_t first_segment(double x, double y) {
+  [[nodiscard]] std::uint32_t first_segment(double x, double y) const {
     std::uint32_t first = kNone;
-    for_each_bit(starting_at(s_, x, y), [&](std::uint32_t t) {
+    for (std::uint32_t t = 0; t < s_.size; ++t) {
+      if (s_.x[t] != x || s_.y[t] != y) continue;
       if (first == kNone || turn(first, t) < 0) first = t;
-    });
+    }
     return first;
   }
+
   /// The first ray counter-clockwise from where the walk came: to the right at the first place that
   /// offers it, else at the end, as far to the right as may be.
-  [[gnu::always_inline]] Next next_after(std::uint32_t at, const SmallFraction& passed) {
+  [[nodiscard, gnu::always_inline]] Next next_after(const Place& place) const {
+    const std::uint32_t at = place.segment;
     Next next;
     SmallFraction best{0, 0};
-    for_each_bit(m_.right[at], [&](std::uint32_t t) {
+    m_.for_each_right(at, [&](std::uint32_t t, std::size_t meeting) {
       const double c = turn(at, t);
       const double along = (s_.x[t] - s_.x[at]) * s_.dy[t] - (s_.y[t] - s_.y[at]) * s_.dx[t];
-      const SmallFraction place{-along, -c};
-      if (passed.above != 0 && !less(passed, place)) return;
-      if (next.segment != kNone) {
-        if (less(best, place)) return;
-        if (!less(place, best) && turn(next.segment, t) >= 0) return;
+      const SmallFraction here{-along, -c};
+      if (place.passed.above != 0 && !less(place.passed, here)) return;
+      if (next.place.segment != kNone) {
+        if (less(best, here)) return;
+        if (!less(here, best) && turn(next.place.segment, t) >= 0) return;
       }
-      best = place;
-      next = {t, {start_of(t, at), -c}, c};
+      best = here;
+      next = {{t, {start_of(t, at), -c}}, c, meeting};
     });
-    return next.segment != kNone ? next : next_at_end(at);
+    return next.place.segment != kNone ? next : next_at_end(at);
   }
-  [[gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
+  [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
     Next next;
-    for_each_bit(m_.at_end[at], [&](std::uint32_t t) {
+    m_.for_each_at_end(at, [&](std::uint32_t t) {
       const double c = turn(at, t);
       if (c == 0) {
         // What goes on straight is before all that turns to the left.
-        const double to_x = s_.x[at] + s_.dx[at] - s_.x[t];
-        const double to_y = s_.y[at] + s_.dy[at] - s_.y[t];
-        const double along = s_.dx[t] * to_x + s_.dy[t] * to_y;
-        const double whole = s_.dx[t] * s_.dx[t] + s_.dy[t] * s_.dy[t];
-        const bool same_sense = s_.dx[at] * s_.dx[t] + s_.dy[at] * s_.dy[t] > 0;
-        if (same_sense && along >= 0 && along < whole) next = {t, {along, whole}, 0};
+        if (const Place along = straight_on(at, t); along.segment != kNone) next = {along, 0, 0};
         return;
       }
       const double start = start_of(t, at);
       if (start + c == 0) return;  // it ends there
-      if (next.segment != kNone && (next.turn == 0 || turn(next.segment, t) >= 0)) return;
-      next = {t, {-start, c}, c};
+      const bool first = next.place.segment == kNone;
+      if (first || (next.turn != 0 && turn(next.place.segment, t) < 0)) {
+        next = {{t, {-start, c}}, c, 0};
+      }
     });
     return next;
   }
-
-  /// Whether this corner was not taken before.
-  bool take(std::uint32_t from, std::uint32_t to) {
-    const bool first = (taken_[from] & kBitOf[to]) == 0;
-    taken_[from] |= kBitOf[to];
-    taken_count_ += first ? 1U : 0U;
-    return first;
+  /// Of a segment on the same line: where the end of `at` is on it, if it leads on from there.
+  [[nodiscard, gnu::noinline]] Place straight_on(std::uint32_t at, std::uint32_t t) const {
+    const double to_x = s_.x[at] + s_.dx[at] - s_.x[t];
+    const double to_y = s_.y[at] + s_.dy[at] - s_.y[t];
+    const double along = s_.dx[t] * to_x + s_.dy[t] * to_y;
+    const double whole = s_.dx[t] * s_.dx[t] + s_.dy[t] * s_.dy[t];
+    const bool same_sense = s_.dx[at] * s_.dx[t] + s_.dy[at] * s_.dy[t] > 0;
+    if (!same_sense || along < 0 || along >= whole) return {};
+    return {t, {along, whole}};
   }
 
   /// A hole is walked with the sum on the left, too, and has three corners where it turns right,
   /// none of them one of the outer boundary. Where a walk from what looks like such a corner ends,
   /// there is none.
-  [[gnu::always_inline]] bool no_holes() {
-    for (std::uint32_t from = 0; from < s_.size && taken_count_ + 3 <= m_.right_count; ++from) {
-      for (SmallMask left = m_.right[from]; (left &= ~taken_[from]) != 0;) {
-        if (!ends(from, static_cast<std::uint32_t>(std::countr_zero(left)))) return false;
-      }
+  [[nodiscard]] bool no_holes(std::uint32_t taken) {
+    std::uint16_t walk = 1;
+    bool none = true;
+    for (std::uint32_t from = 0; from < s_.size && none && taken + 3 <= m_.right_count; ++from) {
+      m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
+        if (turns_.of[meeting].walk == 0) none = none && ends(from, to, meeting, ++walk, taken);
+      });
     }
-    return true;
+    return none;
   }
   /// Whether no hole is on the walk from this corner: it ends, or leads to a corner of an earlier
   /// one, or goes round with too few right turns.
-  bool ends(std::uint32_t from, std::uint32_t to) {
-    std::array<std::pair<std::uint32_t, std::uint32_t>, SmallBoundary::kMaxCorners> turns;
-    std::size_t count = 0;
-    take(from, to);
-    turns[count++] = {from, to};
-    std::uint32_t at = to;
-    SmallFraction passed{start_of(to, from), -turn(from, to)};
-    std::uint32_t since = 0;
-    while (count < turns.size()) {
-      const Next next = next_after(at, passed);
-      // Each segment is left at its end once, unless it goes round without right turns.
-      if (next.segment == kNone || ++since > s_.size) return true;
+  bool ends(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint16_t walk,
+            std::uint32_t& taken) {
+    std::uint16_t count = 0;
+    turns_.of[meeting] = {walk, count++};
+    ++taken;
+    Place place{to, {start_of(to, from), -turn(from, to)}};
+    for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
+      const Next next = next_after(place);
+      if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
-        since = 0;
-        if (!take(at, next.segment)) {
-          const auto* const again =
-              std::find(turns.begin(), turns.begin() + count, std::pair(at, next.segment));
-          return turns.begin() + count - again < 3;
-        }
-        turns[count++] = {at, next.segment};
+        SmallTurns::Turn& turn = turns_.of[next.meeting];
+        if (turn.walk != 0) return turn.walk != walk || count - turn.number < 3;
+        turn = {walk, count++};
+        ++taken;
+        lefts = 0;
       }
-      at = next.segment;
-      passed = next.passed;
+      place = next.place;
     }
-    return false;
+    // Each segment is left at its end once: it goes round without right turns.
+    return true;
   }
 
   const SmallSegments& s_;
-  const SmallMeetings& m_;
+  const Meetings& m_;
+  SmallTurns& turns_;
   SmallBoundary& boundary_;
-  std::array<SmallMask, kMaxSmallSegments> taken_{};  ///< of those, by segments: walked
-  unsigned taken_count_ = 0;
 };
 
 }  // namespace minksum

@@ -1,62 +1,67 @@
 // Operands of a few vertices with short coordinates.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "minksum/region.hpp"
 #include "predicate/formulas.hpp"
+#include "small_sum/lanes.hpp"
 
 namespace minksum {
 
 /// An operand of one ring of a few vertices, counter-clockwise, whose coordinates are short
 /// integers: in arrays that vectors are loaded from. Edge i starts at vertex i.
-struct SmallOperand {
-  static constexpr std::size_t kMaxVertices = 32;
+class SmallOperand {
+ public:
+  static constexpr std::size_t kMaxVertices = 256;
   /// Of the box of a sum: cross products of differences are integers that doubles hold.
   static constexpr int kMaxBits = 26;
-  /// Arrays are filled up with zeros to a multiple of this.
-  static constexpr std::size_t kLanes = 8;
-  using Row = std::array<double, kMaxVertices>;
+
+  /// What is known of each vertex, one array each, filled up with zeros.
+  enum Row : std::uint8_t {
+    kX,
+    kY,
+    kDx,
+    kDy,
+    // The edges before and after a convex vertex; zeros for a reflex one.
+    kInX,
+    kInY,
+    kOutX,
+    kOutY,
+    kRows
+  };
 
   std::uint32_t size = 0;
   std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
   bool convex = false;
+  /// How many convex vertices meet an edge of another operand, on average of eight directions.
+  double turning = 1;
   Vec<double> extent{};        ///< of the box, which is at (0, 0)
   Vec<std::int64_t> offset{};  ///< where the box is
   Vec<std::int64_t> first{};   ///< the first vertex of the region that it was read from
   int exp2 = 0;                ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
-  alignas(64) Row x;
-  alignas(64) Row y;
-  alignas(64) Row dx;
-  alignas(64) Row dy;
-  /// The edges before and after each convex vertex; zeros for reflex ones.
-  alignas(64) Row in_x;
-  alignas(64) Row in_y;
-  alignas(64) Row out_x;
-  alignas(64) Row out_y;
-  std::array<std::uint32_t, kMaxVertices> vertex_source;  ///< vertex index in the region
-  std::array<std::uint32_t, kMaxVertices> edge_source;    ///< edge index in the region
+  /// Vertex and edge indices in the region.
+  struct Source {
+    std::uint32_t vertex;
+    std::uint32_t edge;
+  };
+  std::vector<Source> sources;
+
+  /// Makes room for rows of so many vertices, not to be relied on before they are set.
+  void make_rows(std::size_t vertices) {
+    stride_ = filled_up(vertices);
+    rows_.resize(kRows * stride_);
+  }
+  [[nodiscard]] double* operator[](Row row) { return rows_.data() + row * stride_; }
+  [[nodiscard]] const double* operator[](Row row) const { return rows_.data() + row * stride_; }
+
+ private:
+  std::size_t stride_ = 0;
+  std::vector<double> rows_;
 };
-
-/// A set of vertices, or of segments.
-using SmallMask = std::uint64_t;
-
-alignas(64) inline constexpr auto kBitOf = [] {
-  std::array<SmallMask, 64> bits{};
-  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = SmallMask{1} << i;
-  return bits;
-}();
-[[nodiscard]] constexpr SmallMask first_bits(std::size_t count) {
-  return count == 64 ? ~SmallMask{0} : (SmallMask{1} << count) - 1;
-}
-
-/// How many entries of its arrays are filled.
-[[nodiscard]] constexpr std::size_t filled_up(std::size_t size) {
-  return (size + SmallOperand::kLanes - 1) / SmallOperand::kLanes * SmallOperand::kLanes;
-}
 
 /// Whether a region is such an operand, and legal; fills `small` if so. What is not clearly one is
 /// not: faults are left to `validate`. O(n²) for n vertices, with a small constant.

@@ -8,6 +8,15 @@
 #include "small_sum/outer_walk.hpp"
 
 namespace minksum {
+
+struct SmallScratch::State {
+  SmallSegments segments;
+  SmallMeetingSets sets;
+  SmallMeetingLists lists;
+  SmallTurns turns;
+  SmallBoundary boundary;
+};
+
 namespace {
 
 /// Corners of the sum to vertices of a region.
@@ -23,17 +32,16 @@ class SmallWriter {
     region.clear();
     RegionAccess::make_ring(region, corners, true);
   }
-  void add(double x, double y, bool edge_of_first, SmallOrigin origin) {
+  void add(double x, double y, const SmallSegments::Origin& origin) {
     set(compact(static_cast<std::int64_t>(x) + offset_.x),
-        compact(static_cast<std::int64_t>(y) + offset_.y), edge_of_first, origin);
+        compact(static_cast<std::int64_t>(y) + offset_.y), origin);
   }
   void add(const SmallSegments& s, const SmallCorner& corner) {
     const std::uint32_t i = corner.segment;
-    const bool first = i < s.first_size;
-    if (corner.along == 0) return add(s.x[i], s.y[i], first, s.origin[i]);
+    if (corner.along == 0) return add(s.x[i], s.y[i], s.origin[i]);
     const StoredCoordinate x = store(s.x[i], s.dx[i], corner, offset_.x);
     const StoredCoordinate y = store(s.y[i], s.dy[i], corner, offset_.y);
-    set(x, y, first, s.origin[i]);
+    set(x, y, s.origin[i]);
   }
   /// When all corners are there: they may be fewer.
   void finish() { RegionAccess::keep_vertices(region_, size_); }
@@ -65,16 +73,15 @@ class SmallWriter {
     if (above < 0) count |= kNegativeLimbs;
     return {place, exp2_, exp10_, count, 1};
   }
-  void set(const StoredCoordinate& x, const StoredCoordinate& y, bool edge_of_first,
-           SmallOrigin origin) {
+  void set(const StoredCoordinate& x, const StoredCoordinate& y,
+           const SmallSegments::Origin& origin) {
+    const SmallOperand& edges = origin.of_first ? p_ : q_;
+    const SmallOperand& vertices = origin.of_first ? q_ : p_;
     RegionAccess::set_vertex(region_, size_, x, y);
-    RegionAccess::set_origin(region_, size_++, source(edge_of_first, origin));
-  }
-  [[nodiscard]] EdgeOrigin source(bool edge_of_first, SmallOrigin origin) const {
-    const SmallOperand& edges = edge_of_first ? p_ : q_;
-    const SmallOperand& vertices = edge_of_first ? q_ : p_;
-    return {edge_of_first ? Operand::kFirst : Operand::kSecond, edges.edge_source[origin.edge],
-            vertices.vertex_source[origin.vertex]};
+    RegionAccess::set_origin(
+        region_, size_++,
+        {origin.of_first ? Operand::kFirst : Operand::kSecond, edges.sources[origin.edge].edge,
+         vertices.sources[origin.vertex].vertex});
   }
 
   const SmallOperand& p_;
@@ -86,64 +93,100 @@ class SmallWriter {
   std::size_t size_ = 0;
 };
 
+/// Where the smallest points of both operands come to lie.
+Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
+  return {p[SmallOperand::kX][p.smallest] + q[SmallOperand::kX][q.smallest],
+          p[SmallOperand::kY][p.smallest] + q[SmallOperand::kY][q.smallest]};
+}
+
 /// Edges of both in the order of their directions: all of the boundary.
 void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) {
+  /// Goes round a ring from its smallest vertex.
+  struct Round {
+    const SmallOperand& o;
+    std::uint32_t at;
+    std::uint32_t left;
+    explicit Round(const SmallOperand& of) : o(of), at(of.smallest), left(of.size) {}
+    [[nodiscard]] double operator[](SmallOperand::Row row) const { return o[row][at]; }
+    void go_on() {
+      at = at + 1 == o.size ? 0 : at + 1;
+      --left;
+    }
+  };
+  using Origin = SmallSegments::Origin;
   SmallWriter writer(p, q, p.size + q.size, result);
-  std::uint32_t i = p.smallest;
-  std::uint32_t j = q.smallest;
-  std::uint32_t left_p = p.size;
-  std::uint32_t left_q = q.size;
-  while (left_p + left_q > 0) {
+  Round a(p);
+  Round b(q);
+  while (a.left + b.left > 0) {
     // Neither is half a circle behind the other one: edges of a convex ring turn by less.
-    const double turn = left_p == 0 ? -1 : left_q == 0 ? 1 : p.dx[i] * q.dy[j] - p.dy[i] * q.dx[j];
-    const SmallOrigin origin =
-        turn >= 0 ? SmallOrigin{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)}
-                  : SmallOrigin{static_cast<std::uint8_t>(j), static_cast<std::uint8_t>(i)};
-    writer.add(p.x[i] + q.x[j], p.y[i] + q.y[j], turn >= 0, origin);
-    if (turn >= 0) {
-      i = i + 1 == p.size ? 0 : i + 1;
-      --left_p;
-    }
-    if (turn <= 0) {
-      j = j + 1 == q.size ? 0 : j + 1;
-      --left_q;
-    }
+    const double turn = a.left == 0   ? -1
+                        : b.left == 0 ? 1
+                                      : a[SmallOperand::kDx] * b[SmallOperand::kDy] -
+                                            a[SmallOperand::kDy] * b[SmallOperand::kDx];
+    const auto i = static_cast<std::uint16_t>(a.at);
+    const auto j = static_cast<std::uint16_t>(b.at);
+    writer.add(a[SmallOperand::kX] + b[SmallOperand::kX], a[SmallOperand::kY] + b[SmallOperand::kY],
+               turn >= 0 ? Origin{i, j, true} : Origin{j, i, false});
+    if (turn >= 0) a.go_on();
+    if (turn <= 0) b.go_on();
   }
   writer.finish();
 }
 
-bool walk(const SmallOperand& p, const SmallOperand& q, Region& result) {
-  SmallSegments segments;
-  SmallBoundary boundary;
-  const double start_x = p.x[p.smallest] + q.x[q.smallest];
-  const double start_y = p.y[p.smallest] + q.y[q.smallest];
+template <class Meetings>
+bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scratch,
+          Meetings& meetings, Region& result) {
   const auto find = [&]() __attribute__((always_inline)) {
-    if (!list_segments(p, q, segments)) return false;
-    SmallMeetings meetings;
-    find_meetings(segments, meetings);
-    return OuterWalk(segments, meetings, boundary).run(start_x, start_y);
+    return find_meetings(scratch.segments, meetings);
   };
   if (!with_vectors(widest_vectors(), find)) return false;
-  SmallWriter writer(p, q, boundary.size, result);
-  for (std::uint32_t k = 0; k < boundary.size; ++k) writer.add(segments, boundary.corners[k]);
+  const Vec<double> start = smallest_point(p, q);
+  OuterWalk<Meetings> walk(scratch.segments, meetings, scratch.turns, scratch.boundary);
+  if (!walk.run(start.x, start.y)) return false;
+  SmallWriter writer(p, q, scratch.boundary.size, result);
+  for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
+    writer.add(scratch.segments, scratch.boundary.corners[k]);
+  }
   return true;
+}
+
+bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scratch,
+          Region& result) {
+  const auto list = [&]() __attribute__((always_inline)) {
+    return list_segments(p, q, scratch.segments);
+  };
+  if (!with_vectors(widest_vectors(), list)) return false;
+  return scratch.segments.size <= SmallMeetingSets::kMaxSegments
+             ? walk(p, q, scratch, scratch.sets, result)
+             : walk(p, q, scratch, scratch.lists, result);
 }
 
 }  // namespace
 
+SmallScratch::SmallScratch() = default;
+SmallScratch::~SmallScratch() = default;
+SmallScratch::SmallScratch(SmallScratch&&) noexcept = default;
+SmallScratch& SmallScratch::operator=(SmallScratch&&) noexcept = default;
+
+SmallScratch::State& SmallScratch::state() {
+  if (!state_) state_ = std::make_unique_for_overwrite<State>();
+  return *state_;
+}
+
 bool allow_small(const Limits& limits) {
-  constexpr std::uint64_t kMost = kMaxSmallSegments * kMaxSmallSegments;
+  constexpr std::uint64_t kMost = SmallSegments::kMax * SmallSegments::kMax;
   return limits.max_segments >= kMost && limits.max_crossings >= kMost;
 }
 
-bool sum_small(const SmallOperand& p, const SmallOperand& q, Region& result) {
+bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,
+               Region& result) {
   if (p.exp2 != q.exp2 || p.exp10 != q.exp10) {
     const int exp2 = std::min(p.exp2, q.exp2);
     const int exp10 = std::min(p.exp10, q.exp10);
     SmallOperand fine_p = p;
     SmallOperand fine_q = q;
     return refine(exp2, exp10, fine_p) && refine(exp2, exp10, fine_q) &&
-           sum_small(fine_p, fine_q, result);
+           sum_small(fine_p, fine_q, scratch, result);
   }
   constexpr double kWidest = std::int64_t{1} << SmallOperand::kMaxBits;
   if (p.extent.x + q.extent.x > kWidest || p.extent.y + q.extent.y > kWidest) return false;
@@ -151,7 +194,10 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, Region& result) {
     merge_convex(p, q, result);
     return true;
   }
-  return walk(p, q, result);
+  // Of more segments, looking at each pair of blocks takes longer than the stages.
+  constexpr double kMostSegments = 320;
+  if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
+  return walk(p, q, scratch.state(), result);
 }
 
 }  // namespace minksum

@@ -1,10 +1,26 @@
-// The sum of two operands of a few vertices, by one walk along its outer boundary.
+// The sum of two operands of few vertices, by one walk along its outer boundary.
 #pragma once
+
+#include <memory>
 
 #include "minksum/minkowski_sum.hpp"
 #include "small_sum/small_operand.hpp"
 
 namespace minksum {
+
+/// Memory that is kept from sum to sum; it is taken when it is needed first.
+class SmallScratch {
+ public:
+  SmallScratch();
+  ~SmallScratch();
+  SmallScratch(SmallScratch&&) noexcept;
+  SmallScratch& operator=(SmallScratch&&) noexcept;
+  struct State;
+  [[nodiscard]] State& state();
+
+ private:
+  std::unique_ptr<State> state_;
+};
 
 /// P ⊕ Q, in canonical form, with origins: the same region as by the stages. False if it takes
 /// them: if the sum may have a hole, or there are more segments than are worth it, or too long
@@ -13,10 +29,9 @@ namespace minksum {
 /// The reduced convolution is listed; the walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. It is all of the sum's boundary if fewer than three
 /// corners are left where one segment could turn right into another: a hole has three of them. See
-/// docs/pipeline.md, "Small operands". O(s²) for s segments, eight or four at a time.
-///
-/// Of convex operands edges are merged in the order of their directions.
-bool sum_small(const SmallOperand& p, const SmallOperand& q, Region& result);
+/// docs/pipeline.md, "Small operands". O(s²) for s segments, eight at a time. Of convex operands
+/// edges are merged in the order of their directions.
+bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch, Region& result);
 
 /// Whether no sum of small operands could go beyond these limits.
 [[nodiscard]] bool allow_small(const Limits& limits);

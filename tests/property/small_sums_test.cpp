@@ -14,10 +14,10 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 40'000;
+constexpr int kDefaultPairs = 30'000;
 
 Region random_shape(Random& random) {
-  switch (random.below(9)) {
+  switch (random.below(12)) {
     case 0:
       return random_two_opt(random, random.between(4, 16), random.between(5, 12));
     case 1:
@@ -35,6 +35,13 @@ Region random_shape(Random& random) {
       return spiral(random.between(1, 4));
     case 7:
       return random_triangle(random, random.between(1, 20));
+    // As many vertices as make segments by the hundred.
+    case 8:
+      return random_two_opt(random, random.between(16, 40), random.between(30, 400));
+    case 9:
+      return round_polygon(random.between(8, 100), random.between(200, 5'000));
+    case 10:
+      return comb(random.between(8, 30), random.between(1, 3), random.between(1, 9));
     default:
       return random_polygon(random);
   }

@@ -1,0 +1,33 @@
+// Eight numbers at a time, and sets of few things.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace minksum {
+
+inline constexpr std::size_t kLanes = 8;
+/// How many entries arrays have that are read eight at a time.
+[[nodiscard]] constexpr std::size_t filled_up(std::size_t size) {
+  return (size + kLanes - 1) / kLanes * kLanes;
+}
+
+/// A set of up to 64 things.
+using LaneBits = std::uint64_t;
+
+alignas(64) inline constexpr auto kBitOf = [] {
+  std::array<LaneBits, 64> bits{};
+  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = LaneBits{1} << i;
+  return bits;
+}();
+[[nodiscard]] constexpr LaneBits first_bits(std::size_t count) {
+  return count >= 64 ? ~LaneBits{0} : (LaneBits{1} << count) - 1;
+}
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_bit(LaneBits bits, Visit visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
+
+}  // namespace minksum
