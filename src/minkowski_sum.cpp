@@ -135,6 +135,7 @@ class Sums final : public PartialSums {
   bool take(int operand, const Region& region) override {
     const auto i = static_cast<std::size_t>(operand);
     regions_[i] = &region;
+    is_small_[i] = false;
     if (region.empty()) return true;
     stop_if_asked();
     is_small_[i] = may_be_small(quiet_) && read_small(region, small_[i]);
@@ -150,8 +151,10 @@ class Sums final : public PartialSums {
     const Given area = taken(static_cast<std::size_t>(operand));
     if (options_.method == Method::kSigned) {
       signed_convolution_sum(area.region, polylines, quiet_, sum);
-    } else {
+    } else if (operand == 0) {
       run(area, walk(0, polylines), quiet_, state_, sum);
+    } else {  // what is prepared only now takes the place of this operand, not of the other
+      run(walk(0, polylines), area, quiet_, state_, sum);
     }
     forget_origins(sum);
   }

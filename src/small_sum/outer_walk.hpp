@@ -1,6 +1,8 @@
 // The walk along the outer boundary of a small convolution.
 #pragma once
 
+#include <cmath>
+
 #include "number/wide_int.hpp"
 #include "small_sum/small_meetings.hpp"
 
@@ -9,8 +11,8 @@ namespace minksum {
 /// A vertex of the boundary, and the segment that starts the edge there: at along / whole of it.
 struct SmallCorner {
   std::uint32_t segment;
-  double along;
-  double whole;
+  std::int64_t along;
+  std::int64_t whole;
 };
 
 struct SmallBoundary {
@@ -19,15 +21,14 @@ struct SmallBoundary {
   std::array<SmallCorner, kMax> corners;
 };
 
-/// A fraction of a segment's way: numbers of up to 53 bits.
+/// A fraction of a segment's way.
 struct SmallFraction {
-  double above;
-  double below;  ///< positive
+  std::int64_t above;
+  std::int64_t below;  ///< positive
 };
 
 [[nodiscard]] inline bool less(const SmallFraction& a, const SmallFraction& b) {
-  const auto integer = [](double d) { return static_cast<Int128>(static_cast<std::int64_t>(d)); };
-  return integer(a.above) * integer(b.below) < integer(b.above) * integer(a.below);
+  return Int128{a.above} * b.below < Int128{b.above} * a.below;
 }
 
 /// By meeting on the right, which walk turned there, and as its how manieth turn.
@@ -40,7 +41,7 @@ struct SmallTurns {
 };
 
 /// Walks along the boundary of the unbounded face, the sum on its left. One use.
-template <class Meetings>
+template <class Number, class Meetings>
 class OuterWalk {
  public:
   OuterWalk(const SmallSegments& segments, const Meetings& meetings, SmallTurns& turns,
@@ -89,16 +90,25 @@ class OuterWalk {
   /// Where the walk goes on.
   struct Next {
     Place place;
-    double turn = 0;  ///< negative: to the right
+    Number turn = 0;  ///< negative: to the right
     std::size_t meeting = 0;
   };
 
-  [[nodiscard]] double turn(std::uint32_t a, std::uint32_t b) const {
-    return s_.dx[a] * s_.dy[b] - s_.dy[a] * s_.dx[b];
+  [[nodiscard]] Number turn(std::uint32_t a, std::uint32_t b) const {
+    return cross(way(a), way(b));
   }
   /// How far on the left of a segment another one starts.
-  [[nodiscard]] double start_of(std::uint32_t t, std::uint32_t of) const {
-    return s_.dx[of] * (s_.y[t] - s_.y[of]) - s_.dy[of] * (s_.x[t] - s_.x[of]);
+  [[nodiscard]] Number start_of(std::uint32_t t, std::uint32_t of) const {
+    return cross(way(of), between(of, t));
+  }
+  [[nodiscard]] Vec<Number> way(std::uint32_t t) const {
+    return {static_cast<Number>(s_.dx[t]), static_cast<Number>(s_.dy[t])};
+  }
+  [[nodiscard]] Vec<Number> between(std::uint32_t from, std::uint32_t to) const {
+    return {static_cast<Number>(s_.x[to] - s_.x[from]), static_cast<Number>(s_.y[to] - s_.y[from])};
+  }
+  [[nodiscard]] static SmallFraction fraction(Number above, Number below) {
+    return {static_cast<std::int64_t>(above), static_cast<std::int64_t>(below)};
   }
   void corner(const Place& place) {
     boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
@@ -120,46 +130,47 @@ class OuterWalk {
     Next next;
     SmallFraction best{0, 0};
     m_.for_each_right(at, [&](std::uint32_t t, std::size_t meeting) {
-      const double c = turn(at, t);
-      const double along = (s_.x[t] - s_.x[at]) * s_.dy[t] - (s_.y[t] - s_.y[at]) * s_.dx[t];
-      const SmallFraction here{-along, -c};
+      const Number c = turn(at, t);
+      const SmallFraction here = fraction(-cross(between(at, t), way(t)), -c);
       if (place.passed.above != 0 && !less(place.passed, here)) return;
       if (next.place.segment != kNone) {
         if (less(best, here)) return;
         if (!less(here, best) && turn(next.place.segment, t) >= 0) return;
       }
       best = here;
-      next = {{t, {start_of(t, at), -c}}, c, meeting};
+      next = {{t, fraction(start_of(t, at), -c)}, c, meeting};
     });
     return next.place.segment != kNone ? next : next_at_end(at);
   }
   [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
     Next next;
     m_.for_each_at_end(at, [&](std::uint32_t t) {
-      const double c = turn(at, t);
+      const Number c = turn(at, t);
       if (c == 0) {
         // What goes on straight is before all that turns to the left.
         if (const Place along = straight_on(at, t); along.segment != kNone) next = {along, 0, 0};
         return;
       }
-      const double start = start_of(t, at);
+      const Number start = start_of(t, at);
       if (start + c == 0) return;  // it ends there
       const bool first = next.place.segment == kNone;
       if (first || (next.turn != 0 && turn(next.place.segment, t) < 0)) {
-        next = {{t, {-start, c}}, c, 0};
+        next = {{t, fraction(-start, c)}, c, 0};
       }
     });
     return next;
   }
   /// Of a segment on the same line: where the end of `at` is on it, if it leads on from there.
   [[nodiscard, gnu::noinline]] Place straight_on(std::uint32_t at, std::uint32_t t) const {
-    const double to_x = s_.x[at] + s_.dx[at] - s_.x[t];
-    const double to_y = s_.y[at] + s_.dy[at] - s_.y[t];
-    const double along = s_.dx[t] * to_x + s_.dy[t] * to_y;
-    const double whole = s_.dx[t] * s_.dx[t] + s_.dy[t] * s_.dy[t];
-    const bool same_sense = s_.dx[at] * s_.dx[t] + s_.dy[at] * s_.dy[t] > 0;
-    if (!same_sense || along < 0 || along >= whole) return {};
-    return {t, {along, whole}};
+    // Seen along the axis that the line is closer to.
+    const bool by_x = std::abs(s_.dx[t]) >= std::abs(s_.dy[t]);
+    const double whole = by_x ? s_.dx[t] : s_.dy[t];
+    const double along = by_x ? s_.x[at] + s_.dx[at] - s_.x[t] : s_.y[at] + s_.dy[at] - s_.y[t];
+    const double sense = whole < 0 ? -1 : 1;
+    const bool same_sense = sense * (by_x ? s_.dx[at] : s_.dy[at]) > 0;
+    if (!same_sense || sense * along < 0 || sense * along >= sense * whole) return {};
+    return {t,
+            {static_cast<std::int64_t>(sense * along), static_cast<std::int64_t>(sense * whole)}};
   }
 
   /// A hole is walked with the sum on the left, too, and has three corners where it turns right,
@@ -182,8 +193,9 @@ class OuterWalk {
     std::uint16_t count = 0;
     turns_.of[meeting] = {walk, count++};
     ++taken;
-    Place place{to, {start_of(to, from), -turn(from, to)}};
+    Place place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
+      if (++steps_ > 4 * s_.size) return false;  // the stages are faster then
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
@@ -195,7 +207,8 @@ class OuterWalk {
       }
       place = next.place;
     }
-    // Each segment is left at its end once: it goes round without right turns.
+    // Where a segment is left at its end depends on nothing else: it goes round without right
+    // turns.
     return true;
   }
 
@@ -203,6 +216,7 @@ class OuterWalk {
   const Meetings& m_;
   SmallTurns& turns_;
   SmallBoundary& boundary_;
+  std::uint32_t steps_ = 0;  ///< of walks that look for holes
 };
 
 }  // namespace minksum

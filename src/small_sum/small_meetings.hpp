@@ -13,25 +13,28 @@ struct SmallMeetingBits {
 };
 
 /// Those that segment `of` meets among up to 64 from `first` on.
+template <class Number>
 [[gnu::always_inline]] inline SmallMeetingBits meetings_among(const SmallSegments& s,
                                                               std::uint32_t of, std::size_t first,
                                                               std::size_t count) {
-  const double x = s.x[of];
-  const double y = s.y[of];
-  const double dx = s.dx[of];
-  const double dy = s.dy[of];
+  const auto x = static_cast<Number>(s.x[of]);
+  const auto y = static_cast<Number>(s.y[of]);
+  const auto dx = static_cast<Number>(s.dx[of]);
+  const auto dy = static_cast<Number>(s.dy[of]);
   const double* const other_x = s.x.data() + first;
   const double* const other_y = s.y.data() + first;
   const double* const other_dx = s.dx.data() + first;
   const double* const other_dy = s.dy.data() + first;
   SmallMeetingBits bits;
   for (std::size_t t = 0; t < count; ++t) {
-    const double ax = other_x[t] - x;
-    const double ay = other_y[t] - y;
-    const double start = dx * ay - dy * ax;                   // how far t starts on the left
-    const double turn = dx * other_dy[t] - dy * other_dx[t];  // and how much farther it ends
-    const double end = start + turn;
-    const double along = ax * other_dy[t] - ay * other_dx[t];  // they meet at along / turn
+    const Number ax = static_cast<Number>(other_x[t]) - x;
+    const Number ay = static_cast<Number>(other_y[t]) - y;
+    const auto tx = static_cast<Number>(other_dx[t]);
+    const auto ty = static_cast<Number>(other_dy[t]);
+    const Number start = dx * ay - dy * ax;  // how far t starts on the left
+    const Number turn = dx * ty - dy * tx;   // and how much farther it ends there
+    const Number end = start + turn;
+    const Number along = ax * ty - ay * tx;  // they meet at along / turn of the way
     const bool to_right = (start >= 0) & (end < 0) & (along < 0) & (along >= turn);
     const bool ends = (along == turn) & (start <= 0) & (end >= 0);
     bits.right |= to_right ? kBitOf[t] : 0;
@@ -60,13 +63,21 @@ struct SmallMeetingSets {
   }
 };
 
+/// Of sums with more meetings on the right most corners lie inside, and the stages are faster.
+[[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
+  return 2 * segments + 16;
+}
+
+/// False if there are too many.
+template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetingSets& m) {
   const LaneBits all = first_bits(s.size);
   m.right_count = 0;
   for (std::uint32_t at = 0; at < s.size; ++at) {
-    const SmallMeetingBits bits = meetings_among(s, at, 0, filled_up(s.size));
+    const SmallMeetingBits bits = meetings_among<Number>(s, at, 0, filled_up(s.size));
     m.of[at] = {bits.right & all, bits.at_end & all};
     m.right_count += static_cast<std::uint32_t>(std::popcount(bits.right & all));
+    if (m.right_count > most_right_meetings(s.size)) return false;
   }
   return true;
 }
@@ -98,6 +109,7 @@ struct SmallMeetingLists {
 
 /// False if there are too many. O(s²) for s segments, but blocks of eight that are elsewhere take
 /// one look.
+template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetingLists& m) {
   SmallBlocks blocks;
   blocks.set(s.x.data(), s.y.data(), s.dx.data(), s.dy.data(), s.size);
@@ -109,7 +121,7 @@ struct SmallMeetingLists {
     m.at_end_of[at].begin = m.at_end_count;
     for_each_bit(blocks.near(s.x[at], s.y[at], s.dx[at], s.dy[at]), [&](std::uint32_t block) {
       const std::size_t first = block * kLanes;
-      const SmallMeetingBits bits = meetings_among(s, at, first, kLanes);
+      const SmallMeetingBits bits = meetings_among<Number>(s, at, first, kLanes);
       const LaneBits all = first_bits(s.size - first);
       for_each_bit(bits.right & all, [&](std::uint32_t i) {
         m.right[m.right_count++] = static_cast<std::uint16_t>(first + i);
@@ -120,6 +132,7 @@ struct SmallMeetingLists {
     });
     m.right_of[at].end = m.right_count;
     m.at_end_of[at].end = m.at_end_count;
+    if (m.right_count > most_right_meetings(s.size)) return false;
   }
   return true;
 }

@@ -14,7 +14,6 @@ namespace {
 
 /// Sums of two offsets and two coordinates have their place in 64 bits.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 60;
-constexpr std::int64_t kWidest = std::int64_t{1} << SmallOperand::kMaxBits;
 
 bool fits(const Int128& offset) { return -kFarthest <= offset && offset <= kFarthest; }
 
@@ -30,6 +29,24 @@ bool find_grid(const Region& region, SmallOperand& s) {
     }
   }
   return known;
+}
+
+Vec<std::int64_t> step(const SmallOperand& s, std::uint32_t from, std::uint32_t to) {
+  return {static_cast<std::int64_t>(s[SmallOperand::kX][to] - s[SmallOperand::kX][from]),
+          static_cast<std::int64_t>(s[SmallOperand::kY][to] - s[SmallOperand::kY][from])};
+}
+
+/// The extent of the longest edge; false if that is too long for any numbers.
+bool find_longest(SmallOperand& s) {
+  const double* const x = s[SmallOperand::kX];
+  const double* const y = s[SmallOperand::kY];
+  s.longest = 0;
+  std::uint32_t before = s.size - 1;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    s.longest = std::max({s.longest, std::abs(x[i] - x[before]), std::abs(y[i] - y[before])});
+    before = i;
+  }
+  return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumbers::kNone;
 }
 
 /// The vertices as they are given; false if they have no short integers on a common grid.
@@ -57,11 +74,12 @@ bool load(const Region& region, SmallOperand& s) {
     low = {std::min(low.x, at[v].x), std::min(low.y, at[v].y)};
     high = {std::max(high.x, at[v].x), std::max(high.y, at[v].y)};
   }
-  if (!fit || high.x - low.x > kWidest || high.y - low.y > kWidest) return false;
+  s.extent = {static_cast<double>(high.x - low.x), static_cast<double>(high.y - low.y)};
+  const double width = std::max(s.extent.x, s.extent.y);
+  if (!fit || width > SmallOperand::kWidest) return false;
   s.size = static_cast<std::uint32_t>(n);
   s.offset = low;
   s.first = at[0];
-  s.extent = {static_cast<double>(high.x - low.x), static_cast<double>(high.y - low.y)};
   s.make_rows(n);
   s.sources.resize(n);
   for (std::uint32_t v = 0; v < n; ++v) {
@@ -69,12 +87,7 @@ bool load(const Region& region, SmallOperand& s) {
     s[SmallOperand::kY][v] = static_cast<double>(at[v].y - low.y);
     s.sources[v] = {v, v};
   }
-  return true;
-}
-
-Vec<double> step(const SmallOperand& s, std::uint32_t from, std::uint32_t to) {
-  return {s[SmallOperand::kX][to] - s[SmallOperand::kX][from],
-          s[SmallOperand::kY][to] - s[SmallOperand::kY][from]};
+  return find_longest(s);
 }
 
 /// Drops vertices in the middle of straight edges; false if one is repeated, or a spike.
@@ -83,8 +96,8 @@ bool drop_straight(SmallOperand& s) {
   bool all = true;
   std::uint32_t before = s.size - 1;
   for (std::uint32_t i = 0; i < s.size; ++i) {
-    const Vec<double> in = step(s, before, i);
-    const Vec<double> out = step(s, i, i + 1 == s.size ? 0 : i + 1);
+    const Vec<std::int64_t> in = step(s, before, i);
+    const Vec<std::int64_t> out = step(s, i, i + 1 == s.size ? 0 : i + 1);
     stays[i] = cross(in, out) != 0;
     all = all && stays[i];
     if (!stays[i] && !(in.x * out.x + in.y * out.y > 0)) return false;
@@ -101,7 +114,7 @@ bool drop_straight(SmallOperand& s) {
     s.sources[kept++] = s.sources[i];
   }
   s.size = kept;
-  return kept >= 3;
+  return kept >= 3 && find_longest(s);
 }
 
 void find_smallest(SmallOperand& s) {
@@ -135,21 +148,20 @@ void set_edges(SmallOperand& s) {
   const std::uint32_t n = s.size;
   double* const dx = s[SmallOperand::kDx];
   double* const dy = s[SmallOperand::kDy];
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const Vec<double> d = step(s, i, i + 1 == n ? 0 : i + 1);
-    dx[i] = d.x;
-    dy[i] = d.y;
-  }
   s.convex = true;
-  std::uint32_t before = n - 1;
+  Vec<std::int64_t> in = step(s, n - 1, 0);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const bool convex = dx[before] * dy[i] - dy[before] * dx[i] > 0;
+    const Vec<std::int64_t> out = step(s, i, i + 1 == n ? 0 : i + 1);
+    const bool convex = cross(in, out) > 0;
+    const auto value = [&](std::int64_t d) { return convex ? static_cast<double>(d) : 0.0; };
     s.convex &= convex;
-    s[SmallOperand::kInX][i] = convex ? dx[before] : 0;
-    s[SmallOperand::kInY][i] = convex ? dy[before] : 0;
-    s[SmallOperand::kOutX][i] = convex ? dx[i] : 0;
-    s[SmallOperand::kOutY][i] = convex ? dy[i] : 0;
-    before = i;
+    dx[i] = static_cast<double>(out.x);
+    dy[i] = static_cast<double>(out.y);
+    s[SmallOperand::kInX][i] = value(in.x);
+    s[SmallOperand::kInY][i] = value(in.y);
+    s[SmallOperand::kOutX][i] = value(out.x);
+    s[SmallOperand::kOutY][i] = value(out.y);
+    in = out;
   }
   for (int row = 0; row < SmallOperand::kRows; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
@@ -171,35 +183,41 @@ double mean_turning(const SmallOperand& s) {
   return meetings / 8.0;
 }
 
-/// The edges among eight or more that edge i meets.
+/// The edges, of up to 64 from `first` on, that edge i meets.
+template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_meeting(const SmallOperand& s, std::uint32_t i,
                                                      std::size_t first, std::size_t count) {
-  const double x = s[SmallOperand::kX][i];
-  const double y = s[SmallOperand::kY][i];
-  const double dx = s[SmallOperand::kDx][i];
-  const double dy = s[SmallOperand::kDy][i];
+  const auto x = static_cast<Number>(s[SmallOperand::kX][i]);
+  const auto y = static_cast<Number>(s[SmallOperand::kY][i]);
+  const auto dx = static_cast<Number>(s[SmallOperand::kDx][i]);
+  const auto dy = static_cast<Number>(s[SmallOperand::kDy][i]);
   const double* const other_x = s[SmallOperand::kX] + first;
   const double* const other_y = s[SmallOperand::kY] + first;
   const double* const other_dx = s[SmallOperand::kDx] + first;
   const double* const other_dy = s[SmallOperand::kDy] + first;
   LaneBits met = 0;
   for (std::size_t t = 0; t < count; ++t) {
-    const double ax = other_x[t] - x;
-    const double ay = other_y[t] - y;
-    const double turn = dx * other_dy[t] - dy * other_dx[t];
-    const double start = dx * ay - dy * ax;
-    const double along = ax * other_dy[t] - ay * other_dx[t];
+    const Number ax = static_cast<Number>(other_x[t]) - x;
+    const Number ay = static_cast<Number>(other_y[t]) - y;
+    const auto tx = static_cast<Number>(other_dx[t]);
+    const auto ty = static_cast<Number>(other_dy[t]);
+    const Number turn = dx * ty - dy * tx;
+    const Number start = dx * ay - dy * ax;
+    const Number end = start + turn;
+    const Number along = ax * ty - ay * tx;
+    const Number left = along - turn;
     // Neither lies on one side of the other's line, and their boxes meet.
-    const bool meets =
-        (start * (start + turn) <= 0) & (along * (turn - along) >= 0) &
-        (std::abs(2 * ax + other_dx[t] - dx) <= std::abs(dx) + std::abs(other_dx[t])) &
-        (std::abs(2 * ay + other_dy[t] - dy) <= std::abs(dy) + std::abs(other_dy[t]));
+    const bool meets = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
+                       !((along > 0) & (left > 0)) & !((along < 0) & (left < 0)) &
+                       (std::abs(2 * ax + tx - dx) <= std::abs(dx) + std::abs(tx)) &
+                       (std::abs(2 * ay + ty - dy) <= std::abs(dy) + std::abs(ty));
     met |= meets ? kBitOf[t] : 0;
   }
   return met;
 }
 
 /// Whether no edge has a point in common with another one, but for the vertex between neighbours.
+template <class Number>
 [[gnu::always_inline]] inline bool is_simple(const SmallOperand& s) {
   const std::uint32_t n = s.size;
   const bool few = n <= 64;
@@ -219,13 +237,13 @@ double mean_turning(const SmallOperand& s) {
   };
   for (std::uint32_t i = 0; i < n && simple; ++i) {
     if (few) {
-      count_beyond(i, 0, edges_meeting(s, i, 0, filled_up(n)));
+      count_beyond(i, 0, edges_meeting<Number>(s, i, 0, filled_up(n)));
       continue;
     }
     const LaneBits near = blocks.near(s[SmallOperand::kX][i], s[SmallOperand::kY][i],
                                       s[SmallOperand::kDx][i], s[SmallOperand::kDy][i]);
     for_each_bit(near, [&](std::uint32_t block) {
-      count_beyond(i, block * kLanes, edges_meeting(s, i, block * kLanes, kLanes));
+      count_beyond(i, block * kLanes, edges_meeting<Number>(s, i, block * kLanes, kLanes));
     });
   }
   return simple;
@@ -238,8 +256,14 @@ bool read_small(const Region& region, SmallOperand& s) {
   orient(s);
   set_edges(s);
   if (!s.convex) s.turning = mean_turning(s);
-  return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple(s); });
+  const auto simple = [&]() __attribute__((always_inline)) { return is_simple<double>(s); };
+  const auto simple_if_wide = [&]() __attribute__((always_inline)) {
+    return is_simple<std::int64_t>(s);
+  };
+  const bool wide =
+      small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) == SmallNumbers::kIntegers;
+  return wide ? with_vectors(widest_vectors(), simple_if_wide)
+              : with_vectors(widest_vectors(), simple);
 }
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
@@ -248,6 +272,7 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   to.size = n;
   to.turning = from.turning;
   to.extent = from.extent;
+  to.longest = from.longest;
   to.offset = from.offset;
   to.exp2 = from.exp2;
   to.exp10 = from.exp10;
@@ -268,11 +293,12 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
 }
 
 bool refine(int exp2, int exp10, SmallOperand& s) {
+  constexpr auto kMost = static_cast<Int128>(SmallOperand::kWidest);
   Int128 factor = 1;
-  for (int k = exp10; k < s.exp10 && factor <= kWidest; ++k) factor *= 10;
-  for (int k = exp2; k < s.exp2 && factor <= kWidest; ++k) factor *= 2;
-  const auto longest = static_cast<Int128>(std::max(s.extent.x, s.extent.y));
-  if (factor > kWidest || longest * factor > kWidest || !fits(s.offset.x * factor) ||
+  for (int k = exp10; k < s.exp10 && factor <= kMost; ++k) factor *= 10;
+  for (int k = exp2; k < s.exp2 && factor <= kMost; ++k) factor *= 2;
+  const auto extent = static_cast<Int128>(std::max(s.extent.x, s.extent.y));
+  if (factor > kMost || extent * factor > kMost || !fits(s.offset.x * factor) ||
       !fits(s.offset.y * factor)) {
     return false;
   }
@@ -283,6 +309,7 @@ bool refine(int exp2, int exp10, SmallOperand& s) {
   }
   const auto by = static_cast<std::int64_t>(factor);
   s.extent = {s.extent.x * times, s.extent.y * times};
+  s.longest *= times;
   s.offset = {s.offset.x * by, s.offset.y * by};
   s.exp2 = exp2;
   s.exp10 = exp10;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "machine/vectors.hpp"
 #include "minksum/region.hpp"
 #include "predicate/formulas.hpp"
 #include "small_sum/lanes.hpp"
@@ -16,8 +17,8 @@ namespace minksum {
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
-  /// Of the box of a sum: cross products of differences are integers that doubles hold.
-  static constexpr int kMaxBits = 26;
+  /// Of any box.
+  static constexpr double kWidest = 0x1p36;
 
   /// What is known of each vertex, one array each, filled up with zeros.
   enum Row : std::uint8_t {
@@ -39,6 +40,7 @@ class SmallOperand {
   /// How many convex vertices meet an edge of another operand, on average of eight directions.
   double turning = 1;
   Vec<double> extent{};        ///< of the box, which is at (0, 0)
+  double longest = 0;          ///< of the edges' extents along the axes
   Vec<std::int64_t> offset{};  ///< where the box is
   Vec<std::int64_t> first{};   ///< the first vertex of the region that it was read from
   int exp2 = 0;                ///< a step of the grid: 2^exp2 · 10^exp10
@@ -62,6 +64,19 @@ class SmallOperand {
   std::size_t stride_ = 0;
   std::vector<double> rows_;
 };
+
+/// The numbers that hold all cross products of edges up to so long and of them with differences
+/// of points of a box so wide.
+enum class SmallNumbers : std::uint8_t { kDoubles, kIntegers, kNone };
+
+[[nodiscard]] inline SmallNumbers small_numbers(double longest, double width) {
+  // A cross product is at most twice this. Integers take vectors that not all machines have.
+  const double product = longest * width;
+  if (product <= 0x1p52) return SmallNumbers::kDoubles;
+  const bool fits = product < 0x1p62 && width <= SmallOperand::kWidest;
+  return fits && widest_vectors() == Vectors::kAvx512 ? SmallNumbers::kIntegers
+                                                      : SmallNumbers::kNone;
+}
 
 /// Whether a region is such an operand, and legal; fills `small` if so. What is not clearly one is
 /// not: faults are left to `validate`. O(n²) for n vertices, with a small constant.

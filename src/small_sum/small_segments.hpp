@@ -6,7 +6,7 @@
 
 namespace minksum {
 
-/// All numbers are integers of so few bits that every product and sum is exact.
+/// All numbers are integers. `Number`, below, holds all cross products of their differences.
 struct SmallSegments {
   static constexpr std::size_t kMax = kLanes * SmallBlocks::kMax;
   using Row = std::array<double, kMax>;
@@ -26,28 +26,34 @@ struct SmallSegments {
 };
 
 /// Of up to 64 vertices, those that meet an edge of this direction: in (in, out].
+template <class Number>
 [[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallOperand& o, std::size_t first,
-                                                        std::size_t count, double dx, double dy) {
+                                                        std::size_t count, Number dx, Number dy) {
   const double* const in_x = o[SmallOperand::kInX] + first;
   const double* const in_y = o[SmallOperand::kInY] + first;
   const double* const out_x = o[SmallOperand::kOutX] + first;
   const double* const out_y = o[SmallOperand::kOutY] + first;
   LaneBits bits = 0;
+  const auto number = [](double d) { return static_cast<Number>(d); };
   for (std::size_t v = 0; v < count; ++v) {
-    const bool meets = (in_x[v] * dy - in_y[v] * dx > 0) & (dx * out_y[v] - dy * out_x[v] >= 0);
+    const bool meets = (number(in_x[v]) * dy - number(in_y[v]) * dx > 0) &
+                       (dx * number(out_y[v]) - dy * number(out_x[v]) >= 0);
     bits |= meets ? kBitOf[v] : 0;
   }
   return bits;
 }
 /// Of up to 64 edges, those whose direction is in [in, out).
+template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_between(const SmallOperand& o, std::size_t first,
-                                                     std::size_t count, const Vec<double>& in,
-                                                     const Vec<double>& out) {
+                                                     std::size_t count, const Vec<Number>& in,
+                                                     const Vec<Number>& out) {
   const double* const dx = o[SmallOperand::kDx] + first;
   const double* const dy = o[SmallOperand::kDy] + first;
   LaneBits bits = 0;
   for (std::size_t e = 0; e < count; ++e) {
-    const bool between = (in.x * dy[e] - in.y * dx[e] >= 0) & (dx[e] * out.y - dy[e] * out.x > 0);
+    const auto ex = static_cast<Number>(dx[e]);
+    const auto ey = static_cast<Number>(dy[e]);
+    const bool between = (in.x * ey - in.y * ex >= 0) & (ex * out.y - ey * out.x > 0);
     bits |= between ? kBitOf[e] : 0;
   }
   return bits;
@@ -55,6 +61,7 @@ struct SmallSegments {
 
 /// The reduced convolution, in the order of the first operand's ring: what is near in the plane is
 /// mostly near in the list. False if there are too many.
+template <class Number>
 [[gnu::always_inline]] inline bool list_segments(const SmallOperand& p, const SmallOperand& q,
                                                  SmallSegments& s) {
   const std::size_t n = filled_up(q.size);
@@ -72,10 +79,11 @@ struct SmallSegments {
     return size + static_cast<std::uint32_t>(std::popcount(bits)) <= SmallSegments::kMax;
   };
   for (std::uint32_t i = 0; i < p.size; ++i) {
-    const Vec<double> in{p[SmallOperand::kInX][i], p[SmallOperand::kInY][i]};
-    const Vec<double> out{p[SmallOperand::kOutX][i], p[SmallOperand::kOutY][i]};
-    const double dx = p[SmallOperand::kDx][i];
-    const double dy = p[SmallOperand::kDy][i];
+    const auto number = [&](SmallOperand::Row row) { return static_cast<Number>(p[row][i]); };
+    const Vec<Number> in{number(SmallOperand::kInX), number(SmallOperand::kInY)};
+    const Vec<Number> out{number(SmallOperand::kOutX), number(SmallOperand::kOutY)};
+    const Number dx = number(SmallOperand::kDx);
+    const Number dy = number(SmallOperand::kDy);
     for (std::size_t first = 0; first < n; first += 64) {
       const std::size_t count = std::min<std::size_t>(n - first, 64);
       const LaneBits at_vertex =

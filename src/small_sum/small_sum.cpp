@@ -51,9 +51,8 @@ class SmallWriter {
     return value == 0 ? StoredCoordinate{} : StoredCoordinate{value, exp2_, exp10_, 0, 0};
   }
   StoredCoordinate store(double start, double way, const SmallCorner& corner, std::int64_t offset) {
-    const auto whole = static_cast<std::int64_t>(corner.whole);
-    const Int128 moved =
-        Int128{static_cast<std::int64_t>(way)} * static_cast<std::int64_t>(corner.along);
+    const std::int64_t whole = corner.whole;
+    const Int128 moved = Int128{static_cast<std::int64_t>(way)} * corner.along;
     const std::int64_t base = static_cast<std::int64_t>(start) + offset;
     const Int128 part = moved / whole;
     if (part * whole == moved) return compact(base + static_cast<std::int64_t>(part));
@@ -100,6 +99,7 @@ Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
 }
 
 /// Edges of both in the order of their directions: all of the boundary.
+template <class Number>
 void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) {
   /// Goes round a ring from its smallest vertex.
   struct Round {
@@ -108,6 +108,10 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
     std::uint32_t left;
     explicit Round(const SmallOperand& of) : o(of), at(of.smallest), left(of.size) {}
     [[nodiscard]] double operator[](SmallOperand::Row row) const { return o[row][at]; }
+    [[nodiscard]] Vec<Number> way() const {
+      return {static_cast<Number>(o[SmallOperand::kDx][at]),
+              static_cast<Number>(o[SmallOperand::kDy][at])};
+    }
     void go_on() {
       at = at + 1 == o.size ? 0 : at + 1;
       --left;
@@ -119,10 +123,7 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
   Round b(q);
   while (a.left + b.left > 0) {
     // Neither is half a circle behind the other one: edges of a convex ring turn by less.
-    const double turn = a.left == 0   ? -1
-                        : b.left == 0 ? 1
-                                      : a[SmallOperand::kDx] * b[SmallOperand::kDy] -
-                                            a[SmallOperand::kDy] * b[SmallOperand::kDx];
+    const Number turn = a.left == 0 ? -1 : b.left == 0 ? 1 : cross(a.way(), b.way());
     const auto i = static_cast<std::uint16_t>(a.at);
     const auto j = static_cast<std::uint16_t>(b.at);
     writer.add(a[SmallOperand::kX] + b[SmallOperand::kX], a[SmallOperand::kY] + b[SmallOperand::kY],
@@ -133,15 +134,15 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
   writer.finish();
 }
 
-template <class Meetings>
+template <class Number, class Meetings>
 bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scratch,
           Meetings& meetings, Region& result) {
   const auto find = [&]() __attribute__((always_inline)) {
-    return find_meetings(scratch.segments, meetings);
+    return find_meetings<Number>(scratch.segments, meetings);
   };
   if (!with_vectors(widest_vectors(), find)) return false;
   const Vec<double> start = smallest_point(p, q);
-  OuterWalk<Meetings> walk(scratch.segments, meetings, scratch.turns, scratch.boundary);
+  OuterWalk<Number, Meetings> walk(scratch.segments, meetings, scratch.turns, scratch.boundary);
   if (!walk.run(start.x, start.y)) return false;
   SmallWriter writer(p, q, scratch.boundary.size, result);
   for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
@@ -150,15 +151,16 @@ bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scr
   return true;
 }
 
+template <class Number>
 bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scratch,
           Region& result) {
   const auto list = [&]() __attribute__((always_inline)) {
-    return list_segments(p, q, scratch.segments);
+    return list_segments<Number>(p, q, scratch.segments);
   };
   if (!with_vectors(widest_vectors(), list)) return false;
   return scratch.segments.size <= SmallMeetingSets::kMaxSegments
-             ? walk(p, q, scratch, scratch.sets, result)
-             : walk(p, q, scratch, scratch.lists, result);
+             ? walk<Number>(p, q, scratch, scratch.sets, result)
+             : walk<Number>(p, q, scratch, scratch.lists, result);
 }
 
 }  // namespace
@@ -188,16 +190,23 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
     return refine(exp2, exp10, fine_p) && refine(exp2, exp10, fine_q) &&
            sum_small(fine_p, fine_q, scratch, result);
   }
-  constexpr double kWidest = std::int64_t{1} << SmallOperand::kMaxBits;
-  if (p.extent.x + q.extent.x > kWidest || p.extent.y + q.extent.y > kWidest) return false;
+  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
+  const SmallNumbers numbers = small_numbers(std::max(p.longest, q.longest), width);
+  if (numbers == SmallNumbers::kNone) return false;
+  const bool wide = numbers == SmallNumbers::kIntegers;
   if (p.convex && q.convex) {
-    merge_convex(p, q, result);
+    if (wide) {
+      merge_convex<std::int64_t>(p, q, result);
+    } else {
+      merge_convex<double>(p, q, result);
+    }
     return true;
   }
   // Of more segments, looking at each pair of blocks takes longer than the stages.
   constexpr double kMostSegments = 320;
   if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
-  return walk(p, q, scratch.state(), result);
+  return wide ? walk<std::int64_t>(p, q, scratch.state(), result)
+              : walk<double>(p, q, scratch.state(), result);
 }
 
 }  // namespace minksum
