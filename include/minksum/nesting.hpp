@@ -80,7 +80,7 @@ struct TurnedPart {
 /// threads may ask.
 class NoFitTable {
  public:
-  /// Makes all sums, on options.threads threads. Throws as minkowski_sum does, with the index of
+  /// Makes all sums, on up to options.threads threads. Throws as minkowski_sum does, with the index of
   /// the part for the operand where one is to blame; Error(kBadInput) for a part without area, and
   /// for turns other than 1, 2 and 4.
   explicit NoFitTable(std::span<const Geometry> parts, const NoFitTableOptions& options = {});

@@ -1,6 +1,7 @@
 // All pairs of a nesting problem: each sum once, the others as its images.
 #include <algorithm>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,22 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
   return result;
+}
+
+/// How many threads are worth their start.
+int worthwhile_threads(std::span<const Geometry> parts, const NoFitTableOptions& options) {
+  // Sums take a time that grows with the square of their operands' vertices: together these are a
+  // fraction of a millisecond.
+  constexpr std::uint64_t kForOne = 60'000;
+  std::uint64_t vertices = 0;
+  for (const Geometry& part : parts) vertices += part.region.vertex_count();
+  const std::uint64_t work = vertices * vertices * static_cast<std::uint64_t>(options.turns);
+  if (work < 2 * kForOne) return 1;
+  const auto most = static_cast<int>(std::min<std::uint64_t>(work / kForOne, 4096));
+  const int wanted = options.threads > 0
+                         ? options.threads
+                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::min(wanted, most);
 }
 
 /// A thread's. The workspace is made where it is needed.
@@ -97,7 +114,7 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions&
     return row;
   };
   for_each_in_order<std::vector<Geometry>, Memory>(
-      parts.size(), options.threads, make_row,
+      parts.size(), worthwhile_threads(given, options), make_row,
       [&](std::size_t, std::vector<Geometry>& row) { state.rows.push_back(std::move(row)); });
   state_ = std::make_shared<const State>(std::move(state));
 }

@@ -16,7 +16,7 @@ struct SmallCorner {
 };
 
 struct SmallBoundary {
-  static constexpr std::size_t kMax = 4 * SmallSegments::kMax;
+  static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
   std::uint32_t size;
   std::array<SmallCorner, kMax> corners;
 };

@@ -26,7 +26,7 @@ template <class Number>
   const double* const other_dx = s.dx.data() + first;
   const double* const other_dy = s.dy.data() + first;
   SmallMeetingBits bits;
-  for (std::size_t t = 0; t < count; ++t) {
+  for (std::size_t t = 0; t < count / kLanes * kLanes; ++t) {
     const Number ax = static_cast<Number>(other_x[t]) - x;
     const Number ay = static_cast<Number>(other_y[t]) - y;
     const auto tx = static_cast<Number>(other_dx[t]);
@@ -56,7 +56,7 @@ struct SmallMeetingSets {
   [[gnu::always_inline]] void for_each_right(std::uint32_t at, Visit visit) const {
     for_each_bit(of[at].right, [&](std::uint32_t t) { visit(t, kMaxSegments * at + t); });
   }
-  /// Calls visit(segment), of that segment itself as well.
+  /// Calls visit(segment).
   template <class Visit>
   [[gnu::always_inline]] void for_each_at_end(std::uint32_t at, Visit visit) const {
     for_each_bit(of[at].at_end, visit);
@@ -75,7 +75,7 @@ template <class Number>
   m.right_count = 0;
   for (std::uint32_t at = 0; at < s.size; ++at) {
     const SmallMeetingBits bits = meetings_among<Number>(s, at, 0, filled_up(s.size));
-    m.of[at] = {bits.right & all, bits.at_end & all};
+    m.of[at] = {bits.right & all, bits.at_end & all & ~kBitOf[at]};
     m.right_count += static_cast<std::uint32_t>(std::popcount(bits.right & all));
     if (m.right_count > most_right_meetings(s.size)) return false;
   }
@@ -84,7 +84,7 @@ template <class Number>
 
 /// The meetings of any number of segments.
 struct SmallMeetingLists {
-  static constexpr std::size_t kMax = 16 * SmallSegments::kMax;
+  static constexpr std::size_t kMax = 8 * SmallSegments::kMax;
   struct Run {
     std::uint32_t begin;
     std::uint32_t end;
@@ -127,7 +127,8 @@ template <class Number>
         m.right[m.right_count++] = static_cast<std::uint16_t>(first + i);
       });
       for_each_bit(bits.at_end & all, [&](std::uint32_t i) {
-        m.at_end[m.at_end_count++] = static_cast<std::uint16_t>(first + i);
+        m.at_end[m.at_end_count] = static_cast<std::uint16_t>(first + i);
+        m.at_end_count += first + i != at ? 1U : 0U;
       });
     });
     m.right_of[at].end = m.right_count;

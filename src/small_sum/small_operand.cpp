@@ -81,11 +81,11 @@ bool load(const Region& region, SmallOperand& s) {
   s.offset = low;
   s.first = at[0];
   s.make_rows(n);
-  s.sources.resize(n);
   for (std::uint32_t v = 0; v < n; ++v) {
     s[SmallOperand::kX][v] = static_cast<double>(at[v].x - low.x);
     s[SmallOperand::kY][v] = static_cast<double>(at[v].y - low.y);
-    s.sources[v] = {v, v};
+    s[SmallOperand::kVertexSource][v] = v;
+    s[SmallOperand::kEdgeSource][v] = v;
   }
   return find_longest(s);
 }
@@ -111,7 +111,10 @@ bool drop_straight(SmallOperand& s) {
     if (!stays[i]) continue;
     x[kept] = x[i];
     y[kept] = y[i];
-    s.sources[kept++] = s.sources[i];
+    for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
+      s[row][kept] = s[row][i];
+    }
+    ++kept;
   }
   s.size = kept;
   return kept >= 3 && find_longest(s);
@@ -135,12 +138,12 @@ void orient(SmallOperand& s) {
   if (cross(step(s, i == 0 ? n - 1 : i - 1, i), step(s, i, i + 1 == n ? 0 : i + 1)) > 0) return;
   std::reverse(s[SmallOperand::kX], s[SmallOperand::kX] + n);
   std::reverse(s[SmallOperand::kY], s[SmallOperand::kY] + n);
-  std::reverse(s.sources.begin(), s.sources.begin() + n);
+  double* const vertex_source = s[SmallOperand::kVertexSource];
+  std::reverse(vertex_source, vertex_source + n);
   s.smallest = n - 1 - i;
   // The edge that starts here is the one that started at the next vertex.
-  for (std::uint32_t k = 0; k < n; ++k) {
-    s.sources[k].edge = s.sources[k + 1 == n ? 0 : k + 1].vertex;
-  }
+  std::rotate_copy(vertex_source, vertex_source + 1, vertex_source + n,
+                   s[SmallOperand::kEdgeSource]);
 }
 
 /// What follows from the places.
@@ -163,7 +166,7 @@ void set_edges(SmallOperand& s) {
     s[SmallOperand::kOutY][i] = value(out.y);
     in = out;
   }
-  for (int row = 0; row < SmallOperand::kRows; ++row) {
+  for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
     std::fill(values + n, values + filled_up(n), 0.0);
   }
@@ -196,7 +199,7 @@ template <class Number>
   const double* const other_dx = s[SmallOperand::kDx] + first;
   const double* const other_dy = s[SmallOperand::kDy] + first;
   LaneBits met = 0;
-  for (std::size_t t = 0; t < count; ++t) {
+  for (std::size_t t = 0; t < count / kLanes * kLanes; ++t) {
     const Number ax = static_cast<Number>(other_x[t]) - x;
     const Number ay = static_cast<Number>(other_y[t]) - y;
     const auto tx = static_cast<Number>(other_dx[t]);
@@ -276,12 +279,13 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   to.offset = from.offset;
   to.exp2 = from.exp2;
   to.exp10 = from.exp10;
-  to.sources = from.sources;
   to.make_rows(n);
   double* const x = to[SmallOperand::kX];
   double* const y = to[SmallOperand::kY];
-  std::copy_n(from[SmallOperand::kX], n, x);
-  std::copy_n(from[SmallOperand::kY], n, y);
+  for (const auto row : {SmallOperand::kX, SmallOperand::kY, SmallOperand::kVertexSource,
+                         SmallOperand::kEdgeSource}) {
+    std::copy_n(from[row], n, to[row]);
+  }
   for (int k = 0; k < turns; ++k) {
     for (std::uint32_t i = 0; i < n; ++i) x[i] = std::exchange(y[i], x[i]);
     std::swap(to.extent.x, to.extent.y);
@@ -303,7 +307,7 @@ bool refine(int exp2, int exp10, SmallOperand& s) {
     return false;
   }
   const auto times = static_cast<double>(factor);
-  for (int row = 0; row < SmallOperand::kRows; ++row) {
+  for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
     for (std::uint32_t i = 0; i < s.size; ++i) values[i] *= times;
   }

@@ -31,6 +31,9 @@ class SmallOperand {
     kInY,
     kOutX,
     kOutY,
+    // Indices in the region.
+    kVertexSource,
+    kEdgeSource,
     kRows
   };
 
@@ -45,17 +48,14 @@ class SmallOperand {
   Vec<std::int64_t> first{};   ///< the first vertex of the region that it was read from
   int exp2 = 0;                ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
-  /// Vertex and edge indices in the region.
-  struct Source {
-    std::uint32_t vertex;
-    std::uint32_t edge;
-  };
-  std::vector<Source> sources;
-
   /// Makes room for rows of so many vertices, not to be relied on before they are set.
   void make_rows(std::size_t vertices) {
     stride_ = filled_up(vertices);
     rows_.resize(kRows * stride_);
+  }
+  /// Of a vertex, or of the edge that starts there.
+  [[nodiscard]] std::uint32_t source(Row row, std::uint32_t vertex) const {
+    return static_cast<std::uint32_t>((*this)[row][vertex]);
   }
   [[nodiscard]] double* operator[](Row row) { return rows_.data() + row * stride_; }
   [[nodiscard]] const double* operator[](Row row) const { return rows_.data() + row * stride_; }

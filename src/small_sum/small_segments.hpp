@@ -35,7 +35,7 @@ template <class Number>
   const double* const out_y = o[SmallOperand::kOutY] + first;
   LaneBits bits = 0;
   const auto number = [](double d) { return static_cast<Number>(d); };
-  for (std::size_t v = 0; v < count; ++v) {
+  for (std::size_t v = 0; v < count / kLanes * kLanes; ++v) {
     const bool meets = (number(in_x[v]) * dy - number(in_y[v]) * dx > 0) &
                        (dx * number(out_y[v]) - dy * number(out_x[v]) >= 0);
     bits |= meets ? kBitOf[v] : 0;
@@ -50,7 +50,7 @@ template <class Number>
   const double* const dx = o[SmallOperand::kDx] + first;
   const double* const dy = o[SmallOperand::kDy] + first;
   LaneBits bits = 0;
-  for (std::size_t e = 0; e < count; ++e) {
+  for (std::size_t e = 0; e < count / kLanes * kLanes; ++e) {
     const auto ex = static_cast<Number>(dx[e]);
     const auto ey = static_cast<Number>(dy[e]);
     const bool between = (in.x * ey - in.y * ex >= 0) & (ex * out.y - ey * out.x > 0);
@@ -66,12 +66,25 @@ template <class Number>
                                                  SmallSegments& s) {
   const std::size_t n = filled_up(q.size);
   std::uint32_t size = 0;
-  const auto append = [&](const SmallOperand& edges, std::size_t e, const SmallOperand& vertices,
-                          std::size_t v, bool of_first) __attribute__((always_inline)) {
-    s.x[size] = edges[SmallOperand::kX][e] + vertices[SmallOperand::kX][v];
-    s.y[size] = edges[SmallOperand::kY][e] + vertices[SmallOperand::kY][v];
-    s.dx[size] = edges[SmallOperand::kDx][e];
-    s.dy[size] = edges[SmallOperand::kDy][e];
+  struct Rows {
+    const double* x;
+    const double* y;
+    const double* dx;
+    const double* dy;
+    explicit Rows(const SmallOperand& o)
+        : x(o[SmallOperand::kX]),
+          y(o[SmallOperand::kY]),
+          dx(o[SmallOperand::kDx]),
+          dy(o[SmallOperand::kDy]) {}
+  };
+  const Rows of_p(p);
+  const Rows of_q(q);
+  const auto append = [&](const Rows& edges, std::size_t e, const Rows& vertices, std::size_t v,
+                          bool of_first) __attribute__((always_inline)) {
+    s.x[size] = edges.x[e] + vertices.x[v];
+    s.y[size] = edges.y[e] + vertices.y[v];
+    s.dx[size] = edges.dx[e];
+    s.dy[size] = edges.dy[e];
     s.origin[size] = {static_cast<std::uint16_t>(e), static_cast<std::uint16_t>(v), of_first};
     ++size;
   };
@@ -89,10 +102,10 @@ template <class Number>
       const LaneBits at_vertex =
           in.x == 0 && in.y == 0 ? 0 : edges_between(q, first, count, in, out);
       if (!fit(at_vertex)) return false;
-      for_each_bit(at_vertex, [&](std::uint32_t e) { append(q, first + e, p, i, false); });
+      for_each_bit(at_vertex, [&](std::uint32_t e) { append(of_q, first + e, of_p, i, false); });
       const LaneBits of_edge = vertices_meeting(q, first, count, dx, dy);
       if (!fit(of_edge)) return false;
-      for_each_bit(of_edge, [&](std::uint32_t v) { append(p, i, q, first + v, true); });
+      for_each_bit(of_edge, [&](std::uint32_t v) { append(of_p, i, of_q, first + v, true); });
     }
   }
   s.size = size;

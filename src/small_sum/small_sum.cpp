@@ -77,10 +77,10 @@ class SmallWriter {
     const SmallOperand& edges = origin.of_first ? p_ : q_;
     const SmallOperand& vertices = origin.of_first ? q_ : p_;
     RegionAccess::set_vertex(region_, size_, x, y);
-    RegionAccess::set_origin(
-        region_, size_++,
-        {origin.of_first ? Operand::kFirst : Operand::kSecond, edges.sources[origin.edge].edge,
-         vertices.sources[origin.vertex].vertex});
+    RegionAccess::set_origin(region_, size_++,
+                             {origin.of_first ? Operand::kFirst : Operand::kSecond,
+                              edges.source(SmallOperand::kEdgeSource, origin.edge),
+                              vertices.source(SmallOperand::kVertexSource, origin.vertex)});
   }
 
   const SmallOperand& p_;
@@ -103,17 +103,26 @@ template <class Number>
 void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) {
   /// Goes round a ring from its smallest vertex.
   struct Round {
-    const SmallOperand& o;
+    const double* x;
+    const double* y;
+    const double* dx;
+    const double* dy;
+    std::uint32_t size;
     std::uint32_t at;
     std::uint32_t left;
-    explicit Round(const SmallOperand& of) : o(of), at(of.smallest), left(of.size) {}
-    [[nodiscard]] double operator[](SmallOperand::Row row) const { return o[row][at]; }
+    explicit Round(const SmallOperand& o)
+        : x(o[SmallOperand::kX]),
+          y(o[SmallOperand::kY]),
+          dx(o[SmallOperand::kDx]),
+          dy(o[SmallOperand::kDy]),
+          size(o.size),
+          at(o.smallest),
+          left(o.size) {}
     [[nodiscard]] Vec<Number> way() const {
-      return {static_cast<Number>(o[SmallOperand::kDx][at]),
-              static_cast<Number>(o[SmallOperand::kDy][at])};
+      return {static_cast<Number>(dx[at]), static_cast<Number>(dy[at])};
     }
     void go_on() {
-      at = at + 1 == o.size ? 0 : at + 1;
+      at = at + 1 == size ? 0 : at + 1;
       --left;
     }
   };
@@ -126,7 +135,7 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
     const Number turn = a.left == 0 ? -1 : b.left == 0 ? 1 : cross(a.way(), b.way());
     const auto i = static_cast<std::uint16_t>(a.at);
     const auto j = static_cast<std::uint16_t>(b.at);
-    writer.add(a[SmallOperand::kX] + b[SmallOperand::kX], a[SmallOperand::kY] + b[SmallOperand::kY],
+    writer.add(a.x[a.at] + b.x[b.at], a.y[a.at] + b.y[b.at],
                turn >= 0 ? Origin{i, j, true} : Origin{j, i, false});
     if (turn >= 0) a.go_on();
     if (turn <= 0) b.go_on();
