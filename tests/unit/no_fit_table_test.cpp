@@ -31,6 +31,8 @@ void expect_entries(const std::vector<Geometry>& parts, int turns) {
   options.turns = turns;
   options.threads = 1 + turns / 2;
   const NoFitTable table(parts, options);
+  options.tight = false;
+  const NoFitTable areas(parts, options);
   ASSERT_EQ(table.size(), parts.size());
   ASSERT_EQ(table.turns(), turns);
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -42,6 +44,29 @@ void expect_entries(const std::vector<Geometry>& parts, int turns) {
                                                  placed(parts[j], by * (4 / turns)));
         EXPECT_EQ(table.at({i, at}, {j, by}), expected)
             << i << " turned " << at << ", " << j << " turned " << by << ", of " << turns;
+        EXPECT_EQ(areas.at({i, at}, {j, by}), (Geometry{expected.region, {}, {}}))
+            << i << " turned " << at << ", " << j << " turned " << by << ", of " << turns;
+      }
+    }
+  }
+}
+
+TEST(NoFitTable, IsTheSameOnManyThreads) {
+  test::Random random(77003);
+  std::vector<Geometry> parts;
+  for (int i = 0; i < 12; ++i) {
+    parts.push_back({test::random_two_opt(random, 30, 200), {}, {}});
+  }
+  NoFitTableOptions options;
+  for (const bool tight : {false, true}) {
+    options.tight = tight;
+    options.threads = 1;
+    const NoFitTable one(parts, options);
+    options.threads = 3;
+    const NoFitTable three(parts, options);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      for (std::size_t j = 0; j < parts.size(); ++j) {
+        EXPECT_EQ(one.at({i, 0}, {j, 1}), three.at({i, 0}, {j, 1})) << i << ", " << j;
       }
     }
   }
