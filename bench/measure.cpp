@@ -5,6 +5,7 @@
 
 #include "list_convolution.hpp"
 #include "minksum/measure.hpp"
+#include "peers/stopwatch.hpp"
 
 namespace minksum::bench {
 namespace {
@@ -113,16 +114,33 @@ Json summary(const std::vector<double>& seconds) {
           {"max", *std::max_element(seconds.begin(), seconds.end())}};
 }
 
-MinksumRuns::MinksumRuns(Options options) : options_(std::move(options)) {
-  options_.statistics = &statistics_;
+MinksumRuns::MinksumRuns(Options options) : options_(std::move(options)) {}
+
+double MinksumRuns::timed(const Region& p, const Region& q, Statistics* statistics) {
+  options_.statistics = statistics;
+  const Stopwatch watch;
+  const Outcome outcome = minkowski_sum(p, q, options_, workspace_, sum_);
+  const double seconds = watch.seconds();
+  if (!outcome.ok()) throw Error(*outcome.error);
+  return seconds;
 }
 
 double MinksumRuns::run(const Region& p, const Region& q) {
-  statistics_ = {};
-  const Outcome outcome = minkowski_sum(p, q, options_, workspace_, sum_);
-  if (!outcome.ok()) throw Error(*outcome.error);
-  runs_.push_back(statistics_);
-  return statistics_.seconds;
+  // Small operands take another way without statistics. Where a run is long they cost nothing.
+  constexpr double kLong = 0.01;
+  constexpr std::size_t kStaged = 9;
+  const bool is_long = !runs_.empty() && runs_.back() > kLong;
+  if (is_long || staged_.size() < kStaged) {
+    statistics_ = {};
+    const double seconds = timed(p, q, &statistics_);
+    staged_.push_back(statistics_);
+    if (seconds > kLong) {
+      runs_.push_back(seconds);
+      return seconds;
+    }
+  }
+  runs_.push_back(timed(p, q, nullptr));
+  return runs_.back();
 }
 
 void MinksumRuns::repeat(const Region& p, const Region& q, const Effort& effort) {
@@ -134,12 +152,10 @@ void MinksumRuns::repeat(const Region& p, const Region& q, const Effort& effort)
 }
 
 Json MinksumRuns::json() const {
-  std::vector<double> seconds;
-  for (const Statistics& run : runs_) seconds.push_back(run.seconds);
-  Json json = summary(seconds);
+  Json json = summary(runs_);
   for (int stage = 0; stage < kStageCount; ++stage) {
     std::vector<double> parts;
-    for (const Statistics& run : runs_) parts.push_back(run.stage_seconds[stage]);
+    for (const Statistics& run : staged_) parts.push_back(run.stage_seconds[stage]);
     json["stages"][to_string(static_cast<Stage>(stage))] = median(parts);
   }
   return json;

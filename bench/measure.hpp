@@ -43,7 +43,8 @@ struct Effort {
   std::size_t most_quadrangles = 100'000;
 };
 
-/// minksum with memory that is reused, timed by its own clock (Statistics.seconds).
+/// minksum with memory that is reused: timed from outside, without statistics; what its stages take
+/// is told by runs of their own, unless a run is so long that statistics do not matter.
 class MinksumRuns {
  public:
   explicit MinksumRuns(Options options = {});
@@ -55,14 +56,20 @@ class MinksumRuns {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   /// Runs, median, min, max and medians of the stages.
   [[nodiscard]] Json json() const;
-  void forget() { runs_.clear(); }
+  void forget() {
+    runs_.clear();
+    staged_.clear();
+  }
 
  private:
+  double timed(const Region& p, const Region& q, Statistics* statistics);
+
   Options options_;
   Workspace workspace_;
   Region sum_;
   Statistics statistics_;
-  std::vector<Statistics> runs_;
+  std::vector<double> runs_;
+  std::vector<Statistics> staged_;
 };
 
 [[nodiscard]] double median(std::vector<double> values);

@@ -25,7 +25,7 @@ Made by `make bench` (`bench/`), which writes `build/bench.json` and from it thi
 
 What each figure contains:
 
-- **minksum**: `Statistics.seconds`, the whole call: from parsed operands in memory to the exact, canonical region in memory, checks of
+- **minksum**: the wall clock of the whole call: from parsed operands in memory to the exact, canonical region in memory, checks of
   the operands included; one thread, memory reused from call to call. Median of many runs. No reading, no writing.
 - **CGAL**: `Minkowski_sum_by_reduced_convolution_2` (the *reduced convolution*: the fastest exact peer) and `minkowski_sum_by_full_convolution_2`, kernel
   with exact constructions, its own checks switched off, operands made from doubles (its fast case), converted beforehand; the call
@@ -90,7 +90,9 @@ def shortfalls(records):
     if not unique:
         return ""
     return ("### Where the time goes in what falls short\n\nFor each goal the pairs that are "
-            "furthest from it.\n\n" + table(["goal", "pair", "time", "bits"] + STAGES, unique))
+            "furthest from it. Small operands take none of the stages: for them, these are the "
+            "shares if they did.\n\n"
+            + table(["goal", "pair", "time", "bits"] + STAGES, unique))
 
 
 def failure_text(record):

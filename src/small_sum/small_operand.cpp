@@ -258,7 +258,7 @@ bool read_small(const Region& region, SmallOperand& s) {
   if (!load(region, s) || !drop_straight(s)) return false;
   orient(s);
   set_edges(s);
-  if (!s.convex) s.turning = mean_turning(s);
+  s.turning = s.convex ? 1 : mean_turning(s);
   const auto simple = [&]() __attribute__((always_inline)) { return is_simple<double>(s); };
   const auto simple_if_wide = [&]() __attribute__((always_inline)) {
     return is_simple<std::int64_t>(s);

@@ -48,6 +48,7 @@ class SmallOperand {
   Vec<std::int64_t> first{};   ///< the first vertex of the region that it was read from
   int exp2 = 0;                ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
+
   /// Makes room for rows of so many vertices, not to be relied on before they are set.
   void make_rows(std::size_t vertices) {
     stride_ = filled_up(vertices);
