@@ -74,9 +74,10 @@ bool load(const Region& region, SmallOperand& s) {
     low = {std::min(low.x, at[v].x), std::min(low.y, at[v].y)};
     high = {std::max(high.x, at[v].x), std::max(high.y, at[v].y)};
   }
+  if (!fit) return false;
   s.extent = {static_cast<double>(high.x - low.x), static_cast<double>(high.y - low.y)};
   const double width = std::max(s.extent.x, s.extent.y);
-  if (!fit || width > SmallOperand::kWidest) return false;
+  if (width > SmallOperand::kWidest) return false;
   s.size = static_cast<std::uint32_t>(n);
   s.offset = low;
   s.first = at[0];

@@ -50,6 +50,8 @@ TEST(SmallOperand, HasShortIntegers) {
   EXPECT_TRUE(is_small(rectangle(far - 5, 0, far, 1)));
   EXPECT_FALSE(is_small(rectangle(far, 0, far + 5, 1)));
   EXPECT_FALSE(is_small(rectangle(0, 0, far / 2, 1)));
+  // As far apart as no difference tells.
+  EXPECT_FALSE(is_small(rectangle(-7 * far, 0, 7 * far, 1)));
 }
 
 TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
