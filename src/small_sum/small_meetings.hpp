@@ -63,9 +63,10 @@ struct SmallMeetingSets {
   }
 };
 
-/// Of sums with more meetings on the right most corners lie inside, and the stages are faster.
+/// Where so many segments have more meetings on the right most corners lie inside, and the stages
+/// are faster.
 [[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
-  return 2 * segments + 16;
+  return segments + 16;
 }
 
 /// False if there are too many.
@@ -77,7 +78,7 @@ template <class Number>
     const SmallMeetingBits bits = meetings_among<Number>(s, at, 0, filled_up(s.size));
     m.of[at] = {bits.right & all, bits.at_end & all & ~kBitOf[at]};
     m.right_count += static_cast<std::uint32_t>(std::popcount(bits.right & all));
-    if (m.right_count > most_right_meetings(s.size)) return false;
+    if (m.right_count > most_right_meetings(at)) return false;
   }
   return true;
 }
@@ -133,7 +134,7 @@ template <class Number>
     });
     m.right_of[at].end = m.right_count;
     m.at_end_of[at].end = m.at_end_count;
-    if (m.right_count > most_right_meetings(s.size)) return false;
+    if (m.right_count > most_right_meetings(at)) return false;
   }
   return true;
 }
