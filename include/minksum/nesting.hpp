@@ -80,9 +80,9 @@ struct TurnedPart {
 /// threads may ask.
 class NoFitTable {
  public:
-  /// Makes all sums, on up to options.threads threads. Throws as minkowski_sum does, with the index of
-  /// the part for the operand where one is to blame; Error(kBadInput) for a part without area, and
-  /// for turns other than 1, 2 and 4.
+  /// Makes all sums, on up to options.threads threads. Throws as minkowski_sum does, with the index
+  /// of the part for the operand where one is to blame; Error(kBadInput) for a part without area,
+  /// and for turns other than 1, 2 and 4.
   explicit NoFitTable(std::span<const Geometry> parts, const NoFitTableOptions& options = {});
 
   [[nodiscard]] std::size_t size() const;  ///< parts
@@ -90,8 +90,8 @@ class NoFitTable {
   /// The placements of the reference point of `moving` where it meets `fixed`, whose reference
   /// point is at the origin: as no_fit_polygon gives them for the parts turned and moved so. In
   /// canonical form, always; its origins speak of the parts as given where they are legal, else of
-  /// their resolved areas. O(size of the result), without arithmetic but for tight places. Throws Error(kBadInput) for a part or a turn that is
-  /// none of the table's.
+  /// their resolved areas. O(size of the result), without arithmetic but for tight places. Throws
+  /// Error(kBadInput) for a part or a turn that is none of the table's.
   [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving) const;
 
  private:
