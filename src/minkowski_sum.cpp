@@ -246,6 +246,11 @@ Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Op
                       Workspace& workspace, Region& result) {
   return run_without_exceptions(given(p), given(q), options, workspace, result);
 }
+Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
+                      Workspace& workspace, Region& result) {
+  return run_without_exceptions({p.region(), &p.state().operand}, {q.region(), &q.state().operand},
+                                options, workspace, result);
+}
 Outcome minkowski_sum(const PreparedRegion& fixed, const Region& legal, const SharedRaster* shared,
                       const Options& options, Workspace& workspace, Region& result) {
   Workspace::State& w = workspace.state();

@@ -1,10 +1,10 @@
 // All pairs of a nesting problem: each sum once, the others as its images.
 #include <algorithm>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "fixed_sum.hpp"
 #include "minksum/nesting.hpp"
 #include "minksum/transform.hpp"
 #include "nesting/table_part.hpp"
@@ -42,7 +42,7 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
   settings.limits = options.limits;
   settings.cancel = options.cancel;
   if (options.tight) settings.tight = &tight;
-  const Outcome outcome = minkowski_sum(fixed, moving, settings, workspace, result.region);
+  const Outcome outcome = sum_by_stages(fixed, moving, settings, workspace, result.region);
   if (!outcome.ok()) throw *outcome.error;
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
@@ -57,12 +57,8 @@ int worthwhile_threads(std::span<const Geometry> parts, const NoFitTableOptions&
   std::uint64_t vertices = 0;
   for (const Geometry& part : parts) vertices += part.region.vertex_count();
   const std::uint64_t work = vertices * vertices * static_cast<std::uint64_t>(options.turns);
-  if (work < 2 * kForOne) return 1;
-  const auto most = static_cast<int>(std::min<std::uint64_t>(work / kForOne, 4096));
-  const int wanted = options.threads > 0
-                         ? options.threads
-                         : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return std::min(wanted, most);
+  const auto wanted = std::min<std::uint64_t>(thread_count(options.threads), work / kForOne);
+  return static_cast<int>(std::max<std::uint64_t>(wanted, 1));
 }
 
 /// A thread's. The workspace is made where it is needed.

@@ -131,11 +131,15 @@ class InOrder {
   bool stopped_ = false;
 };
 
+/// How many are meant: 0 = one for each core.
+[[nodiscard]] inline std::size_t thread_count(int threads) {
+  return threads > 0 ? static_cast<std::size_t>(threads)
+                     : std::max(1U, std::thread::hardware_concurrency());
+}
+
 template <class Result, class Memory, class Make, class Visit>
 void for_each_in_order(std::size_t count, int threads, const Make& make, const Visit& visit) {
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads)
-                                         : std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t used = std::min(wanted, count);
+  const std::size_t used = std::min(thread_count(threads), count);
   if (used > 1) return InOrder<Result, Memory, Make, Visit>(count, used, make, visit).run();
   Memory memory;
   for (std::size_t i = 0; i < count; ++i) {
