@@ -1,13 +1,12 @@
 // Regions: what goes into a Minkowski sum, and what comes out.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "minksum/detail/shared_arrays.hpp"
 #include "minksum/error.hpp"
 #include "minksum/rational.hpp"
 
@@ -89,6 +88,8 @@ struct StoredCoordinate {
 /// operations are valid and in canonical form: outer rings counter-clockwise, holes clockwise, each
 /// ring starts at its lexicographically smallest vertex, no vertex lies in the middle of a straight
 /// edge, rings and polygons are ordered by their first vertices; so equal sets compare equal.
+///
+/// Copying takes O(1): copies share their memory until one of them is changed.
 class Region {
  public:
   Region() = default;
@@ -114,11 +115,11 @@ class Region {
   void add_vertex(int x, int y) { add_vertex(std::int64_t{x}, std::int64_t{y}); }
 
   // -- Structure ----------------------------------------------------------------------------
-  [[nodiscard]] bool empty() const { return vertices_.empty(); }
-  [[nodiscard]] std::size_t polygon_count() const { return polygon_first_ring_.size(); }
-  [[nodiscard]] std::size_t ring_count() const { return ring_first_vertex_.size(); }
+  [[nodiscard]] bool empty() const { return vertex_count() == 0; }
+  [[nodiscard]] std::size_t polygon_count() const { return arrays_.size<kPolygonStarts>(); }
+  [[nodiscard]] std::size_t ring_count() const { return arrays_.size<kRingStarts>(); }
   [[nodiscard]] std::size_t hole_count() const { return ring_count() - polygon_count_with_rings(); }
-  [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
+  [[nodiscard]] std::size_t vertex_count() const { return arrays_.size<kVertices>(); }
   [[nodiscard]] IndexRange polygons() const { return {0, polygon_count()}; }
   /// The rings of a polygon: the outer one first, then its holes.
   [[nodiscard]] IndexRange rings_of(std::size_t polygon) const;
@@ -126,20 +127,22 @@ class Region {
 
   // -- Coordinates --------------------------------------------------------------------------
   /// The double nearest to the exact coordinate (ties to even).
-  [[nodiscard]] double x(std::size_t vertex) const { return nearest(vertices_[vertex].x); }
-  [[nodiscard]] double y(std::size_t vertex) const { return nearest(vertices_[vertex].y); }
-  [[nodiscard]] Rational exact_x(std::size_t vertex) const { return exact(vertices_[vertex].x); }
-  [[nodiscard]] Rational exact_y(std::size_t vertex) const { return exact(vertices_[vertex].y); }
+  [[nodiscard]] double x(std::size_t vertex) const { return nearest(vertices()[vertex].x); }
+  [[nodiscard]] double y(std::size_t vertex) const { return nearest(vertices()[vertex].y); }
+  [[nodiscard]] Rational exact_x(std::size_t vertex) const { return exact(vertices()[vertex].x); }
+  [[nodiscard]] Rational exact_y(std::size_t vertex) const { return exact(vertices()[vertex].y); }
   [[nodiscard]] Point point(std::size_t vertex) const { return {exact_x(vertex), exact_y(vertex)}; }
   [[nodiscard]] Polygon polygon(std::size_t index) const;
 
   // -- Provenance ---------------------------------------------------------------------------
   /// Whether every edge knows what made it (true for results of minkowski_sum).
   [[nodiscard]] bool has_origins() const {
-    return !vertices_.empty() && origins_.size() == vertices_.size();
+    return !empty() && arrays_.size<kOrigins>() == vertex_count();
   }
   /// What made the edge that starts at this vertex.
-  [[nodiscard]] const EdgeOrigin& origin(std::size_t vertex) const { return origins_[vertex]; }
+  [[nodiscard]] const EdgeOrigin& origin(std::size_t vertex) const {
+    return arrays_.at<kOrigins>(vertex);
+  }
 
   /// Equal as stored: the same rings in the same order with exactly equal vertices.
   friend bool operator==(const Region& a, const Region& b);
@@ -150,57 +153,24 @@ class Region {
     StoredCoordinate x;
     StoredCoordinate y;
   };
-  /// Where polygons, or rings, start. The first of them starts at 0, for which no memory is taken:
-  /// most regions are one ring.
-  class Starts {
-   public:
-    Starts() = default;
-    ~Starts() = default;
-    Starts(const Starts&) = default;
-    Starts& operator=(const Starts&) = default;
-    Starts(Starts&& from) noexcept
-        : any_(std::exchange(from.any_, false)), rest_(std::move(from.rest_)) {}
-    Starts& operator=(Starts&& from) noexcept {
-      rest_ = std::move(from.rest_);
-      any_ = &from != this && from.any_;  // nothing is left of what is moved to itself
-      from.any_ = false;
-      return *this;
-    }
-    [[nodiscard]] bool empty() const { return !any_; }
-    [[nodiscard]] std::size_t size() const { return any_ ? rest_.size() + 1 : 0; }
-    [[nodiscard]] std::size_t operator[](std::size_t i) const { return i == 0 ? 0 : rest_[i - 1]; }
-    [[nodiscard]] std::size_t back() const { return rest_.empty() ? 0 : rest_.back(); }
-    /// The last one that is not after `index`, of those that there are. They may repeat.
-    [[nodiscard]] std::size_t last_until(std::size_t index) const {
-      return static_cast<std::size_t>(std::upper_bound(rest_.begin(), rest_.end(), index) -
-                                      rest_.begin());
-    }
-    void clear() {
-      any_ = false;
-      rest_.clear();
-    }
-    void push_back(std::size_t start) {
-      if (any_) rest_.push_back(start);
-      any_ = true;
-    }
-    friend bool operator==(const Starts&, const Starts&) = default;
-
-   private:
-    bool any_ = false;
-    std::vector<std::size_t> rest_;
+  using Arrays =
+      detail::SharedArrays<StoredPoint, EdgeOrigin, std::size_t, std::size_t, std::uint64_t>;
+  enum Array : std::size_t {
+    kVertices,
+    kOrigins,
+    kRingStarts,     ///< by ring: its first vertex
+    kPolygonStarts,  ///< by polygon: its first ring
+    kLimbs,
   };
   [[nodiscard]] std::size_t polygon_count_with_rings() const;
   void require_open_ring() const;
+  [[nodiscard]] std::span<const StoredPoint> vertices() const { return arrays_.get<kVertices>(); }
   [[nodiscard]] double nearest(const StoredCoordinate& coordinate) const;
   [[nodiscard]] Rational exact(const StoredCoordinate& coordinate) const;
   StoredCoordinate store(const Rational& value);
   StoredCoordinate store(double value);
 
-  Starts polygon_first_ring_;
-  Starts ring_first_vertex_;
-  std::vector<StoredPoint> vertices_;
-  std::vector<std::uint64_t> limbs_;
-  std::vector<EdgeOrigin> origins_;
+  Arrays arrays_;
 };
 
 }  // namespace minksum

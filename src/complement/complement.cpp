@@ -241,9 +241,10 @@ class InsideOut {
 
   void write() {
     result_ = {};
-    RegionAccess::reserve(result_, region_.vertex_count() + 4);
-    RegionAccess::mutable_limbs(result_).assign(RegionAccess::limbs(region_).begin(),
-                                                RegionAccess::limbs(region_).end());
+    const auto limbs = RegionAccess::limbs(region_);
+    RegionAccess::reserve(result_, {region_.vertex_count() + 4, 0, rings_.size() + 1,
+                                    rings_.size() + 1, limbs.size()});
+    RegionAccess::append_limbs(result_, limbs);
     std::vector<std::size_t> order(rings_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     // Rings that do not touch have no vertex in common.

@@ -11,8 +11,11 @@ namespace {
 class CoordinateWriter {
  public:
   CoordinateWriter(const ExactKernel& kernel, Vec<ExactCoordinate>& scratch, Region& region)
-      : kernel_(kernel), exp2_(static_cast<std::int16_t>(kernel.exp2())),
-        exp10_(static_cast<std::int16_t>(kernel.exp10())), scratch_(scratch), region_(region) {}
+      : kernel_(kernel),
+        exp2_(static_cast<std::int16_t>(kernel.exp2())),
+        exp10_(static_cast<std::int16_t>(kernel.exp10())),
+        scratch_(scratch),
+        region_(region) {}
 
   /// As compact numbers if they are integers of 63 bits on the operands' grid, else as limbs.
   Vec<StoredCoordinate> store(const NodePoint& point) {
@@ -39,13 +42,13 @@ class CoordinateWriter {
       throw Error(ErrorCode::kLimitExceeded,
                   "a coordinate of the result needs more than 2^21 bits");
     }
-    auto& limbs = RegionAccess::mutable_limbs(region_);
-    StoredCoordinate stored{static_cast<std::int64_t>(limbs.size()), exp2_, exp10_,
+    const std::size_t place = RegionAccess::limbs(region_).size();
+    StoredCoordinate stored{static_cast<std::int64_t>(place), exp2_, exp10_,
                             static_cast<std::uint16_t>(c.numerator.size()),
                             static_cast<std::uint16_t>(c.denominator.size())};
     if (c.negative) stored.numerator_limbs |= kNegativeLimbs;
-    limbs.insert(limbs.end(), c.numerator.begin(), c.numerator.end());
-    limbs.insert(limbs.end(), c.denominator.begin(), c.denominator.end());
+    RegionAccess::append_limbs(region_, c.numerator);
+    RegionAccess::append_limbs(region_, c.denominator);
     return stored;
   }
 
@@ -70,7 +73,9 @@ void write_region(const Operands& operands, const Arrangement& arrangement,
                   const Boundary& boundary, OutputScratch& scratch, Region& region) {
   CoordinateWriter writer(*operands.kernel, scratch.coordinates, region);
   region.clear();
-  RegionAccess::reserve(region, boundary.vertices.size());
+  const std::size_t vertices = boundary.vertices.size();
+  const std::size_t rings = boundary.ring_order.size();
+  RegionAccess::reserve(region, {vertices, vertices, rings, rings});
   for (std::uint32_t i = 0; i < boundary.ring_order.size(); ++i) {
     const BoundaryRing& ring = boundary.rings[boundary.ring_order[i]];
     if (ring.positive) region.begin_polygon();

@@ -18,6 +18,12 @@ Culprit next_vertex(std::size_t polygon, std::size_t ring, std::size_t vertex) {
   return place;
 }
 
+// The last start that is not after `index`, of those that there are. They may repeat.
+std::size_t last_until(std::span<const std::size_t> starts, std::size_t index) {
+  const auto after = std::ranges::upper_bound(starts, index);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - starts.begin(), 1)) - 1;
+}
+
 }  // namespace
 
 Region::Region(const Polygon& polygon) : Region(std::span<const Polygon>(&polygon, 1)) {}
@@ -34,25 +40,19 @@ Region::Region(std::span<const Polygon> polygons) {
   }
 }
 
-void Region::clear() {
-  polygon_first_ring_.clear();
-  ring_first_vertex_.clear();
-  vertices_.clear();
-  limbs_.clear();
-  origins_.clear();
-}
+void Region::clear() { arrays_.clear(); }
 
-void Region::begin_polygon() { polygon_first_ring_.push_back(ring_first_vertex_.size()); }
+void Region::begin_polygon() { arrays_.push_back<kPolygonStarts>(ring_count()); }
 
 void Region::begin_ring() {
-  if (polygon_first_ring_.empty()) {
+  if (polygon_count() == 0) {
     throw Error(ErrorCode::kBadInput, "begin_ring before any begin_polygon");
   }
-  ring_first_vertex_.push_back(vertices_.size());
+  arrays_.push_back<kRingStarts>(vertex_count());
 }
 
 void Region::require_open_ring() const {
-  if (polygon_first_ring_.empty() || polygon_first_ring_.back() == ring_first_vertex_.size()) {
+  if (polygon_count() == 0 || arrays_.get<kPolygonStarts>().back() == ring_count()) {
     throw Error(ErrorCode::kBadInput, "add_vertex before any begin_ring in this polygon");
   }
 }
@@ -60,7 +60,7 @@ void Region::require_open_ring() const {
 void Region::add_vertex(const Rational& x, const Rational& y) {
   require_open_ring();
   const StoredCoordinate stored_x = store(x);
-  vertices_.push_back({stored_x, store(y)});
+  arrays_.push_back<kVertices>({stored_x, store(y)});
 }
 
 void Region::add_vertex(Decimal x, Decimal y) {
@@ -75,25 +75,25 @@ void Region::add_vertex(Decimal x, Decimal y) {
   const auto compact = [](Decimal value) {
     return StoredCoordinate{value.mantissa, 0, static_cast<std::int16_t>(value.exponent), 0, 0};
   };
-  vertices_.push_back({compact(x), compact(y)});
+  arrays_.push_back<kVertices>({compact(x), compact(y)});
 }
 
 void Region::add_vertex(double x, double y) {
   require_open_ring();
   if (!std::isfinite(x) || !std::isfinite(y)) {
     const bool not_a_number = std::isnan(x) || std::isnan(y);
-    throw Error(ErrorCode::kBadInput,
-                not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
-                next_vertex(polygon_first_ring_.size() - 1,
-                            ring_first_vertex_.size() - 1 - polygon_first_ring_.back(),
-                            vertices_.size() - ring_first_vertex_.back()));
+    throw Error(
+        ErrorCode::kBadInput,
+        not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
+        next_vertex(polygon_count() - 1, ring_count() - 1 - arrays_.get<kPolygonStarts>().back(),
+                    vertex_count() - arrays_.get<kRingStarts>().back()));
   }
-  vertices_.push_back({store(x), store(y)});
+  arrays_.push_back<kVertices>({store(x), store(y)});
 }
 
 void Region::add_vertex(std::int64_t x, std::int64_t y) {
   require_open_ring();
-  vertices_.push_back({StoredCoordinate{x, 0, 0, 0, 0}, StoredCoordinate{y, 0, 0, 0, 0}});
+  arrays_.push_back<kVertices>({StoredCoordinate{x, 0, 0, 0, 0}, StoredCoordinate{y, 0, 0, 0, 0}});
 }
 
 IndexRange Region::rings_of(std::size_t polygon) const {
@@ -131,18 +131,18 @@ std::size_t Region::polygon_count_with_rings() const {
 }
 
 std::size_t RegionAccess::ring_of(const Region& region, std::size_t vertex) {
-  return region.ring_first_vertex_.last_until(vertex);
+  return last_until(region.arrays_.get<Region::kRingStarts>(), vertex);
 }
 
 std::size_t RegionAccess::polygon_of(const Region& region, std::size_t ring) {
-  return region.polygon_first_ring_.last_until(ring);
+  return last_until(region.arrays_.get<Region::kPolygonStarts>(), ring);
 }
 
 Culprit RegionAccess::culprit(const Region& region, std::size_t vertex, int operand) {
   const std::size_t ring = ring_of(region, vertex);
   const std::size_t polygon = polygon_of(region, ring);
-  Culprit place = next_vertex(polygon, ring - region.polygon_first_ring_[polygon],
-                              vertex - region.ring_first_vertex_[ring]);
+  Culprit place = next_vertex(polygon, ring - polygon_first_ring(region, polygon),
+                              vertex - ring_first(region, ring));
   place.operand = operand;
   return place;
 }

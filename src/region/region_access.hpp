@@ -18,20 +18,25 @@ inline constexpr std::uint16_t kLimbCountMask = 0x7fff;
 class RegionAccess {
  public:
   static const StoredCoordinate& x(const Region& region, std::size_t vertex) {
-    return region.vertices_[vertex].x;
+    return region.vertices()[vertex].x;
   }
   static const StoredCoordinate& y(const Region& region, std::size_t vertex) {
-    return region.vertices_[vertex].y;
+    return region.vertices()[vertex].y;
   }
   /// The pool that holds the digits of coordinates that have a denominator.
-  static std::span<const std::uint64_t> limbs(const Region& region) { return region.limbs_; }
-  static std::vector<std::uint64_t>& mutable_limbs(Region& region) { return region.limbs_; }
+  static std::span<const std::uint64_t> limbs(const Region& region) {
+    return region.arrays_.get<Region::kLimbs>();
+  }
+  /// To the end of the pool. They must lie elsewhere.
+  static void append_limbs(Region& region, std::span<const std::uint64_t> limbs) {
+    region.arrays_.append<Region::kLimbs>(limbs);
+  }
 
   /// Appends a vertex of a result, with what made the edge that starts there.
   static void add_vertex(Region& region, const StoredCoordinate& x, const StoredCoordinate& y,
                          const EdgeOrigin& origin) {
-    region.vertices_.push_back({x, y});
-    region.origins_.push_back(origin);
+    add_vertex(region, x, y);
+    region.arrays_.push_back<Region::kOrigins>(origin);
   }
   /// Appends a vertex of another region, as it is stored there.
   static void copy_vertex(Region& region, const Region& from, std::size_t vertex) {
@@ -39,48 +44,65 @@ class RegionAccess {
       if (c.denominator_limbs == 0) return c;
       const std::size_t count =
           (c.numerator_limbs & kLimbCountMask) + std::size_t{c.denominator_limbs};
-      const auto* digits = from.limbs_.data() + c.payload;
-      c.payload = static_cast<std::int64_t>(region.limbs_.size());
-      region.limbs_.insert(region.limbs_.end(), digits, digits + count);
+      const auto digits = limbs(from).subspan(static_cast<std::size_t>(c.payload), count);
+      c.payload = static_cast<std::int64_t>(limbs(region).size());
+      append_limbs(region, digits);
       return c;
     };
-    const StoredCoordinate x = copy(from.vertices_[vertex].x);
-    region.vertices_.push_back({x, copy(from.vertices_[vertex].y)});
+    const StoredCoordinate x = copy(RegionAccess::x(from, vertex));
+    add_vertex(region, x, copy(RegionAccess::y(from, vertex)));
   }
   /// The same of a region that knows no origins.
   static void add_vertex(Region& region, const StoredCoordinate& x, const StoredCoordinate& y) {
-    region.vertices_.push_back({x, y});
+    region.arrays_.push_back<Region::kVertices>({x, y});
   }
   /// As if the operands had been given the other way round.
   static void exchange_operands(Region& region) {
-    for (EdgeOrigin& origin : region.origins_) {
+    for (EdgeOrigin& origin : region.arrays_.change<Region::kOrigins>()) {
       const bool first = origin.edge_operand == Operand::kFirst;
       origin.edge_operand = first ? Operand::kSecond : Operand::kFirst;
     }
   }
-  static void clear_origins(Region& region) { region.origins_.clear(); }
-  /// Adds to an empty region a polygon of one ring of so many vertices, to be set one by one.
-  static void make_ring(Region& region, std::size_t vertices, bool with_origins) {
+  static void clear_origins(Region& region) { region.arrays_.resize<Region::kOrigins>(0); }
+
+  /// Counts of what a region is going to hold.
+  struct Room {
+    std::size_t vertices = 0;
+    std::size_t origins = 0;
+    std::size_t rings = 1;
+    std::size_t polygons = 1;
+    std::size_t limbs = 0;
+  };
+  static void reserve(Region& region, const Room& room) {
+    region.arrays_.reserve({room.vertices, room.origins, room.rings, room.polygons, room.limbs});
+  }
+  /// Of what a region holds.
+  static Room room_of(const Region& region) {
+    return {region.vertex_count(), region.arrays_.size<Region::kOrigins>(), region.ring_count(),
+            region.polygon_count(), limbs(region).size()};
+  }
+  /// Adds to an empty region a polygon of one ring, with vertices and origins that are to be set.
+  static void make_ring(Region& region, const Room& room) {
+    reserve(region, room);
     region.begin_polygon();
     region.begin_ring();
-    region.vertices_.resize(vertices);
-    if (with_origins) region.origins_.resize(vertices);
+    region.arrays_.resize<Region::kVertices>(room.vertices);
+    region.arrays_.resize<Region::kOrigins>(room.origins);
+  }
+  /// Of a region that has not been copied.
+  static void set_vertex(Region& region, std::size_t vertex, const StoredCoordinate& x,
+                         const StoredCoordinate& y) {
+    region.arrays_.unshared<Region::kVertices>(vertex) = {x, y};
+  }
+  static void set_origin(Region& region, std::size_t vertex, const EdgeOrigin& origin) {
+    region.arrays_.unshared<Region::kOrigins>(vertex) = origin;
   }
   /// Drops all vertices but the first ones.
   static void keep_vertices(Region& region, std::size_t vertices) {
-    region.vertices_.resize(vertices);
-    if (!region.origins_.empty()) region.origins_.resize(vertices);
-  }
-  static void set_vertex(Region& region, std::size_t vertex, const StoredCoordinate& x,
-                         const StoredCoordinate& y) {
-    region.vertices_[vertex] = {x, y};
-  }
-  static void set_origin(Region& region, std::size_t vertex, const EdgeOrigin& origin) {
-    region.origins_[vertex] = origin;
-  }
-  static void reserve(Region& region, std::size_t vertices) {
-    region.vertices_.reserve(vertices);
-    region.origins_.reserve(vertices);
+    region.arrays_.resize<Region::kVertices>(vertices);
+    if (region.arrays_.size<Region::kOrigins>() > 0) {
+      region.arrays_.resize<Region::kOrigins>(vertices);
+    }
   }
 
   /// The double nearest to a coordinate of this region.
@@ -97,13 +119,13 @@ class RegionAccess {
 
   /// Index of the first vertex of a ring; `ring` may be the count of rings.
   static std::size_t ring_first(const Region& region, std::size_t ring) {
-    return ring < region.ring_first_vertex_.size() ? region.ring_first_vertex_[ring]
-                                                   : region.vertices_.size();
+    return ring < region.ring_count() ? region.arrays_.at<Region::kRingStarts>(ring)
+                                      : region.vertex_count();
   }
   /// Index of the first ring of a polygon; `polygon` may be the count of polygons.
   static std::size_t polygon_first_ring(const Region& region, std::size_t polygon) {
-    return polygon < region.polygon_first_ring_.size() ? region.polygon_first_ring_[polygon]
-                                                       : region.ring_first_vertex_.size();
+    return polygon < region.polygon_count() ? region.arrays_.at<Region::kPolygonStarts>(polygon)
+                                            : region.ring_count();
   }
   /// The ring that holds a vertex, and the polygon that holds a ring. O(log n).
   static std::size_t ring_of(const Region& region, std::size_t vertex);

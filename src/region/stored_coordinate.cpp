@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 #include "region/rational_access.hpp"
 #include "region/region_access.hpp"
@@ -113,14 +114,14 @@ StoredCoordinate Region::store(const Rational& value) {
   }
   if (store_as_binary(numerator, denominator, result)) return result;
   if (store_as_decimal(numerator, denominator, result)) return result;
-  const std::size_t offset = limbs_.size();
-  const std::size_t above = append_limbs(numerator, limbs_);
-  const std::size_t below = append_limbs(denominator, limbs_);
+  std::vector<std::uint64_t> limbs;
+  const std::size_t above = append_limbs(numerator, limbs);
+  const std::size_t below = append_limbs(denominator, limbs);
   if (above > kLimbCountMask || below > UINT16_MAX) {
-    limbs_.resize(offset);
     throw Error(ErrorCode::kLimitExceeded, "a coordinate of more than 2 million bits");
   }
-  result.payload = static_cast<std::int64_t>(offset);
+  result.payload = static_cast<std::int64_t>(arrays_.size<kLimbs>());
+  arrays_.append<kLimbs>(limbs);
   result.numerator_limbs =
       static_cast<std::uint16_t>(above | (numerator.sign() < 0 ? kNegativeLimbs : 0U));
   result.denominator_limbs = static_cast<std::uint16_t>(below);
@@ -150,7 +151,7 @@ Rational Region::exact(const StoredCoordinate& c) const {
     if (c.exp2 == 0 && c.exp10 == 0) return Rational(c.payload);
     numerator = c.payload;
   } else {
-    const std::uint64_t* digits = limbs_.data() + c.payload;
+    const std::uint64_t* digits = arrays_.get<kLimbs>().data() + c.payload;
     const std::size_t above = c.numerator_limbs & kLimbCountMask;
     numerator = from_limbs({digits, above});
     denominator = from_limbs({digits + above, c.denominator_limbs});
@@ -174,7 +175,7 @@ double Region::nearest(const StoredCoordinate& c) const {
     return exact(c).to_double();
   }
   // Not in lowest terms: finding these would cost more than the rounding.
-  const std::uint64_t* digits = limbs_.data() + c.payload;
+  const std::uint64_t* digits = arrays_.get<kLimbs>().data() + c.payload;
   const std::size_t above = c.numerator_limbs & kLimbCountMask;
   BigInt numerator = from_limbs({digits, above});
   BigInt denominator = from_limbs({digits + above, c.denominator_limbs});
@@ -185,8 +186,8 @@ double Region::nearest(const StoredCoordinate& c) const {
 
 std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoordinate& a,
                                            const StoredCoordinate& b) {
-  const bool on_one_grid = (a.exp2 == b.exp2 && a.exp10 == b.exp10) || a.payload == 0 ||
-                           b.payload == 0;
+  const bool on_one_grid =
+      (a.exp2 == b.exp2 && a.exp10 == b.exp10) || a.payload == 0 || b.payload == 0;
   if (a.denominator_limbs == 0 && b.denominator_limbs == 0 && on_one_grid) {
     return a.payload <=> b.payload;
   }
@@ -195,7 +196,7 @@ std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoo
     const bool quick = c.denominator_limbs > 0 && c.denominator_limbs <= 2 && above <= 2 &&
                        c.exp10 <= 0 && c.exp10 >= -kLargestPower;
     if (!quick) return region.nearest(c);
-    const std::uint64_t* digits = region.limbs_.data() + c.payload;
+    const std::uint64_t* digits = region.arrays_.get<Region::kLimbs>().data() + c.payload;
     const double size = about(digits, above) / about(digits + above, c.denominator_limbs) /
                         kPowersOfTen[static_cast<std::size_t>(-c.exp10)];
     return std::ldexp((c.numerator_limbs & kNegativeLimbs) != 0 ? -size : size, c.exp2);
@@ -210,9 +211,15 @@ std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoo
 }
 
 bool operator==(const Region& a, const Region& b) {
-  if (a.polygon_first_ring_ != b.polygon_first_ring_) return false;
-  if (a.ring_first_vertex_ != b.ring_first_vertex_) return false;
-  if (a.vertices_.size() != b.vertices_.size()) return false;
+  const auto points = a.vertices();
+  const auto others = b.vertices();
+  if (points.size() != others.size() ||
+      !std::ranges::equal(a.arrays_.get<Region::kPolygonStarts>(),
+                          b.arrays_.get<Region::kPolygonStarts>()) ||
+      !std::ranges::equal(a.arrays_.get<Region::kRingStarts>(),
+                          b.arrays_.get<Region::kRingStarts>())) {
+    return false;
+  }
   const auto equal = [&](const StoredCoordinate& p, const StoredCoordinate& q) {
     if (p.denominator_limbs == 0 && q.denominator_limbs == 0 && p.exp2 == q.exp2 &&
         p.exp10 == q.exp10) {
@@ -220,9 +227,9 @@ bool operator==(const Region& a, const Region& b) {
     }
     return a.exact(p) == b.exact(q);
   };
-  for (std::size_t i = 0; i < a.vertices_.size(); ++i) {
-    if (!equal(a.vertices_[i].x, b.vertices_[i].x)) return false;
-    if (!equal(a.vertices_[i].y, b.vertices_[i].y)) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!equal(points[i].x, others[i].x)) return false;
+    if (!equal(points[i].y, others[i].y)) return false;
   }
   return true;
 }

@@ -18,6 +18,7 @@ struct SmallCorner {
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
   std::uint32_t size;
+  std::uint32_t between;  ///< corners that are not the start of a segment
   std::array<SmallCorner, kMax> corners;
 };
 
@@ -58,6 +59,7 @@ class OuterWalk {
   /// sum's boundary.
   bool run(double start_x, double start_y) {
     boundary_.size = 0;
+    boundary_.between = 0;
     const std::uint32_t first = first_segment(start_x, start_y);
     if (first == kNone) return false;
     Place place{first, {0, 1}};
@@ -112,6 +114,7 @@ class OuterWalk {
   }
   void corner(const Place& place) {
     boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
+    if (place.passed.above != 0) ++boundary_.between;
   }
   /// Of those that start at the smallest point, the one that is farthest clockwise.
   [[nodiscard]] std::uint32_t first_segment(double x, double y) const {

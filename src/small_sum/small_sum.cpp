@@ -1,6 +1,7 @@
 #include "small_sum/small_sum.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "machine/vectors.hpp"
 #include "number/wide_int.hpp"
@@ -22,7 +23,9 @@ namespace {
 /// Corners of the sum to vertices of a region.
 class SmallWriter {
  public:
-  SmallWriter(const SmallOperand& p, const SmallOperand& q, std::size_t corners, Region& region)
+  /// `corners` may be too many, and so few between the ends of segments.
+  SmallWriter(const SmallOperand& p, const SmallOperand& q, std::size_t corners,
+              std::size_t between, Region& region)
       : p_(p),
         q_(q),
         offset_{p.offset.x + q.offset.x, p.offset.y + q.offset.y},
@@ -30,7 +33,8 @@ class SmallWriter {
         exp10_(static_cast<std::int16_t>(p.exp10)),
         region_(region) {
     region.clear();
-    RegionAccess::make_ring(region, corners, true);
+    constexpr std::size_t kLimbs = 4;  // most numerators and denominators are one
+    RegionAccess::make_ring(region, {corners, corners, 1, 1, kLimbs * between});
   }
   void add(double x, double y, const SmallSegments::Origin& origin) {
     set(compact(static_cast<std::int64_t>(x) + offset_.x),
@@ -60,15 +64,14 @@ class SmallWriter {
     const auto magnitude = static_cast<Uint128>(above < 0 ? -above : above);
     const auto low = static_cast<std::uint64_t>(magnitude);
     const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-    auto& limbs = RegionAccess::mutable_limbs(region_);
-    const auto place = static_cast<std::int64_t>(limbs.size());
-    std::uint16_t count = 1;
-    limbs.push_back(low);
+    const auto place = static_cast<std::int64_t>(RegionAccess::limbs(region_).size());
+    const auto below = static_cast<std::uint64_t>(whole);
+    std::uint16_t count = high != 0 ? 2 : 1;
     if (high != 0) {
-      limbs.push_back(high);
-      count = 2;
+      RegionAccess::append_limbs(region_, std::array{low, high, below});
+    } else {
+      RegionAccess::append_limbs(region_, std::array{low, below});
     }
-    limbs.push_back(static_cast<std::uint64_t>(whole));
     if (above < 0) count |= kNegativeLimbs;
     return {place, exp2_, exp10_, count, 1};
   }
@@ -127,7 +130,7 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
     }
   };
   using Origin = SmallSegments::Origin;
-  SmallWriter writer(p, q, p.size + q.size, result);
+  SmallWriter writer(p, q, p.size + q.size, 0, result);
   Round a(p);
   Round b(q);
   while (a.left + b.left > 0) {
@@ -153,7 +156,7 @@ bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scr
   const Vec<double> start = smallest_point(p, q);
   OuterWalk<Number, Meetings> walk(scratch.segments, meetings, scratch.turns, scratch.boundary);
   if (!walk.run(start.x, start.y)) return false;
-  SmallWriter writer(p, q, scratch.boundary.size, result);
+  SmallWriter writer(p, q, scratch.boundary.size, scratch.boundary.between, result);
   for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
     writer.add(scratch.segments, scratch.boundary.corners[k]);
   }

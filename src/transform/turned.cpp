@@ -1,6 +1,7 @@
 #include "transform/turned.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -19,13 +20,14 @@ class Turner {
  public:
   Turner(const Region& region, int quarters, bool with_origins)
       : region_(region), quarters_(((quarters % 4) + 4) % 4), with_origins_(with_origins) {
-    RegionAccess::mutable_limbs(image_).assign(RegionAccess::limbs(region).begin(),
-                                               RegionAccess::limbs(region).end());
+    RegionAccess::Room room = RegionAccess::room_of(region);
+    if (!with_origins) room.origins = 0;
+    RegionAccess::reserve(image_, room);
+    RegionAccess::append_limbs(image_, RegionAccess::limbs(region));
   }
 
   /// Rings and vertices in the order that they have.
   Region in_order() {
-    RegionAccess::reserve(image_, region_.vertex_count());
     for (const std::size_t polygon : region_.polygons()) {
       image_.begin_polygon();
       for (const std::size_t ring : region_.rings_of(polygon)) {
@@ -40,7 +42,6 @@ class Turner {
     if (region_.ring_count() == 1) {
       return quarters_ == 1 ? only_ring<1>() : quarters_ == 2 ? only_ring<2>() : only_ring<3>();
     }
-    RegionAccess::reserve(image_, region_.vertex_count());
     std::vector<TurnedRing> rings;
     std::vector<IndexRange> polygons;
     rings.reserve(region_.ring_count());
@@ -76,7 +77,7 @@ class Turner {
       smallest = v;
       first = point;
     }
-    RegionAccess::make_ring(image_, n, with_origins_);
+    RegionAccess::make_ring(image_, {n, with_origins_ ? n : 0});
     for (std::size_t i = 0, v = smallest; i < n; ++i, v = v + 1 == n ? 0 : v + 1) {
       const StoredPoint at = image<kQuarters>(v);
       RegionAccess::set_vertex(image_, i, at.x, at.y);
@@ -104,9 +105,8 @@ class Turner {
     return c;
   }
   [[gnu::noinline]] StoredCoordinate negative_of_smallest(StoredCoordinate c) {
-    auto& limbs = RegionAccess::mutable_limbs(image_);
-    c.payload = static_cast<std::int64_t>(limbs.size());
-    limbs.insert(limbs.end(), {std::uint64_t{1} << 63U, 1});
+    c.payload = static_cast<std::int64_t>(RegionAccess::limbs(image_).size());
+    RegionAccess::append_limbs(image_, std::array{std::uint64_t{1} << 63U, std::uint64_t{1}});
     c.numerator_limbs = 1;
     c.denominator_limbs = 1;
     return c;
@@ -128,8 +128,8 @@ class Turner {
 
   [[nodiscard]] std::strong_ordering compare(const StoredCoordinate& a,
                                              const StoredCoordinate& b) const {
-    const bool quick = (a.denominator_limbs | b.denominator_limbs) == 0 && a.exp2 == b.exp2 &&
-                       a.exp10 == b.exp10;
+    const bool quick =
+        (a.denominator_limbs | b.denominator_limbs) == 0 && a.exp2 == b.exp2 && a.exp10 == b.exp10;
     return quick ? a.payload <=> b.payload : RegionAccess::compare(image_, a, b);
   }
   [[nodiscard]] std::strong_ordering compare(const StoredPoint& a, const StoredPoint& b) const {

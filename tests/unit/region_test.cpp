@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <future>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "region/region_access.hpp"
@@ -182,7 +185,7 @@ TEST(Region, RefusesVerticesWithoutARing) {
 TEST(Region, ResultsCarryOriginsAndCopiesKeepThem) {
   Region region = open_ring();
   const EdgeOrigin origin{Operand::kSecond, 3, 4};
-  RegionAccess::mutable_limbs(region) = {5, 3};
+  RegionAccess::append_limbs(region, std::array<std::uint64_t, 2>{5, 3});
   RegionAccess::add_vertex(region, {0, 0, 0, 1 | kNegativeLimbs, 1}, {7, 1, 0, 0, 0}, origin);
   EXPECT_TRUE(region.has_origins());
   EXPECT_EQ(region.origin(0), origin);
@@ -218,6 +221,123 @@ TEST(Region, Moves) {
   Region& same = from;
   from = std::move(same);
   EXPECT_EQ(from.polygon_count() + from.ring_count(), from.vertex_count());
+}
+
+Region with_origins() {
+  Region region = open_ring();
+  RegionAccess::append_limbs(region, std::array<std::uint64_t, 2>{5, 3});
+  RegionAccess::add_vertex(region, {0, 0, 0, 1, 1}, {7, 1, 0, 0, 0}, {Operand::kSecond, 3, 4});
+  RegionAccess::add_vertex(region, {8, 0, 0, 0, 0}, {9, 0, 0, 0, 0}, {Operand::kFirst, 5, 6});
+  return region;
+}
+
+// Copies have their memory in common until one of them is changed, in whatever way.
+TEST(Region, ChangesOfACopyAreItsOwn) {
+  const Region region = with_origins();
+  const auto expect_unchanged = [&] {
+    EXPECT_EQ(region, with_origins());
+    EXPECT_EQ(region.polygon_count(), 1U);
+    EXPECT_TRUE(region.has_origins());
+    EXPECT_EQ(region.origin(0), (EdgeOrigin{Operand::kSecond, 3, 4}));
+    EXPECT_EQ(region.exact_x(0), Rational(5, 3));
+  };
+  Region grown = region;
+  EXPECT_EQ(&grown.origin(0), &region.origin(0));
+  grown.add_vertex(Rational(1, 7), Rational(2, 7));
+  expect_unchanged();
+  EXPECT_EQ(grown.vertex_count(), 3U);
+  EXPECT_EQ(grown.exact_x(0), Rational(5, 3));
+  EXPECT_EQ(grown.exact_y(2), Rational(2, 7));
+  EXPECT_FALSE(grown.has_origins());
+
+  Region exchanged = region;
+  RegionAccess::exchange_operands(exchanged);
+  expect_unchanged();
+  EXPECT_EQ(exchanged.origin(0), (EdgeOrigin{Operand::kFirst, 3, 4}));
+  EXPECT_EQ(exchanged, region);
+
+  Region shorter = region;
+  RegionAccess::keep_vertices(shorter, 1);
+  expect_unchanged();
+  EXPECT_EQ(shorter.vertex_count(), 1U);
+  EXPECT_TRUE(shorter.has_origins());
+
+  Region without = region;
+  RegionAccess::clear_origins(without);
+  expect_unchanged();
+  EXPECT_FALSE(without.has_origins());
+  EXPECT_EQ(without, region);
+
+  Region more_polygons = region;
+  more_polygons.begin_polygon();
+  more_polygons.begin_ring();
+  expect_unchanged();
+  EXPECT_EQ(more_polygons.ring_count(), 2U);
+
+  Region cleared = region;
+  cleared.clear();
+  expect_unchanged();
+  EXPECT_EQ(cleared, Region());
+
+  Region moved = region;
+  const Region kept = std::move(moved);
+  Region assigned = grown;
+  assigned = kept;
+  assigned = region;
+  Region& itself = assigned;
+  assigned = itself;
+  EXPECT_EQ(assigned, region);
+  expect_unchanged();
+}
+
+TEST(Region, CopiesAreForDifferentThreads) {
+  const Region region = with_origins();
+  const auto copy_and_change = [copy = region]() mutable {
+    for (int i = 0; i < 1000; ++i) {
+      const Region shared = copy;
+      Region changed = shared;
+      changed.add_vertex(i, i);
+      if (i % 3 == 0) copy = std::move(changed);
+    }
+    return copy.vertex_count();
+  };
+  auto first = std::async(std::launch::async, copy_and_change);
+  auto second = std::async(std::launch::async, copy_and_change);
+  EXPECT_EQ(first.get(), 336U);
+  EXPECT_EQ(second.get(), 336U);
+  EXPECT_EQ(region, with_origins());
+}
+
+// Arrays of one block: short ones may grow one by one beside long ones.
+TEST(Region, GrowsInAnyOrder) {
+  Region region;
+  test::Random random(5);
+  std::vector<std::pair<std::int64_t, Rational>> added;
+  for (int polygon = 0; polygon < 40; ++polygon) {
+    region.begin_polygon();
+    for (std::uint64_t ring = random.next() % 3 + 1; ring > 0; --ring) {
+      region.begin_ring();
+      for (std::uint64_t v = random.next() % 9; v > 0; --v) {
+        const auto x = static_cast<std::int64_t>(random.next() >> 2U);
+        const Rational y(static_cast<std::int64_t>(random.next() >> 1U), 7);
+        region.add_vertex(Rational(x), y);
+        added.emplace_back(x, y);
+      }
+    }
+  }
+  EXPECT_EQ(region.polygon_count(), 40U);
+  ASSERT_EQ(region.vertex_count(), added.size());
+  std::size_t in_rings = 0;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      for (const std::size_t v : region.vertices_of(ring)) EXPECT_EQ(v, in_rings++);
+    }
+  }
+  EXPECT_EQ(in_rings, added.size());
+  for (std::size_t v = 0; v < added.size(); ++v) {
+    EXPECT_EQ(region.exact_x(v), Rational(added[v].first));
+    EXPECT_EQ(region.exact_y(v), added[v].second);
+  }
 }
 
 }  // namespace
