@@ -48,11 +48,7 @@ class OuterWalk {
   OuterWalk(const SmallSegments& segments, const Meetings& meetings, SmallTurns& turns,
             SmallBoundary& boundary)
       : s_(segments), m_(meetings), turns_(turns), boundary_(boundary) {
-    for (std::uint32_t at = 0; at < s_.size; ++at) {
-      m_.for_each_right(at, [&](std::uint32_t, std::size_t meeting) {
-        turns_.of[meeting] = {0, 0};
-      });
-    }
+    m_.for_each_number(s_.size, [&](std::size_t meeting) { turns_.of[meeting] = {0, 0}; });
   }
 
   /// From the smallest point. False if the walk does not come back, or might not be all of the
@@ -121,7 +117,7 @@ class OuterWalk {
     std::uint32_t first = kNone;
     for (std::uint32_t t = 0; t < s_.size; ++t) {
       if (s_.x[t] != x || s_.y[t] != y) continue;
-      if (first == kNone || turn(first, t) < 0) first = t;
+      if (first == kNone || is_preferred(t, first)) first = t;
     }
     return first;
   }
@@ -138,7 +134,7 @@ class OuterWalk {
       if (place.passed.above != 0 && !less(place.passed, here)) return;
       if (next.place.segment != kNone) {
         if (less(best, here)) return;
-        if (!less(here, best) && turn(next.place.segment, t) >= 0) return;
+        if (!less(here, best) && !is_preferred(t, next.place.segment)) return;
       }
       best = here;
       next = {{t, fraction(start_of(t, at), -c)}, c, meeting};
@@ -151,17 +147,25 @@ class OuterWalk {
       const Number c = turn(at, t);
       if (c == 0) {
         // What goes on straight is before all that turns to the left.
-        if (const Place along = straight_on(at, t); along.segment != kNone) next = {along, 0, 0};
+        const Place along = straight_on(at, t);
+        if (along.segment == kNone) return;
+        const bool is_straight = next.turn == 0 && next.place.segment != kNone;
+        if (!is_straight || s_.is_before(next.place.segment, t)) next = {along, 0, 0};
         return;
       }
       const Number start = start_of(t, at);
       if (start + c == 0) return;  // it ends there
       const bool first = next.place.segment == kNone;
-      if (first || (next.turn != 0 && turn(next.place.segment, t) < 0)) {
+      if (first || (next.turn != 0 && is_preferred(t, next.place.segment))) {
         next = {{t, fraction(-start, c)}, c, 0};
       }
     });
     return next;
+  }
+  /// Of two rays from a place: the one on the right, or what was listed first of the same.
+  [[nodiscard, gnu::always_inline]] bool is_preferred(std::uint32_t t, std::uint32_t other) const {
+    const Number c = turn(other, t);
+    return c < 0 || (c == 0 && s_.is_before(t, other));
   }
   /// Of a segment on the same line: where the end of `at` is on it, if it leads on from there.
   [[nodiscard, gnu::noinline]] Place straight_on(std::uint32_t at, std::uint32_t t) const {

@@ -7,7 +7,7 @@
 #include "machine/vectors.hpp"
 #include "number/wide_int.hpp"
 #include "region/region_access.hpp"
-#include "small_sum/blocks.hpp"
+#include "small_sum/small_rings.hpp"
 
 namespace minksum {
 namespace {
@@ -49,14 +49,12 @@ bool find_longest(SmallOperand& s) {
   return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumbers::kNone;
 }
 
-/// The vertices as they are given; false if they have no short integers on a common grid.
-bool load(const Region& region, SmallOperand& s) {
-  const std::size_t n = region.vertex_count();
-  if (region.polygon_count() != 1 || region.ring_count() != 1 || n < 3 ||
-      n > SmallOperand::kMaxVertices || !RegionAccess::limbs(region).empty() ||
-      !find_grid(region, s)) {
-    return false;
-  }
+/// The vertices of a ring as they are given, on a grid that is set; false if they are no short
+/// integers there. The origin is at the box, or where it is given, below that.
+bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
+          SmallOperand& s) {
+  const std::size_t n = ring.size();
+  if (n < 3 || n > SmallOperand::kMaxVertices) return false;
   std::array<Vec<std::int64_t>, SmallOperand::kMaxVertices> at;
   bool fit = true;
   const auto integer = [&](const StoredCoordinate& c) -> std::int64_t {
@@ -70,7 +68,8 @@ bool load(const Region& region, SmallOperand& s) {
   Vec<std::int64_t> low{kFarthest, kFarthest};
   Vec<std::int64_t> high{-kFarthest, -kFarthest};
   for (std::size_t v = 0; v < n; ++v) {
-    at[v] = {integer(RegionAccess::x(region, v)), integer(RegionAccess::y(region, v))};
+    at[v] = {integer(RegionAccess::x(region, ring.front() + v)),
+             integer(RegionAccess::y(region, ring.front() + v))};
     low = {std::min(low.x, at[v].x), std::min(low.y, at[v].y)};
     high = {std::max(high.x, at[v].x), std::max(high.y, at[v].y)};
   }
@@ -79,6 +78,7 @@ bool load(const Region& region, SmallOperand& s) {
   const double width = std::max(s.extent.x, s.extent.y);
   if (width > SmallOperand::kWidest) return false;
   s.size = static_cast<std::uint32_t>(n);
+  if (origin != nullptr) low = *origin;
   s.offset = low;
   s.first = at[0];
   s.make_rows(n);
@@ -187,87 +187,58 @@ double mean_turning(const SmallOperand& s) {
   return meetings / 8.0;
 }
 
-/// The edges, of up to 64 from `first` on, that edge i meets.
 template <class Number>
-[[gnu::always_inline]] inline LaneBits edges_meeting(const SmallOperand& s, std::uint32_t i,
-                                                     std::size_t first, std::size_t count) {
-  const auto x = static_cast<Number>(s[SmallOperand::kX][i]);
-  const auto y = static_cast<Number>(s[SmallOperand::kY][i]);
-  const auto dx = static_cast<Number>(s[SmallOperand::kDx][i]);
-  const auto dy = static_cast<Number>(s[SmallOperand::kDy][i]);
-  const double* const other_x = s[SmallOperand::kX] + first;
-  const double* const other_y = s[SmallOperand::kY] + first;
-  const double* const other_dx = s[SmallOperand::kDx] + first;
-  const double* const other_dy = s[SmallOperand::kDy] + first;
-  LaneBits met = 0;
-  for (std::size_t t = 0; t < count / kLanes * kLanes; ++t) {
-    const Number ax = static_cast<Number>(other_x[t]) - x;
-    const Number ay = static_cast<Number>(other_y[t]) - y;
-    const auto tx = static_cast<Number>(other_dx[t]);
-    const auto ty = static_cast<Number>(other_dy[t]);
-    const Number turn = dx * ty - dy * tx;
-    const Number start = dx * ay - dy * ax;
-    const Number end = start + turn;
-    const Number along = ax * ty - ay * tx;
-    const Number left = along - turn;
-    // Neither lies on one side of the other's line, and their boxes meet.
-    const bool meets = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
-                       !((along > 0) & (left > 0)) & !((along < 0) & (left < 0)) &
-                       (std::abs(2 * ax + tx - dx) <= std::abs(dx) + std::abs(tx)) &
-                       (std::abs(2 * ay + ty - dy) <= std::abs(dy) + std::abs(ty));
-    met |= meets ? kBitOf[t] : 0;
-  }
-  return met;
+bool is_simple_ring(const SmallOperand& s) {
+  return with_vectors(
+      widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
 }
 
-/// Whether no edge has a point in common with another one, but for the vertex between neighbours.
-template <class Number>
-[[gnu::always_inline]] inline bool is_simple(const SmallOperand& s) {
-  const std::uint32_t n = s.size;
-  const bool few = n <= 64;
-  SmallBlocks blocks;
-  if (!few) {
-    blocks.set(s[SmallOperand::kX], s[SmallOperand::kY], s[SmallOperand::kDx], s[SmallOperand::kDy],
-               n);
-  }
-  bool simple = true;
-  const auto count_beyond = [&](std::uint32_t i, std::size_t first, LaneBits met) {
-    const auto bit = [&](std::uint32_t edge) {
-      return edge - first < 64 ? kBitOf[edge - first] : LaneBits{0};
-    };
-    met &= first_bits(n - first);
-    met &= ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
-    simple &= met == 0;
-  };
-  for (std::uint32_t i = 0; i < n && simple; ++i) {
-    if (few) {
-      count_beyond(i, 0, edges_meeting<Number>(s, i, 0, filled_up(n)));
-      continue;
+/// Reads the holes; false if they are not clearly legal, or some two rings touch.
+bool read_holes(const Region& region, SmallOperand& s) {
+  std::vector<SmallOperand> holes(region.ring_count() - 1);
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    SmallOperand& hole = holes[k];
+    hole.exp2 = s.exp2;
+    hole.exp10 = s.exp10;
+    if (!load(region, region.vertices_of(k + 1), &s.offset, hole) || !drop_straight(hole)) {
+      return false;
     }
-    const LaneBits near = blocks.near(s[SmallOperand::kX][i], s[SmallOperand::kY][i],
-                                      s[SmallOperand::kDx][i], s[SmallOperand::kDy][i]);
-    for_each_bit(near, [&](std::uint32_t block) {
-      count_beyond(i, block * kLanes, edges_meeting<Number>(s, i, block * kLanes, kLanes));
-    });
+    set_edges(hole);
+    const SmallNumbers numbers =
+        small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
+    if (numbers != SmallNumbers::kDoubles || !lies_in_box(hole, s.extent) ||
+        !is_simple_ring<double>(hole)) {
+      return false;
+    }
+    s.holes.push_back(hole.extent);
   }
-  return simple;
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    if (!holds(s, holes[k]) || do_meet(holes[k], s)) return false;
+    for (std::size_t l = 0; l < holes.size(); ++l) {
+      if (l != k && (holds(holes[l], holes[k]) || (l < k && do_meet(holes[k], holes[l])))) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
 bool read_small(const Region& region, SmallOperand& s) {
-  if (!load(region, s) || !drop_straight(s)) return false;
+  if (region.polygon_count() != 1 || region.vertex_count() > SmallOperand::kMaxVertices ||
+      !RegionAccess::limbs(region).empty() || !find_grid(region, s) ||
+      !load(region, region.vertices_of(0), nullptr, s) || !drop_straight(s)) {
+    return false;
+  }
+  s.holes.clear();
   orient(s);
   set_edges(s);
   s.turning = s.convex ? 1 : mean_turning(s);
-  const auto simple = [&]() __attribute__((always_inline)) { return is_simple<double>(s); };
-  const auto simple_if_wide = [&]() __attribute__((always_inline)) {
-    return is_simple<std::int64_t>(s);
-  };
   const bool wide =
       small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) == SmallNumbers::kIntegers;
-  return wide ? with_vectors(widest_vectors(), simple_if_wide)
-              : with_vectors(widest_vectors(), simple);
+  return (wide ? is_simple_ring<std::int64_t>(s) : is_simple_ring<double>(s)) &&
+         read_holes(region, s);
 }
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
@@ -276,6 +247,7 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   to.size = n;
   to.turning = from.turning;
   to.extent = from.extent;
+  to.holes = from.holes;
   to.longest = from.longest;
   to.offset = from.offset;
   to.exp2 = from.exp2;
@@ -292,6 +264,9 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
     std::swap(to.extent.x, to.extent.y);
     for (std::uint32_t i = 0; i < n; ++i) x[i] = to.extent.x - x[i];
     to.offset = {-(to.offset.y + static_cast<std::int64_t>(to.extent.x)), to.offset.x};
+  }
+  if (turns % 2 != 0) {
+    for (Vec<double>& hole : to.holes) std::swap(hole.x, hole.y);
   }
   find_smallest(to);
   set_edges(to);
@@ -314,6 +289,7 @@ bool refine(int exp2, int exp10, SmallOperand& s) {
   }
   const auto by = static_cast<std::int64_t>(factor);
   s.extent = {s.extent.x * times, s.extent.y * times};
+  for (Vec<double>& hole : s.holes) hole = {hole.x * times, hole.y * times};
   s.longest *= times;
   s.offset = {s.offset.x * by, s.offset.y * by};
   s.exp2 = exp2;

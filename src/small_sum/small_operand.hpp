@@ -12,8 +12,9 @@
 
 namespace minksum {
 
-/// An operand of one ring of a few vertices, counter-clockwise, whose coordinates are short
-/// integers: in arrays that vectors are loaded from. Edge i starts at vertex i.
+/// An operand of one polygon of a few vertices, whose coordinates are short integers: its outer
+/// ring, counter-clockwise, in arrays that vectors are loaded from, and how wide its holes are.
+/// Edge i starts at vertex i.
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
@@ -42,11 +43,12 @@ class SmallOperand {
   bool convex = false;
   /// How many convex vertices meet an edge of another operand, on average of eight directions.
   double turning = 1;
-  Vec<double> extent{};        ///< of the box, which is at (0, 0)
-  double longest = 0;          ///< of the edges' extents along the axes
-  Vec<std::int64_t> offset{};  ///< where the box is
-  Vec<std::int64_t> first{};   ///< the first vertex of the region that it was read from
-  int exp2 = 0;                ///< a step of the grid: 2^exp2 · 10^exp10
+  Vec<double> extent{};            ///< of the box, which is at (0, 0)
+  std::vector<Vec<double>> holes;  ///< the extents of their boxes
+  double longest = 0;              ///< of the edges' extents along the axes
+  Vec<std::int64_t> offset{};      ///< where the box is
+  Vec<std::int64_t> first{};       ///< the first vertex of the region that it was read from
+  int exp2 = 0;                    ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
 
   /// Makes room for rows of so many vertices, not to be relied on before they are set.

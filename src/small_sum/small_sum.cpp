@@ -12,6 +12,8 @@ namespace minksum {
 
 struct SmallScratch::State {
   SmallSegments segments;
+  SmallSegments ordered;
+  SmallOrder order;
   SmallMeetingSets sets;
   SmallMeetingLists lists;
   SmallTurns turns;
@@ -95,6 +97,14 @@ class SmallWriter {
   std::size_t size_ = 0;
 };
 
+/// Whether the other operand fits into none of the holes, as its box does not: a hole is open, so
+/// equal width is too wide.
+bool are_filled(const std::vector<Vec<double>>& holes, const SmallOperand& other) {
+  return std::ranges::all_of(holes, [&](const Vec<double>& hole) {
+    return other.extent.x >= hole.x || other.extent.y >= hole.y;
+  });
+}
+
 /// Where the smallest points of both operands come to lie.
 Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
   return {p[SmallOperand::kX][p.smallest] + q[SmallOperand::kX][q.smallest],
@@ -147,32 +157,36 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
 }
 
 template <class Number, class Meetings>
-bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scratch,
-          Meetings& meetings, Region& result) {
-  const auto find = [&]() __attribute__((always_inline)) {
-    return find_meetings<Number>(scratch.segments, meetings);
-  };
-  if (!with_vectors(widest_vectors(), find)) return false;
+bool walk(const SmallOperand& p, const SmallOperand& q, const SmallSegments& segments,
+          Meetings& meetings, SmallScratch::State& scratch, Region& result) {
+  if (!find_meetings_by<Number>(widest_vectors(), segments, meetings)) return false;
   const Vec<double> start = smallest_point(p, q);
-  OuterWalk<Number, Meetings> walk(scratch.segments, meetings, scratch.turns, scratch.boundary);
+  OuterWalk<Number, Meetings> walk(segments, meetings, scratch.turns, scratch.boundary);
   if (!walk.run(start.x, start.y)) return false;
   SmallWriter writer(p, q, scratch.boundary.size, scratch.boundary.between, result);
   for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
-    writer.add(scratch.segments, scratch.boundary.corners[k]);
+    writer.add(segments, scratch.boundary.corners[k]);
   }
   return true;
 }
 
 template <class Number>
-bool walk(const SmallOperand& p, const SmallOperand& q, SmallScratch::State& scratch,
+bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScratch::State& scratch,
           Region& result) {
   const auto list = [&]() __attribute__((always_inline)) {
     return list_segments<Number>(p, q, scratch.segments);
   };
   if (!with_vectors(widest_vectors(), list)) return false;
-  return scratch.segments.size <= SmallMeetingSets::kMaxSegments
-             ? walk<Number>(p, q, scratch, scratch.sets, result)
-             : walk<Number>(p, q, scratch, scratch.lists, result);
+  if (scratch.segments.size <= SmallMeetingSets::kMaxSegments) {
+    return walk<Number>(p, q, scratch.segments, scratch.sets, scratch, result);
+  }
+  // Of these, most pairs of blocks are near one another anyway.
+  constexpr std::uint32_t kMostInRingOrder = 300;
+  if (scratch.segments.size <= kMostInRingOrder) {
+    return walk<Number>(p, q, scratch.segments, scratch.lists, scratch, result);
+  }
+  scratch.order.apply(scratch.segments, width, scratch.ordered);
+  return walk<Number>(p, q, scratch.ordered, scratch.lists, scratch, result);
 }
 
 }  // namespace
@@ -204,7 +218,9 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
   }
   const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
   const SmallNumbers numbers = small_numbers(std::max(p.longest, q.longest), width);
-  if (numbers == SmallNumbers::kNone) return false;
+  if (numbers == SmallNumbers::kNone || !are_filled(p.holes, q) || !are_filled(q.holes, p)) {
+    return false;
+  }
   const bool wide = numbers == SmallNumbers::kIntegers;
   if (p.convex && q.convex) {
     if (wide) {
@@ -215,10 +231,10 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
     return true;
   }
   // Of more segments, looking at each pair of blocks takes longer than the stages.
-  constexpr double kMostSegments = 320;
+  constexpr double kMostSegments = 1400;
   if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
-  return wide ? walk<std::int64_t>(p, q, scratch.state(), result)
-              : walk<double>(p, q, scratch.state(), result);
+  return wide ? walk<std::int64_t>(p, q, width, scratch.state(), result)
+              : walk<double>(p, q, width, scratch.state(), result);
 }
 
 }  // namespace minksum

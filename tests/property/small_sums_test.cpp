@@ -14,10 +14,10 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 30'000;
+constexpr int kDefaultPairs = 20'000;
 
 Region random_shape(Random& random) {
-  switch (random.below(13)) {
+  switch (random.below(16)) {
     case 0:
       return random_two_opt(random, random.between(4, 16), random.between(5, 12));
     case 1:
@@ -46,6 +46,13 @@ Region random_shape(Random& random) {
     case 11:
       return random_two_opt(random, random.between(4, 16),
                             random.between(30'000'000, 1'000'000'000));
+    case 12:
+      return random_star_shaped(random, random.between(40, 120), random.between(500, 20'000));
+    case 13:
+      return random_two_opt(random, random.between(40, 70), random.between(2'000, 60'000));
+    // Holes that the other operand fits into, or not.
+    case 14:
+      return random_with_holes(random, random.between(6, 40), random.between(1, 4));
     default:
       return random_polygon(random);
   }

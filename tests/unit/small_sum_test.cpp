@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -18,13 +21,13 @@ bool is_small(const Region& region) {
   return read_small(region, small);
 }
 
-TEST(SmallOperand, IsOneSimpleRing) {
+TEST(SmallOperand, IsOneSimplePolygon) {
   EXPECT_TRUE(is_small(rectangle(0, 0, 3, 2)));
   EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // whose teeth end on one line
   EXPECT_TRUE(is_small(test::round_polygon(256, 100'000)));
   EXPECT_FALSE(is_small({}));
   EXPECT_FALSE(is_small(test::round_polygon(257, 100'000)));
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
+  EXPECT_TRUE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
   EXPECT_FALSE(is_small(test::together(rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1))));
 }
 
@@ -36,6 +39,32 @@ TEST(SmallOperand, LeavesFaultsToTheStages) {
   EXPECT_FALSE(is_small(make_polygon({{0, 0}, {1, 0}, {2, 0}})));                  // flat
   EXPECT_FALSE(
       is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}, {4, 0}})));  // overlaps
+}
+
+/// A square of width 9 at the origin with such holes.
+Region with_holes(const std::vector<test::Outline>& holes) {
+  return make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, holes);
+}
+
+TEST(SmallOperand, HasHolesApart) {
+  const test::Outline hole{{1, 1}, {4, 1}, {4, 4}, {1, 4}};
+  EXPECT_TRUE(is_small(with_holes({hole})));
+  EXPECT_TRUE(is_small(with_holes({hole, {{5, 1}, {6, 3}, {8, 8}, {5, 5}}})));
+  EXPECT_TRUE(is_small(with_holes({{{1, 1}, {1, 2}, {1, 4}, {4, 4}, {4, 1}}})));
+  EXPECT_FALSE(is_small(with_holes({hole, hole})));
+  EXPECT_FALSE(is_small(with_holes({hole, {{2, 2}, {3, 2}, {3, 3}}})));          // in one
+  EXPECT_FALSE(is_small(with_holes({{{2, 2}, {3, 2}, {3, 3}}, hole})));          // around one
+  EXPECT_FALSE(is_small(with_holes({hole, {{4, 4}, {6, 4}, {6, 6}}})));          // touches one
+  EXPECT_FALSE(is_small(with_holes({hole, {{3, 2}, {6, 2}, {6, 3}, {3, 3}}})));  // crosses one
+  EXPECT_FALSE(is_small(with_holes({{{0, 3}, {3, 2}, {3, 3}}})));                // touches the ring
+  EXPECT_FALSE(is_small(with_holes({{{8, 3}, {11, 3}, {8, 5}}})));               // crosses it
+  EXPECT_FALSE(is_small(with_holes({{{12, 3}, {13, 3}, {12, 5}}})));             // outside
+  EXPECT_FALSE(is_small(with_holes({{{2, 2}, {4, 2}, {2, 2}, {2, 4}}})));        // a spike
+  EXPECT_FALSE(is_small(with_holes({{{1, 1}, {4, 4}, {4, 1}, {1, 4}}})));        // crosses itself
+  EXPECT_FALSE(is_small(with_holes({{{1, 1}, {2, 2}, {3, 3}}})));                // flat
+  // In the box of the outer ring, but not in the ring.
+  const test::Outline l{{0, 0}, {9, 0}, {9, 2}, {2, 2}, {2, 9}, {0, 9}};
+  EXPECT_FALSE(is_small(make_polygon(l, {{{5, 5}, {6, 5}, {6, 6}}})));
 }
 
 TEST(SmallOperand, HasShortIntegers) {
@@ -138,6 +167,51 @@ TEST(SmallSum, IsLeftToTheStagesWhereThereMayBeAHole) {
   EXPECT_EQ(result, before);
   ASSERT_TRUE(sum(c, rectangle(0, 0, 2, 1), result));  // leaves the opening open
   EXPECT_EQ(result.hole_count(), 0U);
+}
+
+TEST(SmallSum, FillsHolesThatNothingFitsInto) {
+  const Region p = with_holes({{{1, 1}, {4, 1}, {4, 3}, {1, 3}}, {{5, 5}, {6, 5}, {6, 6}}});
+  Region result;
+  ASSERT_TRUE(sum(p, rectangle(0, 0, 3, 1), result));  // as wide as the hole
+  EXPECT_EQ(result, rectangle(0, 0, 12, 10));
+  EXPECT_EQ(result.origin(1).edge_operand, Operand::kFirst);
+  ASSERT_TRUE(sum(rectangle(0, 0, 1, 2), p, result));  // as high
+  EXPECT_EQ(result, rectangle(0, 0, 10, 11));
+  EXPECT_FALSE(sum(p, rectangle(0, 0, 2, 1), result));
+  EXPECT_FALSE(sum(rectangle(0, 0, 2, 1), p, result));
+  ASSERT_TRUE(sum(p, p, result));
+  EXPECT_EQ(result, rectangle(0, 0, 18, 18));
+  // Turned and on another grid.
+  const Region turned = transform(p, Affine::quarter_turns(1));
+  SmallOperand small;
+  SmallOperand small_turned;
+  ASSERT_TRUE(read_small(p, small));
+  turn(small, 1, small_turned);
+  SmallOperand bar;
+  ASSERT_TRUE(read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
+  SmallScratch scratch;
+  EXPECT_FALSE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
+  EXPECT_TRUE(sum_small(small, bar, scratch, result));          // but not into 3 and 2
+  EXPECT_EQ(result, transform(rectangle(0, 0, 50, 57), Affine::scaling(Rational(1, 5))));
+}
+
+TEST(SmallSum, IsMadeOfManySegments) {
+  test::Outline waves;
+  for (int k = 0; k < 60; ++k) {
+    const double radius = k % 2 == 0 ? 5000 : 4950 - 3 * k;
+    const double angle = k * std::numbers::pi / 30;
+    waves.emplace_back(std::lround(radius * std::cos(angle)),
+                       std::lround(radius * std::sin(angle)));
+  }
+  const Region p = make_polygon(waves);
+  const Region q = transform(p, Affine::quarter_turns(1));
+  Region result;
+  ASSERT_TRUE(sum(p, q, result));
+  Options options;
+  Statistics statistics;
+  options.statistics = &statistics;  // by the stages
+  EXPECT_EQ(result, minkowski_sum(p, q, options));
+  EXPECT_GT(statistics.convolution_segments, 300U);
 }
 
 TEST(SmallSum, TakesUnlikeGrids) {
