@@ -137,9 +137,13 @@ class OuterWalk {
         if (!less(here, best) && !is_preferred(t, next.place.segment)) return;
       }
       best = here;
-      next = {{t, fraction(start_of(t, at), -c)}, c, meeting};
+      next.place.segment = t;
+      next.turn = c;
+      next.meeting = meeting;
     });
-    return next.place.segment != kNone ? next : next_at_end(at);
+    if (next.place.segment == kNone) return next_at_end(at);
+    next.place.passed = fraction(start_of(next.place.segment, at), -next.turn);
+    return next;
   }
   [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
     Next next;

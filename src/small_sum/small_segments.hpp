@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tuple>
+#include <utility>
 
 #include "small_sum/blocks.hpp"
 #include "small_sum/small_operand.hpp"
@@ -141,8 +142,8 @@ template <class Number>
   return true;
 }
 
-/// Puts segments that are near one another in the plane together: by squares of a 16th of the sum's
-/// width, in the order of a Z. O(s).
+/// Puts segments that are near one another in the plane together: by squares of a 32nd of the sum's
+/// width, in the order of Hilbert's curve. O(s).
 class SmallOrder {
  public:
   void apply(const SmallSegments& from, double width, SmallSegments& to) {
@@ -151,7 +152,7 @@ class SmallOrder {
     for (std::uint32_t i = 0; i < from.size; ++i) {
       const auto column = static_cast<std::uint32_t>((from.x[i] + from.dx[i] / 2) * scale);
       const auto row = static_cast<std::uint32_t>((from.y[i] + from.dy[i] / 2) * scale);
-      square_[i] = static_cast<std::uint8_t>(kSpread[column] | kSpread[row] << 1U);
+      square_[i] = kCurve[row * kSide + column];
       ++place_[square_[i] + std::size_t{1}];
     }
     for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
@@ -168,18 +169,32 @@ class SmallOrder {
   }
 
  private:
-  static constexpr std::uint32_t kSide = 16;
-  /// The bits of a number, with a gap after each.
-  static constexpr auto kSpread = [] {
-    std::array<std::uint8_t, kSide> spread{};
-    for (std::uint32_t k = 0; k < kSide; ++k) {
-      spread[k] =
-          static_cast<std::uint8_t>((k & 1U) | (k & 2U) << 1U | (k & 4U) << 2U | (k & 8U) << 3U);
+  static constexpr std::uint32_t kSide = 32;
+  /// By row and column, a square's place on the curve.
+  static constexpr auto kCurve = [] {
+    std::array<std::uint16_t, kSide * kSide> curve{};
+    for (std::uint32_t square = 0; square < curve.size(); ++square) {
+      std::uint32_t x = square % kSide;
+      std::uint32_t y = square / kSide;
+      std::uint32_t place = 0;
+      for (std::uint32_t half = kSide / 2; half > 0; half /= 2) {
+        const bool right = (x & half) != 0;
+        const bool upper = (y & half) != 0;
+        place += half * half * (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
+        // The curve enters each quarter turned its own way.
+        if (upper) continue;
+        if (right) {
+          x = kSide - 1 - x;
+          y = kSide - 1 - y;
+        }
+        std::swap(x, y);
+      }
+      curve[square] = static_cast<std::uint16_t>(place);
     }
-    return spread;
+    return curve;
   }();
   std::array<std::uint16_t, kSide * kSide + 1> place_;
-  std::array<std::uint8_t, SmallSegments::kMax> square_;
+  std::array<std::uint16_t, SmallSegments::kMax> square_;
 };
 
 }  // namespace minksum
