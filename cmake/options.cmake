@@ -7,4 +7,8 @@ function(minksum_own_options target)
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
     -Wold-style-cast -Wcast-qual -Woverloaded-virtual
     $<$<BOOL:${MINKSUM_STRICT}>:-Werror>)
+  # Comparisons joined without branches become vectors.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
+    target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
+  endif()
 endfunction()

@@ -46,7 +46,7 @@ class PlaceLister {
   template <bool kDoublesTell>
   void sort() {
     std::sort(scratch_.places.begin(), scratch_.places.end(),
-              [this](const PlaceOnLine& s, const PlaceOnLine& t) {
+              [&](const PlaceOnLine& s, const PlaceOnLine& t) {
                 if (s.rank != t.rank) return s.rank < t.rank;
                 if (s.line != t.line) return s.line < t.line;
                 if constexpr (!kDoublesTell) {

@@ -181,7 +181,7 @@ double mean_turning(const SmallOperand& s) {
     const Vec<double> in{s[SmallOperand::kInX][v], s[SmallOperand::kInY][v]};
     const Vec<double> out{s[SmallOperand::kOutX][v], s[SmallOperand::kOutY][v]};
     for (const Vec<double>& d : kDirections) {
-      meetings += (cross(in, d) > 0) & (cross(d, out) >= 0) ? 1 : 0;
+      meetings += (cross(in, d) > 0) && (cross(d, out) >= 0) ? 1 : 0;
     }
   }
   return meetings / 8.0;
