@@ -55,7 +55,7 @@ bool may_be_small(const Options& o) {
 const SmallOperand* small_of(const Given& given, SmallOperand& memory) {
   if (given.small != nullptr) return given.small;
   if (given.operand != nullptr) return nullptr;  // it was looked for when that was made
-  return read_small(given.region, memory) ? &memory : nullptr;
+  return read_small(given.region, SmallHoles::kNone, memory) ? &memory : nullptr;
 }
 
 bool run_small(const Given& p, const Given& q, const Options& options, SmallScratch& scratch,
@@ -138,7 +138,7 @@ class Sums final : public PartialSums {
     is_small_[i] = false;
     if (region.empty()) return true;
     stop_if_asked();
-    is_small_[i] = may_be_small(quiet_) && read_small(region, small_[i]);
+    is_small_[i] = may_be_small(quiet_) && read_small(region, SmallHoles::kNone, small_[i]);
     if (is_small_[i]) return true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
@@ -225,7 +225,7 @@ PreparedRegion::PreparedRegion(Region region) {
     prepare_operand(state->region, Options{}, 1, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
-    if (read_small(state->region, *small)) state->small = std::move(small);
+    if (read_small(state->region, SmallHoles::kSome, *small)) state->small = std::move(small);
   }
   state_ = std::move(state);
 }

@@ -147,7 +147,9 @@ class OuterWalk {
   }
   [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
     Next next;
+    std::uint32_t looks = 0;
     m_.for_each_at_end(at, [&](std::uint32_t t) {
+      ++looks;
       const Number c = turn(at, t);
       if (c == 0) {
         // What goes on straight is before all that turns to the left.
@@ -164,6 +166,7 @@ class OuterWalk {
         next = {{t, fraction(-start, c)}, c, 0};
       }
     });
+    looks_ += looks;
     return next;
   }
   /// Of two rays from a place: the one on the right, or what was listed first of the same.
@@ -188,6 +191,7 @@ class OuterWalk {
   /// none of them one of the outer boundary. Where a walk from what looks like such a corner ends,
   /// there is none.
   [[nodiscard]] bool no_holes(std::uint32_t taken) {
+    looks_ = 0;
     std::uint16_t walk = 1;
     bool none = true;
     for (std::uint32_t from = 0; from < s_.size && none && taken + 3 <= m_.right_count; ++from) {
@@ -206,7 +210,7 @@ class OuterWalk {
     ++taken;
     Place place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
-      if (++steps_ > 4 * s_.size) return false;  // the stages are faster then
+      if (++looks_ > 8 * s_.size) return false;  // the stages are faster then
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
@@ -227,7 +231,7 @@ class OuterWalk {
   const Meetings& m_;
   SmallTurns& turns_;
   SmallBoundary& boundary_;
-  std::uint32_t steps_ = 0;  ///< of walks that look for holes
+  mutable std::uint32_t looks_ = 0;  ///< at places and at ends, by walks that look for holes
 };
 
 }  // namespace minksum

@@ -193,10 +193,13 @@ bool is_simple_ring(const SmallOperand& s) {
       widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
 }
 
-/// Reads the holes; false if they are not clearly legal, or some two rings touch.
+/// Reads the holes; false if they are many or not clearly legal, or some two rings touch.
 bool read_holes(const Region& region, SmallOperand& s) {
-  std::vector<SmallOperand> holes(region.ring_count() - 1);
-  for (std::size_t k = 0; k < holes.size(); ++k) {
+  const std::size_t count = region.ring_count() - 1;
+  if (count > SmallOperand::kMaxHoles) return false;
+  std::vector<SmallOperand> holes(count);
+  std::vector<SmallBox> boxes;
+  for (std::size_t k = 0; k < count; ++k) {
     SmallOperand& hole = holes[k];
     hole.exp2 = s.exp2;
     hole.exp10 = s.exp10;
@@ -204,31 +207,31 @@ bool read_holes(const Region& region, SmallOperand& s) {
       return false;
     }
     set_edges(hole);
+    boxes.emplace_back(hole);
     const SmallNumbers numbers =
         small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
-    if (numbers != SmallNumbers::kDoubles || !lies_in_box(hole, s.extent) ||
-        !is_simple_ring<double>(hole)) {
+    if (numbers != SmallNumbers::kDoubles || !boxes[k].is_in(s.extent) ||
+        !is_simple_ring<double>(hole) || !holds(s, hole) || do_meet(hole, s)) {
       return false;
     }
-    s.holes.push_back(hole.extent);
-  }
-  for (std::size_t k = 0; k < holes.size(); ++k) {
-    if (!holds(s, holes[k]) || do_meet(holes[k], s)) return false;
-    for (std::size_t l = 0; l < holes.size(); ++l) {
-      if (l != k && (holds(holes[l], holes[k]) || (l < k && do_meet(holes[k], holes[l])))) {
+    for (std::size_t l = 0; l < k; ++l) {
+      if (boxes[k].meets(boxes[l]) &&
+          (do_meet(hole, holes[l]) || holds(hole, holes[l]) || holds(holes[l], hole))) {
         return false;
       }
     }
+    s.holes.push_back(hole.extent);
   }
   return true;
 }
 
 }  // namespace
 
-bool read_small(const Region& region, SmallOperand& s) {
-  if (region.polygon_count() != 1 || region.vertex_count() > SmallOperand::kMaxVertices ||
-      !RegionAccess::limbs(region).empty() || !find_grid(region, s) ||
-      !load(region, region.vertices_of(0), nullptr, s) || !drop_straight(s)) {
+bool read_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
+  if (region.polygon_count() != 1 || (may_have == SmallHoles::kNone && region.ring_count() > 1) ||
+      region.vertex_count() > SmallOperand::kMaxVertices || !RegionAccess::limbs(region).empty() ||
+      !find_grid(region, s) || !load(region, region.vertices_of(0), nullptr, s) ||
+      !drop_straight(s)) {
     return false;
   }
   s.holes.clear();

@@ -18,6 +18,7 @@ namespace minksum {
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
+  static constexpr std::size_t kMaxHoles = 32;
   /// Of any box.
   static constexpr double kWidest = 0x1p36;
 
@@ -81,9 +82,13 @@ enum class SmallNumbers : std::uint8_t { kDoubles, kIntegers, kNone };
                                                       : SmallNumbers::kNone;
 }
 
+/// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages:
+/// it is worth it for operands that are used again.
+enum class SmallHoles : std::uint8_t { kNone, kSome };
+
 /// Whether a region is such an operand, and legal; fills `small` if so. What is not clearly one is
 /// not: faults are left to `validate`. O(n²) for n vertices, with a small constant.
-bool read_small(const Region& region, SmallOperand& small);
+bool read_small(const Region& region, SmallHoles may_have, SmallOperand& small);
 
 /// The operand turned counter-clockwise by so many times 90 degrees, about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);

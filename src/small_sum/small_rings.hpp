@@ -105,14 +105,27 @@ template <class Number>
   return inside;
 }
 
-/// Whether a ring lies in a box at the origin.
-[[nodiscard]] inline bool lies_in_box(const SmallOperand& s, const Vec<double>& extent) {
-  const double* const x = s[SmallOperand::kX];
-  const double* const y = s[SmallOperand::kY];
-  for (std::uint32_t i = 0; i < s.size; ++i) {
-    if (x[i] < 0 || x[i] > extent.x || y[i] < 0 || y[i] > extent.y) return false;
+struct SmallBox {
+  Vec<double> low;
+  Vec<double> high;
+
+  explicit SmallBox(const SmallOperand& s)
+      : low{s[SmallOperand::kX][0], s[SmallOperand::kY][0]}, high(low) {
+    for (std::uint32_t i = 1; i < s.size; ++i) {
+      const double x = s[SmallOperand::kX][i];
+      const double y = s[SmallOperand::kY][i];
+      low = {std::min(low.x, x), std::min(low.y, y)};
+      high = {std::max(high.x, x), std::max(high.y, y)};
+    }
   }
-  return true;
-}
+  /// Whether it is in a box of this size at the origin.
+  [[nodiscard]] bool is_in(const Vec<double>& extent) const {
+    return low.x >= 0 && low.y >= 0 && high.x <= extent.x && high.y <= extent.y;
+  }
+  [[nodiscard]] bool meets(const SmallBox& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y;
+  }
+};
 
 }  // namespace minksum

@@ -23,8 +23,8 @@ class SmallScratch {
 };
 
 /// P ⊕ Q, in canonical form, with origins: the same region as by the stages. False if it takes
-/// them: if the sum may have a hole or an operand may fit into one of the other's, or there are more
-/// segments than are worth it, or too long coordinates; `result` is then as it was.
+/// them: if the sum may have a hole or an operand may fit into one of the other's, or there are
+/// more segments than are worth it, or too long coordinates; `result` is then as it was.
 ///
 /// The reduced convolution is listed; the walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. It is all of the sum's boundary if fewer than three

@@ -18,7 +18,7 @@ using test::rectangle;
 
 bool is_small(const Region& region) {
   SmallOperand small;
-  return read_small(region, small);
+  return read_small(region, SmallHoles::kSome, small);
 }
 
 TEST(SmallOperand, IsOneSimplePolygon) {
@@ -67,6 +67,20 @@ TEST(SmallOperand, HasHolesApart) {
   EXPECT_FALSE(is_small(make_polygon(l, {{{5, 5}, {6, 5}, {6, 6}}})));
 }
 
+TEST(SmallOperand, HasNoManyHoles) {
+  const auto plate = [](int holes) {
+    std::vector<test::Outline> all;
+    for (int k = 0; k < holes; ++k) {
+      all.push_back({{4 * k + 1, 1}, {4 * k + 2, 1}, {4 * k + 2, 2}});
+    }
+    return make_polygon({{0, 0}, {400, 0}, {400, 3}, {0, 3}}, all);
+  };
+  EXPECT_TRUE(is_small(plate(SmallOperand::kMaxHoles)));
+  EXPECT_FALSE(is_small(plate(SmallOperand::kMaxHoles + 1)));
+  SmallOperand small;
+  EXPECT_FALSE(read_small(plate(1), SmallHoles::kNone, small));
+}
+
 TEST(SmallOperand, HasShortIntegers) {
   Region quotients;
   quotients.begin_polygon();
@@ -87,7 +101,7 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
   // Clockwise, with a vertex in the middle of an edge.
   const Region region = make_polygon({{5, 7}, {5, 9}, {8, 9}, {8, 7}, {6, 7}});
   SmallOperand small;
-  ASSERT_TRUE(read_small(region, small));
+  ASSERT_TRUE(read_small(region, SmallHoles::kSome, small));
   ASSERT_EQ(small.size, 4U);
   EXPECT_TRUE(small.convex);
   EXPECT_EQ(small.first.x, 5);
@@ -105,12 +119,13 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
 TEST(SmallOperand, TurnsAsItsRegionDoes) {
   const Region region = make_polygon({{1, 2}, {9, 3}, {4, 4}, {5, 9}, {0, 7}});
   SmallOperand given;
-  ASSERT_TRUE(read_small(region, given));
+  ASSERT_TRUE(read_small(region, SmallHoles::kSome, given));
   for (int quarters = 0; quarters < 4; ++quarters) {
     SmallOperand turned;
     turn(given, quarters, turned);
     SmallOperand expected;
-    ASSERT_TRUE(read_small(transform(region, Affine::quarter_turns(quarters)), expected));
+    ASSERT_TRUE(read_small(transform(region, Affine::quarter_turns(quarters)), SmallHoles::kSome,
+                           expected));
     EXPECT_EQ(turned.size, expected.size);
     EXPECT_EQ(turned.smallest, expected.smallest);
     EXPECT_EQ(turned.offset.x, expected.offset.x);
@@ -132,8 +147,8 @@ bool sum(const Region& p, const Region& q, Region& result) {
   SmallOperand small_p;
   SmallOperand small_q;
   SmallScratch scratch;
-  EXPECT_TRUE(read_small(p, small_p));
-  EXPECT_TRUE(read_small(q, small_q));
+  EXPECT_TRUE(read_small(p, SmallHoles::kSome, small_p));
+  EXPECT_TRUE(read_small(q, SmallHoles::kSome, small_q));
   return sum_small(small_p, small_q, scratch, result);
 }
 
@@ -185,10 +200,11 @@ TEST(SmallSum, FillsHolesThatNothingFitsInto) {
   const Region turned = transform(p, Affine::quarter_turns(1));
   SmallOperand small;
   SmallOperand small_turned;
-  ASSERT_TRUE(read_small(p, small));
+  ASSERT_TRUE(read_small(p, SmallHoles::kSome, small));
   turn(small, 1, small_turned);
   SmallOperand bar;
-  ASSERT_TRUE(read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
+  ASSERT_TRUE(read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))),
+                         SmallHoles::kSome, bar));
   SmallScratch scratch;
   EXPECT_FALSE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
   EXPECT_TRUE(sum_small(small, bar, scratch, result));          // but not into 3 and 2
@@ -212,6 +228,12 @@ TEST(SmallSum, IsMadeOfManySegments) {
   options.statistics = &statistics;  // by the stages
   EXPECT_EQ(result, minkowski_sum(p, q, options));
   EXPECT_GT(statistics.convolution_segments, 300U);
+}
+
+TEST(SmallSum, IsLeftToTheStagesWhereMuchLiesOnFewLines) {
+  const Region comb = test::comb(12, 1, 15);
+  Region result;
+  EXPECT_FALSE(sum(comb, comb, result));
 }
 
 TEST(SmallSum, TakesUnlikeGrids) {
