@@ -30,7 +30,7 @@ template <class Number>
     const Number end = start + turn;
     const Number along = ax * ty - ay * tx;  // they meet at along / turn of the way
     const bool right = (start >= 0) & (end < 0) & (along < 0) & (along >= turn);
-    const bool at_end = (along == turn) & (start <= 0) & (end >= 0) & !((end == 0) & (start < 0));
+    const bool at_end = (along == turn) & (start <= 0) & (end >= 0);
     bits.right |= right ? kBitOf[t] : 0;
     bits.at_end |= at_end ? kBitOf[t] : 0;
   }

@@ -210,7 +210,7 @@ class OuterWalk {
     ++taken;
     Place place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
-      if (++looks_ > 8 * s_.size) return false;  // the stages are faster then
+      if (++looks_ > 6 * s_.size + 400) return false;  // the stages are faster then
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
