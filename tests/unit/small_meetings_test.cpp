@@ -51,16 +51,15 @@ Meetings defined(const SmallSegments& s) {
       const double start = side(s.x[t], s.y[t]);
       const double end = side(s.x[t] + s.dx[t], s.y[t] + s.dy[t]);
       if (start == end) continue;
-      // Where t meets the line: by thousands of the way, exact enough to compare numbers this
-      // small.
-      const double part = start / (start - end);
-      const double x = s.x[t] + part * s.dx[t] - s.x[i];
-      const double y = s.y[t] + part * s.dy[t] - s.y[i];
-      const double way = (x * s.dx[i] + y * s.dy[i]) / (s.dx[i] * s.dx[i] + s.dy[i] * s.dy[i]);
-      const bool at_end = std::abs(way - 1) < 1e-9;
-      const bool behind_start = way > 1e-9 && (way < 1 || at_end);
-      if (start >= 0 && end < 0 && behind_start) result.right.emplace(i, t);
-      if (start <= 0 && end > 0 && at_end) result.at_end.emplace(i, t);
+      // Where t meets the line, at `way` parts of the length of i; both times the same number,
+      // which is positive: all are small integers.
+      const double sign = start > end ? 1 : -1;
+      const double whole = sign * (start - end) * (s.dx[i] * s.dx[i] + s.dy[i] * s.dy[i]);
+      const double x = (s.x[t] - s.x[i]) * (start - end) + start * s.dx[t];
+      const double y = (s.y[t] - s.y[i]) * (start - end) + start * s.dy[t];
+      const double way = sign * (x * s.dx[i] + y * s.dy[i]);
+      if (start >= 0 && end < 0 && way > 0 && way <= whole) result.right.emplace(i, t);
+      if (start <= 0 && end > 0 && way == whole) result.at_end.emplace(i, t);
     }
   }
   return result;
