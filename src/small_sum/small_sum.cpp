@@ -202,8 +202,8 @@ SmallScratch::State& SmallScratch::state() {
 }
 
 bool allow_small(const Limits& limits) {
-  constexpr std::uint64_t kMost = SmallSegments::kMax * SmallSegments::kMax;
-  return limits.max_segments >= kMost && limits.max_crossings >= kMost;
+  constexpr std::uint64_t kMost = SmallSegments::kMax;
+  return limits.max_segments >= kMost && limits.max_crossings >= kMost * kMost;
 }
 
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,
