@@ -41,6 +41,7 @@ class SmallMeetingLists {
     return size_ + 4 * kLanes * kLanes <= kMax && size_ <= 6 * segments + 64;
   }
 
+  /// Of all: those at ends have numbers, too.
   template <class Visit>
   void for_each_number(std::uint32_t /*segments*/, Visit visit) const {
     for (std::size_t k = 0; k < size_; ++k) visit(k);

@@ -14,12 +14,13 @@
 
 namespace minksum {
 
-/// What a number is compared with 0 by.
-enum class Sign { kBelow, kAtMost, kZero, kAtLeast };
-
 /// Eight doubles. What is fused is exact, as all else is.
 struct DoubleLanes {
   using Lanes = __m512d;
+  static constexpr int kBelow = _CMP_LT_OQ;
+  static constexpr int kAtMost = _CMP_LE_OQ;
+  static constexpr int kZero = _CMP_EQ_OQ;
+  static constexpr int kAtLeast = _CMP_GE_OQ;
   MINKSUM_AVX512 static Lanes load(const double* from) { return _mm512_load_pd(from); }
   MINKSUM_AVX512 static Lanes all(double value) { return _mm512_set1_pd(value); }
   MINKSUM_AVX512 static Lanes add(Lanes a, Lanes b) { return _mm512_add_pd(a, b); }
@@ -27,12 +28,9 @@ struct DoubleLanes {
   MINKSUM_AVX512 static Lanes cross(Lanes ax, Lanes ay, Lanes bx, Lanes by) {
     return _mm512_fmsub_pd(ax, by, _mm512_mul_pd(ay, bx));
   }
-  template <Sign kSign>
+  /// Of some lanes, those that compare so with 0.
+  template <int kPredicate>
   MINKSUM_AVX512 static __mmask8 where(__mmask8 among, Lanes a) {
-    constexpr int kPredicate = kSign == Sign::kBelow    ? _CMP_LT_OQ
-                               : kSign == Sign::kAtMost ? _CMP_LE_OQ
-                               : kSign == Sign::kZero   ? _CMP_EQ_OQ
-                                                        : _CMP_GE_OQ;
     return _mm512_mask_cmp_pd_mask(among, a, _mm512_setzero_pd(), kPredicate);
   }
 };
@@ -40,6 +38,10 @@ struct DoubleLanes {
 /// Eight integers of 64 bits.
 struct IntegerLanes {
   using Lanes = __m512i;
+  static constexpr int kBelow = _MM_CMPINT_LT;
+  static constexpr int kAtMost = _MM_CMPINT_LE;
+  static constexpr int kZero = _MM_CMPINT_EQ;
+  static constexpr int kAtLeast = _MM_CMPINT_NLT;
   MINKSUM_AVX512 static Lanes load(const double* from) {
     return _mm512_cvtpd_epi64(_mm512_load_pd(from));
   }
@@ -51,12 +53,9 @@ struct IntegerLanes {
   MINKSUM_AVX512 static Lanes cross(Lanes ax, Lanes ay, Lanes bx, Lanes by) {
     return _mm512_sub_epi64(_mm512_mullo_epi64(ax, by), _mm512_mullo_epi64(ay, bx));
   }
-  template <Sign kSign>
+  /// Of some lanes, those that compare so with 0.
+  template <int kPredicate>
   MINKSUM_AVX512 static __mmask8 where(__mmask8 among, Lanes a) {
-    constexpr int kPredicate = kSign == Sign::kBelow    ? _MM_CMPINT_LT
-                               : kSign == Sign::kAtMost ? _MM_CMPINT_LE
-                               : kSign == Sign::kZero   ? _MM_CMPINT_EQ
-                                                        : _MM_CMPINT_NLT;
     return _mm512_mask_cmp_epi64_mask(among, a, _mm512_setzero_si512(), kPredicate);
   }
 };
@@ -88,14 +87,14 @@ MINKSUM_AVX512 bool find_meetings_by_avx512(const SmallSegments& s, SmallMeeting
       const Lanes along = L::cross(ax, ay, tx, ty);
       const Lanes left = L::subtract(turn, along);
       const __m512i bit = _mm512_set1_epi64(static_cast<long long>(kBitOf[t]));
-      __mmask8 lanes = L::template where<Sign::kAtLeast>(0xff, start);
-      lanes = L::template where<Sign::kBelow>(lanes, end);
-      lanes = L::template where<Sign::kBelow>(lanes, along);
-      lanes = L::template where<Sign::kAtMost>(lanes, left);
+      __mmask8 lanes = L::template where<L::kAtLeast>(0xff, start);
+      lanes = L::template where<L::kBelow>(lanes, end);
+      lanes = L::template where<L::kBelow>(lanes, along);
+      lanes = L::template where<L::kAtMost>(lanes, left);
       right = _mm512_mask_or_epi64(right, lanes, right, bit);
-      lanes = L::template where<Sign::kZero>(0xff, left);
-      lanes = L::template where<Sign::kAtMost>(lanes, start);
-      lanes = L::template where<Sign::kAtLeast>(lanes, end);
+      lanes = L::template where<L::kZero>(0xff, left);
+      lanes = L::template where<L::kAtMost>(lanes, start);
+      lanes = L::template where<L::kAtLeast>(lanes, end);
       at_end = _mm512_mask_or_epi64(at_end, lanes, at_end, bit);
     }
     alignas(64) std::array<LaneBits, kLanes> right_of;

@@ -124,7 +124,7 @@ class OuterWalk {
 
   /// The first ray counter-clockwise from where the walk came: to the right at the first place that
   /// offers it, else at the end, as far to the right as may be.
-  [[nodiscard, gnu::always_inline]] Next next_after(const Place& place) const {
+  [[nodiscard, gnu::always_inline]] Next next_after(const Place& place) {
     const std::uint32_t at = place.segment;
     Next next;
     SmallFraction best{0, 0};
@@ -145,7 +145,7 @@ class OuterWalk {
     next.place.passed = fraction(start_of(next.place.segment, at), -next.turn);
     return next;
   }
-  [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) const {
+  [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) {
     Next next;
     std::uint32_t looks = 0;
     m_.for_each_at_end(at, [&](std::uint32_t t) {
@@ -231,7 +231,7 @@ class OuterWalk {
   const Meetings& m_;
   SmallTurns& turns_;
   SmallBoundary& boundary_;
-  mutable std::uint32_t looks_ = 0;  ///< at places and at ends, by walks that look for holes
+  std::uint32_t looks_ = 0;  ///< at places and at ends, by walks that look for holes
 };
 
 }  // namespace minksum

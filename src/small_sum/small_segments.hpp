@@ -11,8 +11,9 @@ namespace minksum {
 
 /// All numbers are integers. `Number`, below, holds all cross products of their differences.
 struct SmallSegments {
-  using Blocks = SmallBlocks<192>;
-  static constexpr std::size_t kMax = 8 * 192;
+  static constexpr std::size_t kMaxBlocks = 192;
+  static constexpr std::size_t kMax = kLanes * kMaxBlocks;
+  using Blocks = SmallBlocks<kMaxBlocks>;
   /// Entries of the same index lie in different places of a page: so a store to one row does not
   /// hold up loads from another one.
   using Row = std::array<double, kMax + 128>;
