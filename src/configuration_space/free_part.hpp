@@ -6,12 +6,9 @@
 
 #include "minksum/locate.hpp"
 #include "minksum/measure.hpp"
+#include "region/point_arithmetic.hpp"
 
 namespace minksum {
-
-inline Rational cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-inline Rational dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-inline Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
 
 /// A box of doubles that surely contains points with these coordinates rounded.
 struct LooseBox {

@@ -9,6 +9,7 @@
 #include "minksum/locate.hpp"
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
+#include "region/point_arithmetic.hpp"
 
 namespace minksum {
 namespace {
@@ -72,10 +73,6 @@ std::vector<Edge> edges_of(const Obstacle& obstacle) {
   for (const Point& point : obstacle.tight.points) edges.push_back({point, point, true});
   return edges;
 }
-
-Rational dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-Rational cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
 
 /// The point of an edge that is nearest to the origin.
 Point nearest_point(const Edge& edge) {

@@ -8,13 +8,11 @@
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
-#include "region/point_order.hpp"
+#include "region/point_arithmetic.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
 namespace {
-
-Point sum(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
 
 /// A resolved geometry stays resolved: all orders are the same after a move.
 Geometry moved(const Geometry& geometry, const Point& by) {
@@ -25,16 +23,16 @@ Geometry moved(const Geometry& geometry, const Point& by) {
     for (const std::size_t ring : region.rings_of(polygon)) {
       result.region.begin_ring();
       for (const std::size_t v : region.vertices_of(ring)) {
-        const Point at = sum(region.point(v), by);
+        const Point at = plus(region.point(v), by);
         result.region.add_vertex(at.x, at.y);
       }
     }
   }
   for (const Polyline& polyline : geometry.polylines) {
     Polyline& path = result.polylines.emplace_back();
-    for (const Point& at : polyline) path.push_back(sum(at, by));
+    for (const Point& at : polyline) path.push_back(plus(at, by));
   }
-  for (const Point& at : geometry.points) result.points.push_back(sum(at, by));
+  for (const Point& at : geometry.points) result.points.push_back(plus(at, by));
   return result;
 }
 
@@ -46,10 +44,10 @@ void append_walks(const Polyline& given, std::vector<Polyline>& walks) {
     if (walk.size() > 1) {
       const Point& from = walk[walk.size() - 2];
       const Point at = walk.back();
-      const Point in{at.x - from.x, at.y - from.y};
-      const Point out{to.x - at.x, to.y - at.y};
-      if (in.x * out.y == in.y * out.x) {
-        if ((in.x * out.x + in.y * out.y).sign() > 0) {
+      const Point in = minus(at, from);
+      const Point out = minus(to, at);
+      if (cross(in, out).sign() == 0) {
+        if (dot(in, out).sign() > 0) {
           walk.pop_back();
         } else {
           walks.push_back(std::exchange(walk, {at}));

@@ -6,16 +6,9 @@
 
 #include "minksum/offset.hpp"
 #include "offset/decimal_grid.hpp"
+#include "region/point_arithmetic.hpp"
 
 namespace minksum {
-
-// Points as vectors.
-[[nodiscard]] inline Rational cross(const Point& a, const Point& b) {
-  return a.x * b.y - a.y * b.x;
-}
-[[nodiscard]] inline Rational dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y; }
-[[nodiscard]] inline Point plus(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
-[[nodiscard]] inline Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
 
 /// A directed edge; its outer side is on its right.
 struct OffsetEdge {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "minksum/error.hpp"
-#include "region/point_order.hpp"
+#include "region/point_arithmetic.hpp"
 
 namespace minksum {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "region/point_arithmetic.hpp"
 #include "signed_convolution/arrangement.hpp"
 #include "signed_convolution/broken.hpp"
 #include "signed_convolution/operands.hpp"
@@ -106,9 +107,8 @@ void compute_or_clear(const GivenOperand& p, const GivenOperand& q, const Option
 }
 
 bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return (b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x);
+  return cross(minus(b, a), minus(d, c)).sign() == 0;
 }
-Point sum(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
 
 /// The sums of parallel edges.
 void add_parallel_sums(const Polyline& p, const Polyline& q, std::vector<Polyline>& sums) {
@@ -120,7 +120,7 @@ void add_parallel_sums(const Polyline& p, const Polyline& q, std::vector<Polylin
       const Point& d = q[j];
       if (!are_parallel(a, b, c, d)) continue;
       const bool same_way = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) > Rational(0);
-      sums.push_back({sum(a, same_way ? c : d), sum(b, same_way ? d : c)});
+      sums.push_back({plus(a, same_way ? c : d), plus(b, same_way ? d : c)});
     }
   }
 }

@@ -1,7 +1,7 @@
 // Slits and nodes to polylines and points with exact coordinates, in canonical order.
 #include <algorithm>
 
-#include "region/point_order.hpp"
+#include "region/point_arithmetic.hpp"
 #include "region/rational_access.hpp"
 #include "tight/tight.hpp"
 
