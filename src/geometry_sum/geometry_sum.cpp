@@ -179,8 +179,8 @@ void uncover(const Geometry& sum, Geometry& tight) {
   if (!tight.has_thin_parts()) return;
   const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
   Geometry left = unite(both);
-  tight.polylines = std::move(left.polylines);
-  tight.points = std::move(left.points);
+  // Where paths were apart because the sum's thin part met them, they go on now.
+  tight = resolve({{}, std::move(left.polylines), std::move(left.points)});
 }
 
 }  // namespace

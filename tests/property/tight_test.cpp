@@ -8,9 +8,11 @@
 
 #include "property/sums.hpp"
 #include "reference/brute_force.hpp"
+#include "reference/brute_force_overlay.hpp"
 #include "reference/convex_pieces.hpp"
 #include "reference/tight_places.hpp"
 #include "reference/validity.hpp"
+#include "support/geometries.hpp"
 #include "support/polygon_kinds.hpp"
 
 namespace {
@@ -210,6 +212,53 @@ TEST(RandomTightPairs, AgreeWithBruteForce) {
     if (::testing::Test::HasFailure()) ++failures;
   }
   std::cout << done << " pairs from seed " << first << "; with tight points: " << tally.with_points
+            << ", lines: " << tally.with_lines << ", both: " << tally.with_both << '\n';
+}
+
+Geometry with_walls(const Region& region, Random& random) {
+  Geometry result{region, {}, {}};
+  for (int walls = random.between(0, 2); walls > 0; --walls) {
+    Polyline& wall = result.polylines.emplace_back();
+    for (int i = random.between(2, 3); i > 0; --i) {
+      wall.push_back({random.between(-2, 8), random.between(-2, 8)});
+    }
+  }
+  if (random.one_in(4)) result.points.push_back({random.between(-2, 8), random.between(-2, 8)});
+  return reference::brute_force_resolve(result, FillRule::kAutomatic);
+}
+
+/// The tight places of both areas, less what sums with thin parts cover; resolved.
+Geometry uncovered_tight_places(const Geometry& p, const Geometry& q) {
+  const Geometry thin_p{{}, p.polylines, p.points};
+  const Geometry thin_q{{}, q.polylines, q.points};
+  const std::vector<Geometry> sums{reference::brute_force_sum(thin_p, q),
+                                   reference::brute_force_sum(p, thin_q)};
+  const Region cover = reference::brute_force_unite(sums).region;
+  const std::vector<Geometry> both{{cover, {}, {}},
+                                   reference::brute_force_tight_places(p.region, q.region)};
+  const Geometry left = reference::brute_force_unite(both);
+  return reference::brute_force_resolve({{}, left.polylines, left.points}, FillRule::kAutomatic);
+}
+
+TEST(TightPairsWithWalls, AgreeWithBruteForce) {
+  Tally tally;
+  const int count = count_from_environment(kDefaultPairs) / 20;
+  const std::uint64_t first = seed_from_environment(1);
+  for (int i = 0; i < count && !HasFailure(); ++i) {
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    Random random(seed * 104729);
+    const Pair pair = tight_pair(random);
+    const Geometry p = with_walls(pair.p, random);
+    const Geometry q = with_walls(pair.q, random);
+    Geometry tight;
+    Options options;
+    options.tight = &tight;
+    static_cast<void>(minkowski_sum(p, q, options));
+    EXPECT_EQ(to_text(tight), to_text(uncovered_tight_places(p, q)))
+        << "seed " << seed << '\n' << to_text(p) << '\n' << to_text(q);
+    tally.count(tight);
+  }
+  std::cout << count << " pairs with walls; with tight points: " << tally.with_points
             << ", lines: " << tally.with_lines << ", both: " << tally.with_both << '\n';
 }
 
