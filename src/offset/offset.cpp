@@ -103,6 +103,7 @@ class Offset {
     for (const Point& point : line) {
       if (path.empty() || !(path.back() == point)) path.push_back(point);
     }
+    if (path.empty()) return;
     if (path.size() == 1) return add_point(path[0], outlines);
     std::vector<Point> back(path.rbegin(), path.rend());
     // One there and one back, if it is closed; else one there and back.
