@@ -24,9 +24,8 @@ void stop_if_asked(const CheckOptions& options) {
   }
 }
 
-/// The set of points at most `reach` > 0 away from `geometry` in x and in y.
-Geometry grown(const Geometry& geometry, const Rational& reach, const CheckOptions& options) {
-  if (geometry.empty()) return geometry;
+/// The square of the points at most `reach` > 0 away from the origin in x and in y.
+Geometry square_around_origin(const Rational& reach) {
   Geometry square;
   square.region.begin_polygon();
   square.region.begin_ring();
@@ -34,9 +33,16 @@ Geometry grown(const Geometry& geometry, const Rational& reach, const CheckOptio
   for (const auto& [x, y] : {std::pair{less, less}, {reach, less}, {reach, reach}, {less, reach}}) {
     square.region.add_vertex(x, y);
   }
-  Options sum;
-  sum.cancel = options.cancel;
-  return minkowski_sum(geometry, square, sum);
+  return square;
+}
+
+/// The set of points at most `options.within` away from `geometry` in x and in y. By the second
+/// method: the one that is checked must not tell what it may be off.
+Geometry grown(const Geometry& geometry, const CheckOptions& options) {
+  Options second;
+  second.method = Method::kSigned;
+  second.cancel = options.cancel;
+  return minkowski_sum(geometry, square_around_origin(options.within), second);
 }
 
 /// Asks for points whether result and sum agree.
@@ -46,8 +52,8 @@ class Witness {
           SumCheck& check)
       : result_(result), sum_(p, q), options_(options), check_(check) {
     if (options.within.sign() == 0) return;
-    wide_result_.emplace(grown(result, options.within, options));
-    wide_sum_.emplace(p, grown(q, options.within, options));
+    near_result_.emplace(result, square_around_origin(options.within));
+    near_sum_.emplace(p, grown(q, options));
   }
 
   void ask(const Point& x) {
@@ -55,7 +61,7 @@ class Witness {
     const Corner corner(x);
     const bool in_result = contains(result_, corner);
     if (in_result == sum_.in_sum(x)) return;
-    if (wide_sum_ && (in_result ? wide_sum_->in_sum(x) : contains(*wide_result_, corner))) return;
+    if (near_sum_ && (in_result ? near_sum_ : near_result_)->in_sum(x)) return;
     ++check_.disagreements;
     if (check_.examples.size() < kExamples) check_.examples.push_back({x, in_result});
   }
@@ -63,8 +69,8 @@ class Witness {
  private:
   EdgeTree result_;
   Placement sum_;
-  std::optional<EdgeTree> wide_result_;  ///< if the result may be off
-  std::optional<Placement> wide_sum_;    ///< likewise
+  std::optional<Placement> near_result_;  ///< if the result may be off: whether x is near it
+  std::optional<Placement> near_sum_;     ///< likewise
   const CheckOptions& options_;
   SumCheck& check_;
 };
@@ -275,8 +281,8 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
     return;
   }
   // Thin parts grow to areas as well, so that areas decide for them too.
-  const Geometry wide_sum = grown(sum, options.within, options);
-  const Geometry wide_result = grown(result, options.within, options);
+  const Geometry wide_sum = grown(sum, options);
+  const Geometry wide_result = grown(result, options);
   const Geometry both_sums[] = {wide_sum, result};
   const Geometry both_results[] = {wide_result, sum};
   const bool near = unite(both_sums) == wide_sum && unite(both_results) == wide_result;
