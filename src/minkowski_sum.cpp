@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <new>
+#include <type_traits>
 
 #include "fixed_sum.hpp"
 #include "geometry_sum/geometry_sum.hpp"
@@ -42,6 +43,35 @@ void require_method_for_tight(const Options& options) {
   if (options.tight != nullptr && options.method != Method::kReduced) {
     throw Error(ErrorCode::kBadInput, "tight places are found by Method::kReduced only");
   }
+}
+
+/// Where the tight places go, as an object of the result's type.
+Region* tight_of(const Options& options, const Region&) {
+  return options.tight == nullptr ? nullptr : &options.tight->region;
+}
+Geometry* tight_of(const Options& options, const Geometry&) { return options.tight; }
+
+/// An operand that stays as it is while results are written: it is copied first if it is one.
+template <class Set>
+class Kept {
+ public:
+  Kept(const Set& operand, const Options& options, const std::type_identity_t<Set>* result)
+      : operand_(&operand) {
+    if (&operand != result && &operand != tight_of(options, operand)) return;
+    copy_ = operand;
+    operand_ = &*copy_;
+  }
+  [[nodiscard]] const Set& operator*() const { return *operand_; }
+
+ private:
+  std::optional<Set> copy_;
+  const Set* operand_;
+};
+
+template <class Set>
+void require_two_results(const Options& options, const Set& result) {
+  if (&result != tight_of(options, result)) return;
+  throw Error(ErrorCode::kBadInput, "the sum and its tight places cannot be one object");
 }
 
 /// Whether nothing is asked for that the stages alone give.
@@ -116,8 +146,11 @@ Outcome without_exceptions(Work work, Clear clear) {
 }
 Outcome run_without_exceptions(const Given& p, const Given& q, const Options& options,
                                Workspace& workspace, Region& result) {
-  return without_exceptions([&] { run(p, q, options, workspace.state(), result); },
-                            [&] { result.clear(); });
+  const auto work = [&] {
+    require_two_results(options, result);
+    run(p, q, options, workspace.state(), result);
+  };
+  return without_exceptions(work, [&] { result.clear(); });
 }
 
 /// The sums that a sum of geometries is made of.
@@ -205,8 +238,10 @@ class Sums final : public PartialSums {
 void run(const Geometry& p, const Geometry& q, const Options& options, Workspace::State& state,
          Geometry& result) {
   require_method_for_tight(options);
+  const Kept first(p, options, &result);
+  const Kept second(q, options, &result);
   Sums sums(options, state);
-  sum_geometries(p, q, options, sums, result);
+  sum_geometries(*first, *second, options, sums, result);
   sums.count_time();
 }
 
@@ -233,14 +268,18 @@ PreparedRegion::PreparedRegion(Region region) {
 const Region& PreparedRegion::region() const { return state_->region; }
 
 Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
-  return run(Given{p}, Given{q}, options);
+  const Kept first(p, options, nullptr);
+  const Kept second(q, options, nullptr);
+  return run(Given{*first}, Given{*second}, options);
 }
 Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
   return run(given(p), given(q), options);
 }
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  return run_without_exceptions(Given{p}, Given{q}, options, workspace, result);
+  const Kept first(p, options, &result);
+  const Kept second(q, options, &result);
+  return run_without_exceptions(Given{*first}, Given{*second}, options, workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
@@ -290,8 +329,11 @@ Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& opti
 }
 Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
                       Workspace& workspace, Geometry& result) {
-  return without_exceptions([&] { run(p, q, options, workspace.state(), result); },
-                            [&] { result = {}; });
+  const auto work = [&] {
+    require_two_results(options, result);
+    run(p, q, options, workspace.state(), result);
+  };
+  return without_exceptions(work, [&] { result = {}; });
 }
 
 }  // namespace minksum

@@ -1,0 +1,104 @@
+// A result may be one of its operands: each way to be told, each method.
+#include <gtest/gtest.h>
+
+#include "minksum/minkowski_sum.hpp"
+#include "support/shapes.hpp"
+
+namespace minksum {
+namespace {
+
+using test::make_polygon;
+using test::rectangle;
+
+Region frame() {
+  return make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 3}, {3, 6}, {6, 6}, {6, 3}}});
+}
+Region wedge() { return make_polygon({{0, 0}, {2, 0}, {1, 3}}); }
+Geometry with_a_wall(Region region) { return {std::move(region), {{{20, 0}, {24, 3}}}, {{30, 1}}}; }
+
+/// Sums into each operand, and into both, are `expected`.
+template <class Set>
+void expect_aliasing_is_allowed(const Set& p, const Set& q, const Options& options) {
+  Workspace workspace;
+  Set expected;
+  ASSERT_TRUE(minkowski_sum(p, q, options, workspace, expected).ok());
+  ASSERT_FALSE(expected.empty());
+  Set first = p;
+  EXPECT_TRUE(minkowski_sum(first, q, options, workspace, first).ok());
+  EXPECT_EQ(first, expected);
+  Set second = q;
+  EXPECT_TRUE(minkowski_sum(p, second, options, workspace, second).ok());
+  EXPECT_EQ(second, expected);
+  ASSERT_TRUE(minkowski_sum(p, p, options, workspace, expected).ok());
+  Set both = p;
+  EXPECT_TRUE(minkowski_sum(both, both, options, workspace, both).ok());
+  EXPECT_EQ(both, expected);
+}
+
+TEST(Aliasing, AResultMayBeAnOperand) {
+  for (const Method method : {Method::kReduced, Method::kSigned, Method::kFull}) {
+    SCOPED_TRACE(static_cast<int>(method));
+    Options options;
+    options.method = method;
+    expect_aliasing_is_allowed(frame(), wedge(), options);
+    expect_aliasing_is_allowed<Geometry>({frame(), {}, {}}, {wedge(), {}, {}}, options);
+    if (method == Method::kFull) continue;  // it takes no polylines
+    expect_aliasing_is_allowed(with_a_wall(frame()), with_a_wall(wedge()), options);
+  }
+}
+
+TEST(Aliasing, AResultMayBeAnOperandOfTheStages) {
+  Options options;
+  options.check = true;  // which small operands do not go by
+  expect_aliasing_is_allowed(frame(), wedge(), options);
+  expect_aliasing_is_allowed(with_a_wall(frame()), with_a_wall(wedge()), options);
+}
+
+// A peg of the hole's own size: the tight place is a point.
+TEST(Aliasing, TightPlacesMayGoToAnOperand) {
+  const Geometry plate = with_a_wall(frame());
+  const Geometry peg{rectangle(-3, -3, 0, 0), {}, {}};
+  Options options;
+  Geometry expected_tight;
+  options.tight = &expected_tight;
+  const Geometry expected = minkowski_sum(plate, peg, options);
+  ASSERT_EQ(expected_tight.points, (std::vector<Point>{{3, 3}}));
+  Geometry first = plate;
+  options.tight = &first;
+  EXPECT_EQ(minkowski_sum(first, peg, options), expected);
+  EXPECT_EQ(first, expected_tight);
+  Geometry second = peg;
+  options.tight = &second;
+  EXPECT_EQ(minkowski_sum(plate, second, options), expected);
+  EXPECT_EQ(second, expected_tight);
+  // Of regions, it is the operand's own geometry.
+  Geometry owner{frame(), {}, {}};
+  options.tight = &owner;
+  EXPECT_EQ(minkowski_sum(owner.region, peg.region, options),
+            minkowski_sum(frame(), peg.region));
+  EXPECT_EQ(owner, expected_tight);
+}
+
+TEST(Aliasing, TwoResultsCannotBeOneObject) {
+  Geometry both;
+  Options options;
+  options.tight = &both;
+  Workspace workspace;
+  const Geometry p{frame(), {}, {}};
+  Outcome outcome = minkowski_sum(p, p, options, workspace, both);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
+  outcome = minkowski_sum(p.region, p.region, options, workspace, both.region);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
+}
+
+TEST(Aliasing, AFailureEmptiesTheOperandThatIsTheResult) {
+  Region bow_tie = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  Workspace workspace;
+  EXPECT_FALSE(minkowski_sum(bow_tie, wedge(), {}, workspace, bow_tie).ok());
+  EXPECT_TRUE(bow_tie.empty());
+}
+
+}  // namespace
+}  // namespace minksum

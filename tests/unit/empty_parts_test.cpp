@@ -1,0 +1,132 @@
+// Every operation takes polylines without vertices and of one vertex: nothing, and a point.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "minksum/boolean.hpp"
+#include "minksum/check.hpp"
+#include "minksum/configuration_space.hpp"
+#include "minksum/depth.hpp"
+#include "minksum/io.hpp"
+#include "minksum/locate.hpp"
+#include "minksum/morphology.hpp"
+#include "minksum/nesting.hpp"
+#include "minksum/offset.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/round.hpp"
+#include "minksum/transform.hpp"
+#include "support/shapes.hpp"
+
+namespace minksum {
+namespace {
+
+using test::rectangle;
+
+/// The same set: with such parts, and as resolved.
+struct Pair {
+  Geometry given;
+  Geometry plain;
+};
+std::vector<Pair> pairs() {
+  const Region square = rectangle(0, 0, 4, 3);
+  const Polyline wall{{6, 0}, {9, 2}};
+  return {
+      {{{}, {{}}, {}}, {}},
+      {{{}, {{{2, 7}}}, {}}, {{}, {}, {{2, 7}}}},
+      {{{}, {{{2, 7}, {2, 7}}}, {}}, {{}, {}, {{2, 7}}}},
+      {{square, {{}, {{1, 1}}, {{9, 9}}}, {}}, {square, {}, {{9, 9}}}},
+      {{square, {{}, wall}, {{7, 7}}}, {square, {wall}, {{7, 7}}}},
+  };
+}
+
+template <class Operation>
+void expect_equal(const char* name, Operation operation) {
+  for (const Pair& pair : pairs()) {
+    const auto run = [&](const Geometry& geometry) -> std::string {
+      try {
+        return operation(geometry);
+      } catch (const Error& error) {
+        return error.what();
+      }
+    };
+    EXPECT_EQ(run(pair.given), run(pair.plain)) << name;
+  }
+}
+std::string text(const Geometry& geometry) { return io::to_wkt(geometry); }
+
+TEST(EmptyParts, EveryOperationTakesThem) {
+  const Geometry other{rectangle(0, 0, 2, 1), {{{0, 0}, {0, 5}}}, {}};
+  const Geometry area{rectangle(0, 0, 2, 1), {}, {}};
+  const Geometry hall{rectangle(-20, -20, 20, 20), {}, {}};
+  expect_equal("resolve", [](const Geometry& g) { return text(resolve(g)); });
+  for (const Method method : {Method::kReduced, Method::kSigned}) {
+    Options options;
+    options.method = method;
+    expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(g, other, options)); });
+    expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(area, g, options)); });
+    expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(g, g, options)); });
+  }
+  for (const FillRule fill : {FillRule::kNonZero, FillRule::kStrict}) {
+    Options options;
+    options.fill = fill;
+    expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(g, other, options)); });
+  }
+  expect_equal("tight", [&](const Geometry& g) {
+    Geometry tight;
+    Options options;
+    options.tight = &tight;
+    const std::string sum = text(minkowski_sum(g, area, options));
+    return sum + text(tight);
+  });
+  expect_equal("dilate", [&](const Geometry& g) { return text(dilate(g, area)); });
+  expect_equal("erode", [&](const Geometry& g) { return text(erode(hall, g)); });
+  expect_equal("erode", [&](const Geometry& g) { return text(erode(g, area)); });
+  expect_equal("open", [&](const Geometry& g) { return text(open(hall, g)); });
+  expect_equal("close", [&](const Geometry& g) { return text(close(g, area)); });
+  expect_equal("no_fit", [&](const Geometry& g) { return text(no_fit_polygon(area, g)); });
+  expect_equal("inner_fit", [&](const Geometry& g) { return text(inner_fit_polygon(g, area)); });
+  expect_equal("depth", [&](const Geometry& g) {
+    const auto found = penetration_depth(area, g);
+    return found ? found->squared.to_string() : "none";
+  });
+  expect_equal("impact", [&](const Geometry& g) {
+    const auto found = time_of_impact(g, area, {1, 0});
+    return found ? found->to_string() : "none";
+  });
+  for (const Join join : {Join::kRound, Join::kMiter, Join::kBevel, Join::kSquare}) {
+    for (const Cap cap : {Cap::kRound, Cap::kButt, Cap::kSquare}) {
+      for (const int distance : {-1, 0, 1}) {
+        OffsetOptions options;
+        options.join = join;
+        options.cap = cap;
+        options.tolerance = Rational(1, 10);
+        expect_equal("offset", [&](const Geometry& g) {
+          return text(offset(g, Rational(distance), options));
+        });
+      }
+    }
+  }
+  expect_equal("cspace", [&](const Geometry& g) {
+    return text(ConfigurationSpace(area, g).slice(nearest_turn(30), true).obstacles);
+  });
+  expect_equal("check", [&](const Geometry& g) {
+    return std::to_string(check_sum(minkowski_sum(g, area), g, area).ok());
+  });
+  expect_equal("unite", [&](const Geometry& g) {
+    const Geometry both[] = {resolve(g), other};
+    return text(unite(both));
+  });
+  expect_equal("round", [&](const Geometry& g) { return text(round(resolve(g))); });
+  expect_equal("transform", [&](const Geometry& g) {
+    return text(resolve(transform(g, Affine::quarter_turns(1))));
+  });
+  expect_equal("locate", [&](const Geometry& g) {
+    return std::to_string(static_cast<int>(PointLocator(g).locate({2, 7})));
+  });
+}
+
+}  // namespace
+}  // namespace minksum
