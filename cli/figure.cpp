@@ -297,7 +297,11 @@ void mark_faults(SvgPicture& picture, const Figure& figure, const Placement& pla
   std::vector<FaultLabel> labels;
   for (const Layer& layer : figure.layers) {
     for (const Fault& fault : layer.faults) {
-      add_number(labels, placement.x(fault.x), placement.y(fault.y), ++number);
+      ++number;
+      if (fault.at) {
+        add_number(labels, placement.x(fault.at->x.to_double()),
+                   placement.y(fault.at->y.to_double()), number);
+      }
     }
   }
   for (const FaultLabel& label : labels) {
@@ -310,7 +314,9 @@ void mark_faults(SvgPicture& picture, const Figure& figure, const Placement& pla
   }
   for (const Layer& layer : figure.layers) {
     std::vector<Trace::Vertex> places;
-    for (const Fault& fault : layer.faults) places.push_back({fault.x, fault.y});
+    for (const Fault& fault : layer.faults) {
+      if (fault.at) places.push_back({fault.at->x.to_double(), fault.at->y.to_double()});
+    }
     if (!places.empty()) picture.dots(places, placement, kRadius, "fault");
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "region/fault.hpp"
 #include "trace/fill_trace.hpp"
 
 namespace minksum {
@@ -53,12 +54,6 @@ void report_tight_places(const Options& options, const std::function<void()>& st
 }
 
 }  // namespace
-
-void reject(const Fault& fault, int operand) {
-  Culprit culprit = fault.place;
-  culprit.operand = operand;
-  throw Error(ErrorCode::kBadInput, fault.message, culprit);
-}
 
 void convolve(Workspace::State& w, const Options& options) {
   const Operands& o = w.operands;

@@ -55,8 +55,6 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
                   Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
-/// Throws what tells of a fault of an operand.
-[[noreturn]] void reject(const Fault& fault, int operand);
 /// Combines a prepared operand with one that is legal.
 void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
                    const Options& options, Workspace::State& w);

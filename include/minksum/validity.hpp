@@ -1,6 +1,7 @@
 // Is a region a legal operand, and if not, where not?
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,23 @@
 
 namespace minksum {
 
-/// One fault of a region.
+/// One fault of a region. `Culprit::operand` is -1 in both places.
 struct Fault {
-  std::string message;  ///< what is wrong, in words
-  Culprit place;        ///< polygon, ring and vertex; `operand` is -1
-  double x = 0;         ///< about where (the vertex named, or where two edges meet)
-  double y = 0;
+  std::string message;  ///< what is wrong, in words: "edges cross"
+  /// The vertex that is wrong, or the first vertex of an edge that is.
+  Culprit place;
+  /// The vertex or edge that it meets; unknown (`Culprit::kNone`) where nothing is met.
+  Culprit other;
+  /// Exactly where: the crossing of two edges, the first point that two edges share, or the vertex.
+  /// Nothing for a ring without vertices.
+  std::optional<Point> at;
 };
+/// What is wrong and where: "edges cross at (5, 1/2)"; "near (0.3, 7.1)" if the exact numbers are
+/// long.
+[[nodiscard]] std::string to_string(const Fault& fault);
 
-/// All reasons why `region` is no legal operand, at most `max_faults` of them; none = legal.
+/// All reasons why `region` is no legal operand, at most `max_faults` of them; none = legal. Every
+/// two edges that cross or overlap are a fault of their own.
 ///
 /// Legal are the polygons and multipolygons that OGC calls valid: rings of three or more vertices
 /// not all in one line, each a simple closed curve; no two rings cross or share a piece of an edge

@@ -310,7 +310,7 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
   as_it_is.cancel = options.cancel;
   const Geometry found = resolve(result, as_it_is);
   if (check.faults.empty() && found.region.polygon_count() != result.region.polygon_count()) {
-    check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, 0, 0});
+    check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, {}, {}});
   }
   check.result_area = approximate_area(found.region);
   {

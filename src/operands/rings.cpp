@@ -165,11 +165,10 @@ class RingCleaner {
   void fault(const char* message, SiteId site) {
     order_.resize(begin_);
     operand_.convex.resize(begin_);
-    Fault fault{message, place_, 0, 0};
+    Fault fault{message, place_, {}, std::nullopt};
     if (site != kNoSite) {
       fault.place = RegionAccess::culprit(region_, site);
-      fault.x = region_.x(site);
-      fault.y = region_.y(site);
+      fault.at = region_.point(site);
     }
     faults_.push_back(std::move(fault));
   }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "minksum/resolve.hpp"
-#include "minksum/validity.hpp"
+#include "region/fault.hpp"
 #include "round/choose_side.hpp"
 #include "round/grow.hpp"
 #include "round/keep_topology.hpp"
@@ -21,11 +21,8 @@ double in_units(double length, const Target& target) {
 }
 
 [[noreturn]] void refuse(const Region& region) {
-  const auto faults = validate(region, 1);
-  if (faults.empty()) {
-    throw Error(ErrorCode::kInternal, "a legal region did not settle", {}, "round");
-  }
-  throw Error(ErrorCode::kBadInput, faults[0].message, faults[0].place);
+  require_legal(region, -1);
+  throw Error(ErrorCode::kInternal, "a legal region did not settle", {}, "round");
 }
 
 Region resolved(const Region& region, const RoundOptions& options) {

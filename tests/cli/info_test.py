@@ -52,8 +52,25 @@ class Info(ProgramTest):
 
     def test_places_of_faults_are_short(self):
         text = run("info", self.file("bow.wkt", "POLYGON ((0.1 0.7, 0.3 0.9, 0.3 0.7, 0.1 0.9, 0.1 0.7))"))
-        self.assertIn(b"(near 0.1 0.7)", text.stdout)
-        self.assertIn(b"(near 0.1 0.7)", text.stderr)
+        self.assertIn(b"edges cross at (0.2, 0.8)\n", text.stdout)
+        self.assertIn(b"edges cross at (0.2, 0.8)\n", text.stderr)
+
+    def test_each_crossing_is_a_fault_with_its_place(self):
+        zigzag = self.file("zigzag.wkt", "POLYGON ((0 0, 12 0, 12 5, 9 -2, 7 2, 5 -2, 3 2, 0 5, 0 0))")
+        result = run("info", "--json", zigzag)
+        self.assertEqual(result.returncode, 2)
+        faults = json.loads(result.stdout)["faults"]
+        self.assertEqual(sorted(fault["at"] for fault in faults),
+                         [["4", "0"], ["6", "0"], ["69/7", "0"], ["8", "0"]])
+        for fault in faults:
+            self.assertIn(1, (fault["vertex"], fault["meets"]["vertex"]))
+            self.assertEqual(fault["near"][1], 0)
+
+    def test_a_place_beyond_the_doubles(self):
+        huge = self.file("huge.wkt", "POLYGON ((0 0, 1e400 1e400, 1e400 0, 0 1e400, 0 0))")
+        fault = json.loads(run("info", "--json", huge).stdout)["faults"][0]
+        self.assertEqual(fault["at"][0], "5" + 399 * "0")
+        self.assertEqual(fault["near"], [None, None])
 
     def test_what_it_means(self):
         self.assertEqual(self.meaning(FRAME),

@@ -1,0 +1,13 @@
+// What is thrown for an operand that is not legal.
+#pragma once
+
+#include "minksum/validity.hpp"
+
+namespace minksum {
+
+/// Throws Error(kBadInput) that tells of a fault of this operand (Culprit::operand).
+[[noreturn]] void reject(const Fault& fault, int operand);
+/// Throws that for the first fault of a region that is not legal (see `validate`).
+void require_legal(const Region& region, int operand);
+
+}  // namespace minksum
