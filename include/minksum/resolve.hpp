@@ -11,9 +11,11 @@ namespace minksum {
 /// Which points a set of rings encloses, told by their winding number w: how often all rings
 /// together go counter-clockwise around the point.
 enum class FillRule {
-  /// Legal polygons (see `validate`) mean what OGC says, whatever their orientation. Others are
-  /// read by kNonZero after each outer ring was directed counter-clockwise and each hole clockwise
-  /// (rings whose signed area is 0 stay as they are).
+  /// Each polygon is what its outer ring encloses or passes through, less what its holes enclose.
+  /// The set is the union of all polygons. So a hole only ever takes away, and legal polygons (see
+  /// `validate`) mean what OGC says. A ring encloses the points around which it winds, whatever its
+  /// direction. A hole does not take away its own ring: where two holes share an edge, that edge
+  /// stays as a polyline. Single points that holes leave between them do not stay.
   kAutomatic,
   kEvenOdd,   ///< w is odd
   kNonZero,   ///< w is not 0; rings directed as they are given, and so for the next two
@@ -35,8 +37,8 @@ struct ResolveOptions {
 /// The set of points that a geometry means, in resolved form (see Geometry), exactly.
 ///
 /// Its area is the closure of the points that the fill rule says. A ring's own points belong to the
-/// set, so spikes, antennas and rings that collapse become polylines or points where no area holds
-/// them. Where rings cross, vertices are rational points. O((n + c) log n) for n vertices and c
+/// set (by kAutomatic, what holes take away excepted), so spikes, antennas and rings that collapse
+/// become polylines or points where no area holds them. Where rings cross, vertices are rational points. O((n + c) log n) for n vertices and c
 /// places where edges meet. Throws Error: kBadInput (kStrict), kLimitExceeded, kCancelled.
 [[nodiscard]] Geometry resolve(const Geometry& geometry, const ResolveOptions& options = {});
 

@@ -41,7 +41,7 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside) {
       chains.push_back(chain);
     });
   }
-  return overlay::select(chains, inside, std::nullopt).region;
+  return overlay::select(chains, {inside}, std::nullopt).region;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ Geometry unite(std::span<const Geometry> geometries) {
   }
   thin.list_chains(chains);
   return overlay::select(
-      chains, [](const Winding& w) { return w.first > 0; }, std::nullopt);
+      chains, {[](const Winding& w) { return w.first > 0; }}, std::nullopt);
 }
 
 Region unite(const Region& a, const Region& b) {

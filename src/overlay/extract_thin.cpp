@@ -1,4 +1,4 @@
-// What belongs to the result and is outside of its area: polylines and points.
+// What is in the result and outside of its area: polylines and points.
 #include <algorithm>
 
 #include "overlay/subdivision.hpp"
@@ -31,7 +31,7 @@ class ThinExtractor {
     on_area_.assign(s_.nodes.size(), 0);
     for (const Piece& piece : s_.pieces) {
       for (const NodeId v : {piece.low, piece.high}) {
-        if (piece.is_thin()) ++thin_degree_[v];
+        if (piece.thin) ++thin_degree_[v];
         if (piece.inside_above || piece.inside_below) on_area_[v] = 1;
       }
     }
@@ -42,7 +42,7 @@ class ThinExtractor {
   void follow_from(NodeId v) {
     for (std::uint32_t i = s_.first_around[v]; i < s_.first_around[v + 1]; ++i) {
       const PieceId p = s_.around[i];
-      if (s_.pieces[p].is_thin() && done_[p] == 0) follow(v, p);
+      if (s_.pieces[p].thin && done_[p] == 0) follow(v, p);
     }
   }
 
@@ -68,7 +68,7 @@ class ThinExtractor {
   [[nodiscard]] PieceId other_piece(NodeId v, PieceId p) const {
     for (std::uint32_t i = s_.first_around[v]; i < s_.first_around[v + 1]; ++i) {
       const PieceId q = s_.around[i];
-      if (q != p && s_.pieces[q].is_thin()) return q;
+      if (q != p && s_.pieces[q].thin) return q;
     }
     broken("a path does not go on at a node");
   }

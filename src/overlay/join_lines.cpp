@@ -11,6 +11,7 @@ struct Step {
   PointId at = 0;
   Winding change;
   int belongs = 0;
+  std::int32_t spared = 0;
 };
 
 /// The segments [begin, end) lie on one line: cut at all of their ends, and those of equal ends
@@ -18,18 +19,17 @@ struct Step {
 void join(std::span<const Segment> line, std::vector<Segment>& joined) {
   std::vector<Step> steps;
   for (const Segment& s : line) {
-    steps.push_back({s.ends.low, s.change, s.belongs ? 1 : 0});
-    steps.push_back({s.ends.high, -s.change, s.belongs ? -1 : 0});
+    steps.push_back({s.ends.low, s.change, s.belongs ? 1 : 0, s.spared});
+    steps.push_back({s.ends.high, -s.change, s.belongs ? -1 : 0, -s.spared});
   }
   std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.at < b.at; });
   Step now = steps.front();
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const Step& step = steps[i];
-    const bool idle = now.change == Winding{} && now.belongs == 0;
-    if (step.at != now.at && !idle) {
-      joined.push_back({{now.at, step.at}, now.change, now.belongs > 0});
-    }
-    now = {step.at, now.change + step.change, now.belongs + step.belongs};
+    const Segment part{{now.at, step.at}, now.change, now.belongs > 0, now.spared};
+    if (step.at != now.at && !part.idle()) joined.push_back(part);
+    now = {step.at, now.change + step.change, now.belongs + step.belongs,
+           now.spared + step.spared};
   }
 }
 

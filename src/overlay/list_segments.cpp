@@ -1,5 +1,6 @@
 // Chains to distinct points and distinct segments.
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -62,13 +63,14 @@ void merge_equal(std::vector<Segment>& list) {
     if (last != nullptr && last->ends.low == s.ends.low && last->ends.high == s.ends.high) {
       last->change = last->change + s.change;
       last->belongs |= s.belongs;
+      last->spared += s.spared;
     } else {
       list[kept++] = s;
     }
   }
   list.resize(kept);
   // What changes nothing and is not asked for has no place in the result.
-  std::erase_if(list, [](const Segment& s) { return s.change == Winding{} && !s.belongs; });
+  std::erase_if(list, std::mem_fn(&Segment::idle));
 }
 
 }  // namespace
@@ -84,15 +86,18 @@ Segments list_segments(std::span<const Chain> chains) {
     const auto points = std::span(point_of).subspan(first, chain.end - chain.begin);
     first += points.size();
     if (points.empty()) continue;
-    if (chain.belongs) segments.belongs[points[0]] = 1;
+    const auto is_first = [&](PointId p) { return p == points[0]; };
+    if (chain.belongs && std::all_of(points.begin(), points.end(), is_first)) {
+      segments.belongs[points[0]] = 1;
+    }
     const Winding weight = directed_weight(chain, points, segments.predicates);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const bool last = i + 1 == points.size();
       if (last && !chain.closed) break;
       const PointId a = points[i];
       const PointId b = points[last ? 0 : i + 1];
-      if (a < b) segments.list.push_back({{a, b}, weight, chain.belongs});
-      if (b < a) segments.list.push_back({{b, a}, -weight, chain.belongs});
+      if (a < b) segments.list.push_back({{a, b}, weight, chain.belongs, chain.spared});
+      if (b < a) segments.list.push_back({{b, a}, -weight, chain.belongs, chain.spared});
     }
   }
   merge_equal(segments.list);

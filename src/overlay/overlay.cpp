@@ -24,14 +24,14 @@ Contacts list_contacts(Segments& segments, Cancellation& cancellation) {
 
 }  // namespace
 
-Geometry select(std::span<const Chain> chains, Inside inside,
+Geometry select(std::span<const Chain> chains, const Rule& rule,
                 const std::optional<CancelToken>& cancel) {
   Cancellation cancellation(cancel);
   cancellation.check_now();
   Segments segments = list_segments(chains);
   const Contacts contacts = list_contacts(segments, cancellation);
   Subdivision subdivision = subdivide(segments, contacts, cancellation);
-  sweep(segments, inside, cancellation, subdivision);
+  sweep(segments, rule, cancellation, subdivision);
   Geometry result;
   extract_area(segments, subdivision, result.region);
   extract_thin(segments, subdivision, result);

@@ -1,9 +1,9 @@
 // Fill rules.
 #include "minksum/resolve.hpp"
 
-#include "minksum/error.hpp"
-#include "minksum/validity.hpp"
 #include "overlay/chains.hpp"
+#include "overlay/take_holes.hpp"
+#include "region/fault.hpp"
 
 namespace minksum {
 namespace {
@@ -23,14 +23,6 @@ overlay::Inside inside_by(FillRule rule) {
       break;
   }
   return [](const Winding& w) { return w.first != 0; };
-}
-
-void require_legal(const Region& region, int operand) {
-  const std::vector<Fault> faults = validate(region, 1);
-  if (faults.empty()) return;
-  Culprit culprit = faults.front().place;
-  culprit.operand = operand;
-  throw Error(ErrorCode::kBadInput, faults.front().message, culprit);
 }
 
 }  // namespace
@@ -55,8 +47,12 @@ const char* to_string(FillRule rule) {
 
 Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
   if (options.fill == FillRule::kStrict) require_legal(geometry.region, options.operand);
-  // Legal polygons directed by their roles wind once around each of their points: what OGC says and
-  // what the windings say is the same, so the automatic rule need not ask whether they are legal.
+  // One ring encloses what it winds around. Legal polygons directed by their roles wind once around
+  // each of their points: what OGC says and what the windings say is the same.
+  if (options.fill == FillRule::kAutomatic && geometry.region.ring_count() > 1 &&
+      !validate(geometry.region, 1).empty()) {
+    return overlay::take_holes_away(geometry, options);
+  }
   const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
   using Direction = overlay::Chain::Direction;
   std::vector<overlay::Chain> chains;
@@ -69,7 +65,7 @@ Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
   overlay::ThinStore thin;
   if (!options.regularize) thin.add(geometry);
   thin.list_chains(chains);
-  return overlay::select(chains, inside_by(options.fill), options.cancel);
+  return overlay::select(chains, {inside_by(options.fill)}, options.cancel);
 }
 
 }  // namespace minksum

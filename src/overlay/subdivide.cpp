@@ -1,5 +1,6 @@
 // Segments and their contacts to nodes and pieces.
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "overlay/subdivision.hpp"
@@ -104,6 +105,7 @@ class Subdivider {
         piece.segment = s;
         piece.change = segment.change;
         piece.belongs = segment.belongs;
+        piece.spared = segment.spared;
         from = to;
       };
       std::for_each(begin, end, cut_at);
@@ -147,12 +149,13 @@ class Subdivider {
       if (last != nullptr && last->high == pieces[i].high) {
         last->change = last->change + pieces[i].change;
         last->belongs |= pieces[i].belongs;
+        last->spared += pieces[i].spared;
       } else {
         pieces[to + kept++] = pieces[i];
       }
     }
-    const auto idle = [](const Piece& p) { return p.change == Winding{} && !p.belongs; };
-    kept -= static_cast<std::size_t>(at(to + kept) - std::remove_if(at(to), at(to + kept), idle));
+    const auto end_of_kept = std::remove_if(at(to), at(to + kept), std::mem_fn(&Piece::idle));
+    kept = static_cast<std::size_t>(end_of_kept - at(to));
     if (kept > 1) {
       std::sort(at(to), at(to + kept), [&](const Piece& a, const Piece& b) {
         return a.segment != b.segment &&

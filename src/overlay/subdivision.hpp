@@ -25,13 +25,17 @@ struct Segment {
   Ends ends;
   Winding change;
   bool belongs = false;
+  std::int32_t spared = 0;
+
+  /// Whether it makes no difference to any result.
+  [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
 };
 
 /// Distinct points in lexicographic order, and the segments between them.
 struct Segments {
   Predicates predicates;
   std::vector<Source> sources;        ///< by point: one vertex that is there
-  std::vector<std::uint8_t> belongs;  ///< by point: it is in the result whatever is around it
+  std::vector<std::uint8_t> belongs;  ///< by point: a chain of this point alone belongs
   std::vector<Segment> list;
 };
 
@@ -65,8 +69,10 @@ struct Piece {
   SegmentId segment = 0;
   Winding change;
   bool belongs = false;
+  std::int32_t spared = 0;
 
   // By the sweep:
+  bool thin = false;  ///< in the result, without area beside it
   bool inside_above = false;  ///< the face on the left, seen from low to high
   bool inside_below = false;
   /// The nearest piece of the area's boundary straight below, through pieces that are inside on
@@ -76,7 +82,7 @@ struct Piece {
   std::uint32_t place_at_high = 0;
 
   [[nodiscard]] bool is_boundary() const { return inside_above != inside_below; }
-  [[nodiscard]] bool is_thin() const { return belongs && !inside_above && !inside_below; }
+  [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
 };
 
 /// Nodes are in lexicographic order, so that numbers of nodes compare as their places do.
@@ -135,10 +141,10 @@ void join_lines(Segments& segments);
 [[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts,
                                     Cancellation& cancellation);
 
-/// Fills in what the sweep finds: a line moves over the nodes in their order and keeps the pieces
+/// Fills in what the sweep finds, and takes back `belongs` from nodes that the rule does not keep: a line moves over the nodes in their order and keeps the pieces
 /// that it meets in a balanced tree; as none cross, their order changes at nodes only. Only where
 /// no piece ends is a place looked for, by exact comparison. O(n log n)
-void sweep(const Segments& segments, Inside inside, Cancellation& cancellation,
+void sweep(const Segments& segments, const Rule& rule, Cancellation& cancellation,
            Subdivision& subdivision);
 
 /// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them
@@ -150,7 +156,7 @@ void sweep(const Segments& segments, Inside inside, Cancellation& cancellation,
 /// The closed area, in canonical form.
 void extract_area(const Segments& segments, const Subdivision& subdivision, Region& area);
 
-/// What belongs and is outside of the area, as maximal polylines and points.
+/// What is in the result and outside of the area, as maximal polylines and points.
 void extract_thin(const Segments& segments, const Subdivision& subdivision, Geometry& geometry);
 
 }  // namespace minksum::overlay

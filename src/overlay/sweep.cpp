@@ -1,4 +1,6 @@
 // Winding numbers on both sides of every piece.
+#include <algorithm>
+
 #include "overlay/status.hpp"
 #include "overlay/subdivision.hpp"
 
@@ -7,8 +9,8 @@ namespace {
 
 class Sweep {
  public:
-  Sweep(const Segments& segments, Inside inside, Cancellation& cancellation, Subdivision& s)
-      : segments_(segments), inside_(inside), cancellation_(cancellation), s_(s) {}
+  Sweep(const Segments& segments, const Rule& rule, Cancellation& cancellation, Subdivision& s)
+      : segments_(segments), rule_(rule), cancellation_(cancellation), s_(s) {}
 
   void run() {
     slot_of_.resize(s_.pieces.size());
@@ -41,7 +43,7 @@ class Sweep {
                                          : Status::kGround;
     Winding winding = winding_above(under);
     PieceId ground = ground_above(under);
-    s_.inside_left.push_back(inside_(winding) ? 1 : 0);
+    s_.inside_left.push_back(rule_.inside(winding) ? 1 : 0);
     s_.ground_left.push_back(ground);
     s_.first_around.push_back(static_cast<std::uint32_t>(s_.around.size()));
     for (PieceId p = s_.first_piece[v]; p < s_.first_piece[v + 1]; ++p) {
@@ -52,7 +54,21 @@ class Sweep {
       s_.pieces[p].place_at_high = static_cast<std::uint32_t>(s_.around.size());
       s_.around.push_back(p);
     }
+    if (s_.nodes[v].belongs) s_.nodes[v].belongs = is_kept(v, under);
     exchange(v, under);
+  }
+
+  /// Whether the rule keeps a point in one of the faces around this node.
+  [[nodiscard]] bool is_kept(NodeId v, SlotId under) const {
+    const auto keeps_in = [&](const Winding& face) { return rule_.keeps({face, face, true, 0}); };
+    const auto keeps_above = [&](PieceId p) { return keeps_in(above_[p]); };
+    const auto ends_kept = [&](SlotId slot) { return keeps_above(status_.piece(slot)); };
+    if (keeps_in(winding_above(under))) return true;
+    if (std::any_of(ended_.begin(), ended_.end(), ends_kept)) return true;
+    for (PieceId p = s_.first_piece[v]; p < s_.first_piece[v + 1]; ++p) {
+      if (keeps_above(p)) return true;
+    }
+    return false;
   }
 
   /// The slots whose pieces end here, from bottom to top: they lie next to each other.
@@ -92,10 +108,13 @@ class Sweep {
   /// The next piece counter-clockwise; `winding` and `ground` are those below it, and then above.
   void start(PieceId p, Winding& winding, PieceId& ground) {
     Piece& piece = s_.pieces[p];
-    piece.inside_below = inside_(winding);
+    const Winding below = winding;
+    piece.inside_below = rule_.inside(below);
     piece.ground = piece.inside_below ? ground : kNone;
     winding = winding + piece.change;
-    piece.inside_above = inside_(winding);
+    piece.inside_above = rule_.inside(winding);
+    piece.thin = !piece.inside_below && !piece.inside_above &&
+                 rule_.keeps({winding, below, piece.belongs, piece.spared});
     above_[p] = winding;
     ground = ground_above_piece(p);
     piece.place_at_low = static_cast<std::uint32_t>(s_.around.size());
@@ -119,7 +138,7 @@ class Sweep {
   }
 
   const Segments& segments_;
-  Inside inside_;
+  const Rule& rule_;
   Cancellation& cancellation_;
   Subdivision& s_;
   Status status_;
@@ -131,9 +150,9 @@ class Sweep {
 
 }  // namespace
 
-void sweep(const Segments& segments, Inside inside, Cancellation& cancellation,
+void sweep(const Segments& segments, const Rule& rule, Cancellation& cancellation,
            Subdivision& subdivision) {
-  Sweep(segments, inside, cancellation, subdivision).run();
+  Sweep(segments, rule, cancellation, subdivision).run();
 }
 
 }  // namespace minksum::overlay

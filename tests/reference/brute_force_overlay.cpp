@@ -13,39 +13,51 @@
 namespace minksum::reference {
 namespace {
 
-/// A directed edge of an operand's ring; `operand` is kThin for polylines.
+/// A directed edge of a ring; rings of one `group` wind together. kThin for polylines.
 struct Edge {
   Pt a;
   Pt b;
-  int operand = 0;
+  int group = 0;
 };
 constexpr int kThin = -1;
 
-/// How often the rings of each operand go around a point.
+/// How often the rings of each group go around a point.
 using Windings = std::map<int, int>;
 using Keep = std::function<bool(Windings&)>;
 
+/// A piece of an edge, or a point, which is not beside the area.
+struct Wall {
+  std::set<int> on;              ///< the groups whose edges it is on
+  std::vector<Windings> around;  ///< of a piece: on both sides; of a point: in all faces around
+  bool is_point = false;
+};
+using KeepWall = std::function<bool(Wall&)>;
+
+bool is_on_any(Wall& wall) { return !wall.on.empty(); }
+bool is_on_polyline(Wall& wall) { return wall.on.contains(kThin); }
+
 struct Input {
   std::vector<Edge> edges;
-  std::vector<Pt> points;
-  bool edges_belong = false;
+  std::vector<Edge> points;  ///< from each to itself: points, and what collapses to a point
 
-  void add_ring(Loop loop, int operand, int orientation) {
+  void add_ring(Loop loop, int group, int orientation) {
     if (loop.empty()) return;
     const Number area = doubled_area(loop);
     if ((orientation > 0 && area < 0) || (orientation < 0 && area > 0)) {
       std::reverse(loop.begin(), loop.end());
     }
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      edges.push_back({loop[i], loop[(i + 1) % loop.size()], operand});
+      edges.push_back({loop[i], loop[(i + 1) % loop.size()], group});
     }
-    points.push_back(loop[0]);
+    if (std::count(loop.begin(), loop.end(), loop[0]) == static_cast<std::ptrdiff_t>(loop.size())) {
+      points.push_back({loop[0], loop[0], group});
+    }
   }
   /// `by_role`: outer rings counter-clockwise, holes clockwise.
-  void add_region(const Region& region, int operand, bool by_role) {
+  void add_region(const Region& region, int group, bool by_role) {
     for (const Loops& loops : to_loops(region)) {
       for (std::size_t r = 0; r < loops.size(); ++r) {
-        add_ring(loops[r], operand, !by_role ? 0 : r == 0 ? 1 : -1);
+        add_ring(loops[r], group, !by_role ? 0 : r == 0 ? 1 : -1);
       }
     }
   }
@@ -54,9 +66,12 @@ struct Input {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         edges.push_back({to_pt(line[i]), to_pt(line[i + 1]), kThin});
       }
-      if (!line.empty()) points.push_back(to_pt(line[0]));
+      if (!line.empty()) add_point(line[0]);
     }
-    for (const Point& point : geometry.points) points.push_back(to_pt(point));
+    for (const Point& point : geometry.points) add_point(point);
+  }
+  void add_point(const Point& point) {
+    points.push_back({to_pt(point), to_pt(point), kThin});
   }
 };
 
@@ -95,19 +110,20 @@ bool hit(const Pt& from, const Pt& towards, const Edge& edge, Number& distance) 
 Windings windings_at(const Pt& p, const std::vector<Edge>& edges) {
   Windings result;
   for (const Edge& e : edges) {
-    if (e.operand == kThin) continue;
+    if (e.group == kThin) continue;
     const bool up = e.a.y <= p.y;
     if (up == (e.b.y <= p.y)) continue;  // an edge owns its lower end only
     const int side = turn(e.a, e.b, p);
-    if (up && side > 0) ++result[e.operand];
-    if (!up && side < 0) --result[e.operand];
+    if (up && side > 0) ++result[e.group];
+    if (!up && side < 0) --result[e.group];
   }
   return result;
 }
 
 class Overlay {
  public:
-  Overlay(const Input& input, Keep keep) : input_(input), keep_(std::move(keep)) {}
+  Overlay(const Input& input, Keep keep, KeepWall keep_wall)
+      : input_(input), keep_(std::move(keep)), keep_wall_(std::move(keep_wall)) {}
 
   Geometry run() {
     cut();
@@ -115,16 +131,15 @@ class Overlay {
     std::vector<std::pair<std::size_t, std::size_t>> thin;
     std::set<std::size_t> on_area;
     for (const auto& [from, to] : pieces_) {
-      const bool left = beside(from, to);
-      const bool right = beside(to, from);
+      Wall wall{groups_at(midpoint(nodes_[from], nodes_[to])),
+                {beside(from, to), beside(to, from)},
+                false};
+      const bool left = keep_(wall.around[0]);
+      const bool right = keep_(wall.around[1]);
       if (left || right) on_area.insert({from, to});
       if (left && !right) boundary.push_back({from, to});
       if (right && !left) boundary.push_back({to, from});
-      if (!left && !right && input_.edges_belong) thin.emplace_back(from, to);
-      // Polylines belong in any case.
-      if (!left && !right && !input_.edges_belong && on_thin_edge(from, to)) {
-        thin.emplace_back(from, to);
-      }
+      if (!left && !right && keep_wall_(wall)) thin.emplace_back(from, to);
     }
     Geometry result;
     result.region = link(nodes_, boundary);
@@ -159,8 +174,8 @@ class Overlay {
     }
   }
 
-  /// Whether the face on the left of a piece is kept.
-  bool beside(std::size_t from, std::size_t to) {
+  /// The face on the left of a piece.
+  Windings beside(std::size_t from, std::size_t to) {
     const Pt middle = midpoint(nodes_[from], nodes_[to]);
     const Pt aim{middle.x - (nodes_[to].y - nodes_[from].y),
                  middle.y + (nodes_[to].x - nodes_[from].x)};
@@ -171,15 +186,26 @@ class Overlay {
     }
     const Number half = nearest / 2;
     const Pt sample{middle.x + half * (aim.x - middle.x), middle.y + half * (aim.y - middle.y)};
-    Windings windings = windings_at(sample, input_.edges);
-    return keep_(windings);
+    return windings_at(sample, input_.edges);
   }
 
-  bool on_thin_edge(std::size_t from, std::size_t to) const {
-    const Pt middle = midpoint(nodes_[from], nodes_[to]);
-    return std::any_of(input_.edges.begin(), input_.edges.end(), [&](const Edge& e) {
-      return e.operand == kThin && on_segment(middle, e.a, e.b);
-    });
+  std::set<int> groups_at(const Pt& p) const {
+    std::set<int> groups;
+    for (const Edge& e : input_.edges) {
+      if (on_segment(p, e.a, e.b)) groups.insert(e.group);
+    }
+    return groups;
+  }
+  std::vector<Windings> faces_around(const Pt& p) {
+    std::vector<Windings> faces;
+    const auto node = ids_.find(p);
+    for (const auto& [from, to] : pieces_) {
+      if (node == ids_.end() || (from != node->second && to != node->second)) continue;
+      faces.push_back(beside(from, to));
+      faces.push_back(beside(to, from));
+    }
+    if (faces.empty()) faces.push_back(windings_at(p, input_.edges));
+    return faces;
   }
 
   /// Paths are joined two by two as long as that is allowed.
@@ -242,7 +268,11 @@ class Overlay {
   }
 
   void add_points(const std::vector<std::pair<std::size_t, std::size_t>>& thin, Geometry& result) {
-    std::set<Pt> alone(input_.points.begin(), input_.points.end());
+    std::set<Pt> alone;
+    for (const Edge& point : input_.points) {
+      Wall wall{{point.group}, faces_around(point.a), true};
+      if (keep_wall_(wall)) alone.insert(point.a);
+    }
     for (const Pt& p : alone) {
       const bool on_line = std::any_of(thin.begin(), thin.end(), [&](const auto& piece) {
         return on_segment(p, nodes_[piece.first], nodes_[piece.second]);
@@ -265,6 +295,7 @@ class Overlay {
 
   const Input& input_;
   Keep keep_;
+  KeepWall keep_wall_;
   std::map<Pt, std::size_t> ids_;
   std::vector<Pt> nodes_;
   std::set<std::pair<std::size_t, std::size_t>> pieces_;
@@ -283,16 +314,67 @@ bool filled(FillRule rule, int winding) {
   }
 }
 
+/// The groups of the rings of one polygon.
+struct Rings {
+  int outer = 0;
+  std::vector<int> holes;
+
+  bool is_in_a_hole(Windings& face) const {
+    return std::any_of(holes.begin(), holes.end(), [&](int hole) { return face[hole] != 0; });
+  }
+  bool holds(Windings& face) const { return face[outer] != 0 && !is_in_a_hole(face); }
+  /// A hole takes away what it winds around, but for its own ring; points if holes are all around.
+  bool holds(Wall& wall) const {
+    if (wall.is_point) {
+      return wall.on.contains(outer) &&
+             !std::all_of(wall.around.begin(), wall.around.end(),
+                          [&](Windings& face) { return is_in_a_hole(face); });
+    }
+    // What is not on a ring has the same winding of it on both sides.
+    Windings& beside = wall.around.front();
+    if (!wall.on.contains(outer) && beside[outer] == 0) return false;
+    return std::none_of(holes.begin(), holes.end(),
+                        [&](int hole) { return !wall.on.contains(hole) && beside[hole] != 0; });
+  }
+};
+
+/// The automatic rule by its definition: polygon by polygon, each ring a group of its own.
+Geometry brute_force_polygons(const Geometry& geometry, bool regularize) {
+  Input input;
+  std::vector<Rings> polygons;
+  int group = 0;
+  for (const Loops& loops : to_loops(geometry.region)) {
+    if (loops.empty()) continue;
+    Rings& rings = polygons.emplace_back();
+    for (std::size_t r = 0; r < loops.size(); ++r) {
+      input.add_ring(loops[r], group, 0);
+      if (r == 0) rings.outer = group;
+      if (r != 0) rings.holes.push_back(group);
+      ++group;
+    }
+  }
+  const auto any = [&](auto& place) {
+    return std::any_of(polygons.begin(), polygons.end(),
+                       [&](const Rings& rings) { return rings.holds(place); });
+  };
+  if (regularize) {
+    input.points.clear();
+    return Overlay(input, any, [](Wall&) { return false; }).run();
+  }
+  input.add_thin(geometry);
+  return Overlay(input, any, [&](Wall& wall) { return is_on_polyline(wall) || any(wall); }).run();
+}
+
 }  // namespace
 
 Geometry brute_force_resolve(const Geometry& geometry, FillRule rule, bool regularize) {
-  const bool by_role = rule == FillRule::kAutomatic || rule == FillRule::kStrict;
+  if (rule == FillRule::kAutomatic) return brute_force_polygons(geometry, regularize);
   Input input;
-  input.edges_belong = !regularize;
-  input.add_region(geometry.region, 0, by_role);
+  input.add_region(geometry.region, 0, rule == FillRule::kStrict);
   if (!regularize) input.add_thin(geometry);
   if (regularize) input.points.clear();
-  return Overlay(input, [&](Windings& w) { return filled(rule, w[0]); }).run();
+  const auto keep = [&](Windings& w) { return filled(rule, w[0]); };
+  return Overlay(input, keep, [&](Wall& wall) { return !regularize && is_on_any(wall); }).run();
 }
 
 Region brute_force_boolean(const Region& a, const Region& b,
@@ -301,7 +383,8 @@ Region brute_force_boolean(const Region& a, const Region& b,
   input.add_region(a, 0, true);
   input.add_region(b, 1, true);
   input.points.clear();
-  return Overlay(input, [&](Windings& w) { return keep(w[0] != 0, w[1] != 0); }).run().region;
+  const auto in_result = [&](Windings& w) { return keep(w[0] != 0, w[1] != 0); };
+  return Overlay(input, in_result, [](Wall&) { return false; }).run().region;
 }
 
 Geometry brute_force_unite(std::span<const Geometry> geometries) {
@@ -310,8 +393,7 @@ Geometry brute_force_unite(std::span<const Geometry> geometries) {
     input.add_region(geometry.region, 0, true);
     input.add_thin(geometry);
   }
-  input.edges_belong = true;
-  return Overlay(input, [](Windings& w) { return w[0] != 0; }).run();
+  return Overlay(input, [](Windings& w) { return w[0] != 0; }, is_on_any).run();
 }
 
 std::string resolved_fault(const Geometry& geometry) {

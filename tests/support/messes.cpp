@@ -30,7 +30,7 @@ Geometry random_mess(Random& random) {
   const int size = random.between(1, 6);
   for (int polygons = random.between(0, 3); polygons > 0; --polygons) {
     mess.region.begin_polygon();
-    for (int rings = random.between(1, 2); rings > 0; --rings) {
+    for (int rings = random.between(1, 4); rings > 0; --rings) {
       mess.region.begin_ring();
       for (const Point& p : random_points(random, random.between(1, 7), size)) {
         mess.region.add_vertex(p.x, p.y);

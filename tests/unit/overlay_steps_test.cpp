@@ -149,7 +149,7 @@ Steps run_steps(const Geometry& geometry, bool joined = false) {
   EXPECT_TRUE(find_contacts(steps.segments, SIZE_MAX, cancellation, steps.contacts));
   steps.subdivision = subdivide(steps.segments, steps.contacts, cancellation);
   sweep(
-      steps.segments, [](const Winding& w) { return w.first != 0; }, cancellation,
+      steps.segments, {[](const Winding& w) { return w.first != 0; }}, cancellation,
       steps.subdivision);
   return steps;
 }

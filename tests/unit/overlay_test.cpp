@@ -70,7 +70,83 @@ TEST(Resolve, AntennaThroughAHole) {
                                      {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}});
   const Geometry result = resolved(region);
   EXPECT_EQ(result.region.hole_count(), 1U);
-  EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}, {{2, 3}, {4, 3}}}));
+  // The hole takes away what of the antenna is in it.
+  EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}}));
+  // By winding numbers alone a ring's own points belong wherever they are.
+  const Geometry wound = resolved(region, FillRule::kEvenOdd);
+  EXPECT_EQ(wound.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}, {{2, 3}, {4, 3}}}));
+}
+
+// -- The automatic rule for polygons that are not legal ------------------------------------------
+
+TEST(Holes, OneThatCrossesItsShellTakesAwayOnly) {
+  const Region region = make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{4, 2}, {9, 2}, {9, 4}, {4, 4}}});
+  const Region expected = make_polygon({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 6}, {0, 6}});
+  EXPECT_EQ(resolved(region), (Geometry{expected, {}, {}}));
+  EXPECT_EQ(resolved(region, FillRule::kAutomatic, true), (Geometry{expected, {}, {}}));
+}
+
+TEST(Holes, OneOutsideOfItsShellTakesNothing) {
+  const Region shell = rectangle(0, 0, 6, 6);
+  EXPECT_EQ(resolved(make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{8, 0}, {9, 0}, {9, 9}}})),
+            (Geometry{shell, {}, {}}));
+}
+
+TEST(Holes, TwoThatOverlapTakeTheirUnion) {
+  const Region region = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+                                     {{{1, 1}, {5, 1}, {5, 5}, {1, 5}},
+                                      {{3, 3}, {7, 3}, {7, 7}, {3, 7}},
+                                      {{4, 4}, {5, 4}, {5, 5}, {4, 5}}});
+  const Region expected =
+      make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+                   {{{1, 1}, {1, 5}, {3, 5}, {3, 7}, {7, 7}, {7, 3}, {5, 3}, {5, 1}}});
+  EXPECT_EQ(resolved(region), (Geometry{expected, {}, {}}));
+}
+
+TEST(Holes, WhatTheyLeaveBetweenThemStays) {
+  // Two holes share an edge: a wall of no width. One is wider than its shell.
+  const Region region = make_polygon({{0, 0}, {9, 0}, {9, 6}, {0, 6}},
+                                     {{{1, 1}, {4, 1}, {4, 9}, {1, 9}},
+                                      {{4, 1}, {8, 1}, {8, 5}, {4, 5}}});
+  const Geometry result = resolved(region);
+  EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{4, 1}, {4, 5}}}));
+  EXPECT_EQ(result.region, make_polygon({{0, 0}, {9, 0}, {9, 6}, {4, 6}, {4, 5}, {8, 5}, {8, 1},
+                                         {1, 1}, {1, 6}, {0, 6}}));
+}
+
+TEST(Holes, ASpikeOfAHoleIntoItIsAWall) {
+  const Region region = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+                                     {{{1, 1}, {4, 1}, {4, 3}, {4, 1}, {8, 1}, {8, 8}, {1, 8}}});
+  EXPECT_EQ(resolved(region).polylines, (std::vector<Polyline>{{{4, 1}, {4, 3}}}));
+  EXPECT_EQ(resolved(region).region.hole_count(), 1U);
+}
+
+TEST(Holes, ABowTieHasTwoPartsToTakeAway) {
+  // Its halves wind in opposite directions; another hole covers one of them.
+  const Region region = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+                                     {{{1, 1}, {7, 5}, {7, 1}, {1, 5}}, {{1, 1}, {4, 3}, {1, 5}}});
+  const Geometry result = resolved(region);
+  EXPECT_FALSE(result.has_thin_parts());
+  EXPECT_EQ(area(result.region), Rational(81 - 12));
+}
+
+TEST(Holes, EachIsOfItsOwnPolygon) {
+  // The hole of the first polygon takes nothing from the second, which lies over it.
+  const Region region = make_region({{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{1, 1}, {5, 1}, {5, 5}, {1, 5}}},
+                                     {{{2, 2}, {9, 2}, {9, 4}, {2, 4}}}});
+  EXPECT_EQ(area(resolved(region).region), Rational(36 - 16 + 6 + 6));
+  // The same bow tie twice, in both directions: their windings cancel.
+  const Region ties = make_region({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, {{{0, 4}, {4, 0}, {4, 4}, {0, 0}}},
+                                   {{{8, 8}, {9, 8}, {9, 9}}}});
+  EXPECT_EQ(area(resolved(ties).region), Rational(17, 2));
+}
+
+TEST(Holes, AShellThatItsHoleFillsIsALine) {
+  const Region region = make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  const Geometry result = resolved(region);
+  EXPECT_TRUE(result.region.empty());
+  EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{0, 0}, {0, 4}, {4, 4}, {4, 0}, {0, 0}}}));
+  EXPECT_TRUE(resolved(region, FillRule::kAutomatic, true).empty());
 }
 
 TEST(Resolve, PolylinesAndPoints) {

@@ -1,0 +1,133 @@
+#include "overlay/take_holes.hpp"
+
+#include <vector>
+
+#include "minksum/validity.hpp"
+#include "overlay/chains.hpp"
+#include "region/region_access.hpp"
+
+namespace minksum::overlay {
+namespace {
+
+bool wound_around(const Winding& w) { return w.first != 0; }
+bool keeps_nothing(const Wall&) { return false; }
+
+void append_ring(const Region& from, std::size_t ring, Region& region) {
+  region.begin_ring();
+  for (const std::size_t v : from.vertices_of(ring)) RegionAccess::copy_vertex(region, from, v);
+}
+Region copied(const Region& from, const IndexRange& rings) {
+  Region region;
+  region.begin_polygon();
+  for (const std::size_t ring : rings) append_ring(from, ring, region);
+  return region;
+}
+bool is_legal(const Region& region) { return validate(region, 1).empty(); }
+
+/// Adds the rings of a region, outer rings counter-clockwise and holes clockwise.
+template <class SetUp>
+void list_by_role(const Region& region, std::vector<Chain>& chains, SetUp set_up) {
+  for_each_ring(region, [&](Chain chain, bool is_hole) {
+    chain.direction = is_hole ? Chain::Direction::kClockwise : Chain::Direction::kCounterClockwise;
+    set_up(chain);
+    chains.push_back(chain);
+  });
+}
+
+/// The rings of one polygon as chains: `first` counts the outer ring; `second` counts, for each
+/// face, how many holes enclose it.
+class PolygonReader {
+ public:
+  PolygonReader(const Region& region, const IndexRange& rings, const ResolveOptions& options)
+      : region_(region), rings_(rings), options_(options) {}
+
+  Geometry run() {
+    const Region outer = copied(region_, {rings_.front(), rings_.front() + 1});
+    list_by_role(outer, chains_, [this](Chain& chain) {
+      chain.weight.first = 1;
+      chain.belongs = !options_.regularize;
+    });
+    // Chains point into these, which must not move.
+    std::vector<Hole> holes;
+    holes.reserve(rings_.size());
+    for (const std::size_t ring : rings_) {
+      if (ring != rings_.front()) holes.push_back(read_hole(ring));
+    }
+    for (const Hole& hole : holes) {
+      list_by_role(hole.area, chains_, [](Chain& chain) {
+        chain.weight.second = 1;
+        chain.spared = 1;
+      });
+      const std::size_t thin = chains_.size();
+      hole.inner.list_chains(chains_);
+      for (std::size_t i = thin; i < chains_.size(); ++i) {
+        chains_[i].belongs = false;
+        chains_[i].spared = 2;
+      }
+    }
+    const Inside inside = [](const Winding& w) { return w.first != 0 && w.second == 0; };
+    return select(chains_, {inside, options_.regularize ? keeps_nothing : stays},
+                  options_.cancel);
+  }
+
+ private:
+  /// What one hole takes away: its area less its own ring.
+  struct Hole {
+    Region area;
+    ThinStore inner;  ///< what of the ring lies inside the area
+  };
+
+  /// Whether a piece is in the polygon that has a hole, or nothing, on either side. The outer ring
+  /// holds it; and each hole that has both sides has the piece on its ring.
+  static bool stays(const Wall& wall) {
+    const bool held = wall.belongs || wound_around(wall.left) || wound_around(wall.right);
+    return held && wall.left.second + wall.right.second <= wall.spared;
+  }
+
+  [[nodiscard]] Hole read_hole(std::size_t ring) const {
+    Hole hole{copied(region_, {ring, ring + 1}), {}};
+    if (is_legal(hole.area)) return hole;
+    std::vector<Chain> chains;
+    for_each_ring(hole.area, [&](Chain chain, bool) {
+      chain.weight.first = 1;
+      chains.push_back(chain);
+    });
+    const Inside nowhere = [](const Winding&) { return false; };
+    const Keeps within = [](const Wall& w) { return wound_around(w.left) && wound_around(w.right); };
+    // A piece that is walked there and back has no weight: `spared` keeps it in the list.
+    for (Chain& chain : chains) chain.spared = 1;
+    const Geometry inner = select(chains, {nowhere, within}, options_.cancel);
+    Region area = select(chains, {wound_around, keeps_nothing}, options_.cancel).region;
+    hole.inner.add(inner);
+    hole.area = std::move(area);
+    return hole;
+  }
+
+  const Region& region_;
+  IndexRange rings_;
+  const ResolveOptions& options_;
+  std::vector<Chain> chains_;
+};
+
+}  // namespace
+
+Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options) {
+  const Region& region = geometry.region;
+  std::vector<Geometry> read;
+  read.reserve(region.polygon_count());
+  std::vector<Chain> chains;
+  for (const std::size_t polygon : region.polygons()) {
+    const IndexRange rings = region.rings_of(polygon);
+    if (rings.empty()) continue;
+    read.push_back({copied(region, rings), {}, {}});
+    if (!is_legal(read.back().region)) read.back() = PolygonReader(region, rings, options).run();
+    list_by_role(read.back().region, chains, [](Chain& chain) { chain.weight.first = 1; });
+  }
+  ThinStore thin;
+  for (const Geometry& part : read) thin.add(part);
+  if (!options.regularize) thin.add(geometry);
+  thin.list_chains(chains);
+  return select(chains, {wound_around}, options.cancel);
+}
+
+}  // namespace minksum::overlay
