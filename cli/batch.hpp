@@ -30,7 +30,6 @@ struct BatchArguments : ResultArguments {
 
 /// These options as they are typed.
 struct TypedBatch : TypedResult {
-  std::string fill;
   double seconds = 0;
 };
 

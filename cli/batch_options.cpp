@@ -47,9 +47,7 @@ CLI::App* add_batch(CLI::App& app, BatchArguments& arguments, TypedBatch& typed,
   command->add_option("JOBS", arguments.jobs, "The jobs, or - for standard input")
       ->type_name("FILE");
   add_result_options(*command, arguments, typed, "results");
-  add_fill_option(*command, arguments.fill)->each([&typed](const std::string& name) {
-    typed.fill = name;
-  });
+  add_fill_option(*command, arguments.fill);
   command->add_option("--threads", arguments.threads, "How many (default: as the machine has)")
       ->check(CLI::Range(1, kMaxThreads))
       ->type_name("N");
@@ -93,7 +91,7 @@ void settle(BatchArguments& arguments, const TypedBatch& typed) {
       {"format", typed.format},
       {"coords", typed.coordinates == "double" ? "" : typed.coordinates},
       {"round", typed.round},
-      {"fill", typed.fill}};
+      {"fill", arguments.fill == FillRule::kAutomatic ? "" : to_string(arguments.fill)}};
   for (const auto& [name, value] : defaults) {
     if (value.empty()) continue;
     arguments.defaults.push_back({name, {"--" + std::string(name) + "=" + value}});

@@ -84,9 +84,9 @@ void write_json(std::ostream& out, const SumCheck& check) {
 
 int run_check(const CheckArguments& arguments) {
   const auto read = [&arguments](const std::string& file) {
-    return read_operand(file, arguments.limits).geometry;
+    return read_operand(file, arguments.limits, arguments.options.fill).geometry;
   };
-  const Geometry result = read(arguments.result);
+  const Geometry result = read_operand(arguments.result, arguments.limits).geometry;
   const Geometry operands[2] = {read(arguments.operands[0]), read(arguments.operands[1])};
   SumCheck check;
   try {

@@ -131,7 +131,8 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& arguments, ProcessLimits& limit
   command
       ->add_flag("--faults", arguments.faults,
                  "Draw rings as they stand, even-odd, and mark what makes polygons invalid")
-      ->excludes(fill);
+      ->excludes(fill)
+      ->excludes("--strict");
   add_limit_options(*command, limits, false);
   return command;
 }
@@ -156,7 +157,10 @@ int run_draw(const DrawArguments& arguments) {
   files.expect("-o", arguments.output);
   std::vector<Geometry> given;
   for (const std::string& file : arguments.files) {
-    given.push_back(read_operand(file, arguments.limits).geometry);
+    // With --faults, the picture tells.
+    given.push_back(arguments.faults
+                        ? read_operand(file, arguments.limits).geometry
+                        : read_operand(file, arguments.limits, arguments.fill).geometry);
   }
   Figure figure{
       {}, arguments.title, arguments.width, arguments.theme, arguments.axes, arguments.legend};

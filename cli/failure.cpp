@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "faults.hpp"
 namespace minksum::cli {
 namespace {
 
@@ -159,6 +160,26 @@ ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) 
   } catch (const Error& error) {
     throw failure_of(error, file);
   }
+}
+
+ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits, FillRule fill) {
+  ReadOperand operand = read_operand(file, limits);
+  if (const auto reading = reading_of_faults(operand.geometry.region, fill)) {
+    tell(shown_name(file) + ": " + *reading);
+  }
+  return operand;
+}
+
+std::optional<std::string> reading_of_faults(const Region& region, FillRule fill) {
+  if (fill == FillRule::kStrict) return std::nullopt;
+  const std::vector<Fault> faults = validate(region, 1);
+  if (faults.empty()) return std::nullopt;
+  const char* const meaning =
+      fill == FillRule::kAutomatic
+          ? "each polygon is what its outer ring encloses less what its holes enclose"
+          : "what rings enclose is told by their winding numbers";
+  return described(faults.front()) + "; the polygons are not valid, and are read by --fill " +
+         to_string(fill) + ": " + meaning + " (--strict refuses them)";
 }
 
 int report_failure(std::optional<std::uint64_t> memory_limit) noexcept {

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "minksum/error.hpp"
+#include "minksum/resolve.hpp"
 
 namespace minksum::cli {
 
@@ -44,6 +45,14 @@ struct ReadOperand {
 };
 /// Reads an operand; what goes wrong is thrown as a Failure that names the file.
 [[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits);
+/// The same for an operand that is going to be read by this rule. Tells on standard error if its
+/// polygons are not valid, and how they are read then.
+[[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits,
+                                       FillRule fill);
+
+/// Why polygons are not valid and how they are read by this rule; nothing if they are valid, or if
+/// the rule refuses them.
+[[nodiscard]] std::optional<std::string> reading_of_faults(const Region& region, FillRule fill);
 
 /// Tells the exception being handled on standard error, in one line; returns the exit code.
 /// Needs no memory to say that there is none; `memory_limit` in bytes, if there is one.

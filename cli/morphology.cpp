@@ -49,8 +49,8 @@ int run_morphology(const MorphologyArguments& arguments) {
   OutputFiles files;
   files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
-  const Geometry a = read_operand(arguments.operands[0], arguments.limits).geometry;
-  const Geometry b = read_operand(arguments.operands[1], arguments.limits).geometry;
+  const Geometry a = read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
+  const Geometry b = read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
     const Geometry result = morphology(arguments, a, b);
     write_geometry(files, arguments, rounded(result, arguments));

@@ -101,8 +101,8 @@ int run_nesting(const NestingArguments& arguments) {
   OutputFiles files;
   files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
-  const Geometry fixed = read_operand(arguments.operands[0], arguments.limits).geometry;
-  const Geometry moving = read_operand(arguments.operands[1], arguments.limits).geometry;
+  const Geometry fixed = read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
+  const Geometry moving = read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
     if (!arguments.placements.empty()) {
       write_contacts(arguments, fixed, moving);

@@ -164,26 +164,26 @@ struct Entry {
 
 const std::vector<Entry>& operations() {
   using enum MorphologyArguments::Operation;
-  static const std::vector<std::string> kMorphology{"fill", "tight", "format", "coords", "round"};
+  static const std::vector<std::string> kMorphology{"fill", "strict", "tight", "format", "coords", "round"};
   static const std::vector<Entry> kOperations{
-      {"sum", make_sum, {"fill", "regularize", "method", "tight", "format", "coords", "round"}},
+      {"sum", make_sum, {"fill", "strict", "regularize", "method", "tight", "format", "coords", "round"}},
       {"dilate", make_morphology<kDilate>, kMorphology},
       {"erode", make_morphology<kErode>, kMorphology},
       {"open", make_morphology<kOpen>, kMorphology},
       {"close", make_morphology<kClose>, kMorphology},
-      {"nfp", make_nesting<false>, {"fill", "reference", "at", "format", "coords", "round"}},
-      {"ifp", make_nesting<true>, {"fill", "reference", "format", "coords", "round"}},
-      {"depth", make_depth, {"fill", "along"}},
+      {"nfp", make_nesting<false>, {"fill", "strict", "reference", "at", "format", "coords", "round"}},
+      {"ifp", make_nesting<true>, {"fill", "strict", "reference", "format", "coords", "round"}},
+      {"depth", make_depth, {"fill", "strict", "along"}},
       {"offset",
        make_offset,
-       {"distance", "join", "cap", "miter-limit", "tolerance", "side", "fill", "format", "coords",
-        "round"},
+       {"distance", "join", "cap", "miter-limit", "tolerance", "side", "fill", "strict", "format",
+        "coords", "round"},
        1}};
   return kOperations;
 }
 
 // Those that are there or not; all others have a value.
-constexpr const char* kFlags[] = {"regularize", "tight"};
+constexpr const char* kFlags[] = {"regularize", "strict", "tight"};
 
 constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
                                          "max-crossings", "timeout"};
@@ -232,6 +232,7 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<TypedO
   for (const TypedOption& option : defaults) {
     const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
     if (at && holds(typed, "at")) continue;  // its answers are no geometry
+    if (option.name == "fill" && holds(typed, "strict")) continue;
     if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
   }
   Parser parser(entry.name, entry.operands, all);

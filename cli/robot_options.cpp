@@ -46,10 +46,10 @@ std::size_t parse_angles(const std::string& text) {
 }
 
 RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& options) {
-  RobotScene scene{read_operand(arguments.operands[0], arguments.limits).geometry,
-                   read_operand(arguments.operands[1], arguments.limits).geometry};
+  RobotScene scene{read_operand(arguments.operands[0], arguments.limits, options.fill).geometry,
+                   read_operand(arguments.operands[1], arguments.limits, options.fill).geometry};
   if (!arguments.workspace.empty()) {
-    options.workspace = read_operand(arguments.workspace, arguments.limits).geometry;
+    options.workspace = read_operand(arguments.workspace, arguments.limits, options.fill).geometry;
   }
   return scene;
 }

@@ -95,13 +95,20 @@ void settle_tight(SumArguments& arguments) {
 }  // namespace
 
 CLI::Option* add_fill_option(CLI::App& command, FillRule& fill) {
-  return command
-      .add_option_function<std::string>(
-          "--fill", [&fill](const std::string& name) { fill = kFillRules.at(name); },
-          "automatic (legal polygons as OGC says, others nonzero; the default), evenodd, nonzero, "
-          "positive, negative, strict (legal polygons alone)")
-      ->check(CLI::IsMember(names_of(kFillRules)))
-      ->type_name("RULE");
+  CLI::Option* const rule =
+      command
+          .add_option_function<std::string>(
+              "--fill", [&fill](const std::string& name) { fill = kFillRules.at(name); },
+              "automatic (outer rings less their holes, as OGC says; the default), evenodd, "
+              "nonzero, positive, negative, strict (valid polygons alone)")
+          ->check(CLI::IsMember(names_of(kFillRules)))
+          ->type_name("RULE");
+  command
+      .add_flag_callback(
+          "--strict", [&fill] { fill = FillRule::kStrict; },
+          "Refuse polygons that are not valid, as --fill strict")
+      ->excludes(rule);
+  return rule;
 }
 
 CLI::App* add_sum(CLI::App& app, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits) {

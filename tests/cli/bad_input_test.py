@@ -172,7 +172,7 @@ class BadInput(ProgramTest):
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(fragment, result.stderr.decode())
                 for rule in ("automatic", "evenodd", "nonzero", "positive", "negative"):
-                    self.fine("sum", bad, square, "--fill", rule)
+                    self.fine("sum", bad, square, "--fill", rule, note=f"--fill {rule}: ")
 
     def test_what_is_no_file(self):
         square = self.file("square.wkt", SQUARE)

@@ -99,8 +99,9 @@ class Results(ProgramTest):
 
 
 class Geometries(ProgramTest):
-    def sum(self, p, q, *extra):
-        return self.fine("sum", self.file("p.txt", p), self.file("q.txt", q), *extra).rstrip("\n")
+    def sum(self, p, q, *extra, **options):
+        files = self.file("p.txt", p), self.file("q.txt", q)
+        return self.fine("sum", *files, *extra, **options).rstrip("\n")
 
     def test_thin_operands(self):
         for p, q, expected in (
@@ -122,6 +123,35 @@ class Geometries(ProgramTest):
                 self.assertEqual(self.sum(p, q), expected)
                 self.assertEqual(self.sum(q, p), expected)
 
+    def test_operands_that_are_not_valid(self):
+        """A hole only takes away; the program tells of it, or refuses."""
+        notched = self.file("notched.wkt", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), "
+                                           "(4 2, 9 2, 9 4, 4 4, 4 2))")
+        square = self.file("square.wkt", SQUARE)
+        area = "POLYGON ((0 0, 6 0, 6 2, 4 2, 4 4, 6 4, 6 6, 0 6, 0 0))\n"
+        why = f"{notched}: polygon 1, ring 1, vertex 2: edges cross at (6, "
+        rule = "read by --fill automatic: "
+        for fragment in (why, rule, "--strict"):
+            self.assertEqual(self.fine("sum", notched, self.file("o.wkt", "POINT (0 0)"),
+                                       note=fragment), area)
+        for command in (["sum", notched, square], ["dilate", notched, square],
+                        ["erode", notched, square], ["open", notched, square],
+                        ["close", notched, square], ["nfp", notched, square],
+                        ["ifp", notched, square], ["depth", notched, square],
+                        ["offset", notched, "--distance", "1"], ["draw", notched],
+                        ["cspace", notched, square, "--angles", "1"],
+                        ["reach", square, notched, "--from", "-9,-9,0", "--to", "20,20,0",
+                         "--angles", "4"]):
+            with self.subTest(command=command[0]):
+                self.fine(*command, note=why)
+                for strict in (["--strict"], ["--fill", "strict"]):
+                    self.fails(2, "edges cross at (6, ", *command, *strict)
+        self.fails(1, "--strict", "sum", notched, square, "--strict", "--fill", "evenodd")
+        # By winding numbers the hole fills what of it is outside.
+        self.fine("sum", notched, square, "--fill", "nonzero", note="read by --fill nonzero")
+        result = self.file("result.wkt", area)
+        self.fine("check", result, notched, self.file("o.wkt", "POINT (0 0)"), note=why)
+
     def test_fill_rules(self):
         twice = "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0, 0 0, 2 0, 2 2, 0 2, 0 0))"
         full = "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0))"
@@ -131,8 +161,10 @@ class Geometries(ProgramTest):
                                ("negative", "MULTILINESTRING ((0 2, 0 0, 2 0), "
                                 "(0 2, 0 6, 6 6, 6 0, 2 0), (0 2, 2 2, 2 0))")):
             with self.subTest(rule):
-                self.assertEqual(self.sum(twice, "POINT (0 0)", "--fill", rule), expected)
-        self.assertEqual(self.sum(twice, SQUARE, "--fill", "evenodd", "--regularize"),
+                self.assertEqual(self.sum(twice, "POINT (0 0)", "--fill", rule, note="not valid"),
+                                 expected)
+        self.assertEqual(self.sum(twice, SQUARE, "--fill", "evenodd", "--regularize",
+                                  note="not valid"),
                          "POLYGON ((0 2, 2 2, 2 0, 8 0, 8 8, 0 8, 0 2))")
         self.assertEqual(self.sum(SQUARE, "POINT (0 0)", "--regularize"), "POLYGON EMPTY")
 

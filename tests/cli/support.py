@@ -53,11 +53,14 @@ class ProgramTest(unittest.TestCase):
         path.write_bytes(content.encode() if isinstance(content, str) else content)
         return path
 
-    def fine(self, *arguments, **options):
-        """Runs the program, which must succeed in silence on standard error; its output."""
+    def fine(self, *arguments, note="", **options):
+        """Runs the program, which must succeed in silence on standard error, but for one line that
+        holds `note`, if that is asked for; its output."""
         result = run(*arguments, **options)
-        self.assertEqual(result.returncode, 0, result.stderr.decode(errors="replace"))
-        self.assertEqual(result.stderr, b"")
+        told = result.stderr.decode(errors="replace")
+        self.assertEqual(result.returncode, 0, told)
+        self.assertEqual(told.count("\n"), 1 if note else 0, told)
+        self.assertIn(note, told)
         return result.stdout.decode()
 
     def fails(self, code, fragment, *arguments, **options):
