@@ -69,7 +69,7 @@ void expect_files(const CspaceArguments& arguments, OutputFiles& files) {
   if (arguments.slices.empty()) return;
   make_folder(arguments.slices);
   for (std::size_t i = 0; i < arguments.turns.size(); ++i) {
-    files.expect("--slices", slice_file(arguments, i));
+    files.expect_own("--slices", slice_file(arguments, i));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -103,13 +104,18 @@ class Descriptor {
   int descriptor_;
 };
 
-// The rights of the file that is replaced, or those that any new file gets.
-mode_t rights_for(const fs::path& place) {
-  struct stat status {};
-  if (::stat(place.c_str(), &status) == 0) return status.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+enum class AccessList { kNone, kTakenOver, kLost };
+
+// With an access control list, the permission bits of the group stand for the most that anyone on
+// the list may do: they say nothing without it.
+AccessList take_over_access_list(int descriptor, const fs::path& place) {
+  constexpr const char* kName = "system.posix_acl_access";
+  const ssize_t size = ::getxattr(place.c_str(), kName, nullptr, 0);
+  if (size <= 0) return AccessList::kNone;
+  std::string list(static_cast<std::size_t>(size), '\0');
+  const bool taken = ::getxattr(place.c_str(), kName, list.data(), list.size()) == size &&
+                     ::fsetxattr(descriptor, kName, list.data(), list.size(), 0) == 0;
+  return taken ? AccessList::kTakenOver : AccessList::kLost;
 }
 
 // What the path stands for, if it is there.
@@ -133,6 +139,36 @@ void check_writable(const std::string& path) {
 }
 
 }  // namespace
+
+void take_over_rights(int descriptor, const fs::path& place) {
+  struct stat old {};
+  if (!find(place, old)) {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(descriptor, 0666 & ~mask);
+    return;
+  }
+  constexpr auto kSameOwner = static_cast<uid_t>(-1);
+  const bool same_group = ::fchown(descriptor, old.st_uid, old.st_gid) == 0 ||
+                          ::fchown(descriptor, kSameOwner, old.st_gid) == 0;
+  const AccessList list =
+      same_group ? take_over_access_list(descriptor, place) : AccessList::kLost;
+  if (list == AccessList::kTakenOver) return;  // the permission bits came with it
+  mode_t rights = old.st_mode & 0777;
+  if (list == AccessList::kLost) rights &= 0707 | ((rights & 07) << 3);
+  ::fchmod(descriptor, rights);
+}
+
+int open_special(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, "cannot be written", errno);
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0 || S_ISREG(status.st_mode)) {
+    ::close(descriptor);
+    fail(path, "cannot be written: another program has just put a file there");
+  }
+  return descriptor;
+}
 
 bool is_special(const std::string& path) {
   std::error_code ignored;
@@ -177,6 +213,16 @@ void OutputFiles::expect(const std::string& name, const std::string& path) {
   if (!is_standard_output(path)) check_writable(path);
 }
 
+void OutputFiles::expect_own(const std::string& name, const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    fail(path, "is not a file, but a file of this name is to be written (" + name +
+                   "): move it away, or name another folder");
+  }
+  expect(name, path);
+  own_.insert(path);
+}
+
 void OutputFiles::expect_if_any(const std::string& name, const std::string& path) {
   if (!path.empty()) expect(name, path);
 }
@@ -187,15 +233,16 @@ void OutputFiles::reserve(const std::string& name, const std::string& path) {
 
 void OutputFiles::write(const std::string& path, const std::function<void(std::ostream&)>& write) {
   if (is_standard_output(path)) return write_standard_output(write);
-  if (is_special(path)) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_NOCTTY));
-    if (file.get() < 0) fail(path, "cannot be written", errno);
+  const bool own = own_.contains(path);
+  if (!own && is_special(path)) {
+    const Descriptor file(open_special(path));
     return write_descriptor(file.get(), path, write);
   }
-  const fs::path place = real_place(path);
+  const fs::path place =
+      own ? real_place(fs::path(path).parent_path()) / fs::path(path).filename() : real_place(path);
   TemporaryFile& file = written_.emplace_back(path, place).file;
   write_descriptor(file.descriptor(), path, write);
-  ::fchmod(file.descriptor(), rights_for(place));
+  take_over_rights(file.descriptor(), place);
   // Without this, the loss of power soon after could leave an empty file in the old one's place.
   // Where a file system cannot do it (EINVAL, ENOTSUP), there is nothing to wait for.
   if (::fsync(file.descriptor()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {

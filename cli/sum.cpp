@@ -35,7 +35,7 @@ void expect_files(const SumArguments& arguments, OutputFiles& files) {
   if (arguments.trace.empty()) return;
   make_folder(arguments.trace);
   for (const char* const name : kTraceFiles) {
-    files.expect("--trace", arguments.trace + '/' + name);
+    files.expect_own("--trace", arguments.trace + '/' + name);
   }
 }
 

@@ -2,7 +2,9 @@
 import json
 import os
 import re
+import shutil
 import stat
+import struct
 import xml.etree.ElementTree
 
 from support import FRAME, SQUARE, TRIANGLE, ProgramTest, main, run
@@ -408,6 +410,67 @@ class Files(ProgramTest):
         self.assertTrue(link.is_symlink())
         self.assertEqual(out.read_text(), SQUARES)
         self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o640)
+
+    def test_only_rights_to_read_write_and_run_stay(self):
+        """A set-user-ID bit was given to the old content."""
+        for mode in (0o4755, 0o2775, 0o1777, 0o7644, 0o600, 0o444 | 0o200):
+            outputs = {option: self.file(name, "old") for option, name in (
+                ("-o", "out.wkt"), ("--svg", "out.svg"), ("--stats", "out.json"),
+                ("--tight", "tight.wkt"))}
+            for out in outputs.values():
+                out.chmod(mode)
+            self.fine("sum", self.p, self.p, *[w for pair in outputs.items() for w in pair])
+            for out in outputs.values():
+                self.assertNotEqual(out.read_text(), "old")
+                self.assertEqual(stat.S_IMODE(out.stat().st_mode), mode & 0o777)
+
+    def test_access_list_stays(self):
+        """With one, the bits of the group stand for the most that anyone on it may do."""
+        name = "system.posix_acl_access"
+        out = self.file("out.wkt", "old")
+        entries = [(1, 6, -1), (2, 4, 12345), (4, 0, -1), (16, 4, -1), (32, 0, -1)]
+        given = struct.pack("<I", 2) + b"".join(struct.pack("<HHi", *entry) for entry in entries)
+        try:
+            os.setxattr(out, name, given)
+        except OSError as error:
+            self.skipTest(f"the file system has no access control lists: {error}")
+        self.fine("sum", self.p, self.p, "-o", out)
+        self.assertEqual(out.read_text(), SQUARES)
+        self.assertEqual(os.getxattr(out, name), given)
+        self.assertEqual(stat.S_IMODE(out.stat().st_mode), 0o640)
+
+    def test_owner_stays(self):
+        out = self.file("out.wkt", "old")
+        try:
+            os.chown(out, 12345, 23456)
+        except PermissionError:
+            self.skipTest("only root can give files away")
+        self.fine("sum", self.p, self.p, "-o", out)
+        self.assertEqual(out.read_text(), SQUARES)
+        self.assertEqual((out.stat().st_uid, out.stat().st_gid), (12345, 23456))
+
+    def test_links_and_pipes_in_folders_are_refused(self):
+        """The program chose those names: nobody said that what they lead to is meant."""
+        bracket = os.path.join(EXAMPLES, "bracket.wkt")
+        target = self.file("target", "precious")
+        commands = (("7-result.svg", ["sum", self.p, self.p, "--trace"]),
+                    ("3-cover.json", ["sum", self.p, self.p, "--trace"]),
+                    ("slice-003.svg", ["cspace", self.p, bracket, "--angles", "4", "--slices"]))
+        for name, command in commands:
+            folder = self.folder / "folder"
+            folder.mkdir()
+            place = folder / name
+            for make in (lambda: place.symlink_to(target), lambda: place.symlink_to("nowhere"),
+                         lambda: os.mkfifo(place), place.mkdir):
+                make()
+                self.fails(2, f"{name}: is not a file, but a file of this name is to be written",
+                           *command, folder)
+                self.assertEqual(list(folder.iterdir()), [place])
+                place.rmdir() if place.is_dir() and not place.is_symlink() else place.unlink()
+            self.fine(*command, folder)
+            self.fine(*command, folder)  # over what is there now
+            shutil.rmtree(folder)
+        self.assertEqual(target.read_text(), "precious")
 
     def test_no_place_to_write(self):
         self.fails(2, "there is no folder", "sum", self.p, self.p, "-o", self.folder / "no" / "x")
