@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <ostream>
+#include <utility>
 
 #include "batch_job.hpp"
 #include "batch_run.hpp"
@@ -38,6 +39,7 @@ class JobLines {
   JobLines& operator=(const JobLines&) = delete;
 
   std::optional<JobLine> next() {
+    if (ahead_) return std::exchange(ahead_, {});
     for (;;) {
       std::optional<JobLine> line = take();
       if (!line) return {};
@@ -46,9 +48,14 @@ class JobLines {
       if (line->text.find_first_not_of(" \t") != std::string::npos) return line;
     }
   }
+  // The next line, which stays that; nullptr if there is none.
+  const JobLine* peek() {
+    if (!ahead_) ahead_ = next();
+    return ahead_ ? &*ahead_ : nullptr;
+  }
   // Whether the next line, or the end, can be read without waiting for whoever writes it.
   [[nodiscard]] bool are_at_hand() const {
-    if (buffer_.find('\n', at_) != std::string::npos) return true;
+    if (ahead_ || buffer_.find('\n', at_) != std::string::npos) return true;
     pollfd poll{descriptor_, POLLIN, 0};
     return ::poll(&poll, 1, 0) != 0;
   }
@@ -97,6 +104,7 @@ class JobLines {
   }
 
   std::string shown_;
+  std::optional<JobLine> ahead_;
   std::size_t max_bytes_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
@@ -115,10 +123,11 @@ int run_batch(const BatchArguments& arguments) {
   JobLines lines(arguments.jobs, arguments.limits.read.max_bytes);
   JobRunner runner(arguments);
   BatchRun run(arguments);
-  run.go_on([&]() -> std::optional<std::string> {
-    const std::optional<JobLine> line = lines.next();
-    return line ? std::optional(runner.head(*line)) : std::nullopt;
-  });
+  run.go_on({[&]() -> std::optional<std::string> {
+               const JobLine* const line = lines.peek();
+               return line != nullptr ? std::optional(runner.head(*line)) : std::nullopt;
+             },
+             [&] { static_cast<void>(lines.next()); }});
   Work work;
   work.next = [&]() -> std::optional<Task> {
     std::optional<JobLine> line = lines.next();

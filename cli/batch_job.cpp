@@ -213,6 +213,23 @@ bool is_result(std::string_view line, const std::string& head, bool& failed) {
   return true;
 }
 
+bool is_any_result(std::string_view line) {
+  const auto passes = [&line](std::string_view part) {
+    const bool fits = line.starts_with(part) || part.starts_with(line);
+    line.remove_prefix(std::min(line.size(), part.size()));
+    return fits;
+  };
+  if (!passes("{\"job\":")) return false;
+  const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+  if (digits == 0 && !line.empty()) return false;
+  line.remove_prefix(digits);
+  return passes(",\"digest\":\"");
+}
+
+bool may_begin(std::string_view line, const std::string& head) {
+  return line.starts_with(head) || head.starts_with(line);
+}
+
 std::string error_json(double seconds) {
   const auto json = [](const char* code, const std::string& message) {
     return std::string(R"("error":{"code":")") + code + R"(","message":)" + to_json(message) + '}';

@@ -37,6 +37,12 @@ class Digest {
 /// whether the job has failed.
 [[nodiscard]] bool is_result(std::string_view line, const std::string& head, bool& failed);
 
+/// Whether the text begins as the result of any job does, or ends before that can be told. A whole
+/// line has its end, '\n'.
+[[nodiscard]] bool is_any_result(std::string_view line);
+/// Whether it begins as the result with this head does.
+[[nodiscard]] bool may_begin(std::string_view line, const std::string& head);
+
 /// `"error":{"code":...,"message":...}` for the exception being handled.
 [[nodiscard]] std::string error_json(double seconds);
 

@@ -212,9 +212,10 @@ int run_pairs(const BatchArguments& arguments) {
   const std::uint64_t count = parts.pairs();
   std::uint64_t at = 0;
   BatchRun run(arguments);
-  run.go_on([&]() -> std::optional<std::string> {
-    return at < count ? std::optional(runner.head(at++)) : std::nullopt;
-  });
+  run.go_on({[&]() -> std::optional<std::string> {
+               return at < count ? std::optional(runner.head(at)) : std::nullopt;
+             },
+             [&] { ++at; }});
   Work work;
   work.next = [&]() -> std::optional<Task> {
     if (at == count) return {};

@@ -24,23 +24,49 @@ void expect_files(const BatchArguments& arguments, OutputFiles& files) {
 }
 
 BatchRun::BatchRun(const BatchArguments& arguments) : arguments_(arguments) {
-  if (!arguments.no_output) output_.emplace(arguments.output, arguments.restart);
+  if (!arguments.no_output) output_.emplace(arguments.output);
 }
 
-void BatchRun::go_on(const std::function<std::optional<std::string>()>& next_head) {
+void BatchRun::go_on(const Jobs& jobs) {
   if (!output_) return;
+  if (arguments_.restart) {
+    check_earlier();
+  } else {
+    take_earlier(jobs);
+  }
+  output_->begin(!arguments_.restart);
+}
+
+void BatchRun::take_earlier(const Jobs& jobs) {
   while (const std::optional<std::string> line = output_->earlier_line()) {
-    const std::optional<std::string> head = next_head();
+    const std::optional<std::string> head = jobs.head();
     bool failed = false;
-    if (!head || !is_result(*line, *head, failed)) {
-      throw Failure(kBadInput, output_->unfinished() + ":" + std::to_string(jobs_ + 1) +
-                                   ": not the result of this job with these settings; --restart "
-                                   "starts afresh");
-    }
+    if (!head || !is_result(*line, *head, failed)) refuse(jobs_ + 1, *line + '\n');
+    jobs.pass();
     ++jobs_;
     if (failed) ++failed_;
   }
   earlier_ = jobs_;
+  if (output_->torn().empty()) return;
+  const std::optional<std::string> head = jobs.head();
+  if (!head || !may_begin(output_->torn(), *head)) refuse(jobs_ + 1, output_->torn());
+}
+
+void BatchRun::check_earlier() {
+  std::uint64_t count = 0;
+  while (const std::optional<std::string> line = output_->earlier_line()) {
+    ++count;
+    if (!is_any_result(*line + '\n')) refuse(count, *line + '\n');
+  }
+  if (!is_any_result(output_->torn())) refuse(count + 1, output_->torn());
+}
+
+void BatchRun::refuse(std::uint64_t line, std::string_view text) const {
+  const std::string why =
+      is_any_result(text)
+          ? "not the result of this job with these settings; --restart starts afresh"
+          : "not a line that a run has left; move the file away, or name another with -o";
+  throw Failure(kBadInput, output_->unfinished() + ":" + std::to_string(line) + ": " + why);
 }
 
 void BatchRun::run(Work work, const std::function<std::optional<double>()>& share) {

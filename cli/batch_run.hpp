@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "batch.hpp"
 #include "in_order.hpp"
@@ -17,9 +18,16 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchArguments& arguments);
 
-  /// Takes what an earlier run has written. `next_head` gives how the next job's result begins;
-  /// nothing if there are no more jobs. Throws a Failure if a line is not that job's result.
-  void go_on(const std::function<std::optional<std::string>()>& next_head);
+  /// The jobs, as far as an earlier run has done them.
+  struct Jobs {
+    /// How the next job's result begins; nothing if there are no more jobs.
+    std::function<std::optional<std::string>()> head;
+    std::function<void()> pass;  ///< the next job is done
+  };
+  /// Takes what an earlier run has written, or forgets it if that is asked for. Throws a Failure,
+  /// and leaves everything as it was, if a line is not its job's result, or, to be forgotten, no
+  /// result at all.
+  void go_on(const Jobs& jobs);
   /// Does the work, whose `consume` is this function's own; `share` tells how much is done, if that
   /// is known.
   void run(Work work, const std::function<std::optional<double>()>& share);
@@ -29,6 +37,10 @@ class BatchRun {
   [[nodiscard]] std::uint64_t jobs() const { return jobs_; }
 
  private:
+  void take_earlier(const Jobs& jobs);
+  void check_earlier();
+  [[noreturn]] void refuse(std::uint64_t line, std::string_view text) const;
+
   const BatchArguments& arguments_;
   std::optional<LineOutput> output_;  ///< none = nothing is written
   std::uint64_t jobs_ = 0;

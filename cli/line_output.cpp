@@ -2,41 +2,65 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "failure.hpp"
 #include "output_file.hpp"
 
 namespace minksum::cli {
 
-LineOutput::LineOutput(const std::string& path, bool restart) {
+namespace {
+
+// Whether the name is of the file that the descriptor is of, and not a link to it.
+bool is_at(const std::string& name, int descriptor) {
+  struct stat named {};
+  struct stat opened {};
+  return ::lstat(name.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
+         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
+}  // namespace
+
+LineOutput::LineOutput(const std::string& path) {
   if (path.empty()) {
     descriptor_ = STDOUT_FILENO;
     return;
   }
   shown_ = path;
   if (is_special(path)) {
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
-    if (descriptor_ < 0) fail(errno);
+    descriptor_ = open_special(path);
   } else {
-    open_file(path, restart);
+    open_file(path);
   }
 }
 
-void LineOutput::open_file(const std::string& path, bool restart) {
+void LineOutput::open_file(const std::string& path) {
   place_ = real_place(path).string();
   partial_ = unfinished_place(path);
-  shown_ = path + ".partial";
-  descriptor_ = ::open(partial_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail(errno);
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw Failure(kBadInput, shown_ + ": another run is writing it");
-  }
-  if (restart && ::ftruncate(descriptor_, 0) != 0) fail(errno);
+  std::error_code ignored;
+  shown_ = std::filesystem::is_symlink(path, ignored) ? partial_ : path + ".partial";
+  // Whatever has that name already: no link is followed, and nobody at a pipe's other end is waited
+  // for. Only the owner reads it until it takes its place.
+  constexpr int kFlags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;
+  descriptor_ = ::open(partial_.c_str(), kFlags, 0600);
+  const int reason = errno;
+  struct stat status {};
+  const bool there = descriptor_ < 0 ? ::lstat(partial_.c_str(), &status) == 0
+                                     : ::fstat(descriptor_, &status) == 0;
+  if (there && !S_ISREG(status.st_mode)) refuse("is no file, but a link, a folder, or a device");
+  if (descriptor_ < 0) fail(reason);
+  if (status.st_nlink > 1) refuse("has another name as well, a hard link");
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) tell_other_run();
+  // The other run may have moved it to its place before the lock was free.
+  if (!is_at(partial_, descriptor_)) tell_other_run();
   reading_ = true;
 }
 
@@ -46,6 +70,16 @@ std::string LineOutput::unfinished_place(const std::string& path) {
 
 LineOutput::~LineOutput() {
   if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
+}
+
+void LineOutput::refuse(const std::string& why) const {
+  throw Failure(kBadInput, shown_ + ": " + why +
+                               ": not what a run of these jobs has left; move it away, or name "
+                               "another file with -o");
+}
+
+void LineOutput::tell_other_run() const {
+  throw Failure(kBadInput, shown_ + ": another run is writing it");
 }
 
 void LineOutput::fail(int reason) const {
@@ -77,13 +111,16 @@ std::optional<std::string> LineOutput::earlier_line() {
     if (got == 0) break;
   }
   reading_ = false;
-  buffer_ = {};
-  // A line without an end was torn.
-  if (::ftruncate(descriptor_, static_cast<off_t>(complete_)) != 0 ||
+  torn_ = std::exchange(buffer_, {});
+  return {};
+}
+
+void LineOutput::begin(bool keep) {
+  if (place_.empty()) return;
+  if (::ftruncate(descriptor_, keep ? static_cast<off_t>(complete_) : 0) != 0 ||
       ::lseek(descriptor_, 0, SEEK_END) < 0) {
     fail(errno);
   }
-  return {};
 }
 
 void LineOutput::write(std::string_view lines) {
@@ -100,6 +137,8 @@ void LineOutput::finish() {
   if (::fsync(descriptor_) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
     fail(errno);
   }
+  if (!is_at(partial_, descriptor_)) refuse("is another file than the one that was written");
+  take_over_rights(descriptor_, place_);
   if (::rename(partial_.c_str(), place_.c_str()) != 0) fail(errno);
 }
 

@@ -9,6 +9,8 @@ import random
 import re
 import select
 import signal
+import socket
+import stat
 import subprocess
 import time
 from fractions import Fraction
@@ -431,10 +433,63 @@ class GoingOn(BatchTest):
             self.fails(2, f"out.jsonl.partial:{line}: not the result of this job with these "
                           "settings; --restart starts afresh", "batch", *arguments, "-o", self.out)
             self.assertEqual(self.partial.read_bytes(), b"".join(lines[:10]))
-        for content in (b"no result\n", lines[1], lines[0][:60] + b"\n", self.whole + lines[0]):
+        for content in (lines[1], lines[0][:60] + b"\n", self.whole + lines[0],
+                        lines[0] + lines[0][:30], self.whole + b'{"job":'):
             self.partial.write_bytes(content)
             self.fails(2, "--restart", "batch", self.jobs, "-o", self.out)
+            self.assertEqual(self.partial.read_bytes(), content)
         self.finish("--restart")
+
+    def test_what_no_run_has_left(self):
+        """A file that has that name by chance is not lost, whatever is asked for."""
+        result = self.whole.splitlines(keepends=True)[0]
+        for content, line in ((b"precious\n", 1), (b"precious", 1), (b"\0\xff", 1), (b"\n", 1),
+                              (result + b"precious", 2), (result + b'{"job": 2}\n', 2),
+                              (b'{"job":1,"name":', 1), (b'{"job":"1"', 1)):
+            self.partial.write_bytes(content)
+            for restart in ([], ["--restart"]):
+                self.fails(2, f"out.jsonl.partial:{line}: not a line that a run has left; move the "
+                              "file away", "batch", self.jobs, "-o", self.out, *restart)
+                self.assertEqual(self.partial.read_bytes(), content)
+                self.assertFalse(self.out.exists())
+        self.partial.write_bytes(result + result[:20])
+        self.finish("--restart")
+
+    def test_what_is_no_file(self):
+        """Links are not followed, nobody at the other end of a pipe is waited for."""
+        target = self.file("target", "")
+        nowhere = self.folder / "nowhere"
+        makers = (lambda: self.partial.symlink_to(target), lambda: self.partial.symlink_to(nowhere),
+                  lambda: self.partial.symlink_to("/dev/null"), lambda: os.mkfifo(self.partial),
+                  self.partial.mkdir, lambda: os.link(target, self.partial))
+        for make in makers:
+            make()
+            before = os.lstat(self.partial)
+            for restart in ([], ["--restart"]):
+                self.fails(2, "out.jsonl.partial: ", "batch", self.jobs, "-o", self.out, *restart)
+                self.fails(2, "move it away, or name another file with -o", "batch", self.jobs, "-o",
+                           self.out, *restart)
+            self.assertEqual(os.lstat(self.partial).st_ino, before.st_ino)
+            self.assertEqual((target.read_text(), nowhere.exists()), ("", False))
+            self.partial.rmdir() if self.partial.is_dir() else self.partial.unlink()
+        with socket.socket(socket.AF_UNIX) as there:
+            there.bind(str(self.partial))
+            self.fails(2, "move it away", "batch", self.jobs, "-o", self.out)
+        self.partial.unlink()
+        link = self.folder / "link.jsonl"
+        link.symlink_to(self.out)
+        self.partial.mkdir()
+        self.fails(2, f"{self.partial}: is no file", "batch", self.jobs, "-o", link)
+
+    def test_rights(self):
+        """Those of the old file, which nobody but the owner can read before."""
+        self.out.write_text("old")
+        self.out.chmod(0o6640)
+        self.partial.write_bytes(b"")
+        self.finish()
+        self.assertEqual(stat.S_IMODE(self.out.stat().st_mode), 0o640)
+        self.fails(2, "No space left", "batch", self.jobs, "-o", self.out, "--stats", "/dev/full")
+        self.assertEqual(stat.S_IMODE(self.partial.stat().st_mode), 0o600)
 
     def test_old_file_stays_if_statistics_fail(self):
         self.out.write_text("old")
@@ -451,7 +506,7 @@ class GoingOn(BatchTest):
 
     def test_old_file_stays_until_the_end(self):
         self.out.write_text("old")
-        self.partial.write_bytes(b"something else\n")
+        self.partial.write_bytes(self.whole[:100] + b"\n")
         self.fails(2, "--restart", "batch", self.jobs, "-o", self.out)
         self.assertEqual(self.out.read_text(), "old")
         self.finish("--restart")
