@@ -138,9 +138,13 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
   };
   if (const auto path = json_string(value)) {
     if (path->empty() || *path == "-") throw usage(std::string("'") + name + "' names no file");
+    const std::string file = (std::filesystem::path(folder) / *path).string();
+    // Reading those may never end, and the time limit does not reach it.
+    if (is_special(file)) {
+      throw Failure(kBadInput, *path + ": is no file; jobs read no pipes, devices, and folders");
+    }
     try {
-      return {io::read_geometry_file((std::filesystem::path(folder) / *path).string(), limits),
-              *path};
+      return {io::read_geometry_file(file, limits), *path};
     } catch (const Error& error) {
       throw failure_of(error, *path);
     }

@@ -174,7 +174,9 @@ class Jobs(BatchTest):
         good = {"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}
         bad = [  # what to change in the good one, the code, and what the message says
             ({"a": "nowhere.wkt"}, "bad-input", "nowhere.wkt: cannot be read: No such file"),
-            ({"a": "."}, "bad-input", "."),
+            ({"a": "."}, "bad-input", ".: is no file; jobs read no pipes"),
+            ({"a": "pipe"}, "bad-input", "pipe: is no file; jobs read no pipes"),
+            ({"a": "/dev/zero"}, "bad-input", "/dev/zero: is no file; jobs read no pipes"),
             ({"a": "-"}, "bad-job", "'a' names no file"),
             ({"a": ""}, "bad-job", "'a' names no file"),
             ({"b": wkt("POINT (1 x)")}, "bad-input", "b:1:10: "),
@@ -210,6 +212,7 @@ class Jobs(BatchTest):
              "depth has no option 'coords'"),
             ({"operation": "depth", "options": {"along": [0, 0]}}, "bad-job", "--along"),
             ({"operation": "depth", "options": {"along": [1]}}, "bad-job", "two numbers")]
+        os.mkfifo(self.folder / "pipe")
         jobs = []
         for change, _, _ in bad:
             jobs += [good, {**good, **change}]
