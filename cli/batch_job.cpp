@@ -103,6 +103,9 @@ std::vector<TypedOption> parse_options(std::string_view text) {
   const auto members = json_members(text);
   if (!members) throw usage("'options' is an object");
   for (const auto& [name, value] : *members) {
+    if (std::ranges::find(options, name, &TypedOption::name) != options.end()) {
+      throw usage("the option '" + name + "' is there twice");
+    }
     TypedOption option{name, {}};
     if (value == "false") {
       option.is_off = true;

@@ -1,11 +1,53 @@
 #include "json_members.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace minksum::cli {
 namespace {
 
 using Json = nlohmann::json;
+
+// Whether the text is a number as JSON has it (RFC 8259, section 6).
+bool is_number(std::string_view text) {
+  const auto digits = [&text] {
+    const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+    text.remove_prefix(count);
+    return count;
+  };
+  const auto accept = [&text](std::string_view any_of) {
+    const bool is_there = !text.empty() && any_of.find(text.front()) != std::string_view::npos;
+    if (is_there) text.remove_prefix(1);
+    return is_there;
+  };
+  accept("-");
+  if (!accept("0") && digits() == 0) return false;
+  if (accept(".") && digits() == 0) return false;
+  if (accept("eE")) {
+    accept("+-");
+    if (digits() == 0) return false;
+  }
+  return text.empty();
+}
+
+// Whether the text is JSON. The library that is asked refuses numbers beyond the range of doubles:
+// it gets a 0 for each number.
+bool is_json(std::string_view text) {
+  std::string simpler;
+  simpler.reserve(text.size());
+  bool in_string = false;
+  while (!text.empty()) {
+    const char c = text.front();
+    std::size_t length = in_string && c == '\\' ? 2 : 1;
+    if (c == '"') in_string = !in_string;
+    const bool digit = c == '-' || (c >= '0' && c <= '9');
+    if (!in_string && digit) length = text.find_first_not_of("+-.0123456789eE");
+    const std::string_view part = text.substr(0, length);
+    !in_string && digit && is_number(part) ? simpler += '0' : simpler += part;
+    text.remove_prefix(part.size());
+  }
+  return Json::accept(simpler);
+}
 
 // Walks over JSON that is known to be valid.
 class Scanner {
@@ -61,7 +103,7 @@ class Scanner {
 }  // namespace
 
 std::optional<std::vector<JsonMember>> json_members(std::string_view text) {
-  if (!Json::accept(text)) return {};
+  if (!is_json(text)) return {};
   Scanner scanner(text);
   if (scanner.peek() != '{') return {};
   std::vector<JsonMember> members;

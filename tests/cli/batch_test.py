@@ -165,6 +165,50 @@ class Jobs(BatchTest):
         message = run("batch", self.folder / "jobs.jsonl").stderr.decode()
         self.assertEqual(message, f"minksum: {failed} of 300 jobs failed\n")
 
+    def test_numbers_of_any_size(self):
+        """They are JSON, however large they are: an id is repeated as it stands."""
+        ids = ["1e999", "-0", "1e-400", "-0.0E+99999", "9" * 5000, '{"a": [1e999, "1e999\\""]}']
+        job = ('"operation": "sum", "a": {"type": "Point", "coordinates": [1e400, 0]}, "b": {"wkt": '
+               '"POINT (1 1)"}, "options": {"coords": "exact", "format": "geojson"}}\n')
+        text = "".join(f'{{"id": {id}, {job}' for id in ids)
+        jobs = self.file("jobs.jsonl", text)
+        out = self.folder / "out.jsonl"
+        self.fine("batch", jobs, "-o", out)
+        lines = out.read_text().splitlines()
+        for line, id in zip(lines, ids, strict=True):
+            point = f'{{"type": "Point", "coordinates": [1{"0" * 399}1,1]}}'
+            self.assertIn(f',"id":{id},"result":{point}', line)
+        # Such results are taken up again, too.
+        out.rename(self.folder / "out.jsonl.partial")
+        self.fine("batch", jobs, "-o", out, "--stats", self.folder / "stats.json")
+        self.assertEqual(out.read_text().splitlines(), lines)
+        self.assertEqual(json.loads((self.folder / "stats.json").read_text())["earlier"], len(ids))
+        for id in ("01", "1.", ".5", "+1", "1e", "--1", "1e+", "-", "1-2", "0x1", "Infinity", "NaN",
+                   "1 2", "1e5e5", '"\\ud800"', "1e999 1", "tru1"):
+            [result] = self.batch(f'{{"id": {id}, "operation": "sum", "a": "", "b": ""}}\n', code=2)
+            self.assertEqual(result["error"], {"code": "bad-job", "message":
+                             "a job is a JSON object, which this line is not"}, id)
+
+    def test_numbers_of_options(self):
+        for options, fragment in (('{"timeout": 1e999}', "--timeout: takes seconds"),
+                                  ('{"timeout": -0}', "--timeout: takes seconds"),
+                                  ('{"max-vertices": -0}', "--max-vertices: takes a count"),
+                                  ('{"max-vertices": 1e3}', "--max-vertices: takes a count"),
+                                  ('{"max-bytes": 99999999999999999999}', "--max-bytes: takes"),
+                                  ('{"round": "inside", "round": "outside"}', "'round' is there"),
+                                  ('{"tight": true, "tight": false}', "'tight' is there twice"),
+                                  ('{"tight": 1e999}', "--tight takes true or false")):
+            [result] = self.batch('{"operation": "sum", "a": {"wkt": "POINT (1 1)"}, "b": {"wkt": '
+                                  f'"POINT (1 1)"}}, "options": {options}}}\n', code=2)
+            self.assertEqual(result["error"]["code"], "bad-job")
+            self.assertIn(fragment, result["error"]["message"])
+        offset = ('{"operation": "offset", "a": {"wkt": "POINT (1 1)"}, "options": {"join": '
+                  '"square", "cap": "square", "coords": "exact", "distance": %s}}\n')
+        for distance in ("1e-400", "1e400", "12345678901234567890123456789", "2e-0"):
+            self.batch(offset % distance)
+        [result] = self.batch(offset % "1e99999", code=2)
+        self.assertIn("exponents up to", result["error"]["message"])
+
     def test_threads_change_nothing(self):
         jobs = self.file("jobs.jsonl", lines_of(some_jobs(500, 2)))
         outputs = {run("batch", jobs, "--threads", n).stdout for n in (1, 2, 4, 7)}
