@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "commands.hpp"
@@ -13,6 +12,7 @@
 #include "output_file.hpp"
 #include "result_options.hpp"
 #include "sum_options.hpp"
+#include "text_layout.hpp"
 #include "typed_numbers.hpp"
 
 namespace minksum::cli {
@@ -42,26 +42,13 @@ std::string style_of(const DrawArguments& arguments, std::size_t index) {
   return kStyles.at(index < std::size(kStylesInTurn) ? kStylesInTurn[index] : "outline");
 }
 
-// Arguments and names of files may be any bytes; XML holds neither control characters nor what is
-// not UTF-8.
-std::string printable(const std::string& text) {
-  using Json = nlohmann::json;
-  constexpr const char* kReplacement = "\ufffd";
-  const std::string valid =
-      Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
-          .get<std::string>();
-  std::string result;
-  for (const char c : valid) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    control ? result += kReplacement : result += c;
-  }
-  return result;
-}
-
 std::string caption_of(const DrawArguments& arguments, std::size_t index) {
-  if (index < arguments.captions.size()) return printable(arguments.captions[index]);
+  if (index < arguments.captions.size()) return arguments.captions[index];
   const std::string& file = arguments.files[index];
-  return file == "-" ? shown_name(file) : printable(std::filesystem::path(file).stem().string());
+  if (file == "-") return shown_name(file);
+  // Names of files may be any bytes; XML holds neither control characters nor what is not UTF-8.
+  return printable(std::filesystem::path(file).stem().string(),
+                   [](std::string_view) { return "\ufffd"; });
 }
 
 Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry& given) {
@@ -84,6 +71,13 @@ Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry
   layer.caption = caption_of(arguments, index);
   if (arguments.labels) layer.numbered = &given;
   return layer;
+}
+
+// What is typed is not mended in silence.
+void require_printable(const char* option, const std::string& text) {
+  if (is_printable(text)) return;
+  throw Failure(kWrongUsage,
+                std::string(option) + " takes text in UTF-8 without control characters");
 }
 
 void add_look_options(CLI::App& command, DrawArguments& arguments) {
@@ -138,6 +132,8 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& arguments, ProcessLimits& limit
 }
 
 void settle(DrawArguments& arguments) {
+  require_printable("--title", arguments.title);
+  for (const std::string& caption : arguments.captions) require_printable("--caption", caption);
   if (arguments.output == "-") arguments.output.clear();
   const std::size_t count = arguments.files.size();
   if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) {

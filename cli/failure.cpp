@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "faults.hpp"
+#include "text_layout.hpp"
+
 namespace minksum::cli {
 namespace {
 
@@ -25,18 +27,16 @@ ExitCode exit_code_of(ErrorCode code) {
 
 // Input can put anything into a message; one line stays one line, and a terminal stays sane.
 std::string one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
-      char escaped[8];
-      std::snprintf(escaped, sizeof escaped, "\\x%02x", static_cast<unsigned>(byte));
-      line += escaped;
-    } else {
-      line += c;
+  return printable(text, [](std::string_view part) {
+    std::string escaped;
+    for (const char c : part) {
+      const unsigned byte = static_cast<unsigned char>(c);
+      char hexadecimal[8];
+      std::snprintf(hexadecimal, sizeof hexadecimal, "\\x%02x", byte);
+      escaped += hexadecimal;
     }
-  }
-  return line;
+    return escaped;
+  });
 }
 
 int fail_with(ExitCode code, const std::string& message) {

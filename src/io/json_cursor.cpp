@@ -1,10 +1,24 @@
 #include "io/json_cursor.hpp"
 
 #include "io/number.hpp"
+#include "minksum/detail/utf8.hpp"
 
 namespace minksum::io {
 
 namespace {
+
+// How much of the text is as it stands in a string: neither its end, nor an escape, nor what must
+// not be there.
+std::size_t plain_length(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size() && text[at] != '"' && text[at] != '\\' &&
+         static_cast<unsigned char>(text[at]) >= 0x20) {
+    const std::size_t length = detail::utf8_length(text.substr(at));
+    if (length == 0) break;
+    at += length;
+  }
+  return at;
+}
 
 void append_utf8(std::string& out, unsigned code) {
   const auto byte = [&out](unsigned value) { out += static_cast<char>(value); };
@@ -37,15 +51,14 @@ std::string JsonCursor::take_string() {
   std::string result;
   for (;;) {
     const std::string_view rest = cursor_.rest();
-    std::size_t plain = 0;
-    while (plain < rest.size() && rest[plain] != '"' && rest[plain] != '\\' &&
-           static_cast<unsigned char>(rest[plain]) >= 0x20) {
-      ++plain;
-    }
+    const std::size_t plain = plain_length(rest);
     result += rest.substr(0, plain);
     cursor_.advance(plain);
     if (cursor_.at_end()) cursor_.fail(ErrorCode::kBadInput, "a string has no end", start);
     if (cursor_.accept('"')) return result;
+    if (static_cast<unsigned char>(cursor_.peek()) >= 0x80) {
+      cursor_.fail("a string must be in UTF-8, found " + cursor_.found());
+    }
     if (!cursor_.accept('\\')) {
       cursor_.fail("a control character in a string must be escaped, found " + cursor_.found());
     }

@@ -1,4 +1,5 @@
 """minksum draw, and its page."""
+import os
 import re
 import xml.etree.ElementTree as ElementTree
 
@@ -66,10 +67,23 @@ class Draw(ProgramTest):
         texts = self.texts(self.picture(self.frame, "--no-legend", "--no-axes"))
         self.assertEqual(texts, [])
         self.fails(1, "more captions", "draw", self.frame, "--caption", "a", "--caption", "b")
-        # What XML cannot hold.
-        odd = self.picture(self.frame, "--caption", b"\x01\xff\xc3\xa9".decode(
-            errors="surrogateescape"))
-        self.assertIn("\ufffd\ufffdé", self.texts(odd))
+
+    def test_words_that_xml_cannot_hold(self):
+        """Typed ones are refused, those of names of files replaced; what is refused says so."""
+        for odd in (b"\x01", b"\n", b"\x7f", b"\xff", b"\xc3", b"\xc2\x9b", b"\xed\xa0\x80",
+                    b"\xef\xbf\xbe", b"\xef\xbf\xbf"):
+            for option in ("--title", "--caption"):
+                self.fails(1, f"{option} takes text in UTF-8 without control characters", "draw",
+                           self.frame, option, os.fsdecode(b"x" + odd))
+            file = self.file(os.fsdecode(odd + b"\xc3\xa9.wkt"), FRAME)
+            self.assertRegex("".join(self.texts(self.picture(file))), "\ufffdé")
+            missing = run("draw", self.folder / os.fsdecode(odd + b"\xc3\xa9"))
+            text = missing.stderr.decode()
+            self.assertIn("/" + "".join(f"\\x{byte:02x}" for byte in odd) + "é: cannot be read", text)
+        for fine in ("é", "\u20ac", "\U0001f600", "\ue000", "\ufffd", "a < b"):
+            picture = self.picture(self.frame, "--title", fine, "--caption", fine)
+            self.assertEqual(picture.find(SVG + "title").text, fine)
+            self.assertIn(fine, self.texts(picture))
 
     def test_themes(self):
         looks = {theme: self.fine("draw", self.frame, "--theme", theme)
