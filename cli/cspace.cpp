@@ -106,11 +106,15 @@ class Run {
           turns, arguments_.free,
           [&](std::size_t i, Slice& slice) {
             written[i].feature = feature(slice, arguments_);
-            if (!arguments_.slices.empty()) written[i].picture = picture.one(slice);
+            if (arguments_.slices.empty()) return;
+            written[i].picture =
+                made_for(slice_file(arguments_, i), [&] { return picture.one(slice); });
           },
           [&](std::size_t i, Slice& slice) {
             out << (i == 0 ? "\n" : ",\n") << std::exchange(written[i].feature, {});
-            if (!arguments_.picture.empty()) overview.offer(i, slice);
+            if (!arguments_.picture.empty()) {
+              made_for(arguments_.picture, [&] { overview.offer(i, slice); });
+            }
             count(slice, totals);
           });
       out << "\n]}\n";
@@ -119,8 +123,8 @@ class Run {
       save(written[i], i);
     }
     if (!arguments_.picture.empty()) {
-      const std::string drawn = std::move(overview).finish();
-      files_.write(arguments_.picture, [&](std::ostream& out) { out << drawn; });
+      files_.write(arguments_.picture,
+                   [&](std::ostream& out) { out << std::move(overview).finish(); });
     }
     if (arguments_.stats.empty()) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

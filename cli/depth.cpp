@@ -82,9 +82,9 @@ void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b,
   Geometry second = resolve(b, reading);
   const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
   const char* const title = depth.overlapping ? "B, separated" : "B, in contact";
-  const std::string picture = sum_picture(
-      {resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true, {}});
-  files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
+  const Drawing drawing{
+      resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true, {}};
+  files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
 }
 
 }  // namespace

@@ -163,8 +163,7 @@ int run_draw(const DrawArguments& arguments) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     figure.layers.push_back(layer_of(arguments, i, given[i]));
   }
-  const std::string picture = figure_picture(figure);
-  files.write(arguments.output, [&](std::ostream& out) { out << picture; });
+  files.write(arguments.output, [&](std::ostream& out) { out << figure_picture(figure); });
   files.finish();
   return kFine;
 }

@@ -67,14 +67,19 @@ const char* option_of(const io::ReadError& error) {
   return is_of_all ? "--max-bytes" : nullptr;
 }
 
-// The message with the option that sets the limit, not with the member that does so in the library.
-// Other limits are fixed, and have no option.
+constexpr std::string_view kBeyondDoubles = "beyond the range of doubles";
+
+// The message with the option that sets the limit or avoids it, not with the member that does so in
+// the library. Other limits are fixed, and have no option.
 std::string with_option(const Error& error) {
   std::string message = error.what();
   const auto with = [&message](const char* option) { return message + " (" + option + ')'; };
   if (const auto* reading = dynamic_cast<const io::ReadError*>(&error)) {
     const char* const option = option_of(*reading);
     return option != nullptr ? with(option) : message;
+  }
+  if (message.starts_with("a coordinate is ") && message.ends_with(kBeyondDoubles)) {
+    return with("--coords exact, or decimal:N");
   }
   constexpr std::pair<std::string_view, const char*> kMembers[] = {
       {" (Limits::max_segments)", "--max-segments"},
@@ -142,6 +147,14 @@ Failure failure_of(const Error& error, const std::string& file) {
   if (const std::string place = describe(error.culprit()); !place.empty()) append(place + ":");
   append(error.code() == ErrorCode::kLimitExceeded ? with_option(error) : error.what());
   return Failure(exit_code_of(error.code()), line);
+}
+
+void fail_about_output(const Error& error, const std::string& output) {
+  const std::string_view message = error.what();
+  const bool about_output = error.code() == ErrorCode::kLimitExceeded &&
+                            message.find(kBeyondDoubles) != std::string_view::npos;
+  if (!about_output) throw;
+  throw failure_of(error, output.empty() || output == "-" ? "standard output" : output);
 }
 
 void fail_about(const Error& error, const std::string (&operands)[2]) {

@@ -31,12 +31,27 @@ class Failure : public std::runtime_error {
 /// Tells on standard error, in one line, what is no failure.
 void tell(const std::string& message);
 
+/// Handles `error`, the exception being handled, of what is made for an output: throws a Failure
+/// that names the output if numbers are beyond the range of doubles, else the exception itself.
+[[noreturn]] void fail_about_output(const Error& error, const std::string& output);
+
 /// The failure that `error` is, if it came about while reading or using `file`.
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
 /// Throws what `error`, raised by an operation on two operands, is: a Failure that names the file
 /// of the operand that it is about, or std::bad_alloc.
 [[noreturn]] void fail_about(const Error& error, const std::string (&operands)[2]);
+
+/// What `make` returns, which is made for an output (empty or "-": standard output): if that has no
+/// room for the numbers, a Failure that names it is thrown.
+template <class Make>
+auto made_for(const std::string& output, Make make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    fail_about_output(error, output);
+  }
+}
 
 /// An operand as a file gives it.
 struct ReadOperand {

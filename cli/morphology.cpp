@@ -53,17 +53,12 @@ int run_morphology(const MorphologyArguments& arguments) {
   const Geometry b = read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
     const Geometry result = morphology(arguments, a, b);
-    write_geometry(files, arguments, rounded(result, arguments));
+    write_rounded(files, arguments, result);
     if (!arguments.picture.empty()) {
       const ResolveOptions reading{arguments.options.fill, false, {}};
-      const std::string picture = sum_picture({resolve(a, reading),
-                                               resolve(b, reading),
-                                               result,
-                                               nullptr,
-                                               captions_of(arguments.operation),
-                                               true,
-                                               {}});
-      files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
+      const Drawing drawing{resolve(a, reading), resolve(b, reading), result, nullptr,
+                            captions_of(arguments.operation), true, {}};
+      files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
     }
   } catch (const Error& error) {
     fail_about(error, arguments.operands);

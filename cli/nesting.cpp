@@ -41,9 +41,9 @@ void draw(const NestingArguments& arguments, const Geometry& fixed, const Geomet
   // A part without area would have failed already if it had to have a first vertex.
   const Point mark =
       arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
-  const std::string picture = sum_picture(
-      {resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark});
-  files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
+  const Drawing drawing{resolve(fixed, reading), resolve(moving, reading), area, &tight, captions,
+                        true,                    mark};
+  files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
 }
 
 void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
@@ -57,7 +57,9 @@ void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
 void write_polygon(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
                    OutputFiles& files) {
   const Geometry polygon = fit_polygon(arguments, fixed, moving);
-  write_geometry(files, arguments, rounded_fit_polygon(arguments, polygon));
+  write_geometry(files, arguments, made_for(arguments.output, [&] {
+    return rounded_fit_polygon(arguments, polygon);
+  }));
   if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
   files.finish();
   if (arguments.inner_fit && polygon.empty()) {

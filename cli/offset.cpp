@@ -36,8 +36,7 @@ void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& r
   const ResolveOptions reading{arguments.options.fill, false, {}};
   Drawing drawing{resolve(a, reading), {}, result, nullptr, {}, true, {}};
   drawing.captions = {"Offset", "A", nullptr, "Offset"};
-  const std::string picture = sum_picture(drawing);
-  files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
+  files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
 }
 
 }  // namespace
@@ -116,7 +115,7 @@ int run_offset(const OffsetArguments& arguments) {
   const Geometry a = read_operand(arguments.operand, arguments.limits, arguments.options.fill).geometry;
   try {
     const Geometry result = offset(a, arguments.distance, arguments.options);
-    write_geometry(files, arguments, rounded(result, arguments));
+    write_rounded(files, arguments, result);
     if (!arguments.picture.empty()) draw(arguments, a, result, files);
   } catch (const Error& error) {
     fail_about(error, {arguments.operand, ""});

@@ -86,7 +86,7 @@ void write_descriptor(int descriptor, const std::string& shown,
   DescriptorBuffer buffer(descriptor, shown);
   std::ostream out(&buffer);
   out.exceptions(std::ios::badbit);  // so that what is thrown below passes through the stream
-  write(out);
+  made_for(shown, [&] { write(out); });
   out.flush();
 }
 

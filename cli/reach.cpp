@@ -1,5 +1,6 @@
 #include "reach.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -38,8 +39,20 @@ void write_json(std::ostream& out, const Reach& found) {
   out << json.dump(2) << '\n';
 }
 
+/// Lines and GeoJSON have doubles alone.
+void require_doubles(const Reach& found) {
+  for (const Waypoint& waypoint : found.path) {
+    if (std::isfinite(waypoint.at.x.to_double()) && std::isfinite(waypoint.at.y.to_double())) {
+      continue;
+    }
+    throw Error(ErrorCode::kLimitExceeded,
+                "the path is beyond the range of doubles; --json has exact numbers");
+  }
+}
+
 /// yes or no, and a line for each waypoint.
 void write_text(std::ostream& out, const Reach& found) {
+  require_doubles(found);
   out << (found.reachable ? "yes\n" : "no\n");
   for (const Waypoint& waypoint : found.path) {
     out << shortest(waypoint.at.x.to_double()) << ' ' << shortest(waypoint.at.y.to_double()) << ' '
@@ -49,6 +62,7 @@ void write_text(std::ostream& out, const Reach& found) {
 
 /// A line needs two points, also where nothing moves.
 void write_geojson(std::ostream& out, const Reach& found) {
+  require_doubles(found);
   Json line = nullptr;
   Json theta = Json::array();
   if (found.reachable) {
@@ -141,8 +155,9 @@ int run_reach(const ReachArguments& arguments) {
       files.write(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
     }
     if (!arguments.picture.empty()) {
-      const std::string picture = reach_picture(arguments, options, scene, found);
-      files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
+      files.write(arguments.picture, [&](std::ostream& out) {
+        out << reach_picture(arguments, options, scene, found);
+      });
     }
     write_standard_output([&](std::ostream& out) {
       arguments.json ? write_json(out, found) : write_text(out, found);

@@ -2,6 +2,8 @@
 
 #include <ostream>
 
+#include "failure.hpp"
+
 namespace minksum::cli {
 
 RoundOptions rounding_of(const ResultArguments& arguments) {
@@ -35,6 +37,11 @@ Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
 void write_geometry(OutputFiles& files, const ResultArguments& arguments,
                     const Geometry& geometry) {
   write_geometry(files, arguments.output, geometry, arguments.format, arguments.coordinates);
+}
+
+void write_rounded(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry) {
+  write_geometry(files, arguments,
+                 made_for(arguments.output, [&] { return rounded(geometry, arguments); }));
 }
 
 }  // namespace minksum::cli

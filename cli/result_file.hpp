@@ -21,5 +21,7 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
 [[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
 /// Writes it where and in the format that the arguments say.
 void write_geometry(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry);
+/// The same for one that is to be rounded first.
+void write_rounded(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry);
 
 }  // namespace minksum::cli

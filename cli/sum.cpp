@@ -81,7 +81,9 @@ void compute_and_write_trace(const SumArguments& arguments, const SumRun& run, O
   Options options = arguments.options;
   options.trace = &trace;
   static_cast<void>(minkowski_sum(run.operands[0], run.operands[1], options));
-  write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace);
+  made_for(arguments.trace, [&] {
+    write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace);
+  });
 }
 
 // What is written: rounded as a whole, so that it stays valid.
@@ -89,9 +91,13 @@ void round_result(const SumArguments& arguments, SumRun& run) {
   if (arguments.coordinates.style == Style::kExact) return;
   const Stopwatch watch;
   RoundOptions options = rounding_of(arguments);
-  run.rounded = round(run.exact, options, &run.rounding.emplace());
+  run.rounded = made_for(arguments.output, [&] {
+    return round(run.exact, options, &run.rounding.emplace());
+  });
   options.side = RoundingSide::kNearest;
-  if (run.tight) run.rounded_tight = round(*run.tight, options);
+  if (run.tight) {
+    run.rounded_tight = made_for(arguments.tight, [&] { return round(*run.tight, options); });
+  }
   run.seconds.round = watch.seconds();
 }
 
@@ -105,8 +111,9 @@ void write_results(const SumArguments& arguments, SumRun& run, OutputFiles& file
                    arguments.tight_format, arguments.coordinates);
   }
   if (!arguments.picture.empty()) {
-    const std::string picture = sum_picture(drawing_of(run, arguments.options));
-    files.write(arguments.picture, [&](std::ostream& out) { out << picture; });
+    files.write(arguments.picture, [&](std::ostream& out) {
+      out << sum_picture(drawing_of(run, arguments.options));
+    });
   }
   if (!arguments.stats.empty()) {
     const auto json = statistics_json(arguments, run);

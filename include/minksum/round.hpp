@@ -65,8 +65,8 @@ struct RoundingReport {
 ///
 /// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum
 /// with a square (for a side) and of `resolve`. Thin parts take a few times that of `resolve`,
-/// where hulls may overlap. Throws Error: kBadInput if the region is not legal, or a coordinate or
-/// its rounded value is beyond the doubles; kLimitExceeded; kCancelled.
+/// where hulls may overlap. Throws Error: kBadInput if the region is not legal; kLimitExceeded,
+/// also if a coordinate or its rounded value is beyond the range of doubles; kCancelled.
 [[nodiscard]] Region round(const Region& region, const RoundOptions& options = {},
                            RoundingReport* report = nullptr);
 [[nodiscard]] Geometry round(const Geometry& geometry, const RoundOptions& options = {},

@@ -29,6 +29,10 @@ struct HalfBox {
     for (const Polyline& polyline : geometry.polylines) include(polyline);
     include(geometry.points);
   }
+  [[nodiscard]] bool is_finite() const {
+    return std::isfinite(min_x) && std::isfinite(min_y) && std::isfinite(max_x) &&
+           std::isfinite(max_y);
+  }
   void include(std::span<const Point> points) {
     for (const Point& point : points) include(point.x.to_double(), point.y.to_double());
   }
@@ -51,6 +55,10 @@ struct View {
   explicit View(const GeometryView& geometry) {
     if (geometry.kinds() == 0) return;
     const HalfBox box(geometry);
+    if (!box.is_finite()) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "no picture: a coordinate is beyond the range of doubles");
+    }
     min_x = box.min_x;
     max_y = box.max_y;
     const double wide = box.max_x - box.min_x;

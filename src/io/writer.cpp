@@ -82,8 +82,7 @@ void Writer::exact(const Rational& value) {
 
 void Writer::nearest(double value) {
   if (!std::isfinite(value)) {
-    throw Error(ErrorCode::kLimitExceeded,
-                "a coordinate is beyond the range of doubles; exact coordinates can be written");
+    throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles");
   }
   real(value);
 }

@@ -6,16 +6,13 @@
 #include <iterator>
 #include <utility>
 
-#include "minksum/error.hpp"
 #include "region/point_arithmetic.hpp"
 
 namespace minksum {
 namespace {
 
 Rational finite_value(const Place& place, const Target& target) {
-  if (!target.is_decimal() && !std::isfinite(place.value)) {
-    throw Error(ErrorCode::kBadInput, "a rounded coordinate is beyond the largest double");
-  }
+  if (!target.is_decimal() && !std::isfinite(place.value)) fail_beyond_doubles();
   return value_of(place, target);
 }
 

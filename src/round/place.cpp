@@ -119,6 +119,10 @@ Place round_decimal(const Region& region, const StoredCoordinate& c, int decimal
 
 Rational Target::unit() const { return decimals ? Rational(Decimal{1, -*decimals}) : Rational(1); }
 
+void fail_beyond_doubles(const Culprit& place) {
+  throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", place);
+}
+
 RoundedVertices round_vertices(const Region& region, const Target& target) {
   RoundedVertices result(region.vertex_count());
   const auto round_one = [&](std::size_t v, const StoredCoordinate& c, Place& place, double& off) {
@@ -128,8 +132,7 @@ RoundedVertices round_vertices(const Region& region, const Target& target) {
     }
     place.value = RegionAccess::nearest(region, c);
     if (!std::isfinite(place.value)) {
-      throw Error(ErrorCode::kBadInput, "a coordinate is beyond the largest double",
-                  RegionAccess::culprit(region, v));
+      fail_beyond_doubles(RegionAccess::culprit(region, v));
     }
     off = off_double(region, c, place.value);
   };

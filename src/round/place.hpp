@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "minksum/error.hpp"
 #include "minksum/region.hpp"
 #include "region/rational_access.hpp"
 
@@ -39,8 +40,11 @@ struct RoundedVertex {
 /// One for each vertex of a region.
 using RoundedVertices = std::vector<RoundedVertex>;
 
-/// Every coordinate to the nearest of the target, ties to even. O(n). Throws Error(kBadInput)
-/// naming the vertex if a coordinate is beyond the doubles, and those are the target.
+/// Throws the error that a coordinate, or what it is rounded to, is no double (kLimitExceeded).
+[[noreturn]] void fail_beyond_doubles(const Culprit& place = {});
+
+/// Every coordinate to the nearest of the target, ties to even. O(n). Throws as above, naming the
+/// vertex, if doubles are the target.
 [[nodiscard]] RoundedVertices round_vertices(const Region& region, const Target& target);
 
 /// The same for one coordinate; infinite if it is beyond the doubles.

@@ -36,7 +36,7 @@ Point nearest_point(const Point& p, const Target& target) {
   const Place x = nearest_place(p.x, target);
   const Place y = nearest_place(p.y, target);
   if (!target.is_decimal() && !(std::isfinite(x.value) && std::isfinite(y.value))) {
-    throw Error(ErrorCode::kBadInput, "a coordinate is beyond the largest double");
+    fail_beyond_doubles();
   }
   return {value_of(x, target), value_of(y, target)};
 }

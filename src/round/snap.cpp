@@ -125,9 +125,7 @@ class Snapper {
     }
     const auto steps = static_cast<double>(static_cast<std::int64_t>(centre));
     place.value = std::ldexp(steps, grid_.exp2);
-    if (!std::isfinite(place.value)) {
-      throw Error(ErrorCode::kBadInput, "a rounded coordinate is beyond the largest double");
-    }
+    if (!std::isfinite(place.value)) fail_beyond_doubles();
     return place;
   }
   [[nodiscard]] Point centre(PixelId pixel) const {
@@ -170,9 +168,7 @@ SnapGrid snap_grid(const Geometry& geometry, const Target& target) {
   grid.exp2 = kLowest;
   if (largest.sign() == 0) return grid;
   const double nearest = largest.to_double();
-  if (!std::isfinite(nearest)) {
-    throw Error(ErrorCode::kBadInput, "a coordinate is beyond the largest double");
-  }
+  if (!std::isfinite(nearest)) fail_beyond_doubles();
   if (nearest != 0) grid.exp2 = std::max(std::ilogb(nearest) - 52, kLowest);
   // All coordinates are below 2^53 steps, so what they are rounded to is 2^53 steps at the most.
   return grid;

@@ -495,6 +495,97 @@ class Files(ProgramTest):
         self.assertEqual(len(root.findall("{http://www.w3.org/2000/svg}path")), 3)
 
 
+class BeyondDoubles(ProgramTest):
+    """Coordinates that no double comes near are a limit of what has doubles, and it is named."""
+
+    def setUp(self):
+        super().setUp()
+        self.huge = self.file("huge.wkt", "POLYGON ((0 0, 1e400 0, 0 1e400, 0 0))")
+        self.square = self.file("square.wkt", SQUARE)
+        self.line = self.file("line.wkt", "LINESTRING (0 0, -1e400 3)")
+        self.bracket = os.path.join(EXAMPLES, "bracket.wkt")
+        self.out = self.file("out", "precious")
+
+    def test_results(self):
+        commands = [["sum", self.huge, self.square], ["sum", self.square, self.line],
+                    ["dilate", self.huge, self.square], ["erode", self.huge, self.square],
+                    ["nfp", self.huge, self.square], ["ifp", self.huge, self.square],
+                    ["offset", self.huge, "-d1", "--join", "miter"],
+                    ["cspace", self.square, self.huge, "--angles", "4"]]
+        hint = "a coordinate is beyond the range of doubles (--coords exact, or decimal:N)"
+        for command in commands:
+            for side in ("nearest", "outside", "inside"):
+                result = self.fails(3, hint, *command, "--round", side, "-o", self.out)
+                self.assertTrue(result.stderr.startswith(b"minksum: %b: " % bytes(self.out)))
+            self.fails(3, "minksum: standard output: ", *command)
+            for coordinates in ("exact", "decimal:2"):
+                self.fine(*command, "--coords", coordinates)
+        for form in ("wkt", "geojson", "poly", "svg"):
+            self.fails(3, f"{self.out}: ", "sum", self.huge, self.square, "--format", form, "-o",
+                       self.out)
+        self.assertEqual(self.out.read_text(), "precious")
+
+    def test_pictures(self):
+        no_picture = f"{self.out}: no picture: "
+        exact = ["--coords", "exact"]
+        for command in (["sum", self.huge, self.square, *exact, "--format", "svg", "-o"],
+                        ["sum", self.square, self.line, *exact, "--format", "svg", "-o"],
+                        ["sum", self.huge, self.square, *exact, "--svg"],
+                        ["dilate", self.huge, self.square, *exact, "--svg"],
+                        ["nfp", self.huge, self.square, *exact, "--svg"],
+                        ["offset", self.huge, "-d1", "--join", "miter", *exact, "--svg"],
+                        ["depth", self.huge, self.square, "--svg"],
+                        ["cspace", self.square, self.huge, "--angles", "4", *exact, "--svg"],
+                        ["draw", self.huge, "-o"], ["draw", self.line, "-o"]):
+            self.fails(3, no_picture, *command, self.out)
+        self.assertEqual(self.out.read_text(), "precious")
+        folder = self.folder / "folder"
+        for command in (["sum", self.huge, self.square, *exact, "--trace"],
+                        ["cspace", self.square, self.huge, "--angles", "4", *exact, "--slices"]):
+            self.fails(3, "no picture: ", *command, folder)
+            self.assertIn(f"minksum: {folder}", run(*command, folder).stderr.decode())
+            self.assertEqual(list(folder.iterdir()), [])
+
+    def test_answers_are_json(self):
+        """Doubles that are none are null there; exact numbers stand beside them."""
+        stats = self.folder / "stats.json"
+        self.fine("sum", self.huge, self.square, "--coords", "exact", "--stats", stats)
+        result = json.loads(stats.read_text())["result"]
+        self.assertIsNone(result["area"])
+        self.assertEqual(len(result["area_exact"].partition("/")[0]), 800)
+        found = json.loads(self.fine("info", self.huge, "--json"))
+        self.assertIsNone(found["area"])
+        self.assertEqual(found["box"]["max"], ["1" + "0" * 400] * 2)
+        found = json.loads(self.fine("depth", self.huge, self.file(
+            "far.wkt", "POLYGON ((3e400 0, 4e400 0, 4e400 1, 3e400 0))"), "--json"))
+        self.assertEqual(found["relation"], "apart")
+        self.assertIsNone(found["distance"])
+        self.assertIsNone(found["vector"][0])
+
+    def test_paths(self):
+        robot = ["reach", self.square, self.file("obstacle.wkt", "POINT (0 1)"), "--angles", "1",
+                 "--from", "1e400,5,0", "--to", "2e400,5,0"]
+        message = ": the path is beyond the range of doubles; --json has exact numbers"
+        self.fails(3, "standard output" + message, *robot)
+        self.fails(3, f"{self.out}{message}", *robot, "-o", self.out)
+        found = json.loads(self.fine(*robot, "--json"))
+        self.assertEqual(found["path"][0]["at_exact"], ["1" + "0" * 400, "5"])
+        self.assertEqual(found["path"][0]["at"], [None, 5.0])
+
+    def test_jobs(self):
+        job = {"operation": "sum", "a": "huge.wkt", "b": "square.wkt"}
+        jobs = self.file("jobs.jsonl", json.dumps(job))
+        result = json.loads(run("batch", jobs).stdout)
+        message = ("polygon 1, ring 1, vertex 2: a coordinate is beyond the range of doubles "
+                   "(--coords exact, or decimal:N)")
+        self.assertEqual(result["error"], {"code": "limit", "message": message})
+        parts = self.folder / "parts"
+        parts.mkdir()
+        shutil.copy(self.huge, parts)
+        result = json.loads(run("batch", "--pairs", parts).stdout)
+        self.assertEqual(result["error"]["code"], "limit")
+
+
 class Usage(ProgramTest):
     def test_wrong_usage(self):
         p = self.file("p.wkt", SQUARE)

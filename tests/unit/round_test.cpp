@@ -146,8 +146,8 @@ TEST(Round, BeyondTheDoubles) {
     (void)round(huge);
     FAIL() << "there is no such double";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
-    EXPECT_STREQ(error.what(), "a coordinate is beyond the largest double");
+    EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
+    EXPECT_STREQ(error.what(), "a coordinate is beyond the range of doubles");
     EXPECT_EQ(error.culprit().vertex, 1U);
   }
   EXPECT_EQ(round(huge, to_decimals(1)),
