@@ -1,6 +1,7 @@
 #include "numbers.hpp"
 
 #include <charconv>
+#include <cmath>
 
 namespace minksum::cli {
 namespace {
@@ -8,9 +9,32 @@ namespace {
 // A decimal is easier to read than a fraction, if it is short.
 constexpr int kMaxReadableDigits = 40;
 
+// Nobody reads more than some two hundred digits, and writing very many takes long.
+constexpr std::size_t kMaxReadableBits = 700;
+
+// A decimal of few digits, also of what no double is near to.
+std::string about(const Rational& value) {
+  const double nearest = value.to_double();
+  if (std::isnormal(nearest)) return shortest(nearest);
+  const auto bits = static_cast<double>(value.numerator().bits()) -
+                    static_cast<double>(value.denominator().bits());
+  int exponent = static_cast<int>(std::floor(bits * std::log10(2.0)));
+  const double mantissa = (value / Rational(Decimal{1, exponent})).to_double();
+  // The mantissa is from a tenth to a hundred: a double has its digits, and a place for its point.
+  constexpr int kBeside = 100;
+  const std::string text = shortest(mantissa * 1e100);
+  const std::size_t e = text.find('e');
+  exponent += std::stoi(text.substr(e + 1)) - kBeside;
+  return text.substr(0, e + 1) + (exponent < 0 ? "" : "+") + std::to_string(exponent);
+}
+
 }  // namespace
 
 std::string readable(const Rational& value) {
+  if (value.bits() > kMaxReadableBits) {
+    return "about " + about(value) + " (" + std::to_string(value.bits()) +
+           " bits; exactly with --json)";
+  }
   if (value.is_integer()) return value.to_string();
   for (int digits = 1; digits <= kMaxReadableDigits; ++digits) {
     std::string text = value.to_decimal(digits);

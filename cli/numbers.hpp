@@ -7,7 +7,8 @@
 
 namespace minksum::cli {
 
-/// The number exactly: as a decimal if it is one of few digits, else as a fraction and about.
+/// The number exactly: as a decimal if it is one of few digits, else as a fraction and about; only
+/// about, if it is too long to read.
 [[nodiscard]] std::string readable(const Rational& value);
 /// The fewest digits that are read back as the same double.
 [[nodiscard]] std::string shortest(double value);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "measure/fraction_sum.hpp"
 #include "region/rational_access.hpp"
 #include "region/region_access.hpp"
 
@@ -27,17 +28,36 @@ bool scaled(std::int64_t payload, int twos, int tens, std::int64_t& result) {
   return true;
 }
 
-BigInt lcm_of(const std::vector<BigInt>& values, std::size_t first, std::size_t last) {
-  if (last - first == 0) return 1;
-  if (last - first == 1) return values[first];
-  const std::size_t middle = first + (last - first) / 2;
-  return boost::multiprecision::lcm(lcm_of(values, first, middle), lcm_of(values, middle, last));
+// One value after the other: divisors of two long numbers take time quadratic in their length,
+// those of a long and a short one hardly more than a division.
+BigInt lcm_of(BigInt common, const std::vector<BigInt>& values) {
+  for (const BigInt& value : values) {
+    common *= value / boost::multiprecision::gcd(remainder_of(common, value), value);
+  }
+  return common;
 }
 
 // Collects denominators: the powers of two and of five of finite decimals and doubles by their
 // exponents alone, other denominators as they are.
 class Denominators {
  public:
+  explicit Denominators(const Region& region) {
+    for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+      add(region, RegionAccess::x(region, v));
+      add(region, RegionAccess::y(region, v));
+    }
+  }
+  [[nodiscard]] BigInt finite() const {
+    return boost::multiprecision::pow(BigInt(5), static_cast<unsigned>(fives_))
+           << static_cast<unsigned>(twos_);
+  }
+  [[nodiscard]] BigInt least_common() {
+    std::sort(others_.begin(), others_.end());
+    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+    return lcm_of(finite(), others_);
+  }
+
+ private:
   void add(const Region& region, const StoredCoordinate& c) {
     if (c.denominator_limbs != 0) {
       const Rational value = RegionAccess::exact(region, c);
@@ -51,15 +71,7 @@ class Denominators {
     for (std::int64_t rest = c.payload; fives > fives_ && rest % 5 == 0; rest /= 5) --fives;
     fives_ = std::max(fives_, fives);
   }
-  [[nodiscard]] BigInt least_common() {
-    std::sort(others_.begin(), others_.end());
-    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
-    const BigInt finite = boost::multiprecision::pow(BigInt(5), static_cast<unsigned>(fives_))
-                          << static_cast<unsigned>(twos_);
-    return boost::multiprecision::lcm(finite, lcm_of(others_, 0, others_.size()));
-  }
 
- private:
   int twos_ = 0;
   int fives_ = 0;
   std::vector<BigInt> others_;
@@ -98,13 +110,10 @@ bool find_common_scale(const Region& region, CommonScale& scale) {
   return true;
 }
 
-Rational least_common_denominator(const Region& region) {
-  Denominators denominators;
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-    denominators.add(region, RegionAccess::x(region, v));
-    denominators.add(region, RegionAccess::y(region, v));
-  }
-  return RationalAccess::make_reduced(denominators.least_common(), 1);
+BigInt finite_denominator(const Region& region) { return Denominators(region).finite(); }
+
+BigInt least_common_denominator(const Region& region) {
+  return Denominators(region).least_common();
 }
 
 }  // namespace minksum

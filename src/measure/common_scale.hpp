@@ -6,6 +6,7 @@
 
 #include "minksum/rational.hpp"
 #include "minksum/region.hpp"
+#include "region/rational_access.hpp"
 
 namespace minksum {
 
@@ -24,7 +25,10 @@ struct CommonScale {
 /// `scale` holds them.
 bool find_common_scale(const Region& region, CommonScale& scale);
 
-/// The smallest positive integer that makes every coordinate an integer.
-Rational least_common_denominator(const Region& region);
+/// The smallest positive integer that makes each coordinate that is a double or a finite decimal an
+/// integer.
+BigInt finite_denominator(const Region& region);
+/// The same for all coordinates.
+BigInt least_common_denominator(const Region& region);
 
 }  // namespace minksum

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "measure/common_scale.hpp"
+#include "measure/fraction_sum.hpp"
 #include "region/rational_access.hpp"
 #include "region/region_access.hpp"
 
@@ -47,38 +48,58 @@ BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring) {
   return sum.value();
 }
 
-struct Fraction {
-  BigInt numerator;
-  BigInt denominator;
+// A denominator longer than this is not shared by vertices that do without it.
+constexpr std::size_t kLongestShared = 4096;
+
+// A vertex as (x / divisor, y / divisor).
+struct Quotients {
+  BigInt x;
+  BigInt y;
+  BigInt divisor;
 };
 
-// Sums in a balanced tree: with many different denominators a running sum would be quadratic.
-Fraction sum_of(const std::vector<Fraction>& terms, std::size_t first, std::size_t last) {
-  if (last - first == 0) return {0, 1};
-  if (last - first == 1) return terms[first];
-  const std::size_t middle = first + (last - first) / 2;
-  const Fraction a = sum_of(terms, first, middle);
-  const Fraction b = sum_of(terms, middle, last);
-  if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
-  return {a.numerator * b.denominator + b.numerator * a.denominator, a.denominator * b.denominator};
+Quotients quotients_of(const Point& point, const BigInt* shared) {
+  const BigInt& below_x = RationalAccess::denominator(point.x);
+  const BigInt& below_y = RationalAccess::denominator(point.y);
+  BigInt divisor = shared ? *shared : boost::multiprecision::lcm(below_x, below_y);
+  return {RationalAccess::numerator(point.x) * (divisor / below_x),
+          RationalAccess::numerator(point.y) * (divisor / below_y), std::move(divisor)};
 }
 
-Rational doubled_area_of_rationals(const Region& region, IndexRange ring) {
-  if (ring.size() < 3) return {};
-  std::vector<Fraction> terms;
-  terms.reserve(ring.size());
-  Point from = region.point(ring.front() + ring.size() - 1);
-  for (const std::size_t v : ring) {
-    Point to = region.point(v);
-    const Rational cross = from.x * to.y - to.x * from.y;
-    terms.push_back({RationalAccess::numerator(cross), RationalAccess::denominator(cross)});
-    from = std::move(to);
+// For coordinates that have no short common denominator.
+Rational area_of_rationals(const Region& region) {
+  std::vector<Quotients> vertices;
+  std::vector<BigInt> divisors;
+  // Doubles and decimals have few denominators, of which one is a multiple of all.
+  const BigInt finite = finite_denominator(region);
+  const bool is_short = bit_length(finite) <= kLongestShared;
+  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    const bool is_finite = RegionAccess::x(region, v).denominator_limbs == 0 &&
+                           RegionAccess::y(region, v).denominator_limbs == 0;
+    const BigInt* const shared = is_short && is_finite ? &finite : nullptr;
+    divisors.push_back(vertices.emplace_back(quotients_of(region.point(v), shared)).divisor);
   }
-  Fraction sum = sum_of(terms, 0, terms.size());
-  return RationalAccess::make(std::move(sum.numerator), std::move(sum.denominator));
+  const FractionSum fractions(std::move(divisors));
+  std::vector<FractionSum::Term> rings;
+  std::vector<FractionSum::Term> crosses;
+  for (const std::size_t polygon : region.polygons()) {
+    int sign = 1;
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange range = region.vertices_of(ring);
+      crosses.clear();
+      for (const std::size_t v : range) {
+        const std::size_t before = v == range.front() ? range.front() + range.size() - 1 : v - 1;
+        const Quotients& a = vertices[before];
+        const Quotients& b = vertices[v];
+        crosses.push_back(fractions.term(a.x * b.y - b.x * a.y, a.divisor, b.divisor));
+      }
+      rings.push_back(fractions.sum(crosses));
+      rings.back().numerator *= sign * rings.back().numerator.sign();
+      sign = -1;
+    }
+  }
+  return fractions.half(fractions.sum(rings));
 }
-
-Rational magnitude(Rational value) { return value.sign() < 0 ? -value : value; }
 
 // Neumaier's compensated sum.
 class CompensatedSum {
@@ -144,22 +165,18 @@ Rational extreme(const Region& region, Get get, Better better) {
 
 Rational area(const Region& region) {
   CommonScale scale;
-  const bool integral = find_common_scale(region, scale);
-  const auto of_ring = [&](std::size_t ring) {
-    const IndexRange vertices = region.vertices_of(ring);
-    if (!integral) return magnitude(doubled_area_of_rationals(region, vertices));
-    return magnitude(RationalAccess::make_reduced(doubled_area(scale.points, vertices), 1));
-  };
-  Rational doubled;
+  if (!find_common_scale(region, scale)) return area_of_rationals(region);
+  BigInt doubled;
   for (const std::size_t polygon : region.polygons()) {
     bool outer = true;
     for (const std::size_t ring : region.rings_of(polygon)) {
-      doubled = outer ? doubled + of_ring(ring) : doubled - of_ring(ring);
+      const BigInt of_ring = abs(doubled_area(scale.points, region.vertices_of(ring)));
+      doubled += outer ? of_ring : BigInt(-of_ring);
       outer = false;
     }
   }
-  if (integral) doubled = doubled * scale.unit * scale.unit;
-  return doubled / Rational(2);
+  return RationalAccess::make_reduced(std::move(doubled), 1) * scale.unit * scale.unit /
+         Rational(2);
 }
 
 double approximate_area(const Region& region) {
@@ -194,11 +211,16 @@ std::optional<Box> bounding_box(const Region& region) {
 std::size_t coordinate_bits(const Region& region) {
   const std::optional<Box> box = bounding_box(region);
   if (!box) return 0;
-  const Rational scale = least_common_denominator(region);
-  const Rational width = (box->max.x - box->min.x) * scale;
-  const Rational height = (box->max.y - box->min.y) * scale;
-  return std::max(bit_length(RationalAccess::numerator(width)),
-                  bit_length(RationalAccess::numerator(height)));
+  const BigInt scale = least_common_denominator(region);
+  // Both sides are integers then. With k as below, 2^(k-1) < a / b < 2^(k+1): no long division.
+  const auto scaled_bits = [&scale](const Rational& side) -> std::size_t {
+    if (side.sign() == 0) return 0;
+    const BigInt above = RationalAccess::numerator(side) * scale;
+    const BigInt& below = RationalAccess::denominator(side);
+    const std::size_t k = bit_length(above) - bit_length(below);
+    return above >= below << k ? k + 1 : k;
+  };
+  return std::max(scaled_bits(box->max.x - box->min.x), scaled_bits(box->max.y - box->min.y));
 }
 
 }  // namespace minksum

@@ -1,5 +1,9 @@
 """minksum info: what it says about a region."""
 import json
+import math
+import random
+import sys
+from fractions import Fraction
 
 from support import FRAME, SQUARE, ProgramTest, main, run
 
@@ -25,6 +29,46 @@ class Info(ProgramTest):
         self.assertIn("x         from 0 to 0.1\n", text)
         self.assertIn("y         from 0 to 1/3 (about 0.33333333333333", text)
         self.assertIn("area      1/60 (about ", text)
+
+    def test_long_numbers(self):
+        """Exact in JSON; for people, about. Their measures take no time quadratic in all digits
+        together: of these, the areas alone would take longer than any run may."""
+        rng = random.Random(4)
+        ring = []
+        for x, y in [(i, i * i) for i in range(-25, 26)]:
+            below = [rng.randrange(10**3998, 10**3999) | 1 for _ in "xy"]
+            ring.append(tuple(Fraction(c * q + 1, q) for c, q in zip((x, y), below)))
+        file = self.file("long.wkt", "POLYGON ((" + ", ".join(
+            f"{x.numerator}/{x.denominator} {y.numerator}/{y.denominator}"
+            for x, y in ring + ring[:1]) + "))")
+        text = self.fine("info", file)
+        self.assertLess(max(map(len, text.splitlines())), 200)
+        self.assertRegex(text, r"x         from about -2[45][.\d]* \(\d+ bits; exactly with --json\)")
+        self.assertIn("valid     yes", text)
+        found = json.loads(self.fine("info", file, "--json"))
+        # Twice the area of vertices on a parabola, in one common denominator.
+        common = math.prod(x.denominator * y.denominator for x, y in ring)
+        crosses = [(a[0] * b[1], b[0] * a[1]) for a, b in zip(ring, ring[1:] + ring[:1])]
+        doubled = sum(common // p.denominator * p.numerator -
+                      common // q.denominator * q.numerator for p, q in crosses)
+        sys.set_int_max_str_digits(0)
+        above, below = map(int, found["area_exact"].split("/"))
+        self.assertEqual(above * 2 * common, doubled * below)
+        self.assertEqual(math.gcd(above, below), 1)
+        self.assertEqual(found["meaning"]["area_exact"], found["area_exact"])
+        wide = max(y for _, y in ring) - min(y for _, y in ring)
+        grid = math.lcm(*(c.denominator for point in ring for c in point))
+        self.assertEqual(found["coordinate_bits"], int(wide * grid).bit_length())
+
+    def test_numbers_about(self):
+        for typed, shown in (("1e400", "1e+400"), ("-25e4000", "-2.5e+4001"), ("3e-4000", "3e-4000"),
+                             ("1e-320", "1e-320"), ("123456789e300", "1.23456789e+308"),
+                             ("9" * 300, "1e+300"), ("1/" + "3" * 300, "3e-300")):
+            text = self.fine("info", self.file("p.wkt", f"POINT ({typed} 0)"))
+            self.assertIn(f"x         from about {shown} (", text)
+        for typed in ("1e200", "-1e-200", "9" * 200):
+            text = self.fine("info", self.file("p.wkt", f"POINT ({typed} 0)"))
+            self.assertNotIn("about", text.split("\n")[5].partition(" (about")[0])
 
     def test_json(self):
         found = json.loads(self.fine("info", "--json", self.file("frame.wkt", FRAME)))

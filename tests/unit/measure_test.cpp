@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "support/random.hpp"
 
@@ -80,6 +82,56 @@ TEST(Measure, BothWaysToTheAreaAgree) {
     }
     EXPECT_EQ(area(integers), area(thirds) * Rational(9));
     EXPECT_NEAR(approximate_area(integers), area(integers).to_double(), 1e-6);
+  }
+}
+
+// Denominators that are equal, next to each other or not, that have divisors in common, that are 1,
+// doubles and decimals among them: against the sum by definition.
+TEST(Measure, AreaAndBitsOfManyDenominators) {
+  test::Random random(12);
+  const Rational below[] = {1, 3, 3, 7, 12, 21, Rational(1) / Rational(0.375), 10,
+                            *Rational::parse("1000000000000000000000000000057"),
+                            *Rational::parse("3000000000000000000000000000171")};
+  for (int round = 0; round < 300; ++round) {
+    Region region;
+    Rational doubled;
+    Rational grid = 1;
+    const auto coordinate = [&] {
+      const Rational value =
+          Rational(random.between(-1000, 1000)) / below[random.below(round % 10 + 1)];
+      // The least common multiple, step by step.
+      const Rational missing = (grid * value).denominator();
+      grid = grid * missing;
+      return value;
+    };
+    for (int polygon = random.between(1, 3); polygon > 0; --polygon) {
+      region.begin_polygon();
+      const int rings = random.between(1, 3);
+      for (int ring = 0; ring < rings; ++ring) {
+        region.begin_ring();
+        std::vector<Point> points;
+        for (int i = random.between(1, 9); i > 0; --i) {
+          points.push_back({coordinate(), coordinate()});
+        }
+        Rational sum;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const Point& p = points[i];
+          const Point& q = points[(i + 1) % points.size()];
+          sum = sum + p.x * q.y - q.x * p.y;
+          region.add_vertex(p.x, p.y);
+        }
+        if (sum.sign() < 0) sum = -sum;
+        doubled = ring == 0 ? doubled + sum : doubled - sum;
+      }
+    }
+    EXPECT_EQ(area(region), doubled / Rational(2)) << "round " << round;
+    const auto box = bounding_box(region);
+    const Rational width = (box->max.x - box->min.x) * grid;
+    const Rational height = (box->max.y - box->min.y) * grid;
+    ASSERT_TRUE(width.is_integer() && height.is_integer());
+    EXPECT_EQ(coordinate_bits(region), std::max(width.sign() == 0 ? 0 : width.bits(),
+                                                height.sign() == 0 ? 0 : height.bits()))
+        << "round " << round;
   }
 }
 
