@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace minksum::cli {
 namespace {
@@ -20,9 +21,11 @@ std::string about(const Rational& value) {
                     static_cast<double>(value.denominator().bits());
   int exponent = static_cast<int>(std::floor(bits * std::log10(2.0)));
   const double mantissa = (value / Rational(Decimal{1, exponent})).to_double();
-  // The mantissa is from a tenth to a hundred: a double has its digits, and a place for its point.
+  // The mantissa is from a tenth to a hundred, and right to 15 digits.
   constexpr int kBeside = 100;
-  const std::string text = shortest(mantissa * 1e100);
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.15g", mantissa * 1e100);
+  const std::string text = digits;
   const std::size_t e = text.find('e');
   exponent += std::stoi(text.substr(e + 1)) - kBeside;
   return text.substr(0, e + 1) + (exponent < 0 ? "" : "+") + std::to_string(exponent);
