@@ -1,7 +1,7 @@
 // How many bits each decision needs, and the number types of each rung that hold them.
 #pragma once
 
-#include "number/big.hpp"
+#include "number/fraction.hpp"
 #include "number/wide_int.hpp"
 
 namespace minksum {
@@ -60,11 +60,11 @@ using MediumRung = FixedRung<61, std::int64_t, Int128, WideInt<4>, WideInt<5>, W
 using WideRung = FixedRung<125, Int128, WideInt<4>, WideInt<8>, WideInt<10>, WideInt<5>>;
 
 struct ArbitraryRung {
-  using Coord = BigRational;
-  using Cross = BigRational;
-  using Along = BigRational;
-  using Lexicographic = BigRational;
-  using ProbeNumber = BigRational;
+  using Coord = Fraction;
+  using Cross = Fraction;
+  using Along = Fraction;
+  using Lexicographic = Fraction;
+  using ProbeNumber = Fraction;
 };
 
 /// The floating-point filter decides without any rounding up to these many bits.

@@ -128,19 +128,20 @@ class GridKernel final : public KernelOf<Rung> {
 /// Rational coordinates, in the operands' own units.
 class RationalKernel final : public KernelOf<ArbitraryRung> {
  public:
-  void load(std::vector<Vec<BigRational>> sites, SiteId split, const Vec<BigRational>& first,
+  void load(const std::vector<Vec<BigRational>>& sites, SiteId split, const Vec<BigRational>& first,
             const Vec<BigRational>& second, int exponent) {
-    sites_ = std::move(sites);
+    sites_.clear();
+    for (const Vec<BigRational>& site : sites) sites_.push_back(as<Fraction>(site));
     next_.clear();
     split_ = split;
-    origin_ = {first, second};
+    origin_ = {as<Fraction>(first), as<Fraction>(second)};
     exponent_ = exponent;
   }
   Arithmetic rung() const override { return Arithmetic::kArbitrary; }
   void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
-    const auto h = homogeneous(node);
-    set(BigRational(h.x / h.denominator), out.x);
-    set(BigRational(h.y / h.denominator), out.y);
+    const Vec<Fraction> at = exact_point(node);
+    set(at.x.reduced(), out.x);
+    set(at.y.reduced(), out.y);
   }
   bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
   int exp2() const override { return 0; }
@@ -167,16 +168,11 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
     set_limbs(BigInteger(abs(numerator)), out.numerator);
     set_limbs(BigInteger(boost::multiprecision::denominator(value)), out.denominator);
   }
-  [[nodiscard]] Vec<double> scaled(const Vec<BigRational>& v) const {
-    return {scaled(v.x), scaled(v.y)};
-  }
-  [[nodiscard]] double scaled(const BigRational& value) const {
-    const BigInteger shift = BigInteger(1) << static_cast<unsigned>(std::abs(exponent_));
-    return to_double(exponent_ >= 0 ? BigRational(value * BigRational(shift))
-                                    : BigRational(value / BigRational(shift)));
+  [[nodiscard]] Vec<double> scaled(const Vec<Fraction>& v) const {
+    return {to_double(v.x, exponent_), to_double(v.y, exponent_)};
   }
   SiteId split_ = 0;
-  std::array<Vec<BigRational>, 2> origin_;
+  std::array<Vec<Fraction>, 2> origin_;
   int exponent_ = 0;
 };
 
@@ -204,7 +200,7 @@ void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
                           const Vec<BigRational>& origin_first,
                           const Vec<BigRational>& origin_second, int exponent,
                           std::unique_ptr<ExactKernel>& old) {
-  reuse_or_make<RationalKernel>(old).load(std::move(sites), split, origin_first, origin_second,
+  reuse_or_make<RationalKernel>(old).load(sites, split, origin_first, origin_second,
                                           exponent);
 }
 

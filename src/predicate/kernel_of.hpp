@@ -5,12 +5,17 @@
 
 #include "predicate/bit_budget.hpp"
 #include "predicate/exact_kernel.hpp"
+#include "region/rational_access.hpp"
 
 namespace minksum {
 
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
-inline double to_double(const BigRational& value) { return value.convert_to<double>(); }
+/// The nearest double to value · 2^exp2.
+inline double to_double(const Fraction& value, int exp2 = 0) {
+  return nearest_double(value.numerator() < 0, BigInt(abs(value.numerator())),
+                        BigInt(value.denominator()), exp2);
+}
 /// Relative error under 2^-51. Let t be the magnitude, limb k the highest that is not 0, so that
 /// t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at most. Of the sums, the last one is
 /// rounded by 2^-53 t at most; so is the one before it, as it is below 2^64k or equal; those before
@@ -25,13 +30,13 @@ double to_double(const WideInt<N>& value) {
   return value.negative() ? -sum : sum;
 }
 
-inline BigRational to_big(std::int64_t value) { return BigRational(value); }
-inline BigRational to_big(Int128 value) {
+inline Fraction to_fraction(std::int64_t value) { return Fraction(value); }
+inline Fraction to_fraction(Int128 value) {
   const auto low = static_cast<std::uint64_t>(value);
   const auto high = static_cast<std::int64_t>(value >> 64);
-  return BigRational(BigInteger((BigInteger(high) << 64) + low));
+  return Fraction(BigRational(BigInteger((BigInteger(high) << 64) + low)));
 }
-inline BigRational to_big(const BigRational& value) { return value; }
+inline Fraction to_fraction(const Fraction& value) { return value; }
 
 /// The formulas over one rung. Storage and output differ between rungs and are left to subclasses.
 template <class Rung>
@@ -77,8 +82,8 @@ class KernelOf : public ExactKernel {
   }
   double parameter(const Segment& s, const PointOnSegment& point) const override {
     const auto p = parameter_of(s, point);
-    if constexpr (std::is_same_v<CrossNumber, BigRational>) {
-      return to_double(BigRational(p.numerator / p.denominator));
+    if constexpr (std::is_same_v<CrossNumber, Fraction>) {
+      return to_double(p.numerator / p.denominator);
     } else {
       return to_double(p.numerator) / to_double(p.denominator);
     }
@@ -117,17 +122,10 @@ class KernelOf : public ExactKernel {
   }
 
   BigRational exact_parameter(const Segment& s, const NodePoint& node) const override {
-    Vec<BigRational> at = big(position(node.vertex_or_start()));
-    if (node.is_crossing) {
-      const Vec<BigRational> d = big(direction(node.first.edge));
-      const auto t = minksum::crossing_parameter(
-          d, big(minus(start(node.second), start(node.first))), big(direction(node.second.edge)));
-      const BigRational lambda = t.numerator / t.denominator;
-      at = {at.x + d.x * lambda, at.y + d.y * lambda};
-    }
-    const Vec<BigRational> a = big(start(s));
-    const Vec<BigRational> d = big(direction(s.edge));
-    return d.x != 0 ? BigRational((at.x - a.x) / d.x) : BigRational((at.y - a.y) / d.y);
+    const Vec<Fraction> at = exact_point(node);
+    const Vec<Fraction> a = big(start(s));
+    const Vec<Fraction> d = big(direction(s.edge));
+    return (sign_of(d.x) != kZero ? (at.x - a.x) / d.x : (at.y - a.y) / d.y).reduced();
   }
 
   void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
@@ -189,11 +187,22 @@ class KernelOf : public ExactKernel {
     return {at.x * denominator + numerator * d.x, at.y * denominator + numerator * d.y,
             denominator};
   }
-  static Vec<BigRational> big(const Vec<Coord>& v) { return {to_big(v.x), to_big(v.y)}; }
-  [[nodiscard]] Vec<BigRational> exact_probe_offset(const Probe& probe, const SumVertex& v) const {
-    const Vec<BigRational> offset = big(minus(start(probe.segment), position(v)));
-    const Vec<BigRational> d = big(direction(probe.segment.edge));
-    return {offset.x + d.x * *probe.exact, offset.y + d.y * *probe.exact};
+  static Vec<Fraction> big(const Vec<Coord>& v) { return {to_fraction(v.x), to_fraction(v.y)}; }
+  [[nodiscard]] Vec<Fraction> exact_point(const NodePoint& node) const {
+    const Vec<Fraction> at = big(position(node.vertex_or_start()));
+    if (!node.is_crossing) return at;
+    const Vec<Fraction> d = big(direction(node.first.edge));
+    const auto t = minksum::crossing_parameter(
+        d, big(minus(start(node.second), start(node.first))), big(direction(node.second.edge)));
+    // Its terms have the same denominators many times over.
+    const Fraction lambda((t.numerator / t.denominator).reduced());
+    return {at.x + d.x * lambda, at.y + d.y * lambda};
+  }
+  [[nodiscard]] Vec<Fraction> exact_probe_offset(const Probe& probe, const SumVertex& v) const {
+    const Vec<Fraction> offset = big(minus(start(probe.segment), position(v)));
+    const Vec<Fraction> d = big(direction(probe.segment.edge));
+    const Fraction exact(*probe.exact);
+    return {offset.x + d.x * exact, offset.y + d.y * exact};
   }
   /// (probe − v) · 2^shift.
   [[nodiscard]] Vec<ProbeNumber> probe_offset(const Probe& probe, const SumVertex& v) const {
