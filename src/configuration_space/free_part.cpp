@@ -155,25 +155,25 @@ std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* 
   return found;
 }
 
-bool FreePart::sees(const Point& a, const Point& b) const {
-  if (a == b) return contains(a);
+bool FreePart::meets(const Point& a, const Point& b, Location open_side) const {
+  if (a == b) return locate(a) == open_side;
   // Between two hits the segment is inside or outside; hits themselves are on the boundary.
   const Rational half(1, 2);
   Rational last;
-  const auto free_up_to = [&](const Rational& t) {
-    if (t == last) return true;
-    const bool is_free = contains(along(a, b, (last + t) * half));
+  const auto found_up_to = [&](const Rational& t) {
+    if (t == last) return false;
+    const bool is_there = locate(along(a, b, (last + t) * half)) == open_side;
     last = t;
-    return is_free;
+    return is_there;
   };
-  // An edge that is crossed has the outside on one of its sides.
+  // An edge that is crossed has the inside on one of its sides, the outside on the other.
   bool crosses = false;
   const std::vector<Hit> found = hits(a, b, &crosses);
-  if (crosses) return false;
+  if (crosses) return true;
   for (const Hit& hit : found) {
-    if (!free_up_to(hit.t)) return false;
+    if (found_up_to(hit.t)) return true;
   }
-  return free_up_to(Rational(1));
+  return found_up_to(Rational(1));
 }
 
 /// Whether a point is on the side of a ring that is not free: outside of the outer one, in a hole.

@@ -35,9 +35,13 @@ class FreePart {
     return locate(point) != Location::kOutside;
   }
 
-  /// Whether the closed segment is in the closed polygon. O(n) and what log n it
-  /// takes for its hits.
-  [[nodiscard]] bool sees(const Point& a, const Point& b) const;
+  /// Whether some point of the closed segment is inside (kInside), or outside (kOutside). O(n) and
+  /// what log n it takes for its hits.
+  [[nodiscard]] bool meets(const Point& a, const Point& b, Location open_side) const;
+  /// Whether the closed segment is in the closed polygon.
+  [[nodiscard]] bool sees(const Point& a, const Point& b) const {
+    return !meets(a, b, Location::kOutside);
+  }
 
   /// A path in the closed polygon between two of its points, both included: straight, and around
   /// what is in the way along its boundary; then shortened where corners see each other.

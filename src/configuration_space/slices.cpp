@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "configuration_space/free_part.hpp"
 #include "fixed_sum.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/configuration_space.hpp"
-#include "minksum/locate.hpp"
 #include "minksum/prepared_region.hpp"
 #include "threads/in_order.hpp"
 
@@ -171,12 +171,21 @@ const Rational& ConfigurationSpace::reach() const { return state_->reach; }
 const Region& ConfigurationSpace::robot() const { return state_->robot; }
 
 bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
-  if (!intersect(state_->obstacles.region, region).empty()) return true;
-  // Thin parts meet the interior where −region ⊕ thin parts has the origin inside.
-  if (!state_->obstacles.has_thin_parts()) return false;
-  const Geometry thin{{}, state_->obstacles.polylines, state_->obstacles.points};
-  return PointLocator(minkowski_sum(thin, {reflect(region), {}, {}})).locate({0, 0}) ==
-         Location::kInside;
+  const Geometry& obstacles = state_->obstacles;
+  if (!intersect(obstacles.region, region).empty()) return true;
+  for (std::size_t p = 0; p < region.polygon_count() && obstacles.has_thin_parts(); ++p) {
+    const FreePart part(Region(region.polygon(p)));
+    const auto enters = [&](const Point& a, const Point& b) {
+      return part.meets(a, b, Location::kInside);
+    };
+    for (const Polyline& line : obstacles.polylines) {
+      if (std::adjacent_find(line.begin(), line.end(), enters) != line.end()) return true;
+    }
+    for (const Point& point : obstacles.points) {
+      if (enters(point, point)) return true;
+    }
+  }
+  return false;
 }
 
 Slice ConfigurationSpace::slice(const Turn& turn, bool with_free) const {

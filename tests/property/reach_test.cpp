@@ -173,6 +173,20 @@ TEST(Reach, CertainNeedsRoomOrAngles) {
   EXPECT_LT(found.margin, Rational(1, 10));
 }
 
+// Lines of no width on both sides, and a point between the halves of the robot: it touches them.
+TEST(Reach, FromWallsWithoutPlay) {
+  Scene scene;
+  scene.robot = test::make_region({{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+                                   {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}});
+  scene.obstacles.polylines = {{{-1, 0}, {1, 0}}, {{1, 1}, {9, 1}}, {{0, 2}, {2, 2}}};
+  scene.obstacles.points = {{0, 1}};
+  scene.options.angles = 4;
+  const Configuration between{{0, 0}, 0};
+  const Configuration outside{{0, 5}, 0};
+  EXPECT_FALSE(scene.from_to(between, outside).reachable);
+  EXPECT_FALSE(scene.from_to(outside, between).reachable);
+}
+
 TEST(Reach, AroundEverything) {
   Scene scene;
   scene.robot = test::make_polygon({{-1, -1}, {3, -1}, {-1, 2}});
