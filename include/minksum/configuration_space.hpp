@@ -44,7 +44,8 @@ struct ConfigurationOptions {
   Point reference;  ///< the robot's point that says where it is, and that it turns about
   /// The robot has to stay inside it; without it, all around the obstacles is free.
   std::optional<Geometry> workspace;
-  /// Keeps the places of free space where the robot has no play: points and polylines.
+  /// Keeps the places of free space where the robot has no play: points and polylines. Obstacles
+  /// must not have thin parts then.
   bool tight = false;
   FillRule fill = FillRule::kAutomatic;  ///< how all shapes are read
   Limits limits;
@@ -76,7 +77,8 @@ struct Slice {
 class ConfigurationSpace {
  public:
   /// Throws Error(kBadInput): culprit operand 0 for a robot without area, 1 for obstacles that the
-  /// fill rule refuses, 2 for a workspace without area; and as minkowski_sum does.
+  /// fill rule refuses, or with thin parts if options.tight is set, 2 for a workspace without area;
+  /// and as minkowski_sum does.
   ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
                      const ConfigurationOptions& options = {});
 

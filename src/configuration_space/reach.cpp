@@ -271,7 +271,9 @@ Reach reach(const Geometry& robot, const Geometry& obstacles, const Configuratio
   const Turn last = nearest_turn(to.degrees, options.tolerance);
   const std::vector<Turn> turns = turns_of(first, last, options);
   Reach result;
-  ConfigurationSpace space(robot, obstacles, options);
+  ConfigurationOptions regular = options;
+  regular.tight = false;  // ways without play do not count
+  ConfigurationSpace space(robot, obstacles, regular);
   if (options.certain) {
     result.margin = margin_of(turns, space.reach(), std::max(first.off, last.off));
     if (result.margin.sign() > 0) space = space.grown(octagon(result.margin));

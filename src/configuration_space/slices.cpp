@@ -125,6 +125,10 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
                           Affine::translation(-options.reference.x, -options.reference.y));
   if (state.robot.empty()) refuse("a robot needs an area", 0);
   state.obstacles = read(obstacles, options, 1, false);
+  // minkowski_sum finds those between areas only, and none may be missing.
+  if (options.tight && state.obstacles.has_thin_parts()) {
+    refuse("places without play among obstacles with thin parts are not known", 1);
+  }
   if (options.workspace) {
     state.workspace = read(*options.workspace, options, 2, true).region;
     if (state.workspace.empty()) refuse("a workspace needs an area", 2);

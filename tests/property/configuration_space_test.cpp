@@ -311,6 +311,11 @@ TEST(ConfigurationSpace, BadInput) {
   options.workspace = line;
   expect_refused(square, square, options, 2);
   options.workspace.reset();
+  // Where it has no play among lines is not known.
+  options.tight = true;
+  expect_refused(square, line, options, 1);
+  expect_refused(square, {{}, {}, {{0, 0}}}, options, 1);
+  options.tight = false;
   options.fill = FillRule::kStrict;
   expect_refused(bow, square, options, 0);
   expect_refused(square, bow, options, 1);
