@@ -52,8 +52,8 @@ struct Reach {
 /// turn, if that is more). Proof: at any angle between two neighbours, the nearer one is at most δ
 /// away; a turn by δ about the reference point moves each point of the robot by at most
 /// 2r·sin(δ/2) ≤ r·tan δ; so the turned robot is in the neighbour's robot ⊕ disc(ρ). The disc is
-/// replaced by an octagon that contains it. "No" then means that there is no path for
-/// the grown robot.
+/// replaced by the octagon with the corners (±ρ, ±5ρ/12) and (±5ρ/12, ±ρ), which contains it. "No"
+/// then means that there is no path for the grown robot.
 ///
 /// Throws Error: kBadInput as ConfigurationSpace does, with culprit operand 3 if the robot is not
 /// free at `from`, 4 at `to`, and if `certain` is set with steps of half a turn or more; and as
