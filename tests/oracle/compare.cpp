@@ -52,7 +52,7 @@ Loops all_rings(const Region& region) {
 
 // Places where the two may tell different things: inside a ring and beside its edges.
 std::vector<Pt> candidates(const Loop& ring) {
-  std::vector<Pt> points{reference::point_strictly_inside(ring)};
+  std::vector<Pt> points{reference::point_strictly_inside({ring})};
   const Number close(1, 1 << 20);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Pt& a = ring[i];

@@ -8,8 +8,10 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/locate.hpp"
+#include "reference/placed_robot.hpp"
 #include "support/generators.hpp"
 #include "support/polygon_kinds.hpp"
+#include "support/robot_scenes.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum {
@@ -33,65 +35,56 @@ Rational random_angle(Random& random) {
   }
 }
 
-/// What the slice is about: the robot, turned about its reference point, which is at `at`.
-Region placed(const Region& robot, const Point& reference, const Turn& turn, const Point& at) {
-  const Affine home = Affine::translation(-reference.x, -reference.y);
-  return transform(robot, Affine::translation(at.x, at.y).after(turn.map()).after(home));
-}
-
-Point between(const Point& a, const Point& b, const Rational& t) {
-  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-}
-
-/// Points on the thin and areal parts' boundaries, and any of the box.
-std::vector<Point> places_to_try(Random& random, const Slice& slice, const Box& box, int count) {
-  std::vector<Point> points;
-  const Region& free = slice.free.region;
-  for (std::size_t v = 0; v < free.vertex_count(); ++v) points.push_back(free.point(v));
-  for (const Point& point : slice.free.points) points.push_back(point);
-  for (const Polyline& line : slice.free.polylines) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      points.push_back(between(line[i], line[i + 1], Rational(random.below(8), 7)));
-    }
-  }
-  if (points.size() > static_cast<std::size_t>(count) / 4) {
-    points.resize(static_cast<std::size_t>(count) / 4);
-  }
-  while (points.size() < static_cast<std::size_t>(count)) {
-    points.push_back({box.min.x + (box.max.x - box.min.x) * Rational(random.below(1001), 1000),
-                      box.min.y + (box.max.y - box.min.y) * Rational(random.below(1001), 1000)});
-  }
-  return points;
-}
-
-struct Scene {
-  Region robot;
-  Region obstacles;
-  Rational angle;
-  ConfigurationOptions options;
+/// How many of the places that were tried are free, and how many of these without play.
+struct Found {
+  int free = 0;
+  int thin = 0;
 };
 
-Scene random_scene(Random& random) {
-  Scene scene;
-  scene.robot = test::random_region(random);
-  scene.obstacles = test::scaled(test::random_region(random), Rational(random.between(1, 4)));
-  scene.angle = random_angle(random);
-  scene.options.tight = true;
-  if (random.one_in(4)) {  // often one that fits into the other with no play
-    const test::Pair pair = test::random_pair(random);
-    scene.obstacles = pair.p;
-    scene.robot = reflect(pair.q);
-    scene.angle = 0;
-    return scene;
+/// Whether the robot collides wherever it goes from here.
+bool has_no_play(const reference::PlacedRobot& robot, const reference::Pt& at,
+                 const reference::Pt& direction) {
+  using reference::Number;
+  // None of these directions is one in which it may have play along a path.
+  const Number hair("1/1000000000000000000000");
+  for (const int x : {-10007, -7919, -3571, -1301, 1709, 4211, 7103, 9973}) {
+    for (const int y : {-9463, -6653, -4919, -1847, 1447, 3307, 8167, 10463}) {
+      const reference::Pt near{Number(at.x + hair * x), Number(at.y + hair * y)};
+      if (robot.at(near, direction) == reference::Collision::kNone) return false;
+    }
   }
-  if (random.one_in(2)) {
-    scene.options.reference = {Rational(random.between(-9, 30), 2), Rational(random.below(9), 3)};
+  return true;
+}
+
+void expect_collisions(Random& random, const test::RobotScene& scene,
+                       const ConfigurationSpace& space, const Slice& slice, int places,
+                       Found& found) {
+  const PointLocator free(slice.free);
+  const PointLocator area({slice.free.region, {}, {}});
+  const PointLocator obstacles(slice.obstacles);
+  const reference::PlacedRobot robot(scene.robot, scene.options.reference, scene.obstacles,
+                                     scene.workspace());
+  const reference::Pt direction = reference::direction_of(slice.turn);
+  for (int i = 0; i < places; ++i) {
+    const Point at = test::random_place(random, scene, slice, space.boundary());
+    const Box& box = space.boundary();
+    if (at.x < box.min.x || at.y < box.min.y || at.x > box.max.x || at.y > box.max.y) {
+      continue;  // free space ends there, whatever the robot meets
+    }
+    const bool is_free = robot.at(reference::to_pt(at), direction) == reference::Collision::kNone;
+    const bool found_free = free.locate(at) != Location::kOutside;
+    ASSERT_TRUE(found_free == is_free || (is_free && !scene.options.tight &&
+                                          has_no_play(robot, reference::to_pt(at), direction)))
+        << test::to_text(scene) << '\n'
+        << slice.turn.asked << ' ' << at.x << ' ' << at.y;
+    // Free space and obstacles share no more than their boundaries, and the thin parts.
+    const bool thin = found_free && area.locate(at) == Location::kOutside;
+    if (!thin) {
+      ASSERT_EQ(found_free, obstacles.locate(at) != Location::kInside) << test::to_text(scene);
+    }
+    found.free += found_free ? 1 : 0;
+    found.thin += thin ? 1 : 0;
   }
-  if (random.one_in(2)) {
-    const Region room = test::scaled(test::random_region(random), Rational(random.between(2, 8)));
-    scene.options.workspace = as_geometry(room);
-  }
-  return scene;
 }
 
 // MINKSUM_PAIRS counts scenes; 50 configurations each.
@@ -99,40 +92,21 @@ TEST(ConfigurationSpace, AgreesWithCollisionTests) {
   const std::uint64_t seed = test::seed_from_environment(1);
   SCOPED_TRACE(seed);
   Random random(seed);
-  const int scenes = test::count_from_environment(80);
+  const int scenes = test::count_from_environment(400);
   constexpr int kPlaces = 50;
-  int free_places = 0;
-  int thin_places = 0;
-  for (int i = 0; i < scenes; ++i) {
-    const Scene scene = random_scene(random);
-    const ConfigurationSpace space(as_geometry(scene.robot), as_geometry(scene.obstacles),
-                                   scene.options);
-    const Slice slice = space.slice(nearest_turn(scene.angle), true);
-    const PointLocator free(slice.free);
-    const PointLocator area({slice.free.region, {}, {}});
-    const PointLocator obstacles(slice.obstacles);
-    for (const Point& at : places_to_try(random, slice, space.boundary(), kPlaces)) {
-      const Region robot = placed(scene.robot, scene.options.reference, slice.turn, at);
-      const auto& room = scene.options.workspace;
-      const bool collides = !intersect(scene.obstacles, robot).empty() ||
-                            (room && !contains(resolve(*room).region, robot));
-      const bool found_free = free.locate(at) != Location::kOutside;
-      ASSERT_EQ(found_free, !collides)
-          << test::to_text(scene.robot) << '\n' << test::to_text(scene.obstacles) << '\n'
-          << slice.turn.asked << ' ' << at.x << ' ' << at.y;
-      // Free space and obstacles share no more than their boundaries, and the thin parts.
-      const bool thin = found_free && area.locate(at) == Location::kOutside;
-      if (!thin) {
-        EXPECT_EQ(found_free, obstacles.locate(at) != Location::kInside);
-      }
-      free_places += found_free ? 1 : 0;
-      thin_places += thin ? 1 : 0;
-    }
+  Found found;
+  for (int i = 0; i < scenes && !HasFatalFailure(); ++i) {
+    SCOPED_TRACE(i);
+    test::RobotScene scene = test::random_robot_scene(random);
+    scene.options.tight = !scene.obstacles.has_thin_parts();
+    const ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.options);
+    const Turn turn = random.one_in(3) ? nearest_turn(random_angle(random)) : scene.turn;
+    expect_collisions(random, scene, space, space.slice(turn, true), kPlaces, found);
   }
-  EXPECT_GT(free_places, scenes * kPlaces / 10);
-  EXPECT_LT(free_places, scenes * kPlaces * 9 / 10);
+  EXPECT_GT(found.free, scenes * kPlaces / 10);
+  EXPECT_LT(found.free, scenes * kPlaces * 9 / 10);
   if (scenes >= 80) {
-    EXPECT_GT(thin_places, 0);
+    EXPECT_GT(found.thin, 0);
   }
 }
 

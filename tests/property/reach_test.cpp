@@ -3,83 +3,27 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numeric>
+#include <sstream>
 
-#include "minksum/boolean.hpp"
 #include "minksum/locate.hpp"
+#include "property/reach_judge.hpp"
 #include "support/generators.hpp"
 #include "support/polygon_kinds.hpp"
+#include "support/robot_scenes.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum {
 namespace {
 
+using test::Judge;
 using test::Random;
+using Scene = test::ReachScene;
 
 Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 
-struct Scene {
-  Region robot;
-  Geometry obstacles;
-  ReachOptions options;
-
-  [[nodiscard]] Reach from_to(const Configuration& from, const Configuration& to) const {
-    return reach(as_geometry(robot), obstacles, from, to, options);
-  }
-  [[nodiscard]] Region placed(const Turn& turn, const Point& at) const {
-    const Affine home = Affine::translation(-options.reference.x, -options.reference.y);
-    return transform(robot, Affine::translation(at.x, at.y).after(turn.map()).after(home));
-  }
-  [[nodiscard]] bool is_free(const Region& where) const {
-    if (!intersect(obstacles.region, where).empty()) return false;
-    return !options.workspace || contains(options.workspace->region, where);
-  }
-};
-
-/// What the robot touches while it moves from a to b.
-Region swept(const Scene& scene, const Turn& turn, const Point& a, const Point& b) {
-  const Geometry way{{}, {{{0, 0}, {b.x - a.x, b.y - a.y}}}, {}};
-  return minkowski_sum(as_geometry(scene.placed(turn, a)), way).region;
-}
-
-/// The angle of a turn, 0 to 360.
-double angle_of(const Turn& turn) {
-  return 90 * turn.quarters + 2 * std::atan(turn.tan_half.to_double()) * 180 / 3.14159265358979;
-}
-
-void expect_turns_freely(const Scene& scene, const Turn& a, const Turn& b, const Point& at) {
-  const double step = std::remainder(angle_of(b) - angle_of(a), 360);
-  EXPECT_LE(std::abs(step), 360.0 / static_cast<double>(scene.options.angles) + 0.01);
-  for (int i = 1; i < 8 && scene.options.certain; ++i) {
-    const Turn between = nearest_turn(Rational(angle_of(a) + step * i / 8), 1e-6);
-    EXPECT_TRUE(scene.is_free(scene.placed(between, at)));
-  }
-}
-
 void expect_good_path(const Scene& scene, const Configuration& from, const Configuration& to,
                       const Reach& found) {
-  ASSERT_TRUE(found.reachable);
-  ASSERT_FALSE(found.path.empty());
-  const Waypoint& first = found.path.front();
-  const Waypoint& last = found.path.back();
-  EXPECT_EQ(first.at, from.at);
-  EXPECT_EQ(last.at, to.at);
-  EXPECT_TRUE(first.turn.same_as(nearest_turn(from.degrees)));
-  EXPECT_TRUE(last.turn.same_as(nearest_turn(to.degrees)));
-  EXPECT_TRUE(scene.is_free(scene.placed(first.turn, first.at)));
-  for (std::size_t i = 1; i < found.path.size(); ++i) {
-    const Waypoint& a = found.path[i - 1];
-    const Waypoint& b = found.path[i];
-    if (a.turn.same_as(b.turn)) {
-      EXPECT_FALSE(a.at == b.at);
-      EXPECT_TRUE(scene.is_free(swept(scene, a.turn, a.at, b.at))) << i;
-    } else {
-      EXPECT_EQ(a.at, b.at);
-      EXPECT_TRUE(scene.is_free(scene.placed(b.turn, b.at))) << i;
-      expect_turns_freely(scene, a.turn, b.turn, a.at);
-    }
-  }
+  Judge(scene, from, to).expect_good_path(found);
 }
 
 /// A room of 40 × 20 that a wall divides, but for a door of this width.
@@ -231,95 +175,119 @@ TEST(Reach, LongWays) {
   EXPECT_GT(reached, 0);
 }
 
-/// Whether two configurations are connected, by a graph of all pairs of parts.
-class AllPairs {
- public:
-  AllPairs(const Scene& scene, const Configuration& from, const Configuration& to) {
-    ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.options);
-    space.include(from.at);
-    space.include(to.at);
-    std::vector<Turn> turns = full_turn(scene.options.angles);
-    std::vector<std::size_t> first{0};
-    for (const Turn& turn : turns) {
-      const Region free = space.slice(turn, true).free.region;
-      for (const std::size_t p : free.polygons()) parts_.emplace_back(free.polygon(p));
-      first.push_back(parts_.size());
-    }
-    of_.resize(parts_.size());
-    std::iota(of_.begin(), of_.end(), 0U);
-    for (std::size_t s = 0; s < turns.size(); ++s) {
-      const std::size_t t = (s + 1) % turns.size();
-      for (std::size_t a = first[s]; a < first[s + 1]; ++a) {
-        for (std::size_t b = first[t]; b < first[t + 1]; ++b) {
-          if (!intersect(parts_[a], parts_[b]).empty()) of_[root(a)] = root(b);
-        }
-      }
-    }
-    const auto ends = [&](const Configuration& end) {
-      std::vector<std::size_t> found;
-      for (std::size_t s = 0; s < turns.size(); ++s) {
-        if (!turns[s].same_as(nearest_turn(end.degrees))) continue;
-        for (std::size_t a = first[s]; a < first[s + 1]; ++a) {
-          if (PointLocator(as_geometry(parts_[a])).locate(end.at) != Location::kOutside) {
-            found.push_back(root(a));
-          }
-        }
-      }
-      return found;
-    };
-    for (const std::size_t a : ends(from)) {
-      for (const std::size_t b : ends(to)) connected_ |= a == b;
-    }
-  }
-  [[nodiscard]] bool connected() const { return connected_; }
-
- private:
-  std::size_t root(std::size_t i) {
-    while (of_[i] != i) i = of_[i];
-    return i;
-  }
-  std::vector<Region> parts_;
-  std::vector<std::size_t> of_;
-  bool connected_ = false;
+/// How many searches ended how.
+struct Tally {
+  int yes = 0;
+  int no = 0;
+  int refused = 0;
 };
 
+Scene scene_of(Random& random, const test::RobotScene& made) {
+  Scene scene{made.robot, made.obstacles, {}};
+  static_cast<ConfigurationOptions&>(scene.options) = made.options;
+  scene.options.angles = made.angles;
+  scene.options.tolerance = made.tolerance;
+  scene.options.certain = random.one_in(3);
+  return scene;
+}
+
+/// In the turn in which the robot may have no play, in another one of the slices, or any.
+Rational random_degrees(Random& random, const Scene& scene, const Turn& turn) {
+  const auto angles = static_cast<int>(scene.options.angles);
+  switch (random.below(4)) {
+    case 0:
+      return Rational(360 * random.below(angles), angles);
+    case 1:
+      return Rational(random.between(-4000, 4000), 10);
+    default:
+      return turn.asked;
+  }
+}
+
+/// A few tries for a place that is free, mostly with touch.
+void find_places(Random& random, const test::RobotScene& made, const Scene& scene,
+                 Configuration& from, Configuration& to) {
+  const Judge judge(scene, from, to);
+  const auto find = [&](Configuration& end) {
+    const Waypoint any = &end == &from ? judge.from() : judge.to();
+    const Slice slice = judge.space().slice(any.turn, true);
+    const ConfigurationSpace near(as_geometry(scene.robot), scene.obstacles, scene.options);
+    for (int i = 0; i < 10; ++i) {
+      end.at = test::random_place(random, made, slice, near.boundary());
+      if (judge.at({end.at, any.turn}) == reference::Collision::kNone) return;
+    }
+  };
+  find(from);
+  find(to);
+}
+
+void expect_refused(const Scene& scene, const Judge& judge, const Configuration& from,
+                    const Configuration& to) {
+  using reference::Collision;
+  const bool at_start = judge.at(judge.from()) != Collision::kNone;
+  const Collision collision = judge.at(at_start ? judge.from() : judge.to());
+  try {
+    (void)scene.from_to(from, to);
+    FAIL() << "a robot that is not free was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.culprit().operand, at_start ? 3 : 4);
+    const char* words =
+        collision == Collision::kWorkspace ? "leaves the workspace" : "overlaps an obstacle";
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+Reach answer(const Scene& scene, const Configuration& from, const Configuration& to) {
+  try {
+    return scene.from_to(from, to);
+  } catch (const Error& error) {
+    ADD_FAILURE() << error.what();
+    return {};
+  }
+}
+
+void expect_right_answer(Random& random, const test::RobotScene& made, const Scene& scene,
+                         Tally& tally) {
+  Configuration from{{0, 0}, random_degrees(random, scene, made.turn)};
+  Configuration to{{0, 0}, random_degrees(random, scene, made.turn)};
+  find_places(random, made, scene, from, to);
+  std::ostringstream ends;
+  ends << from.at.x << ' ' << from.at.y << ' ' << from.degrees << " to " << to.at.x << ' '
+       << to.at.y << ' ' << to.degrees << (scene.options.certain ? " certain" : "");
+  SCOPED_TRACE(ends.str());
+  Judge judge(scene, from, to);
+  if (judge.at(judge.from()) != reference::Collision::kNone ||
+      judge.at(judge.to()) != reference::Collision::kNone) {
+    ++tally.refused;
+    expect_refused(scene, judge, from, to);
+    return;
+  }
+  const Reach found = answer(scene, from, to);
+  const Reach back = answer(scene, to, from);
+  EXPECT_EQ(found.reachable, judge.connected());
+  EXPECT_EQ(back.reachable, found.reachable);
+  ++(found.reachable ? tally.yes : tally.no);
+  if (found.reachable) judge.expect_good_path(found);
+  if (back.reachable) expect_good_path(scene, to, from, back);
+}
+
+// MINKSUM_PAIRS counts scenes. Free space is that of slices, which other tests look at.
 TEST(Reach, IsWhatTheGraphOfAllPartsSays) {
   const std::uint64_t seed = test::seed_from_environment(1);
   SCOPED_TRACE(seed);
   Random random(seed);
-  int yes = 0;
-  int no = 0;
-  const int count = test::count_from_environment(60);
-  for (int i = 0; yes + no < count && i < 20 * count; ++i) {
-    Scene scene;
-    scene.robot = test::random_region(random);
-    scene.obstacles =
-        resolve(as_geometry(test::scaled(test::random_region(random), Rational(3))));
-    scene.options.angles = 8;
-    if (random.one_in(2)) {
-      scene.options.reference = {Rational(random.below(9)), Rational(random.below(9))};
-    }
-    const auto end = [&] {
-      return Configuration{{Rational(random.between(-40, 120), 2),
-                            Rational(random.between(-40, 120), 2)}, 45 * random.below(8)};
-    };
-    const Configuration from = end();
-    const Configuration to = end();
-    const auto is_free = [&](const Configuration& c) {
-      return scene.is_free(scene.placed(nearest_turn(c.degrees), c.at));
-    };
-    if (!is_free(from) || !is_free(to)) {
-      EXPECT_THROW((void)scene.from_to(from, to), Error);
-      continue;
-    }
-    const Reach found = scene.from_to(from, to);
-    EXPECT_EQ(found.reachable, AllPairs(scene, from, to).connected())
-        << test::to_text(scene.robot) << '\n' << test::to_text(scene.obstacles.region);
-    if (found.reachable) expect_good_path(scene, from, to, found);
-    ++(found.reachable ? yes : no);
+  Tally tally;
+  const int count = test::count_from_environment(150);
+  for (int i = 0; i < count && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const test::RobotScene made = test::random_robot_scene(random);
+    SCOPED_TRACE(test::to_text(made));
+    expect_right_answer(random, made, scene_of(random, made), tally);
   }
-  EXPECT_GE(yes + no, count);
-  EXPECT_GT(yes, 0);
+  EXPECT_GT(tally.yes, count / 10);
+  EXPECT_GT(tally.no, count / 40);
+  EXPECT_GT(tally.refused, count / 20);
 }
 
 TEST(Reach, BadInput) {

@@ -82,27 +82,25 @@ bool contains_sum(const Region& p, const Region& q, const Pt& x) {
   return false;
 }
 
-Pt point_strictly_inside(const Loop& ring) {
+Pt point_strictly_inside(const Loops& polygon) {
   // On the vertical through the middle between the two smallest different x: the lowest two
   // crossings bound a stretch of the inside.
-  Number first = ring[0].x;
-  for (const Pt& p : ring) first = std::min(first, p.x);
-  bool found = false;
-  Number second = 0;
-  for (const Pt& p : ring) {
-    if (p.x > first && (!found || p.x < second)) {
-      second = p.x;
-      found = true;
-    }
+  std::vector<Number> xs;
+  for (const Loop& ring : polygon) {
+    for (const Pt& p : ring) xs.push_back(p.x);
   }
-  if (!found) throw std::logic_error("a ring without area");
-  const Number x = (first + second) / 2;
+  std::sort(xs.begin(), xs.end());
+  xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+  if (xs.size() < 2) throw std::logic_error("a polygon without area");
+  const Number x = (xs[0] + xs[1]) / 2;
   std::vector<Number> ys;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Pt& a = ring[i];
-    const Pt& b = ring[(i + 1) % ring.size()];
-    if ((a.x < x) == (b.x < x)) continue;
-    ys.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+  for (const Loop& ring : polygon) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Pt& a = ring[i];
+      const Pt& b = ring[(i + 1) % ring.size()];
+      if ((a.x < x) == (b.x < x)) continue;
+      ys.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+    }
   }
   std::sort(ys.begin(), ys.end());
   return {x, (ys.at(0) + ys.at(1)) / 2};

@@ -11,9 +11,8 @@ namespace minksum::reference {
 /// Is x in P ⊕ Q (closed)? It is iff P meets x - Q. Every edge against every edge.
 [[nodiscard]] bool contains_sum(const Region& p, const Region& q, const Pt& x);
 
-/// A point strictly inside the area of the simple ring, the ring's other parts included. Any vertex
-/// ring in any orientation.
-[[nodiscard]] Pt point_strictly_inside(const Loop& ring);
+/// A point strictly inside a polygon: an outer ring, and holes. Rings in any orientation.
+[[nodiscard]] Pt point_strictly_inside(const Loops& polygon);
 
 /// Points close to the boundary of a region, on both sides of each edge's midpoint, and on it.
 [[nodiscard]] std::vector<Pt> points_near_edges(const Region& region, const Number& distance);
