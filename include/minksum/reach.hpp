@@ -45,7 +45,8 @@ struct Reach {
 /// (Dijkstra 1959; by length, and for turns that of the arc at the robot's reach) it takes the
 /// shortest, which need not be the shortest that there is. Each of its moves was found to lie in
 /// the closed free part by exact arithmetic. It may touch obstacles. Ways that leave the robot no
-/// play do not count: gaps of exactly its width, and points where two free parts touch.
+/// play do not count: gaps of exactly its width, and points where two free parts touch. Where the
+/// robot is already, it gets in any case.
 ///
 /// Between two slices nothing is known, unless `certain` is set: then slices are those of the robot
 /// grown by ρ = r·tan δ, with r its reach and 2δ the largest step (or δ the tolerance of an end's

@@ -117,6 +117,8 @@ class Planner {
 
   /// The path; empty if there is none.
   std::vector<Waypoint> find(std::size_t first, std::size_t last) {
+    // It is there, even with no play.
+    if (first == last && from_.at == to_.at) return {{from_.at, slices_[first].turn}};
     for (std::size_t p = 0; p < slices_[first].parts.size(); ++p) {
       if (slices_[first].parts[p].contains(from_.at)) {
         offer({0, kNone, first, p, true, from_.at, {}});

@@ -94,7 +94,7 @@ void Judge::expect_good_path(const Reach& found) {
   EXPECT_EQ(found.path.back().at, to_.at);
   EXPECT_TRUE(found.path.front().turn.same_as(first_));
   EXPECT_TRUE(found.path.back().turn.same_as(last_));
-  EXPECT_TRUE(graph().has(found.path));
+  EXPECT_TRUE(is_there() ? found.path.size() == 1 : graph().has(found.path));
   EXPECT_EQ(at(found.path.front()), reference::Collision::kNone);
   for (std::size_t i = 1; i < found.path.size(); ++i) {
     const Waypoint& a = found.path[i - 1];

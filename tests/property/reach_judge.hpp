@@ -38,7 +38,11 @@ class Judge {
   [[nodiscard]] Waypoint from() const { return {from_.at, first_}; }
   [[nodiscard]] Waypoint to() const { return {to_.at, last_}; }
 
-  [[nodiscard]] bool connected() { return graph().connects(from(), to()); }
+  /// Where the robot is already, it gets in any case.
+  [[nodiscard]] bool is_there() const {
+    return from_.at == to_.at && reference::direction_of(first_) == reference::direction_of(last_);
+  }
+  [[nodiscard]] bool connected() { return is_there() || graph().connects(from(), to()); }
   /// Each move collides nowhere; and if `certain` is set, the robot as it is does not at some
   /// angles between those of each turn.
   void expect_good_path(const Reach& found);

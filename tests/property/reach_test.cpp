@@ -129,6 +129,7 @@ TEST(Reach, FromWallsWithoutPlay) {
   const Configuration outside{{0, 5}, 0};
   EXPECT_FALSE(scene.from_to(between, outside).reachable);
   EXPECT_FALSE(scene.from_to(outside, between).reachable);
+  EXPECT_EQ(scene.from_to(between, between).path.size(), 1U);
 }
 
 TEST(Reach, AroundEverything) {
@@ -252,6 +253,7 @@ void expect_right_answer(Random& random, const test::RobotScene& made, const Sce
   Configuration from{{0, 0}, random_degrees(random, scene, made.turn)};
   Configuration to{{0, 0}, random_degrees(random, scene, made.turn)};
   find_places(random, made, scene, from, to);
+  if (random.one_in(8)) to = from;
   std::ostringstream ends;
   ends << from.at.x << ' ' << from.at.y << ' ' << from.degrees << " to " << to.at.x << ' '
        << to.at.y << ' ' << to.degrees << (scene.options.certain ? " certain" : "");
