@@ -40,8 +40,8 @@ ConfigurationSpace space_of(const ReachScene& scene, const Region& robot) {
 
 }  // namespace
 
-Judge::Judge(const ReachScene& scene, const Configuration& from, const Configuration& to, Turn first,
-             Turn last)
+Judge::Judge(const ReachScene& scene, const Configuration& from, const Configuration& to,
+             Turn first, Turn last)
     : from_(from), to_(to), first_(std::move(first)), last_(std::move(last)),
       certain_(scene.options.certain), turns_(all_turns(scene, first_, last_)),
       robot_(scene.robot, scene.options.reference, scene.obstacles, workspace_of(scene)),

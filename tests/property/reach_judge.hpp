@@ -29,7 +29,6 @@ class Judge {
   Judge(const ReachScene& scene, const Configuration& from, const Configuration& to)
       : Judge(scene, from, to, scene.turn_of(from), scene.turn_of(to)) {}
 
-  [[nodiscard]] const Rational& margin() const { return margin_; }
   /// Of the robot grown by the margin, its reference point at the origin.
   [[nodiscard]] const ConfigurationSpace& space() const { return space_; }
   [[nodiscard]] reference::Collision at(const Waypoint& waypoint) const {

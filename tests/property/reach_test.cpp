@@ -132,6 +132,40 @@ TEST(Reach, FromWallsWithoutPlay) {
   EXPECT_EQ(scene.from_to(between, between).path.size(), 1U);
 }
 
+// Two corners leave just the robot's width along the diagonal: in all slices the same two free
+// parts, which touch at one point.
+TEST(Reach, NotByWayOfAPoint) {
+  for (const int more : {0, 1}) {
+    const Rational right(7'000'000 + more, 1'000'000);
+    const Polygon walls[] = {{{{0, 4}, {5, 4}, {5, 5}, {0, 5}}, {}},
+                             {{{right, 7}, {12, 7}, {12, 8}, {right, 8}}, {}}};
+    Scene scene;
+    scene.robot = test::rectangle(-1, -1, 1, 1);
+    scene.obstacles = as_geometry(Region(walls));
+    scene.options.workspace = as_geometry(test::rectangle(0, 0, 12, 12));
+    scene.options.angles = 4;
+    for (const Configuration& to : {Configuration{{3, 10}, 0}, Configuration{{6, 6}, 180}}) {
+      const Configuration from{{9, 2}, 90};
+      const bool at_point = to.degrees == Rational(180);
+      EXPECT_EQ(scene.from_to(from, to).reachable, at_point || more == 1);
+      EXPECT_EQ(scene.from_to(to, from).reachable, at_point || more == 1);
+    }
+  }
+}
+
+// A corridor that leaves it some 20 degrees to turn: the only way is that past 0.
+TEST(Reach, TurnsPastZero) {
+  Scene scene;
+  scene.robot = test::moved(test::rectangle(0, 0, 10, 1), -5, Rational(-1, 2));
+  scene.options.workspace = as_geometry(test::rectangle(0, 0, 40, 5));
+  scene.options.angles = 18;
+  const Rational middle(5, 2);
+  const Configuration from{{20, middle}, 340};
+  const Configuration to{{22, middle}, 20};
+  expect_good_path(scene, from, to, scene.from_to(from, to));
+  expect_good_path(scene, to, from, scene.from_to(to, from));
+}
+
 TEST(Reach, AroundEverything) {
   Scene scene;
   scene.robot = test::make_polygon({{-1, -1}, {3, -1}, {-1, 2}});

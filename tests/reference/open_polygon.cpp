@@ -33,7 +33,6 @@ bool apart(const Span& s, const Span& t) {
   return beyond(s.a.x, s.b.x, t.a.x, t.b.x) || beyond(s.a.y, s.b.y, t.a.y, t.b.y);
 }
 
-Pt minus(const Pt& a, const Pt& b) { return {Number(a.x - b.x), Number(a.y - b.y)}; }
 Number cross(const Pt& a, const Pt& b) { return a.x * b.y - a.y * b.x; }
 Number dot(const Pt& a, const Pt& b) { return a.x * b.x + a.y * b.y; }
 
@@ -81,6 +80,8 @@ Span box_of(const std::vector<Span>& edges) {
 
 }  // namespace
 
+Pt minus(const Pt& a, const Pt& b) { return {Number(a.x - b.x), Number(a.y - b.y)}; }
+
 Spot::Spot(Pt point)
     : at(std::move(point)), x(at.x.convert_to<double>()), y(at.y.convert_to<double>()) {}
 
@@ -112,22 +113,15 @@ Side OpenPolygon::locate(const Spot& spot) const {
 }
 
 bool OpenPolygon::is_entered_by(const Span& span) const {
-  if (apart(span, box_)) return false;
-  std::vector<Number> meetings;
-  add_meetings(span, edges_, meetings);
-  const std::vector<Number> gaps = between_meetings(std::move(meetings));
-  return std::any_of(gaps.begin(), gaps.end(), [&](const Number& t) {
-    return locate(Spot(span.along(t))) == Side::kInside;
-  });
+  return !apart(span, box_) && meets(span, Side::kInside);
 }
 
-bool OpenPolygon::holds(const Span& span) const {
+bool OpenPolygon::meets(const Span& span, Side side) const {
   std::vector<Number> meetings;
   add_meetings(span, edges_, meetings);
   const std::vector<Number> gaps = between_meetings(std::move(meetings));
-  return std::none_of(gaps.begin(), gaps.end(), [&](const Number& t) {
-    return locate(Spot(span.along(t))) == Side::kOutside;
-  });
+  return std::any_of(gaps.begin(), gaps.end(),
+                     [&](const Number& t) { return locate(Spot(span.along(t))) == side; });
 }
 
 void add_meetings(const Span& span, const std::vector<Span>& others, std::vector<Number>& found) {

@@ -7,6 +7,8 @@
 
 namespace minksum::reference {
 
+[[nodiscard]] Pt minus(const Pt& a, const Pt& b);
+
 /// An exact point and doubles near it, which decide what they leave no doubt about.
 struct Spot {
   explicit Spot(Pt point);
@@ -36,16 +38,19 @@ class OpenPolygon {
   /// Whether some point of the span is inside.
   [[nodiscard]] bool is_entered_by(const Span& span) const;
   /// Whether no point of the span is outside.
-  [[nodiscard]] bool holds(const Span& span) const;
+  [[nodiscard]] bool holds(const Span& span) const { return !meets(span, Side::kOutside); }
 
  private:
+  /// Whether some point of the span is on this side, which is not the boundary.
+  [[nodiscard]] bool meets(const Span& span, Side side) const;
+
   std::vector<Span> edges_;
   Spot inner_;
   Span box_;  ///< from its smaller to its larger corner, up to what doubles tell
 };
 
-/// Appends the t in [0, 1] at which a + t(b − a) gets onto one of these spans, off one, or past an
-/// end of one that it runs along. Between two of these, and 0 and 1, nothing changes.
+/// Appends those t in [0, 1], and maybe others, at which a + t(b − a) gets onto one of these spans,
+/// off one, or past an end of one that it runs along. Between two of them nothing changes.
 void add_meetings(const Span& span, const std::vector<Span>& others, std::vector<Number>& found);
 
 /// One t from each gap between these, 0 and 1, in order.

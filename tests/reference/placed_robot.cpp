@@ -15,7 +15,6 @@ Pt turned(const Pt& p, const Pt& direction) {
           Number(p.x * direction.y + p.y * direction.x)};
 }
 Pt plus(const Pt& a, const Pt& b) { return {Number(a.x + b.x), Number(a.y + b.y)}; }
-Pt minus(const Pt& a, const Pt& b) { return {Number(a.x - b.x), Number(a.y - b.y)}; }
 
 /// By twice the angle with this tangent.
 Pt direction_of_half(const Number& tangent) {
@@ -148,16 +147,6 @@ bool PlacedRobot::is_free_along(const Pt& a, const Pt& b, const Pt& direction) c
   return std::all_of(gaps.begin(), gaps.end(), [&](const Number& t) {
     return at(path.along(t), direction) == Collision::kNone;
   });
-}
-
-Number PlacedRobot::squared_reach() const {
-  Number largest = 0;
-  for (const Body& body : bodies_) {
-    for (const Pt& p : body.loops[0]) {
-      largest = std::max(largest, Number(p.x * p.x + p.y * p.y));
-    }
-  }
-  return largest;
 }
 
 }  // namespace minksum::reference

@@ -34,8 +34,6 @@ class PlacedRobot {
   [[nodiscard]] Collision at(const Pt& at, const Pt& direction) const;
   /// Whether the robot collides nowhere on a straight way.
   [[nodiscard]] bool is_free_along(const Pt& a, const Pt& b, const Pt& direction) const;
-  /// The square of the robot's largest distance from its reference point.
-  [[nodiscard]] Number squared_reach() const;
 
  private:
   /// A polygon of the robot, its reference point at the origin.

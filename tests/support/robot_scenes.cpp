@@ -12,8 +12,8 @@
 namespace minksum::test {
 namespace {
 
-Polygon rectangle(const Rational& min_x, const Rational& min_y, const Rational& max_x,
-                  const Rational& max_y) {
+Polygon box_of(const Rational& min_x, const Rational& min_y, const Rational& max_x,
+               const Rational& max_y) {
   return {{{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}, {}};
 }
 
@@ -64,6 +64,17 @@ void make_loose(Random& random, RobotScene& scene) {
   }
 }
 
+/// Squares of the robot's size on a grid: a robot that is the same in all turns, and free parts
+/// that touch at points.
+void make_lattice(Random& random, RobotScene& scene) {
+  scene.kind = "lattice";
+  scene.robot = rectangle(-1, -1, 1, 1);
+  scene.obstacles.region = scaled(random_cells(random, 4, 4, random.one_in(4), false), 2);
+  if (random.one_in(2)) scene.options.workspace = Geometry{rectangle(0, 0, 8, 8), {}, {}};
+  scene.angles = 4;
+  scene.turn = full_turn(4)[static_cast<std::size_t>(random.below(4))];
+}
+
 /// The robot fits, in this turn, into a hole of the obstacles, or they into one of the robot.
 void make_frame(Random& random, RobotScene& scene) {
   scene.kind = "frame";
@@ -76,8 +87,8 @@ void make_frame(Random& random, RobotScene& scene) {
 Geometry slot(Random& random, const Rational& length, const Rational& width) {
   Geometry walls;
   if (random.one_in(2)) {
-    const Polygon sides[] = {rectangle(0, -2, length, 0),
-                             rectangle(1, width, length + Rational(1), width + Rational(3))};
+    const Polygon sides[] = {box_of(0, -2, length, 0),
+                             box_of(1, width, length + Rational(1), width + Rational(3))};
     walls.region = Region(sides);
   } else {
     walls.polylines = {{{0, 0}, {length, 0}}, {{0, width}, {length, width}}};
@@ -90,9 +101,9 @@ Geometry slot(Random& random, const Rational& length, const Rational& width) {
 /// A wall with a door, `width` high, in a room.
 Geometry door(const Rational& size, const Rational& width, ConfigurationOptions& options) {
   const Rational low = size * Rational(1, 3);
-  const Polygon sides[] = {rectangle(size, 0, size + Rational(1), low),
-                           rectangle(size, low + width, size + Rational(1), size + width)};
-  const Polygon room = rectangle(0, 0, size * Rational(2) + Rational(1), size + width);
+  const Polygon sides[] = {box_of(size, 0, size + Rational(1), low),
+                           box_of(size, low + width, size + Rational(1), size + width)};
+  const Polygon room = box_of(0, 0, size * Rational(2) + Rational(1), size + width);
   options.workspace = Geometry{Region(room), {}, {}};
   return {Region(sides), {}, {}};
 }
@@ -117,7 +128,7 @@ void make_narrow(Random& random, RobotScene& scene) {
       break;
     case 1:
       scene.kind = "corridor";
-      options.workspace = Geometry{Region(rectangle(0, 0, length, width)), {}, {}};
+      options.workspace = Geometry{Region(box_of(0, 0, length, width)), {}, {}};
       if (random.one_in(2)) add_walls(random, scene.obstacles, 6);
       break;
     default:
@@ -151,7 +162,7 @@ RobotScene random_robot_scene(Random& random) {
   scene.tolerance = random.one_in(4) ? 1e-3 : 1.0;
   const std::vector<Turn> turns = full_turn(scene.angles, scene.tolerance);
   scene.turn = turns[static_cast<std::size_t>(random.below(static_cast<int>(turns.size())))];
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0:
     case 1:
       make_frame(random, scene);
@@ -163,6 +174,9 @@ RobotScene random_robot_scene(Random& random) {
     case 4:
       make_cast(random, scene);
       break;
+    case 5:
+      make_lattice(random, scene);
+      return scene;
     default:
       make_loose(random, scene);
   }

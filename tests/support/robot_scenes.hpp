@@ -24,7 +24,7 @@ struct RobotScene {
 
 /// Robots of any kind, also in several parts, with holes, with the reference point far off; among
 /// regions and walls at random, in workspaces at random, in a frame or a slot or a door that is in
-/// one turn just as wide as the robot, a hair wider or narrower, or has room.
+/// one turn just as wide as the robot, a hair wider or narrower, or has room; on a grid.
 [[nodiscard]] RobotScene random_robot_scene(Random& random);
 
 /// Enough to run it again.
