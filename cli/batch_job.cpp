@@ -136,6 +136,7 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
     try {
       return {io::read_geometry(text, limits), name};
     } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
       throw failure_of(error, name);
     }
   };
@@ -149,6 +150,7 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
     try {
       return {io::read_geometry_file(file, limits), *path};
     } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
       throw failure_of(error, *path);
     }
   }
@@ -291,12 +293,14 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     const Job job = parse_job(line.text, id);
     const ReadyOperation& operation = ready(job, arguments_, worker);
     seconds = operation.seconds;
-    const NamedOperand a = read(job.a, "a", folder_, operation.limits);
+    const Watchdog::Watch watch(watchdog_, seconds);
+    io::ReadLimits limits = operation.limits;
+    limits.cancel = watch.token();
+    const NamedOperand a = read(job.a, "a", folder_, limits);
     if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");
     if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
     const NamedOperand b =
-        job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, operation.limits);
-    const Watchdog::Watch watch(watchdog_, seconds);
+        job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
     try {
       result = operation.run(a.geometry, b.geometry, watch.token(), worker);
     } catch (const Error& error) {

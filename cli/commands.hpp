@@ -33,7 +33,7 @@ struct ResultArguments {
   io::Format format = io::Format::kWkt;
   io::Coordinates coordinates;
   RoundingSide rounding = RoundingSide::kNearest;  ///< but for exact coordinates
-  std::optional<CancelToken> cancel;               ///< stops rounding
+  std::optional<CancelToken> cancel;               ///< stops rounding, and writing of a job
 };
 
 /// `minksum sum P Q ...`

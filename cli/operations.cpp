@@ -51,8 +51,9 @@ void require_json_format(const ResultArguments& arguments) {
 
 std::string result_json(const Geometry& geometry, const ResultArguments& arguments,
                         const char* key = "result") {
-  return std::string("\"") + key +
-         "\":" + geometry_json(geometry, arguments.format, arguments.coordinates);
+  io::Coordinates coordinates = arguments.coordinates;
+  coordinates.cancel = arguments.cancel;
+  return std::string("\"") + key + "\":" + geometry_json(geometry, arguments.format, coordinates);
 }
 
 Run make_sum(Parser& parser, ProcessLimits& limits) {
@@ -79,10 +80,10 @@ Run make_sum(Parser& parser, ProcessLimits& limits) {
     if (tight) options.tight = &places;
     const Outcome outcome = minkowski_sum(a, b, options, worker.workspace, worker.geometry);
     if (!outcome.ok()) throw *outcome.error;
-    std::string json = result_json(rounded(worker.geometry, rounding), arguments);
+    std::string json = result_json(rounded(worker.geometry, rounding), rounding);
     if (!tight) return json;
     rounding.rounding = RoundingSide::kNearest;
-    return json + "," + result_json(rounded(places, rounding), arguments, "tight");
+    return json + "," + result_json(rounded(places, rounding), rounding, "tight");
   };
 }
 

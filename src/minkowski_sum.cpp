@@ -31,10 +31,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void require_legal(const Given& p, const Given& q) {
+void require_legal(const Given& p, const Given& q, const Options& options) {
   for (const int i : {0, 1}) {
     const Given& given = i == 0 ? p : q;
-    if (given.operand == nullptr) minksum::require_legal(given.region, i);
+    if (given.operand == nullptr) minksum::require_legal(given.region, i, options.cancel);
   }
 }
 
@@ -90,7 +90,7 @@ const SmallOperand* small_of(const Given& given, SmallOperand& memory) {
 bool run_small(const Given& p, const Given& q, const Options& options, SmallScratch& scratch,
                Region& result) {
   if (!may_be_small(options)) return false;
-  StageRunner(options).stop_if_asked();
+  Cancellation(options).look();
   std::array<SmallOperand, 2> memory;
   const SmallOperand* const small_p = small_of(p, memory[0]);
   if (small_p == nullptr) return false;
@@ -107,10 +107,10 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
   if (options.tight != nullptr) *options.tight = Geometry{};
   require_method_for_tight(options);
   if (p.region.empty() || q.region.empty()) {
-    require_legal(p, q);
+    require_legal(p, q, options);
     result.clear();
   } else if (options.method == Method::kSigned) {
-    require_legal(p, q);
+    require_legal(p, q, options);
     Statistics unwanted;
     Statistics& statistics = options.statistics != nullptr ? *options.statistics : unwanted;
     signed_convolution_sum(p.region, q.region, options, statistics, result);
@@ -156,7 +156,11 @@ Outcome run_without_exceptions(const Given& p, const Given& q, const Options& op
 class Sums final : public PartialSums {
  public:
   Sums(const Options& options, Workspace::State& state)
-      : options_(options), quiet_(options), state_(state), begin_(Clock::now()) {
+      : options_(options),
+        quiet_(options),
+        cancellation_(options),
+        state_(state),
+        begin_(Clock::now()) {
     quiet_.statistics = nullptr;
     quiet_.trace = nullptr;
     quiet_.tight = nullptr;
@@ -169,12 +173,13 @@ class Sums final : public PartialSums {
     regions_[i] = &region;
     is_small_[i] = false;
     if (region.empty()) return true;
-    stop_if_asked();
+    cancellation_.look();
     is_small_[i] = may_be_small(quiet_) && read_small(region, SmallHoles::kNone, small_[i]);
     if (is_small_[i]) return true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
-    prepare_operand(region, options_, 1, state_.operand_scratch, state_.prepared[i], faults);
+    prepare_operand(region, options_, 1, cancellation_, state_.operand_scratch,
+                    state_.prepared[i], faults);
     preparing_ += Clock::now() - begin;
     return faults.empty();
   }
@@ -198,9 +203,10 @@ class Sums final : public PartialSums {
     }
     run(walk(0, p), walk(1, q), quiet_, state_, sum.region);
     forget_origins(sum.region);
-    list_parallel_sums(state_.operands, state_.walks, options_.limits, sum.polylines);
+    list_parallel_sums(state_.operands, state_.walks, options_.limits, cancellation_,
+                       sum.polylines);
   }
-  void stop_if_asked() override { StageRunner(quiet_).stop_if_asked(); }
+  Cancellation& cancellation() override { return cancellation_; }
   /// What the statistics lack: the time around the sum of regions.
   void count_time() const {
     if (options_.statistics == nullptr) return;
@@ -219,13 +225,15 @@ class Sums final : public PartialSums {
     return {*regions_[i], &state_.prepared[i]};
   }
   Given walk(std::size_t i, std::span<const Polyline> polylines) {
-    walk_there_and_back(polylines, state_.walks[i]);
-    prepare_thin_operand(state_.walks[i], options_, state_.operand_scratch, state_.thin[i]);
+    walk_there_and_back(polylines, cancellation_, state_.walks[i]);
+    prepare_thin_operand(state_.walks[i], options_, cancellation_, state_.operand_scratch,
+                         state_.thin[i]);
     return {state_.walks[i], &state_.thin[i]};
   }
 
   const Options& options_;
   Options quiet_;  ///< for the sums that are not to be told of
+  Cancellation cancellation_;
   Workspace::State& state_;
   Clock::time_point begin_;
   Clock::duration preparing_{};
@@ -250,13 +258,14 @@ Given given(const PreparedRegion& region) {
 
 }  // namespace
 
-PreparedRegion::PreparedRegion(Region region) {
+PreparedRegion::PreparedRegion(Region region, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   auto state = std::make_shared<State>();
   state->region = std::move(region);
   if (!state->region.empty()) {
     OperandScratch scratch;
     std::vector<Fault> faults;
-    prepare_operand(state->region, Options{}, 1, scratch, state->operand, faults);
+    prepare_operand(state->region, Options{}, 1, cancellation, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
     if (read_small(state->region, SmallHoles::kSome, *small)) state->small = std::move(small);
@@ -298,7 +307,8 @@ Outcome minkowski_sum(const PreparedRegion& fixed, const Region& legal, const Sh
     if (fixed.region().empty() || legal.empty()) return result.clear();
     StageRunner runner(options);
     runner.run(Stage::kOperands, [&] {
-      prepare_legal(fixed.state().operand, legal, NarrowHoles::kFill, options, w);
+      prepare_legal(fixed.state().operand, legal, NarrowHoles::kFill, options,
+                    runner.cancellation(), w);
     });
     run_stages(options, shared, runner, w, result);
   };
@@ -309,10 +319,12 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
                                          double widest, const Options& options) {
   Workspace workspace;
   Workspace::State& w = workspace.state();
+  Cancellation cancellation(options);
   try {
-    prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, w);
-    convolve(w, options);
-    return share_raster(w.operands, widest, options, w.cover_scratch, w.convolution);
+    prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, cancellation, w);
+    convolve(w, options, cancellation);
+    return share_raster(w.operands, widest, options, cancellation, w.cover_scratch,
+                        w.convolution);
   } catch (const Error& error) {
     // With narrow holes there may be more than the limits allow; each sum tells for itself.
     if (error.code() != ErrorCode::kLimitExceeded) throw;

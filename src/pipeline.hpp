@@ -57,9 +57,9 @@ void run_pipeline(const Given& p, const Given& q, const Options& options, Worksp
 // -- Parts of it --------------------------------------------------------------------------------
 /// Combines a prepared operand with one that is legal.
 void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
-                   const Options& options, Workspace::State& w);
+                   const Options& options, Cancellation& cancellation, Workspace::State& w);
 /// Lists the convolution, or where there is much of it a sample.
-void convolve(Workspace::State& w, const Options& options);
+void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation);
 /// The stages after the operands'. With a raster for these operands, or null.
 void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
                 Workspace::State& w, Region& result);

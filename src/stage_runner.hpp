@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cancellation.hpp"
 #include "minksum/error.hpp"
 #include "minksum/minkowski_sum.hpp"
 
@@ -14,14 +15,13 @@ namespace minksum {
 /// checker's time counts for the stage after it.
 class StageRunner {
  public:
-  explicit StageRunner(const Options& options) : options_(options) {
+  explicit StageRunner(const Options& options) : options_(options), cancellation_(options) {
     if (options.statistics != nullptr) last_ = std::chrono::steady_clock::now();
   }
 
   template <class Work>
   void run(Stage stage, Work work) {
-    stage_ = stage;
-    stop_if_asked();
+    cancellation_.enter(stage);
     work();
     // Readings of clocks would take a tenth of a sum of two polygons of 4 to 8 vertices.
     if (options_.statistics == nullptr) return;
@@ -30,19 +30,14 @@ class StageRunner {
         std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
-  void stop_if_asked() const {
-    if ((options_.cancel && options_.cancel->cancelled()) ||
-        (options_.progress && !options_.progress(stage_))) {
-      throw Error(ErrorCode::kCancelled, "cancelled", {}, to_string(stage_));
-    }
-  }
+  [[nodiscard]] Cancellation& cancellation() { return cancellation_; }
   void require(const std::optional<std::string>& fault) const {
-    if (fault) throw Error(ErrorCode::kInternal, *fault, {}, to_string(stage_));
+    if (fault) throw Error(ErrorCode::kInternal, *fault, {}, to_string(cancellation_.stage()));
   }
 
  private:
   const Options& options_;
-  Stage stage_ = Stage::kOperands;
+  Cancellation cancellation_;
   std::chrono::steady_clock::time_point last_;  ///< when the last stage ended
 };
 

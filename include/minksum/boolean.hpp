@@ -1,27 +1,36 @@
 // Union, intersection and difference, exactly.
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
 
 // All of these throw Error(kLimitExceeded) for 2^30 vertices or more in all, for more than 2^28
 // places where edges cross, or ends of edges that lie on others (those that overlap on one line
-// joined first), and where a coordinate of the result has more than 2 million bits.
+// joined first), and where a coordinate of the result has more than 2 million bits; and
+// Error(kCancelled).
 
 /// The union of resolved geometries (see Geometry), resolved. They may overlap in any way.
 /// O((n + c) log n) for n vertices in all and c places where edges meet, and so for the others.
-[[nodiscard]] Geometry unite(std::span<const Geometry> geometries);
+[[nodiscard]] Geometry unite(std::span<const Geometry> geometries,
+                             const std::optional<CancelToken>& cancel = {});
 
 /// The operations on legal regions (see `validate`), regularized: closures of what has area.
-[[nodiscard]] Region unite(const Region& a, const Region& b);
-[[nodiscard]] Region intersect(const Region& a, const Region& b);
-[[nodiscard]] Region subtract(const Region& a, const Region& b);
-[[nodiscard]] Region symmetric_difference(const Region& a, const Region& b);
+[[nodiscard]] Region unite(const Region& a, const Region& b,
+                           const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] Region intersect(const Region& a, const Region& b,
+                               const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] Region subtract(const Region& a, const Region& b,
+                              const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] Region symmetric_difference(const Region& a, const Region& b,
+                                          const std::optional<CancelToken>& cancel = {});
 
 /// Whether a ⊆ b.
-[[nodiscard]] bool contains(const Region& b, const Region& a);
+[[nodiscard]] bool contains(const Region& b, const Region& a,
+                            const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 
@@ -27,11 +28,13 @@ class ReadError : public Error {
   std::size_t column_;
 };
 
-/// Limits on what is read; exceeding one is a ReadError(kLimitExceeded) that names it.
+/// Limits on what is read; exceeding one is a ReadError(kLimitExceeded) that names it. A token that
+/// is cancelled makes an Error(kCancelled).
 struct ReadLimits {
   std::size_t max_bytes = std::size_t{1} << 30;
   std::size_t max_vertices = std::size_t{1} << 30;  ///< of rings and polylines, and points
   int max_depth = 32;                               ///< nesting of parentheses, brackets and braces
+  std::optional<CancelToken> cancel;
 };
 
 /// The format that the text seems to be in, by its first characters; WKT if it says nothing.
@@ -63,6 +66,8 @@ struct Coordinates {
   enum class Style { kDouble, kExact, kDecimal };
   Style style = Style::kDouble;
   int digits = 6;  ///< for kDecimal: digits after the point
+  /// Cancels writing: Error(kCancelled). What was written until then stays.
+  std::optional<CancelToken> cancel;
 };
 
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,

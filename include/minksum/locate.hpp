@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -17,7 +19,8 @@ enum class Location { kOutside, kBoundary, kInside };
 /// O(n log n) time and memory to build.
 class PointLocator {
  public:
-  explicit PointLocator(const Geometry& geometry);
+  /// Throws Error(kCancelled).
+  explicit PointLocator(const Geometry& geometry, const std::optional<CancelToken>& cancel = {});
 
   /// Exactly where the point is: in the inside of the area, on its boundary or on a thin part, or
   /// elsewhere. O(log² n).

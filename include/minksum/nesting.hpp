@@ -91,8 +91,9 @@ class NoFitTable {
   /// point is at the origin: as no_fit_polygon gives them for the parts turned and moved so. In
   /// canonical form, always; its origins speak of the parts as given where they are legal, else of
   /// their resolved areas. O(size of the result), without arithmetic but for tight places. Throws
-  /// Error(kBadInput) for a part or a turn that is none of the table's.
-  [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving) const;
+  /// Error(kBadInput) for a part or a turn that is none of the table's; Error(kCancelled).
+  [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving,
+                            const std::optional<CancelToken>& cancel = {}) const;
 
  private:
   struct State;

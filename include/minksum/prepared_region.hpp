@@ -16,9 +16,9 @@ namespace minksum {
 class PreparedRegion {
  public:
   /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no legal operand (see
-  /// `validate`), and Error(kLimitExceeded) as `validate` does. An empty region is legal.
-  /// O(n log n) for n vertices, plus close pairs of edges.
-  explicit PreparedRegion(Region region);
+  /// `validate`), Error(kLimitExceeded) as `validate` does, and Error(kCancelled). An empty region
+  /// is legal. O(n log n) for n vertices, plus close pairs of edges.
+  explicit PreparedRegion(Region region, const std::optional<CancelToken>& cancel = {});
 
   [[nodiscard]] const Region& region() const;
 

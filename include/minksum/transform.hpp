@@ -1,6 +1,9 @@
 // Moving, turning, mirroring and scaling, exactly.
 #pragma once
 
+#include <optional>
+
+#include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -23,11 +26,14 @@ struct Affine {
 };
 
 /// The geometry's image. Rings and paths keep their order of vertices; the form is not canonical
-/// any more, and origins are not kept. O(n).
-[[nodiscard]] Geometry transform(const Geometry& geometry, const Affine& map);
-[[nodiscard]] Region transform(const Region& region, const Affine& map);
-/// The point mirror { −p | p ∈ geometry }.
-[[nodiscard]] Geometry reflect(const Geometry& geometry);
-[[nodiscard]] Region reflect(const Region& region);
+/// any more, and origins are not kept. O(n). Throws Error(kCancelled).
+[[nodiscard]] Geometry transform(const Geometry& geometry, const Affine& map,
+                                 const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] Region transform(const Region& region, const Affine& map,
+                               const std::optional<CancelToken>& cancel = {});
+/// The point mirror { −p | p ∈ geometry }. Throws Error(kCancelled).
+[[nodiscard]] Geometry reflect(const Geometry& geometry,
+                               const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] Region reflect(const Region& region, const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "minksum/cancel.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -33,7 +34,8 @@ struct Fault {
 /// with disjoint interiors. Orientation, repeated vertices and vertices in the middle of straight
 /// edges do not matter. Wider than OGC: rings of one polygon may touch at several points.
 /// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more
-/// than 2^30 vertices, or somewhat fewer if edges are long.
-[[nodiscard]] std::vector<Fault> validate(const Region& region, std::size_t max_faults = 100);
+/// than 2^30 vertices, or somewhat fewer if edges are long; Error(kCancelled).
+[[nodiscard]] std::vector<Fault> validate(const Region& region, std::size_t max_faults = 100,
+                                          const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

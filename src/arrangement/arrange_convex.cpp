@@ -5,7 +5,7 @@
 
 namespace minksum {
 
-void arrange_convex(const Operands& o, Arrangement& arrangement) {
+void arrange_convex(const Operands& o, Cancellation& cancellation, Arrangement& arrangement) {
   arrangement.kept.clear();
   arrangement.nodes.clear();
   arrangement.pieces.clear();
@@ -20,6 +20,7 @@ void arrange_convex(const Operands& o, Arrangement& arrangement) {
   }
   const auto count = static_cast<std::uint32_t>(o.by_direction.size());
   for (std::uint32_t i = 0; i < count; ++i) {
+    cancellation.check(2);
     const SiteId edge = o.by_direction[i];
     const auto operand = static_cast<std::size_t>(o.operand_of(edge));
     const Segment segment{edge, at[1 - operand]};

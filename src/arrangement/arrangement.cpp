@@ -5,12 +5,11 @@
 namespace minksum {
 
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
-             const Options& options, const std::function<void()>& stop, Predicates& predicates,
-             ArrangementScratch& scratch, Arrangement& arrangement) {
-  bin_segments(operands, convolution, cover, options.limits, stop, scratch, arrangement);
-  stop();
-  find_crossings(cover, options, stop, predicates, scratch, arrangement);
-  stop();
+             const Options& options, Predicates& predicates, ArrangementScratch& scratch,
+             Arrangement& arrangement) {
+  bin_segments(operands, convolution, cover, options.limits, predicates.cancellation(), scratch,
+               arrangement);
+  find_crossings(cover, options, predicates, scratch, arrangement);
   split_segments(operands, cover, options.tight != nullptr, predicates, scratch, arrangement);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -172,15 +171,16 @@ struct ArrangementScratch {
   std::vector<ListedPiece> next_piece;  ///< by piece
 };
 
-/// Builds it. `stop` is asked now and then and throws to stop.
+/// Builds it.
 /// O(k · cells per segment + pairs within uncovered cells + c log c).
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
-             const Options& options, const std::function<void()>& stop, Predicates& predicates,
-             ArrangementScratch& scratch, Arrangement& arrangement);
+             const Options& options, Predicates& predicates, ArrangementScratch& scratch,
+             Arrangement& arrangement);
 
 /// The same where each operand is one convex ring, by merging: their edges in order of direction
 /// are the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
-void arrange_convex(const Operands& operands, Arrangement& arrangement);
+void arrange_convex(const Operands& operands, Cancellation& cancellation,
+                    Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
 /// Whether so many segments share directions that many may share lines, and their places in
@@ -193,19 +193,18 @@ void arrange_convex(const Operands& operands, Arrangement& arrangement);
 /// joined segments have one bit more than edges have, and are exact: their cross products are
 /// differences of products below 2^(2B+2), exact for B ≤ 25, and bounded as others are beyond.
 /// O(k log k).
-void join_lines(const Operands& operands, bool wanted, JoinScratch& scratch,
-                std::vector<KeptSegment>& kept);
+void join_lines(const Operands& operands, bool wanted, Cancellation& cancellation,
+                JoinScratch& scratch, std::vector<KeptSegment>& kept);
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments, and none are needed if boxes of segments hardly overlap.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  const Limits& limits, const std::function<void()>& stop,
+                  const Limits& limits, Cancellation& cancellation,
                   ArrangementScratch& scratch, Arrangement& arrangement);
 /// The same from the leaves of a divided cover. O(segments listed).
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                ArrangementScratch& scratch, Arrangement& arrangement);
+                Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, unites points that pairs of segments share.
-void find_crossings(const Cover& cover, const Options& options,
-                    const std::function<void()>& stop, Predicates& predicates,
+void find_crossings(const Cover& cover, const Options& options, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, makes nodes and pieces.
 ///

@@ -12,14 +12,17 @@ constexpr KeptId kListed = kUnlisted - 1;
 /// Keeps each segment that a leaf lists, once, in their order. `id_of` is by segment of the
 /// convolution; of equal segments only the first has an id.
 void keep_listed(const Operands& o, const Convolution& convolution, const Cover& cover,
-                 ArrangementScratch& scratch, std::vector<KeptSegment>& kept) {
+                 Cancellation& cancellation, ArrangementScratch& scratch,
+                 std::vector<KeptSegment>& kept) {
   auto& id_of = scratch.kept_id;
   id_of.assign(convolution.segments.size(), kUnlisted);
+  cancellation.check(cover.leaf_segments.size());
   for (const std::uint32_t s : cover.leaf_segments) id_of[s] = kListed;
   const bool exact_sums = o.bounds.difference == 0;
   DuplicateFinder duplicates(scratch.hash_table, kept);
   kept.clear();
   for (std::size_t s = 0; s < id_of.size(); ++s) {
+    cancellation.check();
     if (id_of[s] == kUnlisted) continue;
     kept.push_back(place_segment(o, convolution.segments[s]));
     kept.back().meets_cover = true;
@@ -55,15 +58,17 @@ CellBox box_near(const KeptSegment& s, const UniformGrid& grid, const CoverLeaf&
 }  // namespace
 
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                ArrangementScratch& scratch, Arrangement& arrangement) {
+                Cancellation& cancellation, ArrangementScratch& scratch,
+                Arrangement& arrangement) {
   scratch.grid = cover.grid;
-  keep_listed(operands, convolution, cover, scratch, arrangement.kept);
+  keep_listed(operands, convolution, cover, cancellation, scratch, arrangement.kept);
   scratch.line_count = static_cast<KeptId>(arrangement.kept.size());
   scratch.in_cells.clear();
   scratch.leaf_end.clear();
   std::uint32_t i = 0;
   for (const CoverLeaf& leaf : cover.leaves) {
     for (; i < leaf.end; ++i) {
+      cancellation.check(2);
       const KeptId id = scratch.kept_id[cover.leaf_segments[i]];
       if (id == kUnlisted) continue;
       scratch.in_cells.push_back({box_near(arrangement.kept[id], cover.grid, leaf), 0, id});

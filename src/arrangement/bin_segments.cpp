@@ -50,8 +50,9 @@ class Extent {
 class Binner {
  public:
   Binner(const Operands& o, const Cover& cover, ArrangementScratch& scratch,
-         Arrangement& arrangement)
-      : o_(o),
+         Cancellation& cancellation, Arrangement& arrangement)
+      : cancellation_(cancellation),
+        o_(o),
         cover_(cover),
         covers_any_(covers_any(cover)),
         grid_(scratch.grid),
@@ -59,23 +60,28 @@ class Binner {
         scratch_(scratch),
         kept_(arrangement.kept) {}
 
-  void run(const Convolution& convolution, const Limits& limits,
-           const std::function<void()>& stop) {
+  void run(const Convolution& convolution, const Limits& limits) {
     kept_.clear();
     items_.clear();
     std::span<const Segment> visible =
-        covers_any_ ? visible_segments(o_, convolution, cover_, limits, stop, scratch_.visible)
+        covers_any_ ? visible_segments(o_, convolution, cover_, limits, cancellation_,
+                                       scratch_.visible)
                     : convolution.segments;
+    cancellation_.check(visible.size());
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
     // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
     const bool joins = lines_are_joined(o_, visible.size());
     if (joins || o_.bounds.difference != 0 || !list_shared_directions()) {
       kept_.reserve(visible.size());
-      for (const Segment& segment : visible) kept_.push_back(place_segment(o_, segment));
+      for (const Segment& segment : visible) {
+        cancellation_.check();
+        kept_.push_back(place_segment(o_, segment));
+      }
     } else {
       place_once(visible);
     }
-    join_lines(o_, joins, scratch_.join, kept_);
+    join_lines(o_, joins, cancellation_, scratch_.join, kept_);
+    cancellation_.check(kept_.size());
     const Extent extent(o_, kept_);
     grid_ = covers_any_ ? cover_.grid : extent.grid();
     scratch_.swept = !covers_any_ && extent.boxes_are_small();
@@ -98,11 +104,15 @@ class Binner {
     };
     auto& place = scratch_.bin.place;
     place.assign(o_.size() + 1, 0);
+    cancellation_.check(segments.size());
     for (const Segment& s : segments) ++place[site(s) + 1];
     std::partial_sum(place.begin(), place.end(), place.begin());
     auto& ordered = scratch_.bin.ordered;
     ordered.resize(segments.size());
-    for (const Segment& s : segments) ordered[place[site(s)]++] = s;
+    for (const Segment& s : segments) {
+      cancellation_.check();
+      ordered[place[site(s)]++] = s;
+    }
     return ordered;
   }
 
@@ -131,6 +141,7 @@ class Binner {
     DuplicateFinder duplicates(scratch_.hash_table, kept_);
     const auto& shared = scratch_.bin.shared;
     for (const Segment& segment : segments) {
+      cancellation_.check();
       kept_.push_back(place_segment(o_, segment));
       if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
     }
@@ -167,6 +178,7 @@ class Binner {
           add_item(id, line, span, (first & ~63) + std::countr_zero(bits));
         }
       }
+      cancellation_.check(2 + static_cast<std::uint64_t>(span.right - span.left));
       s.meets_cover = s.meets_cover || any_covered != 0;
       return true;
     });
@@ -201,6 +213,7 @@ class Binner {
     cells.clear();
     const auto cell_count = static_cast<std::size_t>(grid_.size());
     if (end.size() < cell_count) end.resize(cell_count, 0);
+    cancellation_.check(items_.size());
     for (const CellItem& item : items_) {
       if (end[item.cell] == 0) cells.push_back(item.cell);
       ++end[item.cell];
@@ -208,9 +221,13 @@ class Binner {
     std::uint32_t begin = 0;
     for (const std::uint32_t cell : cells) begin += std::exchange(end[cell], begin);
     scratch_.in_cells.resize(items_.size());
-    for (const CellItem& item : items_) scratch_.in_cells[end[item.cell]++] = item;
+    for (const CellItem& item : items_) {
+      cancellation_.check();
+      scratch_.in_cells[end[item.cell]++] = item;
+    }
   }
 
+  Cancellation& cancellation_;
   const Operands& o_;
   const Cover& cover_;
   bool covers_any_;
@@ -223,10 +240,12 @@ class Binner {
 }  // namespace
 
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  const Limits& limits, const std::function<void()>& stop,
+                  const Limits& limits, Cancellation& cancellation,
                   ArrangementScratch& scratch, Arrangement& arrangement) {
-  if (cover.divided) return bin_leaves(operands, convolution, cover, scratch, arrangement);
-  Binner(operands, cover, scratch, arrangement).run(convolution, limits, stop);
+  if (cover.divided) {
+    return bin_leaves(operands, convolution, cover, cancellation, scratch, arrangement);
+  }
+  Binner(operands, cover, scratch, cancellation, arrangement).run(convolution, limits);
 }
 
 }  // namespace minksum

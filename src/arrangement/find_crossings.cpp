@@ -11,11 +11,11 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(const Cover& cover, const Options& options, const std::function<void()>& stop,
-                 Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
+  CrossingFinder(const Cover& cover, const Options& options, Predicates& predicates,
+                 ArrangementScratch& scratch, Arrangement& arrangement)
       : cover_(cover),
         grid_(scratch.grid),
-        stop_(stop),
+        cancellation_(predicates.cancellation()),
         scratch_(scratch),
         kept_(arrangement.kept),
         meeter_(scratch.grid, options, predicates, scratch, arrangement.kept) {}
@@ -47,12 +47,17 @@ class CrossingFinder {
     meeter_.enter({});
     const std::span lines(kept_.data(), scratch_.line_count);
     BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
+    cancellation_.check(lines.size());
     for (const KeptSegment& s : lines) {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
                 std::max(s.a.y, s.b.y));
     }
     pairs.for_each(
-        [&](KeptId s, KeptId t) { meeter_.meet(std::min(s, t), std::max(s, t)); }, stop_);
+        [&](KeptId s, KeptId t) {
+          cancellation_.check(4);
+          meeter_.meet(std::min(s, t), std::max(s, t));
+        },
+        cancellation_);
   }
   void solve_cells() {
     std::uint32_t begin = 0;
@@ -74,12 +79,12 @@ class CrossingFinder {
   void solve_square(std::uint32_t begin, std::uint32_t end, std::int32_t column, std::int32_t row,
                     std::int32_t side) {
     const Items items(scratch_.in_cells.data() + begin, end - begin);
+    cancellation_.check();
     if (items.size() < 2) return;
     row_ = row;
     column_ = column;
     // Larger squares are leaves: dividing them was found to be of no use.
     solve(items, part_of_square(side), side == 1 ? 0 : kMaxDepth);
-    if ((++solved_ & 0xFF) == 0) stop_();
   }
 
   /// The cells of a row share their bounds, to the last bit, so that they tile the plane.
@@ -99,6 +104,7 @@ class CrossingFinder {
   void all_pairs(Items items, const Part& part) {
     meeter_.enter(part);
     for (std::size_t i = 1; i < items.size(); ++i) {
+      cancellation_.check(1 + i / 2);
       const std::uint64_t partner = items[i].box.partner();
       for (std::size_t j = 0; j < i; ++j) {
         if (items[j].box.overlaps(partner)) meeter_.meet(items[j].segment, items[i].segment);
@@ -112,18 +118,21 @@ class CrossingFinder {
     auto& order = scratch_.sweep_order;
     order.assign(items.begin(), items.end());
     std::sort(order.begin(), order.end(),
-              [](const CellItem& a, const CellItem& b) { return a.box.left() < b.box.left(); });
+              cancellation_.counting([](const CellItem& a, const CellItem& b) {
+                return a.box.left() < b.box.left();
+              }));
     for (std::size_t i = 0; i < order.size(); ++i) {
       const CellItem& s = order[i];
       const std::uint32_t reach = s.box.right();
       const std::uint64_t partner = s.box.partner();
-      for (std::size_t j = i + 1; j < order.size() && order[j].box.left() <= reach; ++j) {
+      std::size_t j = i + 1;
+      for (; j < order.size() && order[j].box.left() <= reach; ++j) {
         if (order[j].box.overlaps(partner)) {
           const auto [first, second] = std::minmax(s.segment, order[j].segment);
           meeter_.meet(first, second);
         }
       }
-      if ((i & 0xFFF) == 0xFFF) stop_();
+      cancellation_.check(1 + (j - i) / 2);
     }
   }
 
@@ -168,6 +177,7 @@ class CrossingFinder {
     const CellBox square(cells(low.x - slack, column_), cells(low.y - slack, row_),
                          cells(low.x + side + slack, column_), cells(low.y + side + slack, row_));
     const std::uint64_t partner = square.partner();
+    cancellation_.check(items.size());
     for (const CellItem& item : items) {
       if (item.box.overlaps(partner) && near_box(kept_[item.segment], centre, side / 2 + slack)) {
         near.push_back({item.box.within(square), item.cell, item.segment});
@@ -185,21 +195,19 @@ class CrossingFinder {
 
   const Cover& cover_;
   const UniformGrid& grid_;
-  const std::function<void()>& stop_;
+  Cancellation& cancellation_;
   ArrangementScratch& scratch_;
   const std::vector<KeptSegment>& kept_;
   SegmentMeeter meeter_;
   std::int32_t column_ = 0;
   std::int32_t row_ = 0;
-  std::uint64_t solved_ = 0;
 };
 
 }  // namespace
 
-void find_crossings(const Cover& cover, const Options& options,
-                    const std::function<void()>& stop, Predicates& predicates,
+void find_crossings(const Cover& cover, const Options& options, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement) {
-  CrossingFinder(cover, options, stop, predicates, scratch, arrangement).run();
+  CrossingFinder(cover, options, predicates, scratch, arrangement).run();
   arrangement.crossings = scratch.crossings.size();
 }
 

@@ -16,14 +16,20 @@ Vec<Int128> exact(const Vec<double>& v) {
 /// Places of segments on lines, in order: by line, and along it.
 class PlaceLister {
  public:
-  PlaceLister(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch)
-      : o_(o), kept_(kept), scratch_(scratch), doubles_tell_(o.bounds.product == 0) {}
+  PlaceLister(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation,
+              JoinScratch& scratch)
+      : o_(o),
+        kept_(kept),
+        cancellation_(cancellation),
+        scratch_(scratch),
+        doubles_tell_(o.bounds.product == 0) {}
 
   void run() {
     scratch_.edge_of_rank.resize(o_.rank_count);
     for (const SiteId e : o_.by_direction) scratch_.edge_of_rank[o_.rank[e]] = e;
     scratch_.places.clear();
     for (KeptId id = 0; id < kept_.size(); ++id) {
+      cancellation_.check();
       const DirectionRank rank = o_.rank[kept_[id].segment.edge];
       const Vec<double> d = direction(rank);
       const auto along = [&d](const Vec<double>& p) {
@@ -46,7 +52,7 @@ class PlaceLister {
   template <bool kDoublesTell>
   void sort() {
     std::sort(scratch_.places.begin(), scratch_.places.end(),
-              [&](const PlaceOnLine& s, const PlaceOnLine& t) {
+              cancellation_.counting([&](const PlaceOnLine& s, const PlaceOnLine& t) {
                 if (s.rank != t.rank) return s.rank < t.rank;
                 if (s.line != t.line) return s.line < t.line;
                 if constexpr (!kDoublesTell) {
@@ -55,7 +61,7 @@ class PlaceLister {
                   if (line_s != line_t) return line_s < line_t;
                 }
                 return s.from != t.from ? s.from < t.from : s.id < t.id;
-              });
+              }));
   }
   [[nodiscard]] Vec<double> direction(DirectionRank rank) const {
     const SiteId e = scratch_.edge_of_rank[rank];
@@ -67,6 +73,7 @@ class PlaceLister {
 
   const Operands& o_;
   const std::vector<KeptSegment>& kept_;
+  Cancellation& cancellation_;
   JoinScratch& scratch_;
   bool doubles_tell_;  ///< cross products have no rounding
 };
@@ -79,24 +86,26 @@ bool lines_are_joined(const Operands& o, std::size_t segments) {
   return exact && segments >= kSegmentsPerDirection * o.rank_count;
 }
 
-void join_lines(const Operands& o, bool wanted, JoinScratch& scratch,
+void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, JoinScratch& scratch,
                 std::vector<KeptSegment>& kept) {
   scratch.joined.clear();
   scratch.members.clear();
   if (!wanted) return;
-  PlaceLister lister(o, kept, scratch);
+  PlaceLister lister(o, kept, cancellation, scratch);
   lister.run();
   auto& members = scratch.members;
   auto& result = scratch.result;
   result.clear();
   const auto& places = scratch.places;
   for (std::size_t i = 0; i < places.size();) {
+    cancellation.check();
     const PlaceOnLine& start = places[i];
     const std::size_t first = members.size();
     members.push_back(kept[start.id]);
     double reach = start.to;
     for (++i; i < places.size() && lister.same_line(places[i], start) && places[i].from <= reach;
          ++i) {
+      cancellation.check();
       if (places[i].to <= reach) continue;
       reach = places[i].to;
       members.push_back(kept[places[i].id]);

@@ -95,7 +95,7 @@ Sign SegmentMeeter::side(KeptId s, std::uint32_t point, double& value, double& g
   }
   greatest_bound = HUGE_VAL;
   if (coincide(point, 2 * s) || coincide(point, 2 * s + 1)) return kZero;
-  predicates_.count_kernel(1);
+  predicates_.count_kernel();
   return predicates_.kernel().orientation(ks.segment, vertex(point));
 }
 
@@ -153,7 +153,7 @@ SegmentMeeter::Parameter SegmentMeeter::crossing_parameter(KeptId s, const Sides
 
 SegmentMeeter::Parameter SegmentMeeter::from_kernel(KeptId s, const PointOnSegment& point) {
   constexpr double kKernelError = 0x1p-47;
-  predicates_.count_kernel(1);
+  predicates_.count_kernel();
   const KeptSegment& ks = kept_[s];
   const double lambda = predicates_.kernel().parameter(ks.segment, point);
   if (ks.joined == 0) return {lambda, kKernelError};

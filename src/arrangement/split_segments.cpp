@@ -17,6 +17,7 @@ class Splitter {
         cover_(cover),
         tight_wanted_(tight_wanted),
         predicates_(predicates),
+        cancellation_(predicates.cancellation()),
         scratch_(scratch),
         result_(arrangement),
         ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())),
@@ -50,10 +51,12 @@ class Splitter {
     limit_events();
     auto& begin = scratch_.event_begin;
     begin.assign(result_.kept.size() + 2, 0);
+    cancellation_.check(scratch_.events.size() + scratch_.parent.size());
     for (const Event& event : scratch_.events) ++begin[event.segment + 2];
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     scratch_.sorted_events.resize(scratch_.events.size());
     for (const Event& event : scratch_.events) {
+      cancellation_.check();
       scratch_.sorted_events[begin[event.segment + 1]++] = event;
     }
     begin.pop_back();
@@ -96,17 +99,20 @@ class Splitter {
   /// comparison each, and meets all equal neighbours.
   void order_events(KeptId s) {
     const std::span<Event> events = events_of(s);
+    cancellation_.check();
     if (events.size() < 2) return;
     constexpr std::size_t kFew = 12;
     if (events.size() > kFew) {
       std::sort(events.begin(), events.end(),
-                [](const Event& a, const Event& b) { return a.lambda < b.lambda; });
+                cancellation_.counting(
+                    [](const Event& a, const Event& b) { return a.lambda < b.lambda; }));
     }
     for (std::size_t i = 1; i < events.size(); ++i) {
       const Event event = events[i];
       std::size_t j = i;
       Sign order = kNegative;
       while (j > 0 && (order = compare(s, events[j - 1], event)) == kPositive) {
+        cancellation_.check();
         events[j] = events[j - 1];
         --j;
       }
@@ -157,6 +163,7 @@ class Splitter {
     Vec<double> from_at = k.a;
     KeptId maker = k.joined == 0 ? s : scratch_.join.joined[k.joined - 1].first;
     const auto add = [&](const Event& event, const Vec<double>& to_at) {
+      cancellation_.check();
       const std::uint32_t to = find_root(scratch_.parent, event.point);
       if (to == from) return;
       if (!is_inside(s, last.point, event.point) &&
@@ -181,6 +188,7 @@ class Splitter {
     const KeptId end = scratch_.join.joined[k.joined - 1].end;
     const bool by_x = std::abs(k.d.x) >= std::abs(k.d.y);
     for (; member + 1 < end; ++member) {
+      cancellation_.check();
       const KeptSegment& m = result_.kept[member];
       const double lambda = by_x ? (m.b.x - k.a.x) / k.d.x : (m.b.y - k.a.y) / k.d.y;
       const PointOnSegment point{false, {}, predicates_.end_vertex(m.segment)};
@@ -209,6 +217,8 @@ class Splitter {
   [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {
     if (!cover_.active) return false;
     bool covered = false;
+    cancellation_.check(1 + static_cast<std::uint64_t>(
+                                (std::abs(b.x - a.x) + std::abs(b.y - a.y)) * cover_.grid.inverse));
     // Cells within kMargin of the piece are covered with three times that margin, so a walk that
     // meets one has met a point of the piece inside the sum (up to rounding, which is far less).
     cover_.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {
@@ -226,6 +236,7 @@ class Splitter {
     }
     PieceId& list = scratch_.first_piece[std::min(from, to)];
     for (PieceId p = list; p != kNoPiece; p = scratch_.next_piece[p].next) {
+      cancellation_.check();
       const Piece& other = result_.pieces[p];
       if (other.from == from && other.to == to) return;
       if (other.from == to && other.to == from) {
@@ -260,17 +271,20 @@ class Splitter {
     for (KeptId s = 0; s < scratch_.line_count; ++s) {
       const DirectionRank rank = operands_.rank[result_.kept[s].segment.edge];
       const auto add = [&](std::uint32_t point) {
+        cancellation_.check();
         incidents.push_back({find_root(scratch_.parent, point), rank});
       };
       add(2 * s);
       add(2 * s + 1);
       for (const Event& event : events_of(s)) add(event.point);
     }
-    std::sort(incidents.begin(), incidents.end(), [](const Incident& a, const Incident& b) {
-      return a.point != b.point ? a.point < b.point : a.rank < b.rank;
-    });
+    std::sort(incidents.begin(), incidents.end(),
+              cancellation_.counting([](const Incident& a, const Incident& b) {
+                return a.point != b.point ? a.point < b.point : a.rank < b.rank;
+              }));
     for (std::size_t first = 0, last = 0; first < incidents.size(); first = last) {
       while (last < incidents.size() && incidents[last].point == incidents[first].point) ++last;
+      cancellation_.check(last - first);
       const std::uint32_t root = incidents[first].point;
       if (!turns_are_small(std::span(incidents).subspan(first, last - first))) continue;
       Node node;
@@ -308,6 +322,7 @@ class Splitter {
   const Cover& cover_;
   bool tight_wanted_;
   Predicates& predicates_;
+  Cancellation& cancellation_;
   ArrangementScratch& scratch_;
   Arrangement& result_;
   std::uint32_t ends_;  ///< points below are ends of segments

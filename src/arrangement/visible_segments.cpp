@@ -215,8 +215,7 @@ class RunSearch {
         trees_{&scratch.edges, &scratch.vertices},
         scratch_(scratch) {}
 
-  void run(const std::function<void()>& stop) {
-    constexpr std::uint64_t kOften = 1 << 10;
+  void run(Cancellation& cancellation) {
     auto& pairs = scratch_.pairs;
     std::size_t count = 1;
     pairs.resize(std::max<std::size_t>(pairs.size(), 1));
@@ -224,8 +223,8 @@ class RunSearch {
       pairs[0].level[i] = static_cast<std::uint32_t>(trees_[i]->level_begin.size()) - 1;
       pairs[0].run[i] = trees_[i]->level_begin.back();
     }
-    for (std::uint64_t looks = 1; count > 0; ++looks) {
-      if (looks % kOften == 0) stop();
+    while (count > 0) {
+      cancellation.check(2);
       const RunPair pair = pairs[--count];
       if ((pair.level[0] | pair.level[1]) == 0) {
         list(pair.run[0], pair.run[1]);
@@ -300,7 +299,8 @@ class RunSearch {
 };
 
 /// Vertex by vertex, each one's edges from the first direction that it meets.
-void order_as_listed(const Operands& o, const RankCircle& circle, VisibleScratch& scratch) {
+void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& cancellation,
+                     VisibleScratch& scratch) {
   auto& place = scratch.place;
   place.assign(o.size() + 1, 0);
   for (const Segment& s : scratch.found) ++place[s.vertex + 1];
@@ -311,11 +311,11 @@ void order_as_listed(const Operands& o, const RankCircle& circle, VisibleScratch
   for (std::size_t i = 0; i < ordered.size();) {
     const SiteId v = ordered[i].vertex;
     const std::size_t end = place[v];
-    const auto before = [&](const Segment& a, const Segment& b) {
+    const auto before = cancellation.counting([&](const Segment& a, const Segment& b) {
       const DirectionRank way_a = circle.way(scratch.ranges[v].from, o.rank[a.edge]);
       const DirectionRank way_b = circle.way(scratch.ranges[v].from, o.rank[b.edge]);
       return way_a != way_b ? way_a < way_b : a.edge < b.edge;
-    };
+    });
     std::sort(ordered.begin() + static_cast<std::ptrdiff_t>(i),
               ordered.begin() + static_cast<std::ptrdiff_t>(end), before);
     i = end;
@@ -323,7 +323,7 @@ void order_as_listed(const Operands& o, const RankCircle& circle, VisibleScratch
 }
 
 std::span<const Segment> list_visible(std::span<const Segment> segments, const Cover& cover,
-                                      VisibleScratch& scratch) {
+                                      Cancellation& cancellation, VisibleScratch& scratch) {
   const auto& sites = scratch.sites;
   auto& visible = scratch.visible;
   visible.resize(segments.size());
@@ -331,6 +331,7 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
   const CoveredBlocks covered(cover, scratch.blocks);
   // Without branches: which are hidden is hard to foresee.
   for (const Segment& segment : segments) {
+    cancellation.check();
     visible[count] = segment;
     count += covered.hides(sites[segment.edge], sites[segment.vertex]) ? 0U : 1U;
   }
@@ -339,6 +340,7 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
   if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
     const UncoveredCounts uncovered(cover, scratch.uncovered);
     std::erase_if(visible, [&](const Segment& segment) {
+      cancellation.check();
       return uncovered.hides(sites[segment.edge].box, point_box(sites[segment.vertex]));
     });
   }
@@ -355,10 +357,11 @@ bool covers_any(const Cover& cover) {
 
 std::span<const Segment> visible_segments(const Operands& operands, const Convolution& convolution,
                                           const Cover& cover, const Limits& limits,
-                                          const std::function<void()>& stop,
+                                          Cancellation& cancellation,
                                           VisibleScratch& scratch) {
+  cancellation.check(operands.size());
   measure_sites(operands, cover.grid.inverse, scratch.sites);
-  if (convolution.listed()) return list_visible(convolution.segments, cover, scratch);
+  if (convolution.listed()) return list_visible(convolution.segments, cover, cancellation, scratch);
   scratch.ranges.resize(operands.size());
   for (SiteId v = 0; v < operands.size(); ++v) {
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
@@ -372,9 +375,10 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   for (const int operand : {0, 1}) {
     builder.edges_of(1 - operand);
     builder.vertices_of(operand);
-    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMost), scratch).run(stop);
+    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMost), scratch)
+        .run(cancellation);
   }
-  order_as_listed(operands, circle, scratch);
+  order_as_listed(operands, circle, cancellation, scratch);
   return scratch.visible;
 }
 

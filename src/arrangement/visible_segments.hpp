@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -74,12 +73,12 @@ struct VisibleScratch {
 /// of their convex vertices with the directions that these meet. Of two runs, one of edges, one of
 /// vertices, all segments are hidden if the sum of their boxes is covered, and there are none if no
 /// direction is met; else the larger is divided. So hidden segments are dropped run by run, and
-/// what the search takes depends on those that are visible. `stop` is asked now and then and throws
-/// to stop. Throws Error(kLimitExceeded) for more visible ones than `limits` allows.
+/// what the search takes depends on those that are visible. Throws Error(kLimitExceeded) for more
+/// visible ones than `limits` allows.
 [[nodiscard]] std::span<const Segment> visible_segments(const Operands& operands,
                                                         const Convolution& convolution,
                                                         const Cover& cover, const Limits& limits,
-                                                        const std::function<void()>& stop,
+                                                        Cancellation& cancellation,
                                                         VisibleScratch& scratch);
 
 }  // namespace minksum

@@ -15,14 +15,9 @@ namespace checking {
 namespace {
 
 constexpr std::size_t kExamples = 10;
+constexpr std::size_t kFaults = 100;
 // How far beside the middle of an edge its points are tested, as a part of its length.
 constexpr std::int64_t kBeside = std::int64_t{1} << 20;
-
-void stop_if_asked(const CheckOptions& options) {
-  if (options.cancel && options.cancel->cancelled()) {
-    throw Error(ErrorCode::kCancelled, "cancelled", {}, "check");
-  }
-}
 
 /// The square of the points at most `reach` > 0 away from the origin in x and in y.
 Geometry square_around_origin(const Rational& reach) {
@@ -49,17 +44,21 @@ Geometry grown(const Geometry& geometry, const CheckOptions& options) {
 class Witness {
  public:
   Witness(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& options,
-          SumCheck& check)
-      : result_(result), sum_(p, q), options_(options), check_(check) {
+          Cancellation& cancellation, SumCheck& check)
+      : cancellation_(cancellation),
+        result_(result, cancellation),
+        sum_(p, q, cancellation),
+        check_(check) {
     if (options.within.sign() == 0) return;
-    near_result_.emplace(result, square_around_origin(options.within));
-    near_sum_.emplace(p, grown(q, options));
+    near_result_.emplace(result, square_around_origin(options.within), cancellation);
+    near_sum_.emplace(p, grown(q, options), cancellation);
   }
 
   void ask(const Point& x) {
-    if ((check_.points++ & 0xFF) == 0) stop_if_asked(options_);
+    ++check_.points;
+    cancellation_.check(work_of(x));
     const Corner corner(x);
-    const bool in_result = contains(result_, corner);
+    const bool in_result = contains(result_, corner, cancellation_);
     if (in_result == sum_.in_sum(x)) return;
     if (near_sum_ && (in_result ? near_sum_ : near_result_)->in_sum(x)) return;
     ++check_.disagreements;
@@ -67,11 +66,11 @@ class Witness {
   }
 
  private:
+  Cancellation& cancellation_;
   EdgeTree result_;
   Placement sum_;
   std::optional<Placement> near_result_;  ///< if the result may be off: whether x is near it
   std::optional<Placement> near_sum_;     ///< likewise
-  const CheckOptions& options_;
   SumCheck& check_;
 };
 
@@ -124,17 +123,18 @@ struct Span {
 };
 
 /// The box of all points of a geometry that is not empty.
-std::pair<Span, Span> spans(const Geometry& geometry) {
+std::pair<Span, Span> spans(const Geometry& geometry, Cancellation& cancellation) {
   std::vector<Point> points = geometry.points;
   for (const Polyline& line : geometry.polylines) {
     points.insert(points.end(), line.begin(), line.end());
   }
-  if (const auto box = bounding_box(geometry.region)) {
+  if (const auto box = bounding_box(geometry.region, cancellation.token())) {
     points.push_back(box->min);
     points.push_back(box->max);
   }
   std::pair<Span, Span> result{{points[0].x, points[0].x}, {points[0].y, points[0].y}};
   for (const Point& point : points) {
+    cancellation.check(work_of(point));
     result.first.add(point.x);
     result.second.add(point.y);
   }
@@ -153,11 +153,11 @@ Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
 
 // In the box of the sum, a twentieth wider on each side.
 void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& options,
-                   Witness& witness) {
+                   Cancellation& cancellation, Witness& witness) {
   if (p.empty() || q.empty()) return;
   std::mt19937_64 random(options.seed);
-  const auto [px, py] = spans(p);
-  const auto [qx, qy] = spans(q);
+  const auto [px, py] = spans(p, cancellation);
+  const auto [qx, qy] = spans(q, cancellation);
   const auto wider = [](const Span& a, const Span& b) {
     const Span sum{a.low + b.low, a.high + b.high};
     const Rational more = (sum.high - sum.low) / Rational(20);
@@ -174,18 +174,21 @@ constexpr std::size_t kMostTries = 1'000'000;
 
 /// Boxes of placements at which a part of one operand is within the box of a hole of the other: a
 /// hole of the sum is in one of these, or surrounded by several parts.
-void add_rooms(const Geometry& with_holes, const Geometry& other, std::vector<Room>& rooms) {
+void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& cancellation,
+               std::vector<Room>& rooms) {
+  const auto box_of = [&](const Geometry& part) { return spans(part, cancellation); };
   std::vector<Room> parts;
   for (const std::size_t polygon : other.region.polygons()) {
-    parts.push_back(spans({Region(Polygon{other.region.polygon(polygon).outer, {}}), {}, {}}));
+    parts.push_back(box_of({Region(Polygon{other.region.polygon(polygon).outer, {}}), {}, {}}));
   }
-  for (const Polyline& line : other.polylines) parts.push_back(spans({{}, {line}, {}}));
-  for (const Point& point : other.points) parts.push_back(spans({{}, {}, {point}}));
+  for (const Polyline& line : other.polylines) parts.push_back(box_of({{}, {line}, {}}));
+  for (const Point& point : other.points) parts.push_back(box_of({{}, {}, {point}}));
   std::size_t tries = 0;
   for (const std::size_t polygon : with_holes.region.polygons()) {
     for (const Ring& hole : with_holes.region.polygon(polygon).holes) {
-      const auto [hx, hy] = spans({Region(Polygon{hole, {}}), {}, {}});
+      const auto [hx, hy] = box_of({Region(Polygon{hole, {}}), {}, {}});
       for (const auto& [x, y] : parts) {
+        cancellation.check(8 * work_of_product(x.low.bits()));
         if (rooms.size() == kMostRooms || ++tries > kMostTries) return;
         const Room room{{hx.low + x.high, hx.high + x.low}, {hy.low + y.high, hy.high + y.low}};
         if (room.first.low < room.first.high && room.second.low < room.second.high) {
@@ -199,10 +202,10 @@ void add_rooms(const Geometry& with_holes, const Geometry& other, std::vector<Ro
 // A hole that is small beside the sum is missed by points in its box, and by those near the edges
 // of a result that lacks it.
 void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& options,
-                  Witness& witness) {
+                  Cancellation& cancellation, Witness& witness) {
   std::vector<Room> rooms;
-  add_rooms(p, q, rooms);
-  add_rooms(q, p, rooms);
+  add_rooms(p, q, cancellation, rooms);
+  add_rooms(q, p, cancellation, rooms);
   if (rooms.empty()) return;
   std::mt19937_64 random(options.seed);
   for (std::uint64_t i = 0; i < options.samples; ++i) {
@@ -213,13 +216,14 @@ void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& opti
 
 /// A point inside the first ring of the polygon with the largest area: of the vertical section
 /// through it the middle of the lowest part.
-Point inner_point(const Region& region) {
+Point inner_point(const Region& region, Cancellation& cancellation) {
   const IndexRange ring = region.vertices_of(region.rings_of(0).front());
   Rational first = region.exact_x(ring.front());
   for (const std::size_t v : ring) first = std::min(first, region.exact_x(v));
   std::optional<Rational> second;
   for (const std::size_t v : ring) {
     const Rational x = region.exact_x(v);
+    cancellation.check(2 * work_of_product(x.bits()));
     if (first < x && (!second || x < *second)) second = x;
   }
   const Rational x = (first + *second) / Rational(2);
@@ -231,6 +235,7 @@ Point inner_point(const Region& region) {
         const std::size_t next = next_in(vertices, v);
         const Point a = region.point(v);
         const Point b = region.point(next);
+        cancellation.check(8 * work_of(a));
         if ((a.x < x) == (b.x < x)) continue;
         heights.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
       }
@@ -240,16 +245,17 @@ Point inner_point(const Region& region) {
   return {x, (heights[0] + heights[1]) / Rational(2)};
 }
 
-Difference difference_of(const Region& part) {
+Difference difference_of(const Region& part, Cancellation& cancellation) {
   Difference result;
   double largest = -1;
   for (const std::size_t polygon : part.polygons()) {
     const Region one(part.polygon(polygon));
-    const double its_area = approximate_area(one);
+    const double its_area = approximate_area(one, cancellation.token());
+    cancellation.check(64);
     result.area += its_area;
     if (its_area <= largest) continue;
     largest = its_area;
-    result.at = inner_point(one);
+    result.at = inner_point(one, cancellation);
   }
   return result;
 }
@@ -259,7 +265,7 @@ bool same_thin_parts(const Geometry& a, const Geometry& b) {
 }
 
 void prove(const Geometry& result, const Geometry& p, const Geometry& q,
-           const CheckOptions& options, SumCheck& check) {
+           const CheckOptions& options, Cancellation& cancellation, SumCheck& check) {
   Options second;
   second.method = Method::kSigned;
   second.limits = options.limits;
@@ -271,9 +277,9 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
     if (error.code() == ErrorCode::kLimitExceeded) return;
     throw;
   }
-  check.sum_area = approximate_area(sum.region);
-  check.missing = difference_of(subtract(sum.region, result.region));
-  check.surplus = difference_of(subtract(result.region, sum.region));
+  check.sum_area = approximate_area(sum.region, options.cancel);
+  check.missing = difference_of(subtract(sum.region, result.region, options.cancel), cancellation);
+  check.surplus = difference_of(subtract(result.region, sum.region, options.cancel), cancellation);
   if (options.within.sign() == 0) {
     check.thin_parts_differ = !same_thin_parts(sum, result);
     const bool equal = sum.region == result.region && !check.thin_parts_differ;
@@ -285,7 +291,8 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
   const Geometry wide_result = grown(result, options);
   const Geometry both_sums[] = {wide_sum, result};
   const Geometry both_results[] = {wide_result, sum};
-  const bool near = unite(both_sums) == wide_sum && unite(both_results) == wide_result;
+  const bool near = unite(both_sums, options.cancel) == wide_sum &&
+                    unite(both_results, options.cancel) == wide_result;
   check.proof = near ? Proof::kHolds : Proof::kRefuted;
 }
 
@@ -305,22 +312,23 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
   const Geometry second = operand(q, 1);
 
   SumCheck check;
-  check.faults = validate(result.region);
+  Cancellation cancellation(options.cancel);
+  check.faults = validate(result.region, kFaults, options.cancel);
   ResolveOptions as_it_is;
   as_it_is.cancel = options.cancel;
   const Geometry found = resolve(result, as_it_is);
   if (check.faults.empty() && found.region.polygon_count() != result.region.polygon_count()) {
     check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, {}, {}});
   }
-  check.result_area = approximate_area(found.region);
+  check.result_area = approximate_area(found.region, options.cancel);
   {
-    Witness witness(found, first, second, options, check);
+    Witness witness(found, first, second, options, cancellation, check);
     ask_near_edges(found.region, options.edges, witness);
     ask_thin_parts(found, witness);
-    ask_at_random(first, second, options, witness);
-    ask_in_holes(first, second, options, witness);
+    ask_at_random(first, second, options, cancellation, witness);
+    ask_in_holes(first, second, options, cancellation, witness);
   }
-  prove(found, first, second, options, check);
+  prove(found, first, second, options, cancellation, check);
   return check;
 }
 

@@ -38,12 +38,15 @@ Corner::Corner(const Corner& at, const Corner& corner)
   error = 2 * (at.error + corner.error) + rounding_error(std::max(std::abs(x), std::abs(y)));
 }
 
-EdgeTree::EdgeTree(const Geometry& geometry) {
+EdgeTree::EdgeTree(const Geometry& geometry, Cancellation& cancellation) {
   const Region& region = geometry.region;
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {
       const std::size_t first = points_.size();
-      for (const std::size_t v : region.vertices_of(ring)) points_.push_back(region.point(v));
+      for (const std::size_t v : region.vertices_of(ring)) {
+        cancellation.check(4);
+        points_.push_back(region.point(v));
+      }
       add_path(first, true, true);
     }
   }
@@ -58,8 +61,13 @@ EdgeTree::EdgeTree(const Geometry& geometry) {
     points_.push_back(point);
   }
   corners_.reserve(points_.size());
-  for (const Point& point : points_) corners_.emplace_back(point);
-  build();
+  for (const Point& point : points_) {
+    const std::uint64_t work = work_of(point);
+    cancellation.check(work);
+    work_ = std::max(work_, work);
+    corners_.emplace_back(point);
+  }
+  build(cancellation);
 }
 
 std::size_t EdgeTree::last_edge(std::size_t leaf) const {
@@ -74,10 +82,11 @@ void EdgeTree::add_path(std::size_t first, bool closed, bool of_ring) {
   if (closed) edges_.push_back({last - 1, first, of_ring});
 }
 
-void EdgeTree::build() {
+void EdgeTree::build(Cancellation& cancellation) {
   while (leaves_ * kLeaf < edges_.size()) leaves_ *= 2;
   boxes_.assign(2 * leaves_, kNothing);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
+    cancellation.check(2);
     Box& box = boxes_[leaves_ + e / kLeaf];
     box.add(around(corners_[edges_[e].from]));
     box.add(around(corners_[edges_[e].to]));

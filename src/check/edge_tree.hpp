@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum::checking {
@@ -54,11 +55,13 @@ struct Edge {
 class EdgeTree {
  public:
   static constexpr std::size_t kLeaf = 4;
-  explicit EdgeTree(const Geometry& geometry);
+  EdgeTree(const Geometry& geometry, Cancellation& cancellation);
   EdgeTree(const EdgeTree&) = delete;
   EdgeTree& operator=(const EdgeTree&) = delete;
 
   [[nodiscard]] bool empty() const { return edges_.empty(); }
+  /// The units of work (see Cancellation) of a decision about its corners, at most.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
   [[nodiscard]] const Corner& corner(std::size_t i) const { return corners_[i]; }
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   /// One corner of each ring, path and point.
@@ -72,8 +75,9 @@ class EdgeTree {
 
  private:
   void add_path(std::size_t first, bool closed, bool of_ring);
-  void build();
+  void build(Cancellation& cancellation);
 
+  std::uint64_t work_ = 0;
   std::vector<Point> points_;
   std::vector<Corner> corners_;
   std::vector<Edge> edges_;

@@ -34,11 +34,12 @@ Box placed(const Corner& x, const Box& box) {
 
 }  // namespace
 
-bool contains(const EdgeTree& tree, const Corner& c) {
+bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation) {
   if (tree.empty()) return false;
   bool odd = false;
   std::vector<std::size_t> stack{1};
   while (!stack.empty()) {
+    cancellation.check(2);
     const std::size_t node = stack.back();
     stack.pop_back();
     const Box& box = tree.box(node);
@@ -50,6 +51,7 @@ bool contains(const EdgeTree& tree, const Corner& c) {
       continue;
     }
     for (std::size_t e = tree.first_edge(node); e < tree.last_edge(node); ++e) {
+      cancellation.check(tree.work());
       const Edge& edge = tree.edges()[e];
       const Corner& a = tree.corner(edge.from);
       const Corner& b = tree.corner(edge.to);
@@ -70,10 +72,10 @@ bool Placement::in_sum(const Point& x) const {
   if (edges_meet(at)) return true;
   // No two edges meet: each connected part is inside the other set as a whole, or outside.
   for (const std::size_t head : q_.heads()) {
-    if (contains(p_, Corner(at, q_.corner(head)))) return true;
+    if (contains(p_, Corner(at, q_.corner(head)), cancellation_)) return true;
   }
   for (const std::size_t head : p_.heads()) {
-    if (contains(q_, Corner(at, p_.corner(head)))) return true;  // x − p in Q
+    if (contains(q_, Corner(at, p_.corner(head)), cancellation_)) return true;  // x − p in Q
   }
   return false;
 }
@@ -81,6 +83,7 @@ bool Placement::in_sum(const Point& x) const {
 bool Placement::edges_meet(const Corner& x) const {
   std::vector<std::pair<std::size_t, std::size_t>> stack{{1, 1}};
   while (!stack.empty()) {
+    cancellation_.check(4);
     const auto [p, q] = stack.back();
     stack.pop_back();
     if (!p_.box(p).meets(placed(x, q_.box(q)))) continue;
@@ -104,6 +107,7 @@ bool Placement::leaves_meet(const Corner& x, std::size_t leaf_p, std::size_t lea
     const Corner c(x, q_.corner(q_.edges()[f].from));
     const Corner d(x, q_.corner(q_.edges()[f].to));
     for (std::size_t e = p_.first_edge(leaf_p); e < p_.last_edge(leaf_p); ++e) {
+      cancellation_.check(2 * (p_.work() + q_.work()));
       const Edge& edge = p_.edges()[e];
       if (edges_share_point(p_.corner(edge.from), p_.corner(edge.to), c, d)) return true;
     }

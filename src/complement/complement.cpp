@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "complement/places.hpp"
 #include "grid/box_pairs.hpp"
 
@@ -44,8 +45,8 @@ struct RingPlace {
 /// A region's rings as those of its complement in a box.
 class InsideOut {
  public:
-  InsideOut(const Box& box, const Region& region)
-      : exact_box_(box), region_(region), places_(region) {
+  InsideOut(const Box& box, const Region& region, const std::optional<CancelToken>& cancel)
+      : cancellation_(cancel), exact_box_(box), region_(region), places_(region, cancellation_) {
     box_.add({box.min.x.to_double(), box.min.y.to_double()});
     box_.add({box.max.x.to_double(), box.max.y.to_double()});
   }
@@ -77,6 +78,7 @@ class InsideOut {
   void measure(RingPlace& ring) {
     ring.first = ring.vertices.front();
     for (const std::size_t v : ring.vertices) {
+      cancellation_.check(4);
       ring.bounds.add(places_[v]);
       if (places_.is_before(v, ring.first)) ring.first = v;
       const Sign turn = places_.side(places_[ring.previous(v)], places_[v], places_[ring.next(v)]);
@@ -99,6 +101,7 @@ class InsideOut {
   }
   [[nodiscard]] Sign exact_turn(const Corner& corner) const {
     const Point a = region_.point(corner[0]);
+    cancellation_.check(work_of(a));
     const Point b = region_.point(corner[1]);
     const Point c = region_.point(corner[2]);
     const Rational turn = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
@@ -137,6 +140,7 @@ class InsideOut {
     std::size_t from = ring.last();
     const Sign inner_side = ring.counter_clockwise ? kPositive : kNegative;
     for (const std::size_t to : ring.vertices) {
+      cancellation_.check(2);
       const Vec<double>& a = places_[from];
       const Vec<double>& b = places_[to];
       const bool beyond = (a.x < box_.x0 - margin && b.x < box_.x0 - margin) ||
@@ -188,10 +192,11 @@ class InsideOut {
     bool touches = false;
     pairs.for_each(
         [&](std::size_t e, std::size_t f) {
+          cancellation_.check(2);
           if (touches || next[e] == f || next[f] == e) return;
           touches = !places_.apart(e, next[e], f, next[f]);
         },
-        [] {});
+        cancellation_);
     return touches;
   }
 
@@ -210,6 +215,7 @@ class InsideOut {
       RingPlace& ring = rings_[r];
       if (ring.is_hole || r == frame_) continue;
       steps += holes.size();
+      cancellation_.check(holes.size());
       for (const std::size_t h : holes) {
         const RingPlace& hole = rings_[h];
         if (hole.polygon == ring.polygon || !has(hole.bounds, ring.bounds)) continue;
@@ -248,9 +254,9 @@ class InsideOut {
     std::vector<std::size_t> order(rings_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     // Rings that do not touch have no vertex in common.
-    std::ranges::sort(order, [&](std::size_t r, std::size_t s) {
+    std::ranges::sort(order, cancellation_.counting([&](std::size_t r, std::size_t s) {
       return places_.is_before(rings_[r].first, rings_[s].first);
-    });
+    }));
     std::vector<std::vector<std::size_t>> inner(rings_.size());
     std::vector<std::size_t> outermost;
     for (const std::size_t r : order) {
@@ -278,6 +284,7 @@ class InsideOut {
     result_.begin_ring();
     std::size_t v = ring.first;
     do {
+      cancellation_.check();
       RegionAccess::add_vertex(result_, RegionAccess::x(region_, v), RegionAccess::y(region_, v));
       v = ring.counter_clockwise == counter_clockwise ? ring.next(v) : ring.previous(v);
     } while (v != ring.first);
@@ -286,6 +293,7 @@ class InsideOut {
   /// With more vertices to be told exactly, one of so many, the overlay is as good.
   static constexpr std::size_t kExactTurnsOf = 16;
 
+  mutable Cancellation cancellation_;  ///< counts what is asked, too
   const Box& exact_box_;
   const Region& region_;
   Bounds box_;
@@ -298,8 +306,9 @@ class InsideOut {
 
 }  // namespace
 
-std::optional<Region> complement_in(const Box& box, const Region& region) {
-  return InsideOut(box, region).run();
+std::optional<Region> complement_in(const Box& box, const Region& region,
+                                    const std::optional<CancelToken>& cancel) {
+  return InsideOut(box, region, cancel).run();
 }
 
 }  // namespace minksum

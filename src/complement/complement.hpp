@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "minksum/cancel.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/region.hpp"
 
@@ -13,6 +14,8 @@ namespace minksum {
 /// one that may be around it. Doubles tell that it is so, and the rings are copied: O(n log n) for
 /// n vertices, next to no arithmetic on exact coordinates. Nothing if it is not so, or not certain,
 /// or if it would take longer to tell than an overlay takes.
-[[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region);
+/// Throws Error(kCancelled).
+[[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region,
+                                                  const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

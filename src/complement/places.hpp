@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "number/sign.hpp"
 #include "predicate/formulas.hpp"
 #include "region/region_access.hpp"
@@ -32,9 +33,11 @@ struct Bounds {
 /// Doubles of a region's vertices, each coordinate off by less than `error`, and what they tell.
 class Places {
  public:
-  explicit Places(const Region& region) : region_(region) {
+  Places(const Region& region, Cancellation& cancellation)
+      : region_(region), cancellation_(cancellation) {
     at_.resize(region.vertex_count());
     for (std::size_t v = 0; v < at_.size(); ++v) {
+      cancellation.check(work_of_product(RegionAccess::bits(region, v)));
       at_[v] = {region.x(v), region.y(v)};
       bounds_.add(at_[v]);
     }
@@ -77,6 +80,7 @@ class Places {
     std::size_t from = ring.front() + ring.size() - 1;
     bool from_above = is_above(from, vertex);
     for (const std::size_t to : ring) {
+      cancellation_.check();
       const bool to_above = is_above(to, vertex);
       if (from_above != to_above) {
         const Sign sign = side(at_[from], at_[to], at_[vertex]);
@@ -93,6 +97,7 @@ class Places {
   [[nodiscard]] bool is_before(std::size_t v, std::size_t w) const {
     const double difference = at_[v].x - at_[w].x;
     if (std::abs(difference) > 2 * error_) return difference < 0;
+    cancellation_.check(work_of_product(RegionAccess::bits(region_, v)));
     const auto by_x =
         RegionAccess::compare(region_, RegionAccess::x(region_, v), RegionAccess::x(region_, w));
     return by_x != 0 ? by_x < 0 : compare_y(v, w) < 0;
@@ -104,6 +109,7 @@ class Places {
     if (std::abs(difference) > 2 * error_) {
       return difference < 0 ? std::strong_ordering::less : std::strong_ordering::greater;
     }
+    cancellation_.check(work_of_product(RegionAccess::bits(region_, v)));
     return RegionAccess::compare(region_, RegionAccess::y(region_, v), RegionAccess::y(region_, w));
   }
   [[nodiscard]] bool is_above(std::size_t v, std::size_t other) const {
@@ -111,6 +117,7 @@ class Places {
   }
 
   const Region& region_;
+  Cancellation& cancellation_;
   std::vector<Vec<double>> at_;
   Bounds bounds_;
   double error_ = 0;

@@ -57,13 +57,15 @@ LooseBox LooseBox::around(double ax, double ay, double bx, double by) {
           std::nextafter(std::max(ax, bx), kHuge), std::nextafter(std::max(ay, by), kHuge)};
 }
 
-FreePart::FreePart(Region polygon)
-    : region_(std::move(polygon)), locator_({region_, {}, {}}) {
+FreePart::FreePart(Region polygon, const std::optional<CancelToken>& cancel)
+    : region_(std::move(polygon)), locator_({region_, {}, {}}, cancel) {
+  Cancellation cancellation(cancel);
   for (const std::size_t ring : region_.rings_of(0)) {
     const auto index = static_cast<std::uint32_t>(ring_begin_.size());
     ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
     for (const std::size_t v : region_.vertices_of(ring)) {
       points_.push_back(region_.point(v));
+      cancellation.check(2 * work_of(points_.back()));
       x_.push_back(region_.x(v));
       y_.push_back(region_.y(v));
       magnitude_ = std::max({magnitude_, std::abs(x_.back()), std::abs(y_.back())});
@@ -115,7 +117,8 @@ void FreePart::add_hits(std::uint32_t edge, const Point& a, const Point& d,
   if (t.sign() >= 0 && t <= one) found.push_back({t, edge});
 }
 
-std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* crosses) const {
+std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* crosses,
+                                          Cancellation& cancellation) const {
   const Ends ends{a, b};
   const LooseBox box = LooseBox::around(ends.ax, ends.ay, ends.bx, ends.by);
   const Line line(ends.ax, ends.ay, ends.bx, ends.by, magnitude_);
@@ -125,6 +128,7 @@ std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* 
   const Point d = minus(b, a);
   std::vector<Hit> found;
   for (std::uint32_t edge = 0; edge < points_.size(); ++edge) {
+    cancellation.check();
     if (!edge_boxes_[edge].meets(box)) continue;
     const std::uint32_t end = next(edge);
     const int from = line.side(x_[edge], y_[edge]);
@@ -148,19 +152,24 @@ std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* 
         continue;
       }
     }
+    cancellation.check(8 * work_of(points_[edge]));
     add_hits(edge, a, d, found);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Hit& x, const Hit& y) { return x.t < y.t; });
+  std::stable_sort(found.begin(), found.end(), [&](const Hit& x, const Hit& y) {
+    cancellation.check(work_of_product(x.t.bits()));
+    return x.t < y.t;
+  });
   return found;
 }
 
-bool FreePart::meets(const Point& a, const Point& b, Location open_side) const {
+bool FreePart::meets(const Point& a, const Point& b, Location open_side,
+                     Cancellation& cancellation) const {
   if (a == b) return locate(a) == open_side;
   // Between two hits the segment is inside or outside; hits themselves are on the boundary.
   const Rational half(1, 2);
   Rational last;
   const auto found_up_to = [&](const Rational& t) {
+    cancellation.check(64 * work_of_product(t.bits()));
     if (t == last) return false;
     const bool is_there = locate(along(a, b, (last + t) * half)) == open_side;
     last = t;
@@ -168,7 +177,7 @@ bool FreePart::meets(const Point& a, const Point& b, Location open_side) const {
   };
   // An edge that is crossed has the inside on one of its sides, the outside on the other.
   bool crosses = false;
-  const std::vector<Hit> found = hits(a, b, &crosses);
+  const std::vector<Hit> found = hits(a, b, &crosses, cancellation);
   if (crosses) return true;
   for (const Hit& hit : found) {
     if (found_up_to(hit.t)) return true;
@@ -177,10 +186,11 @@ bool FreePart::meets(const Point& a, const Point& b, Location open_side) const {
 }
 
 /// Whether a point is on the side of a ring that is not free: outside of the outer one, in a hole.
-bool FreePart::is_beyond(std::uint32_t ring, const Point& point) const {
+bool FreePart::is_beyond(std::uint32_t ring, const Point& point,
+                         const std::optional<CancelToken>& cancel) const {
   const Polygon alone{Ring(points_.begin() + ring_begin_[ring],
                            points_.begin() + ring_begin_[ring + 1]), {}};
-  const Location location = PointLocator({Region(alone), {}, {}}).locate(point);
+  const Location location = PointLocator({Region(alone), {}, {}}, cancel).locate(point);
   return location == (ring == 0 ? Location::kOutside : Location::kInside);
 }
 
@@ -232,13 +242,15 @@ void FreePart::go_round(const Hit& from, const Point& a, const Hit& to, const Po
   path.push_back(b);
 }
 
-std::vector<Point> FreePart::walk(const Point& a, const Point& b) const {
-  const std::vector<Hit> found = hits(a, b, nullptr);
+std::vector<Point> FreePart::walk(const Point& a, const Point& b,
+                                  Cancellation& cancellation) const {
+  const std::vector<Hit> found = hits(a, b, nullptr, cancellation);
   const Rational half(1, 2);
   std::vector<Point> path{a};
   std::size_t i = 0;
   while (i < found.size()) {
     const Hit& hit = found[i];
+    cancellation.check(64 * work_of_product(hit.t.bits()));
     std::size_t after = i;  // the next hit that is farther on
     while (after < found.size() && found[after].t == hit.t) ++after;
     const Rational end = after < found.size() ? found[after].t : Rational(1);
@@ -249,7 +261,9 @@ std::vector<Point> FreePart::walk(const Point& a, const Point& b) const {
     }
     // The ring by which the segment leaves, and where it meets that for the last time: from there
     // on it is on that ring's free side, so that each ring is gone around once at most.
-    while (i < after && !is_beyond(ring_of_[found[i].edge], middle)) ++i;
+    while (i < after && !is_beyond(ring_of_[found[i].edge], middle, cancellation.token())) {
+      ++i;
+    }
     std::size_t last = found.size();
     for (std::size_t k = found.size(); i < after && k-- > after;) {
       if (ring_of_[found[k].edge] == ring_of_[found[i].edge]) {
@@ -271,20 +285,23 @@ std::vector<Point> FreePart::walk(const Point& a, const Point& b) const {
   return path;
 }
 
-std::vector<Point> FreePart::shortened(const std::vector<Point>& path) const {
+std::vector<Point> FreePart::shortened(const std::vector<Point>& path,
+                                       Cancellation& cancellation) const {
   std::vector<Point> kept{path.front()};
   const std::size_t end = path.size() - 1;
   for (std::size_t i = 0; i < end;) {
     std::size_t seen = i + 1;
     std::size_t step = end - i;
-    if (step > 1 && sees(path[i], path[end])) {
+    if (step > 1 && sees(path[i], path[end], cancellation)) {
       seen = end;
     } else {
-      for (step = 2; i + step < end && sees(path[i], path[i + step]); step *= 2) seen = i + step;
+      for (step = 2; i + step < end && sees(path[i], path[i + step], cancellation); step *= 2) {
+        seen = i + step;
+      }
       std::size_t hidden = std::min(i + step, end);
       while (hidden - seen > 1) {
         const std::size_t middle = seen + (hidden - seen) / 2;
-        (sees(path[i], path[middle]) ? seen : hidden) = middle;
+        (sees(path[i], path[middle], cancellation) ? seen : hidden) = middle;
       }
     }
     kept.push_back(path[seen]);
@@ -293,12 +310,13 @@ std::vector<Point> FreePart::shortened(const std::vector<Point>& path) const {
   return kept;
 }
 
-std::vector<Point> FreePart::way(const Point& a, const Point& b) const {
+std::vector<Point> FreePart::way(const Point& a, const Point& b,
+                                 Cancellation& cancellation) const {
   if (a == b) return {a};
-  std::vector<Point> path = walk(a, b);
+  std::vector<Point> path = walk(a, b, cancellation);
   // Once from each end: a corner that is skipped from one side may be in the way of the other.
   for (int i = 0; i < 2; ++i) {
-    path = shortened(path);
+    path = shortened(path, cancellation);
     std::reverse(path.begin(), path.end());
   }
   return path;

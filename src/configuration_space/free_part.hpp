@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/measure.hpp"
 #include "region/point_arithmetic.hpp"
@@ -26,7 +27,7 @@ struct LooseBox {
 /// One polygon of a valid region. Everything is decided exactly.
 class FreePart {
  public:
-  explicit FreePart(Region polygon);
+  FreePart(Region polygon, const std::optional<CancelToken>& cancel);
 
   [[nodiscard]] const Region& region() const { return region_; }
   [[nodiscard]] const LooseBox& box() const { return box_; }
@@ -37,15 +38,17 @@ class FreePart {
 
   /// Whether some point of the closed segment is inside (kInside), or outside (kOutside). O(n) and
   /// what log n it takes for its hits.
-  [[nodiscard]] bool meets(const Point& a, const Point& b, Location open_side) const;
+  [[nodiscard]] bool meets(const Point& a, const Point& b, Location open_side,
+                           Cancellation& cancellation) const;
   /// Whether the closed segment is in the closed polygon.
-  [[nodiscard]] bool sees(const Point& a, const Point& b) const {
-    return !meets(a, b, Location::kOutside);
+  [[nodiscard]] bool sees(const Point& a, const Point& b, Cancellation& cancellation) const {
+    return !meets(a, b, Location::kOutside, cancellation);
   }
 
   /// A path in the closed polygon between two of its points, both included: straight, and around
   /// what is in the way along its boundary; then shortened where corners see each other.
-  [[nodiscard]] std::vector<Point> way(const Point& a, const Point& b) const;
+  [[nodiscard]] std::vector<Point> way(const Point& a, const Point& b,
+                                       Cancellation& cancellation) const;
 
  private:
   /// Where a segment from a to b meets an edge: a + t(b − a), on the edge that starts at `edge`.
@@ -56,15 +59,19 @@ class FreePart {
   /// All of them, by t; where an edge runs along the segment, both ends of what they share. If
   /// `crosses` is given, it is set, and the list is left as it is then, as soon as an edge is found
   /// that certainly crosses the segment at a point inside of both.
-  [[nodiscard]] std::vector<Hit> hits(const Point& a, const Point& b, bool* crosses) const;
+  [[nodiscard]] std::vector<Hit> hits(const Point& a, const Point& b, bool* crosses,
+                                      Cancellation& cancellation) const;
   void add_hits(std::uint32_t edge, const Point& a, const Point& d, std::vector<Hit>& found) const;
   [[nodiscard]] std::uint32_t next(std::uint32_t vertex) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t vertex) const;
-  [[nodiscard]] bool is_beyond(std::uint32_t ring, const Point& point) const;
+  [[nodiscard]] bool is_beyond(std::uint32_t ring, const Point& point,
+                               const std::optional<CancelToken>& cancel) const;
   void go_round(const Hit& from, const Point& a, const Hit& to, const Point& b,
                 std::vector<Point>& path) const;
-  [[nodiscard]] std::vector<Point> walk(const Point& a, const Point& b) const;
-  [[nodiscard]] std::vector<Point> shortened(const std::vector<Point>& path) const;
+  [[nodiscard]] std::vector<Point> walk(const Point& a, const Point& b,
+                                        Cancellation& cancellation) const;
+  [[nodiscard]] std::vector<Point> shortened(const std::vector<Point>& path,
+                                             Cancellation& cancellation) const;
 
   Region region_;
   PointLocator locator_;
@@ -80,6 +87,7 @@ class FreePart {
 
 /// A point strictly inside of a region with area; exact, and as far from the boundary as a look at
 /// a few of them tells, near a way from `from` to `to`. Coordinates are short where there is room.
-[[nodiscard]] Point point_within(const Region& region, const Point& from, const Point& to);
+[[nodiscard]] Point point_within(const Region& region, const Point& from, const Point& to,
+                                 const std::optional<CancelToken>& cancel);
 
 }  // namespace minksum

@@ -14,7 +14,7 @@ struct Edge {
   double ax, ay, bx, by;
 };
 
-std::vector<Edge> edges_of(const Region& region) {
+std::vector<Edge> edges_of(const Region& region, Cancellation& cancellation) {
   std::vector<Edge> edges;
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {
@@ -23,6 +23,7 @@ std::vector<Edge> edges_of(const Region& region) {
       double x = region.x(last);
       double y = region.y(last);
       for (const std::size_t v : vertices) {
+        cancellation.check(16);
         const Edge edge{x, y, region.x(v), region.y(v)};
         edges.push_back(edge);
         x = edge.bx;
@@ -65,8 +66,10 @@ struct Candidate {
 
 /// Points of a grid in the box that seem to be inside, with few bits, the best first. Far from the
 /// boundary is good, up to a part of the box; so is a short way.
-std::vector<Candidate> candidates(const Region& region, const Point& from, const Point& to) {
-  const std::optional<Box> box = bounding_box(region);
+std::vector<Candidate> candidates(const Region& region, const Point& from, const Point& to,
+                                  const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  const std::optional<Box> box = bounding_box(region, cancel);
   const double x0 = box->min.x.to_double();
   const double y0 = box->min.y.to_double();
   const double width = box->max.x.to_double() - x0;
@@ -74,7 +77,7 @@ std::vector<Candidate> candidates(const Region& region, const Point& from, const
   std::vector<Candidate> found;
   const double size = std::max(width, height);
   if (!(size > 0) || !std::isfinite(size)) return found;
-  const std::vector<Edge> edges = edges_of(region);
+  const std::vector<Edge> edges = edges_of(region, cancellation);
   // A power of two that is fine enough for the shorter side; underflow makes it 0.
   const double step = std::ldexp(1.0, std::ilogb(std::min(width, height) / kGrid) - 3);
   if (!(step > 0)) return found;
@@ -88,6 +91,7 @@ std::vector<Candidate> candidates(const Region& region, const Point& from, const
     for (int j = 0; j < kGrid; ++j) {
       const double x = std::nearbyint((x0 + width * (i + 0.5) / kGrid) / step) * step;
       const double y = std::nearbyint((y0 + height * (j + 0.5) / kGrid) / step) * step;
+      cancellation.check(edges.size());
       const double room = clearance(edges, x, y);
       if (room > 0) found.push_back({cost(x, y, room), x, y});
     }
@@ -99,29 +103,36 @@ std::vector<Candidate> candidates(const Region& region, const Point& from, const
 
 /// A height that no vertex of a polygon has, in the middle of the largest gap between heights of its
 /// vertices. A level line there crosses it: it is connected.
-Rational height_between(const Region& region, std::size_t polygon) {
+Rational height_between(const Region& region, std::size_t polygon, Cancellation& cancellation) {
   std::vector<Rational> heights;
   for (const std::size_t ring : region.rings_of(polygon)) {
     for (const std::size_t v : region.vertices_of(ring)) heights.push_back(region.exact_y(v));
   }
-  std::sort(heights.begin(), heights.end());
+  const auto below = [&](const Rational& a, const Rational& b) {
+    cancellation.check(work_of_product(a.bits()));
+    return a < b;
+  };
+  std::sort(heights.begin(), heights.end(), below);
   std::size_t best = 1;
   for (std::size_t i = 2; i < heights.size(); ++i) {
+    cancellation.check(4 * work_of_product(heights[i].bits()));
     if (heights[i] - heights[i - 1] > heights[best] - heights[best - 1]) best = i;
   }
   return (heights[best] + heights[best - 1]) * Rational(1, 2);
 }
 
 /// In the first polygon, between two edges that a level line crosses away from all its vertices.
-Point exact_point(const Region& region) {
+Point exact_point(const Region& region, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   const std::size_t polygon = region.polygons().front();
-  const Rational y = height_between(region, polygon);
+  const Rational y = height_between(region, polygon, cancellation);
   std::vector<Rational> crossings;
   for (const std::size_t ring : region.rings_of(polygon)) {
     const IndexRange vertices = region.vertices_of(ring);
     Point a = region.point(vertices.front() + vertices.size() - 1);
     for (const std::size_t v : vertices) {
       const Point b = region.point(v);
+      cancellation.check(8 * work_of(b));
       if ((a.y > y) != (b.y > y)) {
         crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
       }
@@ -138,13 +149,14 @@ Point exact_point(const Region& region) {
 
 }  // namespace
 
-Point point_within(const Region& region, const Point& from, const Point& to) {
-  const PointLocator locator({region, {}, {}});
-  for (const Candidate& candidate : candidates(region, from, to)) {
+Point point_within(const Region& region, const Point& from, const Point& to,
+                   const std::optional<CancelToken>& cancel) {
+  const PointLocator locator({region, {}, {}}, cancel);
+  for (const Candidate& candidate : candidates(region, from, to, cancel)) {
     const Point point{Rational(candidate.x), Rational(candidate.y)};
     if (locator.locate(point) == Location::kInside) return point;
   }
-  return exact_point(region);
+  return exact_point(region, cancel);
 }
 
 }  // namespace minksum

@@ -72,15 +72,15 @@ struct FreeParts {
   std::vector<Point> samples;  ///< one strictly inside of each
 };
 
-FreeParts parts_of(const Slice& slice) {
+FreeParts parts_of(const Slice& slice, const std::optional<CancelToken>& cancel) {
   FreeParts result;
   result.turn = slice.turn;
   const Region& free = slice.free.region;
   for (const std::size_t polygon : free.polygons()) {
     Region alone(free.polygon(polygon));
     const Point any = alone.point(0);
-    result.samples.push_back(point_within(alone, any, any));
-    result.parts.emplace_back(std::move(alone));
+    result.samples.push_back(point_within(alone, any, any, cancel));
+    result.parts.emplace_back(std::move(alone), cancel);
   }
   return result;
 }
@@ -98,8 +98,13 @@ double length_of(const std::vector<Point>& way) {
 class Planner {
  public:
   Planner(std::vector<FreeParts> slices, const Configuration& from, const Configuration& to,
-          const Rational& reach)
-      : slices_(std::move(slices)), from_(from), to_(to), reach_(reach.to_double()) {
+          const Rational& reach, const std::optional<CancelToken>& cancel)
+      : slices_(std::move(slices)),
+        from_(from),
+        to_(to),
+        reach_(reach.to_double()),
+        cancel_(cancel),
+        cancellation_(cancel) {
     for (const FreeParts& slice : slices_) settled_.emplace_back(slice.parts.size(), false);
   }
 
@@ -125,6 +130,7 @@ class Planner {
       }
     }
     while (!open_.empty()) {
+      cancellation_.check(16);
       std::pop_heap(open_.begin(), open_.end(), later);
       Step step = std::move(open_.back());
       open_.pop_back();
@@ -174,8 +180,9 @@ class Planner {
     if (location == Location::kInside) return true;
     if (!joined(from, step)) return false;
     if (location == Location::kBoundary) return true;
-    step.at = point_within(intersect(here.region(), there.region()), from.at, to_.at);
-    step.way = here.way(from.at, step.at);
+    step.at =
+        point_within(intersect(here.region(), there.region(), cancel_), from.at, to_.at, cancel_);
+    step.way = here.way(from.at, step.at, cancellation_);
     step.cost += length_of(step.way);
     offer(std::move(step));
     return false;
@@ -187,7 +194,7 @@ class Planner {
     done_.push_back(std::move(step));
     const Step& here = done_.back();
     if (here.slice == last && part(here).contains(to_.at)) {
-      std::vector<Point> way = part(here).way(here.at, to_.at);
+      std::vector<Point> way = part(here).way(here.at, to_.at, cancellation_);
       const double cost = here.cost + length_of(way);
       offer({cost, index, kNone, kNone, true, to_.at, std::move(way)});
     }
@@ -197,6 +204,7 @@ class Planner {
           slices_[s].turn.degrees - slices_[here.slice].turn.degrees, 360) * 0.0175;
       const double cost = here.cost + std::abs(angle) * reach_;
       for (std::size_t p = 0; p < slices_[s].parts.size(); ++p) {
+        cancellation_.check(8);
         if (!settled_[s][p]) offer({cost, index, s, p, false, {}, {}});
       }
     }
@@ -209,10 +217,10 @@ class Planner {
     if (!first.box().meets(second.box())) return false;
     return second.locate(slices_[a.slice].samples[a.part]) == Location::kInside ||
            first.locate(slices_[b.slice].samples[b.part]) == Location::kInside ||
-           !intersect(first.region(), second.region()).empty();
+           !intersect(first.region(), second.region(), cancel_).empty();
   }
 
-  [[nodiscard]] std::vector<Waypoint> path_to(const Step& goal) const {
+  [[nodiscard]] std::vector<Waypoint> path_to(const Step& goal) {
     std::vector<const Step*> steps{&goal};
     while (steps.back()->parent != kNone) steps.push_back(&done_[steps.back()->parent]);
     std::reverse(steps.begin(), steps.end());
@@ -225,11 +233,10 @@ class Planner {
     return path;
   }
   /// Moves within a part, each of which is once more seen to be there.
-  static void append(const FreePart& within, const std::vector<Point>& way,
-                     std::vector<Waypoint>& path) {
+  void append(const FreePart& within, const std::vector<Point>& way, std::vector<Waypoint>& path) {
     const Turn turn = path.back().turn;
     for (std::size_t i = 1; i < way.size(); ++i) {
-      if (!within.sees(way[i - 1], way[i])) {
+      if (!within.sees(way[i - 1], way[i], cancellation_)) {
         throw Error(ErrorCode::kInternal, "a move leaves free space", {}, "reach");
       }
       path.push_back({way[i], turn});
@@ -240,6 +247,8 @@ class Planner {
   const Configuration& from_;
   const Configuration& to_;
   double reach_;
+  const std::optional<CancelToken>& cancel_;
+  Cancellation cancellation_;
   std::vector<std::vector<bool>> settled_;
   std::vector<Step> open_;  ///< a heap
   std::vector<Step> done_;
@@ -250,13 +259,15 @@ class Planner {
 void require_free(const ConfigurationSpace& space, const Configuration& end, const Turn& turn,
                   const ReachOptions& options, int operand) {
   const Region placed =
-      transform(space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()));
+      transform(space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()),
+                options.cancel);
   Culprit culprit;
   culprit.operand = operand;
   const std::string where = operand == 3 ? " at the start" : " at the goal";
   if (options.workspace) {
     const ResolveOptions reading{options.fill, true, options.cancel, 2};
-    if (!contains(resolve(*options.workspace, reading).region, placed)) {
+    if (!contains(resolve(*options.workspace, reading).region, placed,
+                  options.cancel)) {
       throw Error(ErrorCode::kBadInput, "the robot leaves the workspace" + where, culprit);
     }
   }
@@ -286,9 +297,9 @@ Reach reach(const Geometry& robot, const Geometry& obstacles, const Configuratio
   require_free(space, to, last, options, 4);
   std::vector<FreeParts> parts(turns.size());
   space.for_each_slice(
-      turns, true, [&](std::size_t i, Slice& slice) { parts[i] = parts_of(slice); },
+      turns, true, [&](std::size_t i, Slice& slice) { parts[i] = parts_of(slice, options.cancel); },
       [](std::size_t, Slice&) {});
-  Planner planner(std::move(parts), from, to, space.reach());
+  Planner planner(std::move(parts), from, to, space.reach(), options.cancel);
   result.slices = turns.size();
   result.parts = planner.part_count();
   result.path = planner.find(planner.slice_of(first), planner.slice_of(last));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cancellation.hpp"
 #include "configuration_space/free_part.hpp"
 #include "fixed_sum.hpp"
 #include "minksum/boolean.hpp"
@@ -44,11 +45,13 @@ Options sum_options(const ConfigurationOptions& options) {
 }
 
 /// A rational that is not below the largest distance from the origin.
-Rational reach_of(const Region& robot) {
+Rational reach_of(const Region& robot, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   Rational squared;
   Rational largest;  // coordinate
   for (std::size_t v = 0; v < robot.vertex_count(); ++v) {
     const Point at = robot.point(v);
+    cancellation.check(8 * work_of(at));
     squared = std::max(squared, at.x * at.x + at.y * at.y);
     largest = std::max({largest, at.x, -at.x, at.y, -at.y});
   }
@@ -66,12 +69,17 @@ void enlarge(std::optional<Box>& box, const Point& point) {
   box->max = {std::max(box->max.x, point.x), std::max(box->max.y, point.y)};
 }
 
-std::optional<Box> box_of(const Geometry& geometry) {
-  std::optional<Box> box = bounding_box(geometry.region);
+std::optional<Box> box_of(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  std::optional<Box> box = bounding_box(geometry.region, cancel);
+  const auto add = [&](const Point& point) {
+    cancellation.check(4 * work_of(point));
+    enlarge(box, point);
+  };
   for (const Polyline& line : geometry.polylines) {
-    for (const Point& point : line) enlarge(box, point);
+    for (const Point& point : line) add(point);
   }
-  for (const Point& point : geometry.points) enlarge(box, point);
+  for (const Point& point : geometry.points) add(point);
   return box;
 }
 
@@ -80,8 +88,8 @@ Box widened(const Box& box, const Rational& by) {
 }
 
 /// −R(turn).
-Region turned_mirror(const Region& robot, const Turn& turn) {
-  return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()));
+Region turned_mirror(const Region& robot, const Turn& turn, const ConfigurationOptions& options) {
+  return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()), options.cancel);
 }
 
 Region as_region(const Box& box) {
@@ -98,7 +106,7 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
   Options options = sum_options(state.options);
   Geometry tight;
   if (with_free && state.options.tight) options.tight = &tight;
-  Region mirrored = turned_mirror(state.robot, turn);
+  Region mirrored = turned_mirror(state.robot, turn, state.options);
   const Outcome outcome =
       state.forbidden.has_thin_parts()
           ? minkowski_sum(state.forbidden, {std::move(mirrored), {}, {}}, options, workspace,
@@ -107,7 +115,8 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
                           slice.obstacles.region);
   if (!outcome.ok()) throw *outcome.error;
   if (with_free) {
-    slice.free.region = subtract(as_region(boundary), slice.obstacles.region);
+    slice.free.region =
+        subtract(as_region(boundary), slice.obstacles.region, state.options.cancel);
     slice.free.polylines = std::move(tight.polylines);
     slice.free.points = std::move(tight.points);
   }
@@ -122,7 +131,8 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
   State state;
   state.options = options;
   state.robot = transform(read(robot, options, 0, true).region,
-                          Affine::translation(-options.reference.x, -options.reference.y));
+                          Affine::translation(-options.reference.x, -options.reference.y),
+                          options.cancel);
   if (state.robot.empty()) refuse("a robot needs an area", 0);
   state.obstacles = read(obstacles, options, 1, false);
   // minkowski_sum finds those between areas only, and none may be missing.
@@ -137,20 +147,21 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
 }
 
 void ConfigurationSpace::set_up(State state) {
-  state.reach = reach_of(state.robot);
+  const std::optional<CancelToken>& cancel = state.options.cancel;
+  state.reach = reach_of(state.robot, cancel);
   state.forbidden = state.obstacles;
   if (state.options.workspace) {
     // A robot inside the workspace has its reference point in the boundary, and one that has it
     // there is within twice the reach of the box: the frame's outer side is never seen.
-    boundary_ = widened(*bounding_box(state.workspace), state.reach);
+    boundary_ = widened(*bounding_box(state.workspace, cancel), state.reach);
     const Region frame = as_region(widened(boundary_, state.reach * Rational(2)));
-    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace), {}, {}}};
-    state.forbidden = unite(both);
+    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, cancel), {}, {}}};
+    state.forbidden = unite(both, cancel);
   } else {
-    const auto box = box_of(state.obstacles);
+    const auto box = box_of(state.obstacles, cancel);
     boundary_ = widened(box ? *box : Box{}, state.reach * Rational(2));
   }
-  state.prepared = PreparedRegion(state.forbidden.region);
+  state.prepared = PreparedRegion(state.forbidden.region, cancel);
   state_ = std::make_shared<const State>(std::move(state));
 }
 
@@ -175,12 +186,14 @@ const Rational& ConfigurationSpace::reach() const { return state_->reach; }
 const Region& ConfigurationSpace::robot() const { return state_->robot; }
 
 bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
+  const std::optional<CancelToken>& cancel = state_->options.cancel;
+  Cancellation cancellation(cancel);
   const Geometry& obstacles = state_->obstacles;
-  if (!intersect(obstacles.region, region).empty()) return true;
+  if (!intersect(obstacles.region, region, cancel).empty()) return true;
   for (std::size_t p = 0; p < region.polygon_count() && obstacles.has_thin_parts(); ++p) {
-    const FreePart part(Region(region.polygon(p)));
+    const FreePart part(Region(region.polygon(p)), cancellation);
     const auto enters = [&](const Point& a, const Point& b) {
-      return part.meets(a, b, Location::kInside);
+      return part.meets(a, b, Location::kInside, cancellation);
     };
     for (const Polyline& line : obstacles.polylines) {
       if (std::adjacent_find(line.begin(), line.end(), enters) != line.end()) return true;
@@ -210,7 +223,8 @@ void ConfigurationSpace::for_each_slice(
   std::optional<SharedRaster> shared;
   if (turns.size() >= kManySlices && !state_->forbidden.region.empty() &&
       !state_->forbidden.has_thin_parts()) {
-    shared = share_raster(state_->prepared, turned_mirror(state_->robot, turns.front()),
+    const Region typical = turned_mirror(state_->robot, turns.front(), state_->options);
+    shared = share_raster(state_->prepared, typical,
                           2 * state_->reach.to_double(), sum_options(state_->options));
   }
   const auto make = [&](std::size_t i, Workspace& workspace) {

@@ -130,9 +130,13 @@ class Lister {
 };
 
 void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t many,
-          ConvolutionScratch& scratch, Convolution& convolution) {
+          Cancellation& cancellation, ConvolutionScratch& scratch, Convolution& convolution) {
   Lister lister(limits, many, convolution);
-  const auto append = [&](std::span<const SiteId> edges, SiteId v) { lister.append(edges, v); };
+  cancellation.check(2 * o.size());
+  const auto append = [&](std::span<const SiteId> edges, SiteId v) {
+    cancellation.check(1 + edges.size() / 4);
+    lister.append(edges, v);
+  };
   for (const int operand : {0, 1}) visit_runs(o, which, operand, scratch, append);
 }
 
@@ -156,25 +160,25 @@ RankRange reduced_range(const Operands& operands, SiteId vertex) {
                   operands.rank[vertex]);
 }
 
-void reduced_convolution(const Operands& operands, const Limits& limits,
+void reduced_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                          ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kConvex, limits, kAll, scratch, convolution);
+  list(operands, Vertices::kConvex, limits, kAll, cancellation, scratch, convolution);
 }
 
 void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
-                                   std::uint64_t many, ConvolutionScratch& scratch,
-                                   Convolution& convolution) {
-  list(operands, Vertices::kConvex, limits, many, scratch, convolution);
+                                   std::uint64_t many, Cancellation& cancellation,
+                                   ConvolutionScratch& scratch, Convolution& convolution) {
+  list(operands, Vertices::kConvex, limits, many, cancellation, scratch, convolution);
 }
 
-void full_convolution(const Operands& operands, const Limits& limits,
+void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                       ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kAll, limits, kAll, scratch, convolution);
+  list(operands, Vertices::kAll, limits, kAll, cancellation, scratch, convolution);
 }
 
-void reflex_convolution(const Operands& operands, const Limits& limits,
+void reflex_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                         ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kReflexBackwards, limits, kAll, scratch, convolution);
+  list(operands, Vertices::kReflexBackwards, limits, kAll, cancellation, scratch, convolution);
 }
 
 std::optional<std::string> check(const Convolution& convolution, const Operands& o, bool full) {

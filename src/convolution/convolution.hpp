@@ -44,14 +44,14 @@ struct ConvolutionScratch {
 /// hole. Between two thin operands parallel edges by themselves sweep no area, which is all that is
 /// wanted here: an edge is listed where the other walk turns to its left, that is, at vertices with
 /// [in, out] and at ends, where the walk turns back, with (in, out). O(n + m + k).
-void reduced_convolution(const Operands& operands, const Limits& limits,
+void reduced_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                          ConvolutionScratch& scratch, Convolution& convolution);
 
 /// The same; but if there are more than `many`, only a sample of `kSample` to twice as many (if so
 /// many there are) is listed. O(n + m + min(k, many)).
 void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
-                                   std::uint64_t many, ConvolutionScratch& scratch,
-                                   Convolution& convolution);
+                                   std::uint64_t many, Cancellation& cancellation,
+                                   ConvolutionScratch& scratch, Convolution& convolution);
 inline constexpr std::size_t kSample = 256;
 
 /// The directions of the edges that meet a convex vertex in the reduced convolution.
@@ -59,12 +59,12 @@ inline constexpr std::size_t kSample = 256;
 
 /// The full convolution (Wein 2006, as CGAL has it): reflex vertices too, each with all directions
 /// counter-clockwise from that of its incoming to that of its outgoing edge. O(n·m).
-void full_convolution(const Operands& operands, const Limits& limits,
+void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                       ConvolutionScratch& scratch, Convolution& convolution);
 
 /// What the signed convolution (Guibas, Ramshaw, Stolfi 1983) has beyond the reduced one: each
 /// reflex vertex with the edges in its small range, traversed backwards. Together they are closed.
-void reflex_convolution(const Operands& operands, const Limits& limits,
+void reflex_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                         ConvolutionScratch& scratch, Convolution& convolution);
 
 /// Whether each segment is one that the reduced rule makes (exactly once), or with `full` the full

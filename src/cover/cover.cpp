@@ -28,7 +28,8 @@ int choose_side(std::uint64_t segments, const Options& options) {
 }
 
 /// Lays a grid, and marks what translates cover.
-void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Cover& cover) {
+void cover_on_grid(const Operands& operands, int side, Cancellation& cancellation,
+                   CoverScratch& scratch, Cover& cover) {
   const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
                            operands.extent[0].y + operands.extent[1].y};
   cover.grid = UniformGrid::over(extent.x, extent.y, side);
@@ -36,7 +37,7 @@ void cover_on_grid(const Operands& operands, int side, CoverScratch& scratch, Co
   // An operand's raster may have one column more than the sum's grid; rows must be equally long.
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       (static_cast<std::size_t>(cover.grid.columns) + 1 + 63) / 64);
-  cover_by_translates(operands, scratch, cover);
+  cover_by_translates(operands, cancellation, scratch, cover);
 }
 
 Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
@@ -91,7 +92,8 @@ double words_per_segment(int side, std::uint64_t segments) {
 // segments would otherwise stay, or crowd in few cells, as long as it does uncover less; and it may
 // cost more where many crossings are left that no division takes away.
 Visibility refine(const Operands& operands, std::uint64_t segments, const Sample& sample,
-                  double crossings_to_divide, int& side, CoverScratch& scratch, Cover& cover) {
+                  double crossings_to_divide, Cancellation& cancellation, int& side,
+                  CoverScratch& scratch, Cover& cover) {
   constexpr double kTooManyVisible = 0.25;
   constexpr double kFewVisible = 0.1;
   constexpr double kCrowded = 4;
@@ -107,7 +109,7 @@ Visibility refine(const Operands& operands, std::uint64_t segments, const Sample
   while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
          side * 2 <= kMaxSide && may_cost(words_per_segment(side * 2, segments))) {
     side *= 2;
-    cover_on_grid(operands, side, scratch, cover);
+    cover_on_grid(operands, side, cancellation, scratch, cover);
     const Visibility finer = look(operands, sample, cover);
     // A cover that hides nothing yet may hide much on the next grid.
     const bool enough = finer.share > kWorthIt * now.share && now.share < 0.9;
@@ -155,12 +157,13 @@ bool is_sparse(const Operands& operands, std::uint64_t size, List list) {
 
 }  // namespace
 
-void cover_interior(const Operands& operands, const Options& options, CoverScratch& scratch,
-                    Convolution& convolution, Cover& cover) {
+void cover_interior(const Operands& operands, const Options& options, Cancellation& cancellation,
+                    CoverScratch& scratch, Convolution& convolution, Cover& cover) {
   const std::uint64_t size = convolution.size;
   const auto list = [&]() -> std::span<const Segment> {
     if (!convolution.listed()) {
-      reduced_convolution(operands, options.limits, scratch.convolution, convolution);
+      reduced_convolution(operands, options.limits, cancellation, scratch.convolution,
+                          convolution);
     }
     return convolution.segments;
   };
@@ -173,7 +176,7 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
   cover.by_translates = true;
   cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
                                            !is_sparse(operands, size, list)));
-  if (!cover.active) cover_on_grid(operands, choose_plain_side(size), scratch, cover);
+  if (!cover.active) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
   // A division costs about as much for a segment as a few crossings. It can do nothing with holes.
   const double crossings_to_divide = 3.5 * static_cast<double>(size);
   const bool divisible = !has_holes(operands);
@@ -181,10 +184,10 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
   if (cover.active) {
     const Sample sample = take_sample(convolution, scratch);
     int side = choose_side(size, options);
-    cover_on_grid(operands, side, scratch, cover);
+    cover_on_grid(operands, side, cancellation, scratch, cover);
     const Visibility seen = free_side ? refine(operands, size, sample,
-                                               divisible ? crossings_to_divide : HUGE_VAL, side,
-                                               scratch, cover)
+                                               divisible ? crossings_to_divide : HUGE_VAL,
+                                               cancellation, side, scratch, cover)
                                       : look(operands, sample, cover);
     crowded = seen.crossings > crossings_to_divide;
     if (crowded) {
@@ -192,26 +195,27 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
       constexpr double kFewLeft = 0.2;
       if (divisible && side != choose_side(size, options)) {
         side = choose_side(size, options);
-        cover_on_grid(operands, side, scratch, cover);
+        cover_on_grid(operands, side, cancellation, scratch, cover);
       }
-      cover_by_parallelograms(operands, scratch, cover);
+      cover_by_parallelograms(operands, cancellation, scratch, cover);
       cover.by_translates = false;
       crowded = look(operands, sample, cover).crossings > kFewLeft * static_cast<double>(size);
     }
     crowded = crowded && divisible;
   }
+  cancellation.check(convolution.segments.size());
   if (cover.covered_count() == 0 || crowded) list();
   if (wanted && free_side && cover.covered_count() == 0) {
     crowded = divisible && size >= kSegmentsWorthDividing &&
               expected_crossings(operands, convolution.segments) > crossings_to_divide;
     // A fine grid is of no use by itself.
     cover.active = false;
-    if (!crowded) cover_on_grid(operands, choose_plain_side(size), scratch, cover);
+    if (!crowded) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
   }
   if (!crowded) return;
   cover.by_translates = false;
-  divide_by_winding(operands, convolution, options.limits, choose_division(size, options), scratch,
-                    cover);
+  divide_by_winding(operands, convolution, options.limits, choose_division(size, options),
+                    cancellation, scratch, cover);
 }
 
 Visibility look_at_sample(const Operands& operands, const Convolution& convolution,

@@ -86,8 +86,8 @@ struct CoverScratch {
 /// many thin translates rather than few fat ones, by parallelograms as well; and where that leaves
 /// many crossings, by winding number. Segments that are not listed stay so, but for a division, or
 /// where no cell is covered.
-void cover_interior(const Operands& operands, const Options& options, CoverScratch& scratch,
-                    Convolution& convolution, Cover& cover);
+void cover_interior(const Operands& operands, const Options& options, Cancellation& cancellation,
+                    CoverScratch& scratch, Convolution& convolution, Cover& cover);
 
 /// What a cover leaves of the segments, by a look at some hundreds of them.
 [[nodiscard]] Visibility look_at_sample(const Operands& operands, const Convolution& convolution,
@@ -99,13 +99,14 @@ void cover_interior(const Operands& operands, const Options& options, CoverScrat
 /// lies in the interior of P + q, and so of P ⊕ Q. So: rasterise P's interior on cells of the same
 /// size, move that by one point of Q for each cell that has one, runs of them at a time, unite; the
 /// same with P and Q exchanged. O(words of a raster · runs of the other).
-void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover);
+void cover_by_translates(const Operands& operands, Cancellation& cancellation,
+                         CoverScratch& scratch, Cover& cover);
 /// The same with a raster of the first operand, of rows as long as the cover's.
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
-                         CoverScratch& scratch, Cover& cover);
+                         Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
 /// The first operand on cells of the cover's size, in rows as long as its. `boundary` is memory.
-void rasterise_first(const Operands& operands, const Cover& cover, Bitmap& boundary,
-                     OperandRaster& raster);
+void rasterise_first(const Operands& operands, const Cover& cover, Cancellation& cancellation,
+                     Bitmap& boundary, OperandRaster& raster);
 
 /// Marks more cells of the grid: those that lie in e ⊕ f for some long edges e of P and f of Q.
 ///
@@ -114,7 +115,8 @@ void rasterise_first(const Operands& operands, const Cover& cover, Bitmap& bound
 /// either. An operand's edges are taken in 4 · √side stretches, and of each the longest: long ones
 /// from everywhere. Narrow shapes are covered by few of these, where no cell fits inside any
 /// translate. O(n + m + side^2) rows of cells.
-void cover_by_parallelograms(const Operands& operands, CoverScratch& scratch, Cover& cover);
+void cover_by_parallelograms(const Operands& operands, Cancellation& cancellation,
+                             CoverScratch& scratch, Cover& cover);
 
 /// Divides the sum's box into quarters, again and again, until a cell is certainly inside the sum,
 /// few segments are near it, or it is one of `side` · `side` (a power of two, at most 4096). What
@@ -142,8 +144,8 @@ void cover_by_parallelograms(const Operands& operands, CoverScratch& scratch, Co
 /// So a cell with w_K'(c) > doubtful + losing is inside the sum. Tight places are in none: see
 /// docs/pipeline.md. Operands must have no (kept) holes. O(entries of all lists).
 void divide_by_winding(const Operands& operands, const Convolution& convolution,
-                       const Limits& limits, std::int32_t side, CoverScratch& scratch,
-                       Cover& cover);
+                       const Limits& limits, std::int32_t side, Cancellation& cancellation,
+                       CoverScratch& scratch, Cover& cover);
 
 /// Cells that are set together with their right, upper and upper right neighbours.
 void make_blocks(const Bitmap& bitmap, Bitmap& block);

@@ -107,13 +107,18 @@ class ParallelogramRasteriser {
 
 }  // namespace
 
-void cover_by_parallelograms(const Operands& operands, CoverScratch& scratch, Cover& cover) {
+void cover_by_parallelograms(const Operands& operands, Cancellation& cancellation,
+                             CoverScratch& scratch, Cover& cover) {
+  cancellation.check(operands.size());
   ParallelogramRasteriser rasteriser(operands, cover);
   const std::int32_t side = std::max(cover.grid.columns, cover.grid.rows);
   const auto count = static_cast<std::size_t>(4 * std::sqrt(side));
   for (const int operand : {0, 1}) rasteriser.choose(operand, count, scratch.long_edges[operand]);
   for (const CellEdge& e : scratch.long_edges[0]) {
-    for (const CellEdge& f : scratch.long_edges[1]) rasteriser.mark(e, f);
+    for (const CellEdge& f : scratch.long_edges[1]) {
+      cancellation.check(1 + static_cast<std::uint64_t>(std::abs(e.d.y) + std::abs(f.d.y)));
+      rasteriser.mark(e, f);
+    }
   }
 }
 

@@ -40,8 +40,13 @@ void fill_between_toggles(Bitmap& bitmap) {
 class Rasteriser {
  public:
   Rasteriser(const Operands& o, int operand, const Cover& cover, Bitmap& boundary,
-             OperandRaster& raster)
-      : o_(o), sites_(o, operand), raster_(raster), inside_(raster.inside), boundary_(boundary) {
+             Cancellation& cancellation, OperandRaster& raster)
+      : cancellation_(cancellation),
+        o_(o),
+        sites_(o, operand),
+        raster_(raster),
+        inside_(raster.inside),
+        boundary_(boundary) {
     const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
     grid_.cell = cover.grid.cell;
     grid_.inverse = cover.grid.inverse;
@@ -56,6 +61,7 @@ class Rasteriser {
     for (SiteId e = sites_.begin; e < sites_.end; ++e) {
       const Vec<double> a = at(o_, e);
       const Vec<double> b = at(o_, o_.sites.next[e]);
+      cancellation_.check(2 + work_of_walk(e));
       grid_.walk(a, b, 4 * UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
         boundary_.set(i, j);
         return true;
@@ -105,6 +111,13 @@ class Rasteriser {
     }
   }
 
+  /// The units of work of a walk along an edge: about the cells that it passes.
+  [[nodiscard]] std::uint64_t work_of_walk(SiteId e) const {
+    return static_cast<std::uint64_t>((std::abs(o_.sites.dx[e]) + std::abs(o_.sites.dy[e])) *
+                                      grid_.inverse);
+  }
+
+  Cancellation& cancellation_;
   const Operands& o_;
   SiteRange sites_;
   UniformGrid grid_;
@@ -163,6 +176,12 @@ class RunSpreader {
   }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
+  /// The units of work of moving by so many columns: words are united eight or so at a time.
+  [[nodiscard]] std::uint64_t work(std::int32_t columns) const {
+    constexpr std::uint64_t kWordsPerUnit = 16;
+    const auto moves = static_cast<std::uint64_t>((columns >> kMostLevels) + 2);
+    return moves * (count_ / kWordsPerUnit + 1);
+  }
   /// Moves by (first, row) to (last, row), none negative.
   void spread(std::int32_t first, std::int32_t last, std::int32_t row) {
     const std::int32_t length = last + 1 - first;
@@ -235,9 +254,13 @@ void for_each_run(const std::vector<std::uint64_t>& row, Visit visit) {
 /// Marks what the interior of `moved` covers when it is moved by points of the other operand.
 class Spreader {
  public:
-  Spreader(const OperandRaster& moved, const OperandRaster& other, CoverScratch& scratch,
-           Cover& cover)
-      : moved_(moved), other_(other), scratch_(scratch), cover_(cover) {}
+  Spreader(const OperandRaster& moved, const OperandRaster& other, Cancellation& cancellation,
+           CoverScratch& scratch, Cover& cover)
+      : moved_(moved),
+        other_(other),
+        cancellation_(cancellation),
+        scratch_(scratch),
+        cover_(cover) {}
 
   void run() {
     by_lattice_points();
@@ -263,6 +286,7 @@ class Spreader {
         carry = cells >> 63;
       }
       for_each_run(corners, [&](std::int32_t first, std::int32_t last) {
+        cancellation_.check(spreader.work(last + 1 - first));
         spreader.spread(first, last, j);
       });
     }
@@ -282,6 +306,7 @@ class Spreader {
         cells[w] = other_.sampled.row(j)[w] | other_.inside.row(j)[w];
       }
       for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
+        cancellation_.check(spreader.work(last + 1 - first));
         spreader.spread(first + 1, last + 1, j + 1);
       });
     }
@@ -289,41 +314,43 @@ class Spreader {
 
   const OperandRaster& moved_;
   const OperandRaster& other_;
+  Cancellation& cancellation_;
   CoverScratch& scratch_;
   Cover& cover_;
 };
 
-void spread(const OperandRaster& first, const OperandRaster& second, CoverScratch& scratch,
-            Cover& cover) {
-  Spreader(first, second, scratch, cover).run();
-  Spreader(second, first, scratch, cover).run();
+void spread(const OperandRaster& first, const OperandRaster& second, Cancellation& cancellation,
+            CoverScratch& scratch, Cover& cover) {
+  Spreader(first, second, cancellation, scratch, cover).run();
+  Spreader(second, first, cancellation, scratch, cover).run();
 }
 
 }  // namespace
 
-void cover_by_translates(const Operands& operands, CoverScratch& scratch, Cover& cover) {
+void cover_by_translates(const Operands& operands, Cancellation& cancellation,
+                         CoverScratch& scratch, Cover& cover) {
   auto& [first, second] = scratch.raster;
-  Rasteriser one(operands, 0, cover, scratch.boundary, first);
-  Rasteriser other(operands, 1, cover, scratch.boundary, second);
+  Rasteriser one(operands, 0, cover, scratch.boundary, cancellation, first);
+  Rasteriser other(operands, 1, cover, scratch.boundary, cancellation, second);
   one.run();
   other.run();
   if (second.blocks.has_any()) one.sample_boundary();
   if (first.blocks.has_any()) other.sample_boundary();
-  spread(first, second, scratch, cover);
+  spread(first, second, cancellation, scratch, cover);
 }
 
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
-                         CoverScratch& scratch, Cover& cover) {
+                         Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
   OperandRaster& second = scratch.raster[1];
-  Rasteriser other(operands, 1, cover, scratch.boundary, second);
+  Rasteriser other(operands, 1, cover, scratch.boundary, cancellation, second);
   other.run();
   if (first.blocks.has_any()) other.sample_boundary();
-  spread(first, second, scratch, cover);
+  spread(first, second, cancellation, scratch, cover);
 }
 
-void rasterise_first(const Operands& operands, const Cover& cover, Bitmap& boundary,
-                     OperandRaster& raster) {
-  Rasteriser rasteriser(operands, 0, cover, boundary, raster);
+void rasterise_first(const Operands& operands, const Cover& cover, Cancellation& cancellation,
+                     Bitmap& boundary, OperandRaster& raster) {
+  Rasteriser rasteriser(operands, 0, cover, boundary, cancellation, raster);
   rasteriser.run();
   rasteriser.sample_boundary();
 }

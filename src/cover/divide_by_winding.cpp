@@ -17,8 +17,9 @@ constexpr int kMostFutile = 4;
 
 class Divider {
  public:
-  Divider(const Operands& o, CoverScratch& scratch, Cover& cover)
-      : o_(o), reflex_(scratch.reflex.segments), vectors_(scratch.vectors), stack_(scratch.stack),
+  Divider(const Operands& o, Cancellation& cancellation, CoverScratch& scratch, Cover& cover)
+      : o_(o), cancellation_(cancellation), reflex_(scratch.reflex.segments),
+        vectors_(scratch.vectors), stack_(scratch.stack),
         known_(scratch.known), cover_(cover) {}
 
   void run(std::span<const Segment> reduced, std::int32_t side) {
@@ -34,7 +35,10 @@ class Divider {
     const std::size_t end = stack_.fill_up(reduced.size() + reflex_.size());
     const QuadCell root{kUnits / 2, kUnits / 2, kUnits / 2};
     std::int32_t winding = 0;
-    for (std::size_t i = 0; i < end; ++i) winding += winding_step_along_ray(root, i, stack_);
+    for (std::size_t i = 0; i < end; ++i) {
+      cancellation_.check();
+      winding += winding_step_along_ray(root, i, stack_);
+    }
     if (side == 1) {
       std::fill(stack_.mask.begin(), stack_.mask.begin() + static_cast<std::ptrdiff_t>(end), 1);
       return add_leaf({0, 0, 1, 0}, 0, end, 1);
@@ -101,6 +105,7 @@ class Divider {
     const auto& [x, y, dx, dy, next] = o_.sites;
     std::size_t i = first;
     for (const auto& [e, v] : segments) {
+      cancellation_.check();
       const SiteId f = next[e];
       const float ax = rounded(x[e] + x[v]);
       const float ay = rounded(y[e] + y[v]);
@@ -118,6 +123,7 @@ class Divider {
 
   /// Of a cell whose quarters are `side` / 2 cells wide.
   void divide(const Cell& cell, std::int32_t side) {
+    cancellation_.check(8 + cell.end - cell.begin);
     const std::array<Tally, 4> tallies =
         classify(cell.square, margin_, cell.begin, cell.end, vectors_, stack_);
     const auto many = static_cast<std::int32_t>((cell.end - cell.begin) * 3 / 4);
@@ -182,6 +188,7 @@ class Divider {
   }
 
   const Operands& o_;
+  Cancellation& cancellation_;
   std::span<const Segment> reflex_;
   Vectors vectors_;
   SegmentStack& stack_;
@@ -197,10 +204,10 @@ class Divider {
 }  // namespace
 
 void divide_by_winding(const Operands& operands, const Convolution& convolution,
-                       const Limits& limits, std::int32_t side, CoverScratch& scratch,
-                       Cover& cover) {
-  reflex_convolution(operands, limits, scratch.convolution, scratch.reflex);
-  Divider(operands, scratch, cover).run(convolution.segments, side);
+                       const Limits& limits, std::int32_t side, Cancellation& cancellation,
+                       CoverScratch& scratch, Cover& cover) {
+  reflex_convolution(operands, limits, cancellation, scratch.convolution, scratch.reflex);
+  Divider(operands, cancellation, scratch, cover).run(convolution.segments, side);
 }
 
 }  // namespace minksum

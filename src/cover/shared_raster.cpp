@@ -30,10 +30,10 @@ std::size_t words_for(std::int32_t columns) {
 }  // namespace
 
 std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
-                                         const Options& options, CoverScratch& scratch,
-                                         Convolution& convolution) {
+                                         const Options& options, Cancellation& cancellation,
+                                         CoverScratch& scratch, Convolution& convolution) {
   Cover cover;
-  cover_interior(operands, options, scratch, convolution, cover);
+  cover_interior(operands, options, cancellation, scratch, convolution, cover);
   if (!cover.by_translates || cover.covered_count() == 0) return std::nullopt;
   SharedRaster shared;
   shared.cell = cover.grid.cell * operands.trace_unit;
@@ -45,14 +45,15 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   shared.crossings = typical.crossings;
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       words_for(static_cast<std::int32_t>(columns)));
-  rasterise_first(operands, cover, scratch.boundary, shared.first);
+  rasterise_first(operands, cover, cancellation, scratch.boundary, shared.first);
   return shared;
 }
 
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
-                    CoverScratch& scratch, Convolution& convolution, Cover& cover) {
+                    Cancellation& cancellation, CoverScratch& scratch,
+                    Convolution& convolution, Cover& cover) {
   const auto cover_without = [&] {
-    cover_interior(operands, options, scratch, convolution, cover);
+    cover_interior(operands, options, cancellation, scratch, convolution, cover);
   };
   if (convolution.size == 0 || !is_usable(operands.trace_unit)) return cover_without();
   cover.grid = grid_over(operands, shared.cell);
@@ -64,7 +65,7 @@ void cover_interior(const Operands& operands, const SharedRaster& shared, const 
   cover.divided = false;
   cover.by_translates = true;
   cover.covered.reset(cover.grid.columns, cover.grid.rows, words);
-  cover_by_translates(operands, shared.first, scratch, cover);
+  cover_by_translates(operands, shared.first, cancellation, scratch, cover);
   const auto size = static_cast<double>(convolution.size);
   const Visibility seen = look_at_sample(operands, convolution, cover, scratch);
   if (!cover.covered.has_any() || seen.share * size > 1.5 * shared.visible + 0.1 * size ||

@@ -22,12 +22,14 @@ struct SharedRaster {
 /// NarrowHoles::kKeep, the convolution is theirs, as for `cover_interior`.
 [[nodiscard]] std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
                                                        const Options& options,
+                                                       Cancellation& cancellation,
                                                        CoverScratch& scratch,
                                                        Convolution& convolution);
 
 /// `cover_interior` with a raster of the first operand: where that leaves much more than in the
 /// typical sum, and where cells do not fit, as without.
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
-                    CoverScratch& scratch, Convolution& convolution, Cover& cover);
+                    Cancellation& cancellation, CoverScratch& scratch,
+                    Convolution& convolution, Cover& cover);
 
 }  // namespace minksum

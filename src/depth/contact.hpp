@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "cancellation.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -13,6 +14,7 @@ namespace minksum {
 /// in direction `along` there is one: the edges of a sum are pieces of edges of one operand, moved
 /// by vertices of the other. O((n + m) log(n + m)), and all vertices on the lines of such edges.
 [[nodiscard]] std::optional<EdgeOrigin> find_contact(const Region& a, const Region& b,
-                                                     const Point& shift, const Point& along);
+                                                     const Point& shift, const Point& along,
+                                                     Cancellation& cancellation);
 
 }  // namespace minksum

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "depth/contact.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/transform.hpp"
@@ -21,7 +23,8 @@ struct Shape {
 
 Shape read(const Geometry& geometry, const DepthOptions& options, int operand) {
   const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
-  if (by_role && !geometry.has_thin_parts() && validate(geometry.region, 1).empty()) {
+  if (by_role && !geometry.has_thin_parts() &&
+      validate(geometry.region, 1, options.cancel).empty()) {
     return {geometry, true};
   }
   return {resolve(geometry, {options.fill, true, options.cancel, operand}), false};
@@ -43,7 +46,7 @@ std::optional<Obstacle> obstacle(const Geometry& a, const Geometry& b,
   sum.limits = options.limits;
   sum.cancel = options.cancel;
   sum.tight = &result.tight;
-  result.sum = minkowski_sum(result.a.geometry, reflect(result.b.geometry), sum);
+  result.sum = minkowski_sum(result.a.geometry, reflect(result.b.geometry, options.cancel), sum);
   return result;
 }
 
@@ -53,7 +56,7 @@ struct Edge {
   bool tight = false;
 };
 
-std::vector<Edge> edges_of(const Obstacle& obstacle) {
+std::vector<Edge> edges_of(const Obstacle& obstacle, Cancellation& cancellation) {
   std::vector<Edge> edges;
   const Region& region = obstacle.sum.region;
   for (const std::size_t polygon : region.polygons()) {
@@ -62,6 +65,7 @@ std::vector<Edge> edges_of(const Obstacle& obstacle) {
       for (const std::size_t v : vertices) {
         const bool last = v + 1 == vertices.front() + vertices.size();
         edges.push_back({region.point(v), region.point(last ? vertices.front() : v + 1)});
+        cancellation.check(work_of(edges.back().a));
       }
     }
   }
@@ -101,14 +105,18 @@ struct Nearest {
   const Edge* edge = nullptr;
 };
 
-Nearest nearest_of(const std::vector<Edge>& edges) {
+Nearest nearest_of(const std::vector<Edge>& edges, Cancellation& cancellation) {
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) order.emplace_back(distance_at_least(edges[i]), i);
-  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    cancellation.check(work_of(edges[i].a));
+    order.emplace_back(distance_at_least(edges[i]), i);
+  }
+  std::sort(order.begin(), order.end(), cancellation.counting(std::less<>()));
   std::optional<Nearest> best;
   for (const auto& [far, i] : order) {
     if (best && Rational(far) * Rational(far) > best->squared) break;
+    cancellation.check(16 * work_of(edges[i].a));
     const Point point = nearest_point(edges[i]);
     Rational squared = dot(point, point);
     const bool better =
@@ -128,18 +136,20 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
                                        const DepthOptions& options) {
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;
-  const std::vector<Edge> edges = edges_of(*around);
-  Nearest nearest = nearest_of(edges);
+  Cancellation cancellation(options.cancel);
+  const std::vector<Edge> edges = edges_of(*around, cancellation);
+  Nearest nearest = nearest_of(edges, cancellation);
   Depth depth;
   depth.overlapping = nearest.squared.sign() != 0 &&
-                      PointLocator(around->sum).locate({Rational(0), Rational(0)}) ==
-                          Location::kInside;
+                      PointLocator(around->sum, options.cancel)
+                              .locate({Rational(0), Rational(0)}) == Location::kInside;
   depth.vector = nearest.point;
   depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
   if (!nearest.edge->tight && around->a.as_given && around->b.as_given) {
     depth.contact = find_contact(around->a.geometry.region, around->b.geometry.region,
-                                 nearest.point, minus(nearest.edge->b, nearest.edge->a));
+                                 nearest.point, minus(nearest.edge->b, nearest.edge->a),
+                                 cancellation);
   }
   return depth;
 }
@@ -151,7 +161,8 @@ std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b,
   }
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;
-  if (PointLocator(around->sum).locate({Rational(0), Rational(0)}) != Location::kOutside) {
+  if (PointLocator(around->sum, options.cancel).locate({Rational(0), Rational(0)}) !=
+      Location::kOutside) {
     return Rational(0);
   }
   // The first point of the sum on the ray is on an edge: crossed, or ended at if they are parallel.
@@ -160,7 +171,9 @@ std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b,
   const auto offer = [&first](const Rational& factor) {
     if (factor.sign() >= 0 && (!first || factor < *first)) first = factor;
   };
-  for (const Edge& edge : edges_of(*around)) {
+  Cancellation cancellation(options.cancel);
+  for (const Edge& edge : edges_of(*around, cancellation)) {
+    cancellation.check(16 * work_of(edge.a));
     const int from = cross(direction, edge.a).sign();
     const int to = cross(direction, edge.b).sign();
     if (from == 0) offer(dot(direction, edge.a) / whole);

@@ -36,7 +36,8 @@ void BoxTree::build(const Operands& o, int operand) {
   }
 }
 
-void BoxTrees::build(const Operands& o) {
+void BoxTrees::build(const Operands& o, Cancellation& cancellation) {
+  cancellation.check(2 * o.size());
   for (const int operand : {0, 1}) tree[operand].build(o, operand);
   ring_boxes.clear();
   outer_rings.clear();
@@ -55,12 +56,13 @@ bool CollisionTest::meets(const Probe& probe) {
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = 4 * (bounds.position + bounds.magnitude * 0x1p-49);
   const auto cross = [this](std::size_t p, std::size_t q) { return leaves_cross(p, q); };
-  return trees_.any_near(at_, doubt_, cross) || one_inside_other();
+  return trees_.any_near(at_, doubt_, predicates_.cancellation(), cross) || one_inside_other();
 }
 
 bool CollisionTest::leaves_cross(std::size_t leaf_p, std::size_t leaf_q) {
   const BoxTree& p = trees_.tree[0];
   const BoxTree& q = trees_.tree[1];
+  predicates_.cancellation().check(BoxTree::kLeafEdges * BoxTree::kLeafEdges);
   for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
     for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
       if (edges_cross(e, f)) return true;
@@ -101,6 +103,7 @@ bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
   const BoxTree& tree = trees_.tree[o_.operand_of(begin)];
   const Vec<double> at{at_.x - o_.sites.x[other], at_.y - o_.sites.y[other]};
   const auto misses = [&](const BoxTree::Box& box) {
+    predicates_.cancellation().check();
     return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
   };
   const auto above = [&](SiteId v) {
@@ -111,6 +114,7 @@ bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
        e = tree.skip_edges(e, end, misses)) {
     const SiteId leaf_end = std::min(end, tree.last_edge(tree.leaf_of(e)));
     for (; e < leaf_end; ++e) {
+      predicates_.cancellation().check();
       const SiteId f = o_.sites.next[e];
       const double y0 = o_.sites.y[e];
       const double y1 = o_.sites.y[f];
@@ -135,6 +139,7 @@ bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::si
   // Polygon by polygon: filled holes may contain further polygons.
   bool inside = false;
   for (std::size_t r = first_ring; r < last_ring; ++r) {
+    predicates_.cancellation().check();
     const OperandRing& ring = o_.rings[r];
     if (!ring.is_hole() && inside) return true;
     if (!outside_box(other, r)) inside ^= passes_odd_times(other, ring.begin, ring.end);

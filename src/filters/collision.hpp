@@ -70,11 +70,12 @@ struct BoxTrees {
   std::vector<BoxTree::Box> ring_boxes;  ///< by ring of both operands
   std::vector<std::size_t> outer_rings;  ///< both operands'
 
-  void build(const Operands& operands);
+  void build(const Operands& operands, Cancellation& cancellation);
   /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet,
   /// x being `at`, give or take `doubt`. O(log n) for each pair of leaves that come near.
   template <class Visit>
-  [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Visit visit);
+  [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
+                              Visit visit);
 
   std::vector<BoxPair> stack;
 };
@@ -87,11 +88,13 @@ struct BoxTrees {
 }
 
 template <class Visit>
-bool BoxTrees::any_near(const Vec<double>& at, double doubt, Visit visit) {
+bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
+                        Visit visit) {
   const auto& [p, q] = tree;
   const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
   stack.assign(1, {top(p), 0, top(q), 0});
   while (!stack.empty()) {
+    cancellation.check();
     const BoxPair pair = stack.back();
     stack.pop_back();
     if (!may_meet(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q), at, doubt)) {

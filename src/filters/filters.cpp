@@ -31,6 +31,7 @@ class LoopFilter {
   [[nodiscard]] Probe probe(std::size_t loop, BigRational& exact) const {
     PieceId longest = loops_.loop(loop)[0];
     double best = -1;
+    predicates_.cancellation().check(1 + loops_.loop(loop).size());
     for (const PieceId p : loops_.loop(loop)) {
       const Vec<double>& a = node(arrangement_.pieces[p].from).at;
       const Vec<double>& b = node(arrangement_.pieces[p].to).at;
@@ -64,6 +65,7 @@ class LoopFilter {
   NodeId smallest_node(std::size_t loop) {
     NodeId best = arrangement_.pieces[loops_.loop(loop)[0]].from;
     for (const PieceId p : loops_.loop(loop)) {
+      predicates_.cancellation().check();
       if (less(arrangement_.pieces[p].from, best)) best = arrangement_.pieces[p].from;
     }
     return best;
@@ -77,8 +79,7 @@ class LoopFilter {
 }  // namespace
 
 void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
-                  const std::function<void()>& stop, Predicates& predicates, BoxTrees& trees,
-                  FilteredLoops& filtered) {
+                  Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered) {
   filtered.state.assign(loops.size(), LoopState::kAccepted);
   filtered.rejected_by_nesting = 0;
   filtered.rejected_by_collision = 0;
@@ -88,7 +89,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
     throw Error(ErrorCode::kInternal, "no loop is the outer boundary", {}, "filters");
   }
   if (loops.size() > 1 || !operands.connected) {
-    trees.build(operands);
+    trees.build(operands, predicates.cancellation());
   }
   CollisionTest collision(operands, trees, predicates);
   BigRational exact;
@@ -103,7 +104,6 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
       filtered.state[i] = LoopState::kRejectedByCollision;
       ++filtered.rejected_by_collision;
     }
-    if ((i & 0xFF) == 0) stop();
   }
   // The outer boundary of a sum that is not empty is always there.
   if (std::find(filtered.state.begin(), filtered.state.end(), LoopState::kAccepted) ==
@@ -123,10 +123,11 @@ std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loo
       count(LoopState::kRejectedByCollision) != filtered.rejected_by_collision) {
     return "a count is wrong";
   }
-  Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+  Cancellation never;
+  Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
   LoopFilter filter(arrangement, loops, predicates);
   BoxTrees trees;
-  trees.build(operands);
+  trees.build(operands, never);
   CollisionTest collision(operands, trees, predicates);
   BigRational exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +24,7 @@ struct FilteredLoops {
 /// collision test each. With several polygons in an operand islands are legal: collision alone
 /// decides.
 void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
-                  const std::function<void()>& stop, Predicates& predicates, BoxTrees& trees,
-                  FilteredLoops& filtered);
+                  Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered);
 
 /// Whether each loop has a state and the counts agree, and each accepted loop's face is free by
 /// tests at all its pieces; what is wrong, if not.

@@ -15,7 +15,7 @@ namespace minksum {
 namespace {
 
 /// A resolved geometry stays resolved: all orders are the same after a move.
-Geometry moved(const Geometry& geometry, const Point& by) {
+Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancellation) {
   Geometry result;
   const Region& region = geometry.region;
   for (const std::size_t polygon : region.polygons()) {
@@ -24,22 +24,31 @@ Geometry moved(const Geometry& geometry, const Point& by) {
       result.region.begin_ring();
       for (const std::size_t v : region.vertices_of(ring)) {
         const Point at = plus(region.point(v), by);
+        cancellation.check(work_of(at));
         result.region.add_vertex(at.x, at.y);
       }
     }
   }
   for (const Polyline& polyline : geometry.polylines) {
     Polyline& path = result.polylines.emplace_back();
-    for (const Point& at : polyline) path.push_back(plus(at, by));
+    for (const Point& at : polyline) {
+      cancellation.check(work_of(at));
+      path.push_back(plus(at, by));
+    }
   }
-  for (const Point& at : geometry.points) result.points.push_back(plus(at, by));
+  for (const Point& at : geometry.points) {
+    cancellation.check(work_of(at));
+    result.points.push_back(plus(at, by));
+  }
   return result;
 }
 
 /// A polyline as walks without repeated or straight vertices, each ending where it turns back.
-void append_walks(const Polyline& given, std::vector<Polyline>& walks) {
+void append_walks(const Polyline& given, Cancellation& cancellation,
+                  std::vector<Polyline>& walks) {
   Polyline walk;
   for (const Point& to : given) {
+    cancellation.check(2 * work_of(to));
     if (!walk.empty() && walk.back() == to) continue;
     if (walk.size() > 1) {
       const Point& from = walk[walk.size() - 2];
@@ -60,13 +69,18 @@ void append_walks(const Polyline& given, std::vector<Polyline>& walks) {
 }
 
 /// Whether polylines have vertices that others have not.
-bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given) {
+bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given,
+                      Cancellation& cancellation) {
   std::vector<Point> known;
   for (const Polyline& line : given) known.insert(known.end(), line.begin(), line.end());
-  std::sort(known.begin(), known.end(), comes_before);
+  const auto before = [&](const Point& a, const Point& b) {
+    cancellation.check(work_of(a));
+    return comes_before(a, b);
+  };
+  std::sort(known.begin(), known.end(), before);
   for (const Polyline& line : polylines) {
     for (const Point& at : line) {
-      if (!std::binary_search(known.begin(), known.end(), at, comes_before)) return true;
+      if (!std::binary_search(known.begin(), known.end(), at, before)) return true;
     }
   }
   return false;
@@ -97,11 +111,15 @@ class Reader {
     // What runs along an area is none of the thin parts, whose sums would take tight places.
     if (options_.tight != nullptr) return;
     if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
-    if (!has_new_vertices(resolved_.polylines, given_.polylines)) return;
+    if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
+      return;
+    }
     // Rings that are not legal may add polylines.
-    if (!validate(given_.region, 1).empty()) return;
+    if (!validate(given_.region, 1, options_.cancel).empty()) return;
     resolved_.polylines.clear();
-    for (const Polyline& line : given_.polylines) append_walks(line, resolved_.polylines);
+    for (const Polyline& line : given_.polylines) {
+      append_walks(line, partial_.cancellation(), resolved_.polylines);
+    }
   }
   void resolve() {
     if (!as_given_) return;
@@ -163,8 +181,7 @@ class ThinSums {
                       std::to_string(most) + " vertices (Limits::max_segments)");
     }
     for (const Point& by : points) {
-      partial_.stop_if_asked();
-      sums_.push_back(moved(geometry, by));
+      sums_.push_back(moved(geometry, by, partial_.cancellation()));
     }
   }
 
@@ -175,12 +192,14 @@ class ThinSums {
 };
 
 /// What the sum's thin operands cover is no tight place any more.
-void uncover(const Geometry& sum, Geometry& tight) {
+void uncover(const Geometry& sum, const std::optional<CancelToken>& cancel, Geometry& tight) {
   if (!tight.has_thin_parts()) return;
   const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
-  Geometry left = unite(both);
+  Geometry left = unite(both, cancel);
   // Where paths were apart because the sum's thin part met them, they go on now.
-  tight = resolve({{}, std::move(left.polylines), std::move(left.points)});
+  ResolveOptions joining;
+  joining.cancel = cancel;
+  tight = resolve({{}, std::move(left.polylines), std::move(left.points)}, joining);
 }
 
 }  // namespace
@@ -214,13 +233,13 @@ void sum_geometries(const Geometry& p, const Geometry& q, const Options& options
   std::vector<Geometry> sums;
   ThinSums(a, b, options, partial, sums).run();
   if (options.tight != nullptr) {
-    const Geometry thin = unite(sums);
-    uncover(thin, *options.tight);
+    const Geometry thin = unite(sums, options.cancel);
+    uncover(thin, options.cancel, *options.tight);
     sums.assign(1, thin);
   }
   if (!result.region.empty()) sums.push_back({std::move(result.region), {}, {}});
-  partial.stop_if_asked();
-  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums);
+  partial.cancellation().look();
+  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums, options.cancel);
   forget_origins(result.region);
 }
 

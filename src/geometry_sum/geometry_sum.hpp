@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cancellation.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/minkowski_sum.hpp"
 
@@ -24,8 +25,8 @@ class PartialSums {
   /// the sums of parallel edges, one segment for each pair, which may overlap.
   virtual void add_polylines(std::span<const Polyline> p, std::span<const Polyline> q,
                              Geometry& sum) = 0;
-  /// Throws Error(kCancelled) if asked to stop.
-  virtual void stop_if_asked() = 0;
+  /// Of the whole sum.
+  virtual Cancellation& cancellation() = 0;
 };
 
 /// P ⊕ Q for P = A ∪ L, Q = B ∪ M with areas A, B and thin parts L, M, after reading them by

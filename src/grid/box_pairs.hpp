@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
+
 namespace minksum {
 
 /// Memory for it, kept from call to call.
@@ -52,13 +54,14 @@ class BoxPairs {
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
-  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once, and pause() now and then.
+  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once.
   /// If neighbours, boxes added one right after the other, touch anyway, their pairs
   /// may be left out.
-  template <class Visit, class Pause>
-  void for_each(Visit visit, Pause pause, bool neighbours_touch = false) {
+  template <class Visit>
+  void for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false) {
     if (scratch_.boxes.size() <= kFew) return for_each_of_few(visit, neighbours_touch ? 2 : 1);
     sort();
+    cancellation.check(4 * scratch_.boxes.size());
     const std::size_t count = scratch_.boxes.size();
     for (std::size_t i = 0; i < count; ++i) {
       const BoxPairScratch::Box box = scratch_.in_order[i];
@@ -74,7 +77,7 @@ class BoxPairs {
           }
         });
       }
-      if ((i & 0xFFF) == 0xFFF) pause();
+      cancellation.check(1 + (end - std::min(i, end)) / kLanes);
     }
   }
 

@@ -15,8 +15,11 @@ enum class Layout {
 
 class DatReader {
  public:
-  DatReader(std::string_view text, Layout layout, Rules rules)
-      : cursor_(text), layout_(layout), fewest_(fewest_vertices(rules)) {}
+  DatReader(std::string_view text, const ReadLimits& limits, Layout layout, Rules rules)
+      : cursor_(text),
+        cancellation_(limits.cancel),
+        layout_(layout),
+        fewest_(fewest_vertices(rules)) {}
 
   /// Reads to the end of the text, without storing anything. Throws ReadError.
   void try_to_read() { read(nullptr); }
@@ -56,6 +59,7 @@ class DatReader {
     for (std::size_t i = 0; i < points; ++i) {
       const Number x = coordinate();
       const Number y = coordinate();
+      cancellation_.check(16);
       if (builder_ != nullptr) builder_->add_vertex(x, y);
     }
   }
@@ -81,6 +85,7 @@ class DatReader {
   }
 
   TextCursor cursor_;
+  Cancellation cancellation_;
   Layout layout_;
   std::size_t fewest_;
   GeometryBuilder* builder_ = nullptr;
@@ -92,8 +97,8 @@ struct Attempt {
   std::size_t reached = 0;
 };
 
-Attempt try_layout(std::string_view text, Layout layout, Rules rules) {
-  DatReader reader(text, layout, rules);
+Attempt try_layout(std::string_view text, const ReadLimits& limits, Layout layout, Rules rules) {
+  DatReader reader(text, limits, layout, rules);
   try {
     reader.try_to_read();
   } catch (const ReadError& error) {
@@ -103,10 +108,10 @@ Attempt try_layout(std::string_view text, Layout layout, Rules rules) {
 }
 
 // The layout that fits; if neither does, the one that got further is the likelier meaning.
-Attempt try_layouts(std::string_view text, Rules rules) {
-  Attempt simple = try_layout(text, Layout::kSimple, rules);
+Attempt try_layouts(std::string_view text, const ReadLimits& limits, Rules rules) {
+  Attempt simple = try_layout(text, limits, Layout::kSimple, rules);
   if (!simple.error) return simple;
-  Attempt with_holes = try_layout(text, Layout::kWithHoles, rules);
+  Attempt with_holes = try_layout(text, limits, Layout::kWithHoles, rules);
   return !with_holes.error || with_holes.reached > simple.reached ? with_holes : simple;
 }
 
@@ -114,10 +119,10 @@ Attempt try_layouts(std::string_view text, Rules rules) {
 
 Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules) {
   // What is a region is read as that one: tiny rings could make the other layout fit as well.
-  Attempt attempt = try_layouts(text, Rules::kRegion);
-  if (attempt.error && rules == Rules::kGeometry) attempt = try_layouts(text, rules);
+  Attempt attempt = try_layouts(text, limits, Rules::kRegion);
+  if (attempt.error && rules == Rules::kGeometry) attempt = try_layouts(text, limits, rules);
   if (attempt.error) throw *attempt.error;
-  return DatReader(text, attempt.layout, rules).read(limits, rules);
+  return DatReader(text, limits, attempt.layout, rules).read(limits, rules);
 }
 
 }  // namespace minksum::io

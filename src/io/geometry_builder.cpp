@@ -9,6 +9,9 @@ std::string counted_points(std::size_t count) {
 }
 
 void GeometryBuilder::count_vertex() {
+  // What was read since the last vertex, digit by digit.
+  const std::size_t length = cursor_.position() - std::exchange(counted_to_, cursor_.position());
+  cancellation_.check(16 + work_of_product(4 * length));
   if (++vertices_ <= max_vertices_) return;
   cursor_.fail(ErrorCode::kLimitExceeded,
                "more vertices than the limit of " + std::to_string(max_vertices_),

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "cancellation.hpp"
 #include "io/number.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/io.hpp"
@@ -29,7 +30,10 @@ class GeometryBuilder {
  public:
   /// `cursor` is the reader's: faults are reported where it stands.
   GeometryBuilder(const TextCursor& cursor, const ReadLimits& limits, Rules rules)
-      : cursor_(cursor), max_vertices_(limits.max_vertices), rules_(rules) {}
+      : cursor_(cursor),
+        max_vertices_(limits.max_vertices),
+        cancellation_(limits.cancel),
+        rules_(rules) {}
 
   [[nodiscard]] Rules rules() const { return rules_; }
   [[nodiscard]] std::size_t polygon_count() const { return geometry_.region.polygon_count(); }
@@ -59,9 +63,11 @@ class GeometryBuilder {
 
   const TextCursor& cursor_;
   std::size_t max_vertices_;
+  Cancellation cancellation_;
   Rules rules_;
   Geometry geometry_;
   std::size_t vertices_ = 0;
+  std::size_t counted_to_ = 0;  // where in the text the last vertex was counted
   std::size_t ring_ = 0;
   std::size_t start_ = 0;   // of the ring or line
   std::size_t points_ = 0;  // of the ring so far

@@ -60,7 +60,8 @@ std::optional<int> finite_decimal_digits(const Rational& value) {
 
 }  // namespace
 
-Writer::Writer(std::ostream& out, const Coordinates& style) : out_(out), style_(style) {
+Writer::Writer(std::ostream& out, const Coordinates& style)
+    : out_(out), style_(style), cancellation_(style_.cancel) {
   buffer_.reserve(kChunk + 4096);
 }
 
@@ -87,7 +88,15 @@ void Writer::nearest(double value) {
   real(value);
 }
 
+void Writer::count_work(const Rational& value) {
+  // In digits it takes a division for each, or a few products.
+  const auto digits = static_cast<std::size_t>(std::max(style_.digits, 0));
+  const std::size_t decimals = style_.style == Coordinates::Style::kDecimal ? 4 * digits : 0;
+  cancellation_.check(16 * work_of_product(value.bits() + decimals));
+}
+
 void Writer::coordinate(const Rational& value) {
+  count_work(value);
   switch (style_.style) {
     case Coordinates::Style::kDouble:
       return nearest(value.to_double());
@@ -100,6 +109,7 @@ void Writer::coordinate(const Rational& value) {
 
 void Writer::coordinate(const Region& region, std::size_t vertex, bool is_x) {
   if (style_.style == Coordinates::Style::kDouble) {  // without a Rational
+    cancellation_.check(8);
     return nearest(is_x ? region.x(vertex) : region.y(vertex));
   }
   coordinate(is_x ? region.exact_x(vertex) : region.exact_y(vertex));

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cancellation.hpp"
 #include "io/formats.hpp"
 #include "minksum/io.hpp"
 
@@ -37,12 +38,14 @@ class Writer {
   static constexpr std::size_t kChunk = std::size_t{1} << 16;
 
   void exact(const Rational& value);
+  void count_work(const Rational& value);
   void coordinate(const Region& region, std::size_t vertex, bool is_x);
   void coordinate(const Rational& value);
   void nearest(double value);
 
   std::ostream& out_;
   Coordinates style_;
+  Cancellation cancellation_;
   bool json_ = false;
   std::string buffer_;
 };

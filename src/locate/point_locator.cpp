@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "locate/point_predicates.hpp"
 
 namespace minksum {
@@ -45,19 +46,21 @@ struct PointLocator::State {
   std::vector<Place> places;
   std::vector<std::uint32_t> heights;      ///< places, one a height, from below
   std::vector<std::vector<Level>> levels;  ///< by height: vertices and level edges
+  std::uint64_t work = 0;                  ///< of a decision, at most: see Cancellation
   std::size_t leaves = 1;                  ///< leaf i: from height i (included) to i + 1 (excluded)
   std::vector<std::vector<Edge>> nodes;    ///< 1 = root; children 2i, 2i + 1
 
-  explicit State(const Geometry& geometry) {
+  State(const Geometry& geometry, Cancellation& cancellation) {
     std::vector<Edge> edges;
-    add_edges(geometry, edges);
+    add_edges(geometry, cancellation, edges);
     if (places.empty()) return;
-    const std::vector<std::uint32_t> height_of = rank_heights();
+    const std::vector<std::uint32_t> height_of = rank_heights(cancellation);
     levels.resize(heights.size());
     while (leaves < heights.size()) leaves *= 2;
     nodes.resize(2 * leaves);
     for (std::uint32_t v = 0; v < places.size(); ++v) levels[height_of[v]].push_back({v, v});
     for (const Edge& edge : edges) {
+      cancellation.check(8);
       const std::uint32_t low = height_of[edge.low];
       const std::uint32_t high = height_of[edge.high];
       if (low == high) {
@@ -69,40 +72,48 @@ struct PointLocator::State {
         insert({edge.high, edge.low, edge.of_ring}, high, low);
       }
     }
-    for (auto& level : levels) merge(level);
-    for (auto& node : nodes) sort(node);
+    for (auto& level : levels) merge(level, cancellation);
+    for (auto& node : nodes) sort(node, cancellation);
   }
 
-  void add_edges(const Geometry& geometry, std::vector<Edge>& edges) {
+  void add_edges(const Geometry& geometry, Cancellation& cancellation, std::vector<Edge>& edges) {
+    const auto add_place = [&](const Point& point) {
+      const std::uint64_t work_here = work_of(point);
+      cancellation.check(work_here);
+      work = std::max(work, work_here);
+      places.emplace_back(point);
+    };
     const Region& region = geometry.region;
     for (const std::size_t polygon : region.polygons()) {
       for (const std::size_t ring : region.rings_of(polygon)) {
         const auto first = static_cast<std::uint32_t>(places.size());
-        for (const std::size_t v : region.vertices_of(ring)) places.emplace_back(region.point(v));
+        for (const std::size_t v : region.vertices_of(ring)) add_place(region.point(v));
         add_path(first, true, edges);
         edges.push_back({static_cast<std::uint32_t>(places.size()) - 1, first, true});
       }
     }
     for (const Polyline& line : geometry.polylines) {
       const auto first = static_cast<std::uint32_t>(places.size());
-      for (const Point& point : line) places.emplace_back(point);
+      for (const Point& point : line) add_place(point);
       add_path(first, false, edges);
     }
-    for (const Point& point : geometry.points) places.emplace_back(point);
+    for (const Point& point : geometry.points) add_place(point);
   }
   void add_path(std::uint32_t first, bool of_ring, std::vector<Edge>& edges) const {
     for (std::uint32_t v = first; v + 1 < places.size(); ++v) edges.push_back({v, v + 1, of_ring});
   }
 
   /// Fills `heights`; the index of each place's height.
-  std::vector<std::uint32_t> rank_heights() {
+  std::vector<std::uint32_t> rank_heights(Cancellation& cancellation) {
     std::vector<std::uint32_t> sorted(places.size());
     for (std::uint32_t v = 0; v < sorted.size(); ++v) sorted[v] = v;
-    std::sort(sorted.begin(), sorted.end(), [this](std::uint32_t a, std::uint32_t b) {
+    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+      cancellation.check(work);
       return compare_y(places[a], places[b]) < 0;
     });
     std::vector<std::uint32_t> height_of(places.size());
     for (const std::uint32_t v : sorted) {
+      cancellation.check(work);
       if (heights.empty() || compare_y(places[heights.back()], places[v]) != 0) {
         heights.push_back(v);
       }
@@ -121,8 +132,9 @@ struct PointLocator::State {
   }
 
   /// Edges that span the same heights and do not cross: the one with an end further left is first.
-  void sort(std::vector<Edge>& node) const {
-    std::sort(node.begin(), node.end(), [this](const Edge& a, const Edge& b) {
+  void sort(std::vector<Edge>& node, Cancellation& cancellation) const {
+    std::sort(node.begin(), node.end(), [&](const Edge& a, const Edge& b) {
+      cancellation.check(4 * work);
       if (a.low == b.low && a.high == b.high) return false;
       // Where a's ends are beside b, and b's beside a; within the common heights one
       // of these tells.
@@ -147,8 +159,10 @@ struct PointLocator::State {
   }
 
   /// Ranges of one height from left to right, those that touch made one.
-  void merge(std::vector<Level>& level) const {
-    std::sort(level.begin(), level.end(), [this](const Level& a, const Level& b) {
+  void merge(std::vector<Level>& level, Cancellation& cancellation) const {
+    cancellation.check(2 * level.size());
+    std::sort(level.begin(), level.end(), [&](const Level& a, const Level& b) {
+      cancellation.check(work);
       return compare_x(places[a.left], places[b.left]) < 0;
     });
     std::size_t kept = 0;
@@ -200,8 +214,10 @@ struct PointLocator::State {
   }
 };
 
-PointLocator::PointLocator(const Geometry& geometry)
-    : state_(std::make_shared<const State>(geometry)) {}
+PointLocator::PointLocator(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  state_ = std::make_shared<const State>(geometry, cancellation);
+}
 
 Location PointLocator::locate(const Point& point) const {
   return state_->places.empty() ? Location::kOutside : state_->locate(Place(point));

@@ -35,12 +35,13 @@ bool run_against(const Arrangement& arrangement, PieceId a, PieceId b) {
 
 /// Sets the successor of each piece, or none.
 void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
-                 LoopScratch& scratch) {
+                 Cancellation& cancellation, LoopScratch& scratch) {
   constexpr std::uint32_t kFew = 2;  // then there is no choice
   const auto& pieces = arrangement.pieces;
   auto& ends = scratch.ends;
   ends.assign(arrangement.nodes.size(), NodeEnds{});
   for (PieceId p = 0; p < pieces.size(); ++p) {
+    cancellation.check();
     NodeEnds& from = ends[pieces[p].from];
     from.out = p;
     ++from.degree;
@@ -58,22 +59,25 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
   if (!any_choice) return;
   list_incidence(
       arrangement, circle, [&](PieceId, NodeId node) { return ends[node].degree > kFew; },
-      scratch.incidence);
+      cancellation, scratch.incidence);
   for (NodeId node = 0; node < ends.size(); ++node) {
     if (ends[node].degree <= kFew) continue;
     const std::span<const Spoke> spokes = scratch.incidence.at(node);
+    cancellation.check(spokes.size());
     for (const Spoke& spoke : spokes) {
-      if (spoke.incoming()) scratch.next[spoke.piece()] = successor(spoke, spokes, circle);
+      if (!spoke.incoming()) continue;
+      cancellation.check(spokes.size());
+      scratch.next[spoke.piece()] = successor(spoke, spokes, circle);
     }
   }
 }
 
 }  // namespace
 
-void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
-                Loops& loops) {
+void find_loops(const Operands& operands, const Arrangement& arrangement,
+                Cancellation& cancellation, LoopScratch& scratch, Loops& loops) {
   const DirectionCircle circle(operands, arrangement);
-  link_pieces(arrangement, circle, scratch);
+  link_pieces(arrangement, circle, cancellation, scratch);
   const std::size_t n = arrangement.pieces.size();
   loops.pieces.clear();
   loops.begin.assign(1, 0);
@@ -82,8 +86,10 @@ void find_loops(const Operands& operands, const Arrangement& arrangement, LoopSc
   // first piece of the walk that came to it: a walk that ends at a mark of its own has gone round.
   scratch.walk.assign(n, kNoPiece);
   for (PieceId first = 0; first < n; ++first) {
+    cancellation.check();
     PieceId p = first;
     while (p != kNoPiece && scratch.walk[p] == kNoPiece) {
+      cancellation.check();
       scratch.walk[p] = first;
       p = scratch.next[p];
     }
@@ -91,6 +97,7 @@ void find_loops(const Operands& operands, const Arrangement& arrangement, LoopSc
     int rotation = 0;
     const PieceId start = p;
     do {
+      cancellation.check();
       loops.pieces.push_back(p);
       rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
       p = scratch.next[p];

@@ -80,9 +80,10 @@ struct Incidence {
 /// Lists the pieces for which `take(piece, node)` holds at their nodes.
 template <class Take>
 void list_incidence(const Arrangement& arrangement, const DirectionCircle& circle, Take take,
-                    Incidence& incidence) {
+                    Cancellation& cancellation, Incidence& incidence) {
   auto& begin = incidence.begin;
   const auto& pieces = arrangement.pieces;
+  cancellation.check(pieces.size() + arrangement.nodes.size());
   begin.assign(arrangement.nodes.size() + 2, 0);
   for (PieceId p = 0; p < pieces.size(); ++p) {
     if (take(p, pieces[p].from)) ++begin[pieces[p].from + 2];
@@ -91,6 +92,7 @@ void list_incidence(const Arrangement& arrangement, const DirectionCircle& circl
   for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
   incidence.spokes.resize(begin.back());
   for (PieceId p = 0; p < pieces.size(); ++p) {
+    cancellation.check();
     if (take(p, pieces[p].from)) {
       incidence.spokes[begin[pieces[p].from + 1]++] = {circle.place(circle.rank(p)), 2 * p};
     }
@@ -116,8 +118,8 @@ struct LoopScratch {
 
 /// Finds all orientable loops. At each node the chain turns clockwise as far as it can; O(pieces ·
 /// degree).
-void find_loops(const Operands& operands, const Arrangement& arrangement, LoopScratch& scratch,
-                Loops& loops);
+void find_loops(const Operands& operands, const Arrangement& arrangement,
+                Cancellation& cancellation, LoopScratch& scratch, Loops& loops);
 
 /// Whether loops close and no piece is in two; what is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Loops& loops, const Arrangement& arrangement);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 #include "measure/fraction_sum.hpp"
 #include "region/rational_access.hpp"
@@ -30,8 +31,9 @@ bool scaled(std::int64_t payload, int twos, int tens, std::int64_t& result) {
 
 // One value after the other: divisors of two long numbers take time quadratic in their length,
 // those of a long and a short one hardly more than a division.
-BigInt lcm_of(BigInt common, const std::vector<BigInt>& values) {
+BigInt lcm_of(BigInt common, const std::vector<BigInt>& values, Cancellation& cancellation) {
   for (const BigInt& value : values) {
+    cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
     common *= value / boost::multiprecision::gcd(remainder_of(common, value), value);
   }
   return common;
@@ -41,8 +43,9 @@ BigInt lcm_of(BigInt common, const std::vector<BigInt>& values) {
 // exponents alone, other denominators as they are.
 class Denominators {
  public:
-  explicit Denominators(const Region& region) {
+  Denominators(const Region& region, Cancellation& cancellation) {
     for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+      cancellation.check(work_of_product(RegionAccess::bits(region, v)));
       add(region, RegionAccess::x(region, v));
       add(region, RegionAccess::y(region, v));
     }
@@ -51,10 +54,10 @@ class Denominators {
     return boost::multiprecision::pow(BigInt(5), static_cast<unsigned>(fives_))
            << static_cast<unsigned>(twos_);
   }
-  [[nodiscard]] BigInt least_common() {
-    std::sort(others_.begin(), others_.end());
+  [[nodiscard]] BigInt least_common(Cancellation& cancellation) {
+    std::sort(others_.begin(), others_.end(), cancellation.counting(std::less<>()));
     others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
-    return lcm_of(finite(), others_);
+    return lcm_of(finite(), others_, cancellation);
   }
 
  private:
@@ -79,11 +82,12 @@ class Denominators {
 
 }  // namespace
 
-bool find_common_scale(const Region& region, CommonScale& scale) {
+bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale) {
   int twos = 0;
   int tens = 0;
   bool any = false;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    cancellation.check();
     for (const StoredCoordinate* c : {&RegionAccess::x(region, v), &RegionAccess::y(region, v)}) {
       if (c->denominator_limbs != 0) return false;
       if (c->payload == 0) continue;
@@ -97,6 +101,7 @@ bool find_common_scale(const Region& region, CommonScale& scale) {
     return scaled(c.payload, c.exp2 - twos, c.exp10 - tens, result);
   };
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    cancellation.check(2);
     ScaledPoint& point = scale.points[v];
     if (!place(RegionAccess::x(region, v), point.x)) return false;
     if (!place(RegionAccess::y(region, v), point.y)) return false;
@@ -110,10 +115,12 @@ bool find_common_scale(const Region& region, CommonScale& scale) {
   return true;
 }
 
-BigInt finite_denominator(const Region& region) { return Denominators(region).finite(); }
+BigInt finite_denominator(const Region& region, Cancellation& cancellation) {
+  return Denominators(region, cancellation).finite();
+}
 
-BigInt least_common_denominator(const Region& region) {
-  return Denominators(region).least_common();
+BigInt least_common_denominator(const Region& region, Cancellation& cancellation) {
+  return Denominators(region, cancellation).least_common(cancellation);
 }
 
 }  // namespace minksum

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/rational.hpp"
 #include "minksum/region.hpp"
 #include "region/rational_access.hpp"
@@ -23,12 +24,12 @@ struct CommonScale {
 
 /// Whether every coordinate is an integer below 2^61 in absolute value on one such grid; then
 /// `scale` holds them.
-bool find_common_scale(const Region& region, CommonScale& scale);
+bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale);
 
 /// The smallest positive integer that makes each coordinate that is a double or a finite decimal an
 /// integer.
-BigInt finite_denominator(const Region& region);
+BigInt finite_denominator(const Region& region, Cancellation& cancellation);
 /// The same for all coordinates.
-BigInt least_common_denominator(const Region& region);
+BigInt least_common_denominator(const Region& region, Cancellation& cancellation);
 
 }  // namespace minksum

@@ -1,6 +1,7 @@
 #include "measure/fraction_sum.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -44,8 +45,9 @@ BigInt remainder_of(const BigInt& value, const BigInt& divisor) {
   return rest;
 }
 
-FractionSum::FractionSum(std::vector<BigInt> factors) : factors_(std::move(factors)) {
-  std::ranges::sort(factors_);
+FractionSum::FractionSum(std::vector<BigInt> factors, Cancellation& cancellation)
+    : cancellation_(cancellation), factors_(std::move(factors)) {
+  std::ranges::sort(factors_, cancellation.counting(std::less<>()));
   factors_.erase(std::unique(factors_.begin(), factors_.end()), factors_.end());
 }
 
@@ -74,6 +76,8 @@ BigInt FractionSum::rest(const Term& term, const Indices& kept) const {
 }
 
 FractionSum::Term FractionSum::sum(const Term& a, const Term& b) const {
+  const auto bits = std::max(bit_length(a.denominator), bit_length(b.denominator));
+  cancellation_.check(4 * work_of_product(bits));
   const BigInt only_a = rest(a, without(a.factors, b.factors));
   const BigInt only_b = rest(b, without(b.factors, a.factors));
   Term result{a.numerator * only_b + b.numerator * only_a, a.denominator * only_b, {}};
@@ -99,6 +103,8 @@ Rational FractionSum::half(Term term) const {
   if (term.numerator.is_zero()) return {};
   // What divides neither this factor nor any before it divides none of their product.
   for (BigInt& factor : factors) {
+    const std::size_t bits = bit_length(factor);
+    cancellation_.check(8 * work_of_product(bits) + (bit_length(term.numerator) / 64) * (bits / 64 + 1));
     const BigInt common = mp::gcd(remainder_of(term.numerator, factor), factor);
     if (common == 1) continue;
     term.numerator /= common;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "region/rational_access.hpp"
 
 namespace minksum {
@@ -19,8 +20,8 @@ namespace minksum {
 /// quadratic in their length, which is that of all fractions together.
 class FractionSum {
  public:
-  /// What denominators are made of, each as often as it comes.
-  explicit FractionSum(std::vector<BigInt> factors);
+  /// What denominators are made of, each as often as it comes. `cancellation` must live as long.
+  FractionSum(std::vector<BigInt> factors, Cancellation& cancellation);
 
   /// A fraction, or the sum of some. Not in lowest terms.
   struct Term {
@@ -44,6 +45,7 @@ class FractionSum {
   [[nodiscard]] Term sum(const Term& a, const Term& b) const;
   [[nodiscard]] Term sum(const std::vector<Term>& terms, std::size_t first, std::size_t last) const;
 
+  Cancellation& cancellation_;
   std::vector<BigInt> factors_;  ///< sorted, each once
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "measure/common_scale.hpp"
 #include "measure/fraction_sum.hpp"
 #include "region/rational_access.hpp"
@@ -32,13 +33,15 @@ class WideSum {
 };
 
 // Twice the signed area of a ring of integers below 2^61 in absolute value.
-BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring) {
+BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
+                    Cancellation& cancellation) {
   if (ring.size() < 3) return 0;
   const ScaledPoint origin = points[ring.front()];
   WideSum sum;
   std::int64_t last_x = 0;
   std::int64_t last_y = 0;
   for (const std::size_t v : ring) {
+    cancellation.check();
     const std::int64_t x = points[v].x - origin.x;
     const std::int64_t y = points[v].y - origin.y;
     sum.add(Int128{last_x} * y - Int128{x} * last_y);
@@ -67,19 +70,21 @@ Quotients quotients_of(const Point& point, const BigInt* shared) {
 }
 
 // For coordinates that have no short common denominator.
-Rational area_of_rationals(const Region& region) {
+Rational area_of_rationals(const Region& region, Cancellation& cancellation) {
   std::vector<Quotients> vertices;
   std::vector<BigInt> divisors;
   // Doubles and decimals have few denominators, of which one is a multiple of all.
-  const BigInt finite = finite_denominator(region);
+  const BigInt finite = finite_denominator(region, cancellation);
   const bool is_short = bit_length(finite) <= kLongestShared;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
     const bool is_finite = RegionAccess::x(region, v).denominator_limbs == 0 &&
                            RegionAccess::y(region, v).denominator_limbs == 0;
     const BigInt* const shared = is_short && is_finite ? &finite : nullptr;
-    divisors.push_back(vertices.emplace_back(quotients_of(region.point(v), shared)).divisor);
+    const Point point = region.point(v);
+    cancellation.check(4 * work_of(point));
+    divisors.push_back(vertices.emplace_back(quotients_of(point, shared)).divisor);
   }
-  const FractionSum fractions(std::move(divisors));
+  const FractionSum fractions(std::move(divisors), cancellation);
   std::vector<FractionSum::Term> rings;
   std::vector<FractionSum::Term> crosses;
   for (const std::size_t polygon : region.polygons()) {
@@ -91,6 +96,7 @@ Rational area_of_rationals(const Region& region) {
         const std::size_t before = v == range.front() ? range.front() + range.size() - 1 : v - 1;
         const Quotients& a = vertices[before];
         const Quotients& b = vertices[v];
+        cancellation.check(4 * work_of_product(bit_length(b.x)));
         crosses.push_back(fractions.term(a.x * b.y - b.x * a.y, a.divisor, b.divisor));
       }
       rings.push_back(fractions.sum(crosses));
@@ -116,7 +122,8 @@ class CompensatedSum {
   double lost_ = 0;
 };
 
-double approximate_doubled_area(const Region& region, IndexRange ring) {
+double approximate_doubled_area(const Region& region, IndexRange ring,
+                                Cancellation& cancellation) {
   if (ring.size() < 3) return 0;
   const double origin_x = region.x(ring.front());
   const double origin_y = region.y(ring.front());
@@ -124,6 +131,7 @@ double approximate_doubled_area(const Region& region, IndexRange ring) {
   double last_x = 0;
   double last_y = 0;
   for (const std::size_t v : ring) {
+    cancellation.check(work_of_product(RegionAccess::bits(region, v)));
     const double x = region.x(v) - origin_x;
     const double y = region.y(v) - origin_y;
     sum.add(last_x * y);
@@ -145,10 +153,11 @@ bool better_exactly(const Region& region, const StoredCoordinate& a, const Store
 
 // The extreme coordinate by exact comparison; the nearest doubles decide unless they are equal.
 template <typename Get, typename Better>
-Rational extreme(const Region& region, Get get, Better better) {
+Rational extreme(const Region& region, Get get, Better better, Cancellation& cancellation) {
   std::size_t best = 0;
   double best_double = RegionAccess::nearest(region, get(region, 0));
   for (std::size_t v = 1; v < region.vertex_count(); ++v) {
+    cancellation.check(work_of_product(RegionAccess::bits(region, v)));
     const double candidate = RegionAccess::nearest(region, get(region, v));
     if (better(best_double, candidate)) continue;
     if (candidate == best_double &&
@@ -163,14 +172,18 @@ Rational extreme(const Region& region, Get get, Better better) {
 
 }  // namespace
 
-Rational area(const Region& region) {
+Rational area(const Region& region, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   CommonScale scale;
-  if (!find_common_scale(region, scale)) return area_of_rationals(region);
+  if (!find_common_scale(region, cancellation, scale)) {
+    return area_of_rationals(region, cancellation);
+  }
   BigInt doubled;
   for (const std::size_t polygon : region.polygons()) {
     bool outer = true;
     for (const std::size_t ring : region.rings_of(polygon)) {
-      const BigInt of_ring = abs(doubled_area(scale.points, region.vertices_of(ring)));
+      const BigInt of_ring =
+          abs(doubled_area(scale.points, region.vertices_of(ring), cancellation));
       doubled += outer ? of_ring : BigInt(-of_ring);
       outer = false;
     }
@@ -179,12 +192,13 @@ Rational area(const Region& region) {
          Rational(2);
 }
 
-double approximate_area(const Region& region) {
+double approximate_area(const Region& region, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   CompensatedSum doubled;
   for (const std::size_t polygon : region.polygons()) {
     bool outer = true;
     for (const std::size_t ring : region.rings_of(polygon)) {
-      const double part = approximate_doubled_area(region, region.vertices_of(ring));
+      const double part = approximate_doubled_area(region, region.vertices_of(ring), cancellation);
       doubled.add(outer ? part : -part);
       outer = false;
     }
@@ -193,25 +207,27 @@ double approximate_area(const Region& region) {
   // Out of the range where the relative error of double arithmetic is what it should be.
   constexpr double kSmallest = 1e-270;
   if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) {
-    return area(region).to_double();
+    return area(region, cancel).to_double();
   }
   return result;
 }
 
-std::optional<Box> bounding_box(const Region& region) {
+std::optional<Box> bounding_box(const Region& region, const std::optional<CancelToken>& cancel) {
   if (region.empty()) return std::nullopt;
+  Cancellation cancellation(cancel);
   Box box;
-  box.min.x = extreme(region, RegionAccess::x, std::less<>());
-  box.min.y = extreme(region, RegionAccess::y, std::less<>());
-  box.max.x = extreme(region, RegionAccess::x, std::greater<>());
-  box.max.y = extreme(region, RegionAccess::y, std::greater<>());
+  box.min.x = extreme(region, RegionAccess::x, std::less<>(), cancellation);
+  box.min.y = extreme(region, RegionAccess::y, std::less<>(), cancellation);
+  box.max.x = extreme(region, RegionAccess::x, std::greater<>(), cancellation);
+  box.max.y = extreme(region, RegionAccess::y, std::greater<>(), cancellation);
   return box;
 }
 
-std::size_t coordinate_bits(const Region& region) {
-  const std::optional<Box> box = bounding_box(region);
+std::size_t coordinate_bits(const Region& region, const std::optional<CancelToken>& cancel) {
+  const std::optional<Box> box = bounding_box(region, cancel);
   if (!box) return 0;
-  const BigInt scale = least_common_denominator(region);
+  Cancellation cancellation(cancel);
+  const BigInt scale = least_common_denominator(region, cancellation);
   // Both sides are integers then. With k as below, 2^(k-1) < a / b < 2^(k+1): no long division.
   const auto scaled_bits = [&scale](const Rational& side) -> std::size_t {
     if (side.sign() == 0) return 0;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cancellation.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/transform.hpp"
@@ -27,9 +28,10 @@ void add(Box& box, const Point& point) {
   if (box.max.y < point.y) box.max.y = point.y;
 }
 
-Box box_of(const Geometry& geometry) {
+Box box_of(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   Box box;
-  if (const auto areal = bounding_box(geometry.region)) {
+  if (const auto areal = bounding_box(geometry.region, cancel)) {
     box = *areal;
   } else {
     const Point& any =
@@ -38,8 +40,12 @@ Box box_of(const Geometry& geometry) {
   }
   for (const Polyline& line : geometry.polylines) {
     for (const Point& point : line) add(box, point);
+    cancellation.check(line.size() * work_of(line.front()));
   }
-  for (const Point& point : geometry.points) add(box, point);
+  for (const Point& point : geometry.points) {
+    cancellation.check(work_of(point));
+    add(box, point);
+  }
   return box;
 }
 
@@ -59,18 +65,19 @@ Geometry eroded(const Region& a, const Geometry& b, const MorphologyOptions& opt
   // x + B ⊆ A puts x into A's box moved by −b for any b of B, so within B's size of A's box moved
   // by one of them. The frame reaches beyond that by its size again, so that all is enclosed in
   // complement ⊕ −B.
-  const Box size = box_of(b);
+  const Box size = box_of(b, options.cancel);
   const Rational reach = size.max.x - size.min.x + size.max.y - size.min.y + Rational(1);
-  const Box box = *bounding_box(a);
-  const Region frame = subtract(Region(Polygon{corners(widened(box, reach + reach)), {}}), a);
+  const Box box = *bounding_box(a, options.cancel);
+  const Region frame =
+      subtract(Region(Polygon{corners(widened(box, reach + reach)), {}}), a, options.cancel);
   const Box where = widened({{box.min.x - size.max.x, box.min.y - size.max.y},
                              {box.max.x - size.min.x, box.max.y - size.min.y}},
                             Rational(1));
   Geometry tight;
   Options sum = sum_options(options);
   if (options.tight) sum.tight = &tight;
-  const Geometry outside = minkowski_sum({frame, {}, {}}, reflect(b), sum);
-  result.region = subtract(Region(Polygon{corners(where), {}}), outside.region);
+  const Geometry outside = minkowski_sum({frame, {}, {}}, reflect(b, options.cancel), sum);
+  result.region = subtract(Region(Polygon{corners(where), {}}), outside.region, options.cancel);
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
   return result;

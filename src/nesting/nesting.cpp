@@ -22,8 +22,8 @@ Point reference_of(const Geometry& moving, const NestingOptions& options) {
 }
 
 /// Moved by `by`; the form stays canonical.
-Geometry moved(const Geometry& geometry, const Point& by) {
-  return transform(geometry, Affine::translation(by.x, by.y));
+Geometry moved(const Geometry& geometry, const Point& by, const NestingOptions& options) {
+  return transform(geometry, Affine::translation(by.x, by.y), options.cancel);
 }
 
 }  // namespace
@@ -37,10 +37,11 @@ Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
   sum.cancel = options.cancel;
   sum.tight = &tight;
   Geometry result =
-      minkowski_sum(read(fixed, options, 0), reflect(read(moving, options, 1)), sum);
+      minkowski_sum(read(fixed, options, 0),
+                    reflect(read(moving, options, 1), options.cancel), sum);
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
-  return moved(result, reference);
+  return moved(result, reference, options);
 }
 
 Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
@@ -50,14 +51,15 @@ Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
   erosion.tight = true;
   erosion.limits = options.limits;
   erosion.cancel = options.cancel;
-  return moved(erode(read(bin, options, 0), read(part, options, 1), erosion), reference);
+  return moved(erode(read(bin, options, 0), read(part, options, 1), erosion), reference,
+               options);
 }
 
 NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,
                            const NestingOptions& options)
     : geometry_(no_fit_polygon(fixed, moving, options)),
-      locator_({geometry_.region, {}, {}}),
-      tight_({{}, geometry_.polylines, geometry_.points}) {}
+      locator_({geometry_.region, {}, {}}, options.cancel),
+      tight_({{}, geometry_.polylines, geometry_.points}, options.cancel) {}
 
 Contact NoFitPolygon::contact(const Point& t) const {
   switch (locator_.locate(t)) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "fixed_sum.hpp"
 #include "minksum/nesting.hpp"
 #include "minksum/transform.hpp"
@@ -61,6 +62,9 @@ int worthwhile_threads(std::span<const Geometry> parts, const NoFitTableOptions&
   return static_cast<int>(std::max<std::uint64_t>(wanted, 1));
 }
 
+/// The units of work (see Cancellation) of a sum of two small parts, which looks at no token.
+constexpr std::uint64_t kWorkOfSmallSum = 1 << 12;
+
 /// A thread's. The workspace is made where it is needed.
 struct Memory {
   SmallScratch small;
@@ -94,14 +98,14 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions&
   state.rows.reserve(parts.size());
   const int half = std::max(1, options.turns / 2);
   const auto make_row = [&](std::size_t i, Memory& memory) {
-    if (options.cancel && options.cancel->cancelled()) {
-      throw Error(ErrorCode::kCancelled, "cancelled");
-    }
+    Cancellation cancellation(options.cancel);
+    cancellation.look();
     std::vector<Geometry> row;
     row.reserve((parts.size() - i) * static_cast<std::size_t>(state.turns));
     for (std::size_t j = i; j < parts.size(); ++j) {
       const int turns = j == i ? state.turns_with_itself() : state.turns;
       for (int turn = 0; turn < turns; ++turn) {
+        cancellation.check(kWorkOfSmallSum);
         // Its point mirror is itself, turned by half a full turn.
         const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].directions();
         row.push_back(sum(parts[i], parts[j], mirror, options, memory));
@@ -118,7 +122,9 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions&
 std::size_t NoFitTable::size() const { return state_->rows.size(); }
 int NoFitTable::turns() const { return state_->turns; }
 
-Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving) const {
+Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving,
+                        const std::optional<CancelToken>& cancel) const {
+  Cancellation cancellation(cancel);
   const int turns = state_->turns;
   for (const TurnedPart& part : {fixed, moving}) {
     if (part.part >= size()) throw Error(ErrorCode::kBadInput, "there is no such part");
@@ -139,11 +145,12 @@ Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving) const {
     turn = (turns - turn) % turns;
   }
   const Geometry& sum = state_->sum(first, second, turn);
-  Geometry result{turned(sum.region, quarters), {}, {}};
+  Geometry result{turned(sum.region, quarters, cancellation), {}, {}};
   if (mirrored) RegionAccess::exchange_operands(result.region);
   if (sum.has_thin_parts()) {
-    const Geometry tight = resolve(
-        transform(Geometry{{}, sum.polylines, sum.points}, Affine::quarter_turns(quarters)));
+    const Geometry tight = resolve(transform(Geometry{{}, sum.polylines, sum.points},
+                                             Affine::quarter_turns(quarters), cancel),
+                                   {FillRule::kAutomatic, false, cancel});
     result.polylines = tight.polylines;
     result.points = tight.points;
   }

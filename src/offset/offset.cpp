@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/error.hpp"
 #include "minksum/morphology.hpp"
@@ -60,14 +61,15 @@ class Offset {
     }
     Geometry set = resolve({a.region, {}, {}}, reading);
     const Corners corners(radius_, tolerance_, options_);
+    Cancellation cancellation(options_.cancel);
     Region outlines;
-    if (options_.join != Join::kRound) add_boundary(set.region, corners, outlines);
+    if (options_.join != Join::kRound) add_boundary(set.region, corners, cancellation, outlines);
     if (!inwards_) {
       for (const auto& lines : {set.polylines, a.polylines}) {
-        for (const Polyline& line : lines) add_polyline(line, corners, outlines);
+        for (const Polyline& line : lines) add_polyline(line, corners, cancellation, outlines);
       }
       for (const auto& points : {set.points, a.points}) {
-        for (const Point& point : points) add_point(point, outlines);
+        for (const Point& point : points) add_point(point, cancellation, outlines);
       }
     }
     require_few(outlines);
@@ -76,7 +78,7 @@ class Offset {
     if (options_.join != Join::kRound) return result;
     const std::array<Geometry, 2> both{round({std::move(set.region), {}, {}}, FillRule::kAutomatic),
                                        std::move(result)};
-    return both[1].empty() ? both[0] : unite(both);
+    return both[1].empty() ? both[0] : unite(both, options_.cancel);
   }
 
  private:
@@ -87,52 +89,47 @@ class Offset {
     return inwards_ ? erode(a, element, options) : dilate(a, element, options);
   }
 
-  void add_boundary(const Region& region, const Corners& corners, Region& outlines) const {
+  void add_boundary(const Region& region, const Corners& corners, Cancellation& cancellation,
+                    Region& outlines) const {
     for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
-      stop_if_asked();
       std::vector<Point> path;
       for (const std::size_t v : region.vertices_of(ring)) path.push_back(region.point(v));
       if (inwards_) std::reverse(path.begin(), path.end());
-      add_outline(path, {}, corners, outlines);
+      add_outline(path, {}, corners, cancellation, outlines);
     }
   }
 
-  void add_polyline(const Polyline& line, const Corners& corners, Region& outlines) const {
-    stop_if_asked();
+  void add_polyline(const Polyline& line, const Corners& corners, Cancellation& cancellation,
+                    Region& outlines) const {
     std::vector<Point> path;
     for (const Point& point : line) {
       if (path.empty() || !(path.back() == point)) path.push_back(point);
     }
     if (path.empty()) return;
-    if (path.size() == 1) return add_point(path[0], outlines);
+    if (path.size() == 1) return add_point(path[0], cancellation, outlines);
     std::vector<Point> back(path.rbegin(), path.rend());
     // One there and one back, if it is closed; else one there and back.
     if (path.front() == path.back()) {
       for (std::vector<Point>* const way : {&path, &back}) {
         way->pop_back();
-        add_outline(*way, {}, corners, outlines);
+        add_outline(*way, {}, corners, cancellation, outlines);
       }
       return;
     }
     const std::array<std::size_t, 2> ends{0, path.size() - 1};
     path.insert(path.end(), back.begin() + 1, back.end() - 1);
-    add_outline(path, ends, corners, outlines);
+    add_outline(path, ends, corners, cancellation, outlines);
   }
 
-  void add_point(const Point& point, Region& outlines) const {
+  void add_point(const Point& point, Cancellation& cancellation, Region& outlines) const {
     if (options_.cap == Cap::kButt) return;
     const Rational& r = radius_;
     Ring ring{{-r, -r}, {r, -r}, {r, r}, {-r, r}};
     if (options_.cap == Cap::kRound) ring = disc(r, tolerance_).polygon(0).outer;
+    cancellation.check(ring.size() * work_of(point));
     outlines.begin_polygon();
     outlines.begin_ring();
     for (const Point& vector : ring) outlines.add_vertex(point.x + vector.x, point.y + vector.y);
-  }
-
-  void stop_if_asked() const {
-    if (options_.cancel && options_.cancel->cancelled()) {
-      throw Error(ErrorCode::kCancelled, "cancelled");
-    }
   }
 
   void require_few(const Region& outlines) const {

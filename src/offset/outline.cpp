@@ -7,13 +7,16 @@ namespace {
 
 class Outline {
  public:
-  Outline(const std::vector<Point>& path, std::span<const std::size_t> ends, const Corners& corners)
-      : path_(path), direct_(path.size(), true) {
+  Outline(const std::vector<Point>& path, std::span<const std::size_t> ends, const Corners& corners,
+          Cancellation& cancellation)
+      : path_(path), cancellation_(cancellation), direct_(path.size(), true) {
     const std::size_t n = path.size();
     for (std::size_t i = 0; i < n; ++i) {
+      cancellation_.check(64 * work_of(path[i]));
       edges_.push_back(corners.edge(minus(path[(i + 1) % n], path[i])));
     }
     for (std::size_t i = 0; i < n; ++i) {
+      cancellation_.check(64 * work_of(path[i]));
       const OffsetEdge& before = edges_[(i + n - 1) % n];
       const bool is_end = std::find(ends.begin(), ends.end(), i) != ends.end();
       corners_.push_back(is_end ? corners.at_end(before, edges_[i])
@@ -28,6 +31,7 @@ class Outline {
     for (std::size_t i = 0; i < path_.size(); ++i) {
       for (const Point& vector : outline(i)) {
         const Point at = plus(path_[i], vector);
+        cancellation_.check(work_of(at));
         outlines.add_vertex(at.x, at.y);
       }
     }
@@ -60,6 +64,7 @@ class Outline {
   /// Whether the strip of this edge is two triangles that go counter-clockwise, cut either way.
   [[nodiscard]] bool goes_left(std::size_t edge) const {
     const std::size_t next = (edge + 1) % path_.size();
+    cancellation_.check(16 * work_of(path_[edge]));
     const Point& from = outline(edge).back();
     const Point& to = outline(next).front();
     if (from == to && from == edges_[edge].outwards) return true;
@@ -71,6 +76,7 @@ class Outline {
   }
 
   const std::vector<Point>& path_;
+  Cancellation& cancellation_;
   std::vector<OffsetEdge> edges_;       // edge i begins at vertex i
   std::vector<CornerOutline> corners_;  // corner i is at vertex i
   std::vector<bool> direct_;
@@ -79,8 +85,8 @@ class Outline {
 }  // namespace
 
 void add_outline(const std::vector<Point>& path, std::span<const std::size_t> ends,
-                 const Corners& corners, Region& outlines) {
-  Outline(path, ends, corners).write(outlines);
+                 const Corners& corners, Cancellation& cancellation, Region& outlines) {
+  Outline(path, ends, corners, cancellation).write(outlines);
 }
 
 }  // namespace minksum

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cancellation.hpp"
 #include "minksum/geometry.hpp"
 #include "offset/corners.hpp"
 
@@ -22,6 +23,6 @@ namespace minksum {
 /// union, but for its boundary. A polyline, there and back, has no area itself. For a clockwise ∂A,
 /// the complement's, they are −1 in A plus that sum: negative in A without the pieces.
 void add_outline(const std::vector<Point>& path, std::span<const std::size_t> ends,
-                 const Corners& corners, Region& outlines);
+                 const Corners& corners, Cancellation& cancellation, Region& outlines);
 
 }  // namespace minksum

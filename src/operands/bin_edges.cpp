@@ -18,7 +18,8 @@ void limit_entries(const OperandScratch& scratch) {
 
 }  // namespace
 
-void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, OperandScratch& scratch) {
+void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancellation& cancellation,
+               OperandScratch& scratch) {
   auto& entries = scratch.cell_entries;
   auto& begin = scratch.cell_begin;
   entries.clear();
@@ -27,6 +28,7 @@ void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, OperandS
   const auto enter = [&](std::int32_t i, std::int32_t j, SiteId e) {
     const std::uint32_t cell =
         static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i);
+    cancellation.check();
     entries.emplace_back(cell, e);
     ++begin[cell + 2];
     return true;
@@ -50,6 +52,7 @@ void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, OperandS
     }
   }
   limit_entries(scratch);
+  cancellation.check(entries.size());
   for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
   scratch.in_cells.resize(entries.size());
   for (const auto& [cell, e] : entries) scratch.in_cells[begin[cell + 1]++] = e;

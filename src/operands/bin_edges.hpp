@@ -10,6 +10,7 @@ namespace minksum {
 /// `scratch.cell_begin[cell]` and end where the next cell's begin. A cell may hold edges that only
 /// come near it. Linear in the edges and the cells that they pass; 2^32 of these or more are an
 /// error of kLimitExceeded.
-void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, OperandScratch& scratch);
+void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancellation& cancellation,
+               OperandScratch& scratch);
 
 }  // namespace minksum

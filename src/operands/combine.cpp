@@ -73,14 +73,16 @@ void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const Comm
                     origin(p.grid.offset.y, q.grid.offset.y)};
 }
 
-void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Operands& o) {
-  RationalCoordinates first = rationals_of(p, o.scratch.kept[0]);
-  RationalCoordinates second = rationals_of(q, o.scratch.kept[1]);
+void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
+                    Operands& o) {
+  RationalCoordinates first = rationals_of(p, o.scratch.kept[0], cancellation);
+  RationalCoordinates second = rationals_of(q, o.scratch.kept[1], cancellation);
   const Vec<BigRational> extents[2] = {first.extent, second.extent};
   const int exponent = rational_exponent(extents);
   std::move(second.sites.begin(), second.sites.end(), std::back_inserter(first.sites));
-  make_rational_kernel(std::move(first.sites), o.split, first.low, second.low, exponent, o.kernel);
   o.bits = std::max(first.bits, second.bits);
+  make_rational_kernel(std::move(first.sites), o.split, first.low, second.low, o.bits, exponent,
+                       o.kernel);
   o.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
   o.trace_unit = std::ldexp(1.0, -exponent);
   o.trace_origin = {BigRational(first.low.x + second.low.x).convert_to<double>(),
@@ -106,7 +108,7 @@ void append_kept(const std::vector<Value>& from, std::span<const SiteId> kept,
   for (const SiteId site : kept) to.push_back(from[site]);
 }
 
-void connect(Operands& o) {
+void connect(Cancellation& cancellation, Operands& o) {
   const SiteId n = o.size();
   o.sites.next.resize(n);
   o.previous.resize(n);
@@ -123,7 +125,7 @@ void connect(Operands& o) {
   o.kernel->connect(o.sites.next);
   o.sites.dx.resize(n);
   o.sites.dy.resize(n);
-  o.kernel->approximate_edges(o.sites.dx, o.sites.dy);
+  o.kernel->approximate_edges(o.sites.dx, o.sites.dy, cancellation);
 }
 
 Vec<double> size_of(const PreparedOperand& operand, const OperandRing& ring) {
@@ -165,6 +167,10 @@ class HoleFiller {
       sizes_.push_back({size.x * unit, size.y * unit});
     }
   }
+  /// The units of work of `fills`.
+  [[nodiscard]] std::uint64_t work(const OperandRing& ring) const {
+    return ring.is_hole() ? sizes_.size() : 0;
+  }
   [[nodiscard]] bool fills(const OperandRing& ring) const {
     if (!ring.is_hole() || !tells_) return false;
     const Vec<double> hole = size_of(operand_, ring);
@@ -190,7 +196,7 @@ class HoleFiller {
 }  // namespace
 
 void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles narrow,
-                bool tight_wanted, Operands& o) {
+                bool tight_wanted, Cancellation& cancellation, Operands& o) {
   auto& renumbered = o.scratch.renumbered;
   o.rings.clear();
   renumbered.clear();
@@ -205,6 +211,8 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles 
       filler.emplace(operand, i == 0 ? q : p, tight_wanted, o.scratch.sizes[i]);
     }
     for (const OperandRing& ring : operand.rings) {
+      cancellation.check(ring.end - ring.begin);
+      if (filler) cancellation.check(filler->work(ring));
       if (filler && filler->fills(ring)) {
         all_stay = false;
         continue;
@@ -229,26 +237,26 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles 
 }
 
 void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
-                Operands& o) {
+                Cancellation& cancellation, Operands& o) {
   const CommonGrid common = common_grid(p, q, options);
   if (common.fits) {
     join_on_grid(p, q, common, options, o);
   } else {
-    join_rationals(p, q, o);
+    join_rationals(p, q, cancellation, o);
   }
   if (!options.filter) o.bounds = RoundingBounds::distrustful(o.bounds.magnitude);
   const std::size_t n = o.scratch.kept[0].size() + o.scratch.kept[1].size();
   o.sites.x.resize(n);
   o.sites.y.resize(n);
-  o.kernel->approximate_sites(o.sites.x, o.sites.y);
+  o.kernel->approximate_sites(o.sites.x, o.sites.y, cancellation);
   if (!common.fits) measure_extent(o);
-  connect(o);
+  connect(cancellation, o);
 }
 
 void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
-                      NarrowHoles narrow, Operands& o) {
-  fill_holes(p, q, narrow, options.tight != nullptr, o);
-  join_sites(p, q, options, o);
+                      NarrowHoles narrow, Cancellation& cancellation, Operands& o) {
+  fill_holes(p, q, narrow, options.tight != nullptr, cancellation, o);
+  join_sites(p, q, options, cancellation, o);
   o.convex.clear();
   o.vertex_source.clear();
   o.edge_source.clear();
@@ -259,7 +267,7 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
     append_kept(operand.vertex_source, kept, o.vertex_source);
     append_kept(operand.edge_source, kept, o.edge_source);
   }
-  rank_directions(p, q, o);
+  rank_directions(p, q, cancellation, o);
   o.thin = {p.thin, q.thin};
   // A sum of polylines may be regions that segments without area connect.
   o.connected =

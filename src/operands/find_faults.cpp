@@ -20,10 +20,11 @@ namespace {
 /// Edges of an operand and the questions about pairs of them.
 class ContactFinder {
  public:
-  ContactFinder(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
-                std::vector<Fault>& faults)
-      : scratch_(scratch), o_(operand),
-        predicates_(operand.sites, *operand.kernel, operand.bounds), max_faults_(max_faults),
+  ContactFinder(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
+                PreparedOperand& operand, std::vector<Fault>& faults)
+      : scratch_(scratch), o_(operand), cancellation_(cancellation),
+        predicates_(operand.sites, *operand.kernel, operand.bounds, cancellation),
+        max_faults_(max_faults),
         faults_(faults) {}
 
   void find_contacts() {
@@ -35,10 +36,11 @@ class ContactFinder {
     const double cells = edges < 100 ? edges / 4 : edges;
     const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
     grid_ = UniformGrid::over(extent.x, extent.y, side);
-    bin_edges(o_, grid_, scratch_);
+    bin_edges(o_, grid_, cancellation_, scratch_);
     const auto& begin = scratch_.cell_begin;
     for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
       const std::uint32_t count = begin[cell + 1] - begin[cell];
+      cancellation_.check();
       if (count < 2) continue;
       find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
       if (full()) return;
@@ -90,7 +92,7 @@ class ContactFinder {
         [&](SiteId e, SiteId f) {
           if (!full()) contact(std::min(e, f), std::max(e, f));
         },
-        [] {}, true);
+        cancellation_, true);
   }
   /// All pairs whose x ranges overlap, from left to right: cells may be crowded.
   void find_contacts_in(std::span<SiteId> edges) {
@@ -105,10 +107,12 @@ class ContactFinder {
     }
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const double reach = right(edges[i]) + o_.bounds.difference;
-      for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      std::size_t j = i + 1;
+      for (; j < edges.size(); ++j) {
         if (sorted && left(edges[j]) > reach) break;
         contact(edges[i], edges[j]);
       }
+      cancellation_.check(2 * (j - i));
       if (full()) return;
     }
   }
@@ -193,7 +197,9 @@ class ContactFinder {
   void contact(SiteId e, SiteId f) {
     const SiteId e1 = o_.sites.next[e];
     const SiteId f1 = o_.sites.next[f];
+    cancellation_.check(2);
     if (e == f || e1 == f || f1 == e || boxes_apart(e, f)) return;
+    cancellation_.check(4);
     const Sign fs = predicates_.orientation(e, e1, f);
     const Sign ft = predicates_.orientation(e, e1, f1);
     if (fs == ft && fs != kZero) return;
@@ -284,6 +290,7 @@ class ContactFinder {
   /// height counts as below it.
   enum class Meeting { kMisses, kPasses, kStartsOn };
   [[nodiscard]] Meeting meeting(const Probe& probe, SiteId e) const {
+    cancellation_.check(2 * o_.kernel->work());
     const SiteId f = o_.sites.next[e];
     const ExactKernel& kernel = *o_.kernel;
     const Sign at_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kY);
@@ -325,7 +332,9 @@ class ContactFinder {
         const std::size_t cell =
             static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
             static_cast<std::size_t>(i);
+        cancellation_.check();
         for (std::uint32_t k = scratch_.cell_begin[cell]; k < scratch_.cell_begin[cell + 1]; ++k) {
+          cancellation_.check();
           const SiteId e = scratch_.in_cells[k];
           const double y0 = o_.sites.y[e];
           const double y1 = o_.sites.y[o_.sites.next[e]];
@@ -380,6 +389,7 @@ class ContactFinder {
   void check_hole(std::size_t hole) {
     const OperandRing& own = o_.rings[hole];
     bool in_outer = false;
+    cancellation_.check(scratch_.around.size());
     for (const std::size_t r : scratch_.around) {
       const OperandRing& ring = o_.rings[r];
       if (ring.polygon != own.polygon) continue;
@@ -391,10 +401,12 @@ class ContactFinder {
 
   void check_outer(std::size_t outer) {
     const auto in_hole_of = [&](std::uint32_t polygon) {
+      cancellation_.check(scratch_.around.size());
       return std::any_of(scratch_.around.begin(), scratch_.around.end(), [&](std::size_t r) {
         return o_.rings[r].is_hole() && o_.rings[r].polygon == polygon;
       });
     };
+    cancellation_.check(scratch_.around.size());
     for (const std::size_t r : scratch_.around) {
       const OperandRing& ring = o_.rings[r];
       if (!ring.is_hole() && !in_hole_of(ring.polygon)) {
@@ -405,6 +417,7 @@ class ContactFinder {
 
   OperandScratch& scratch_;
   const PreparedOperand& o_;
+  Cancellation& cancellation_;
   UniformGrid grid_;
   Predicates predicates_;
   std::size_t max_faults_;
@@ -414,9 +427,9 @@ class ContactFinder {
 
 }  // namespace
 
-void find_faults(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
-                 std::vector<Fault>& faults) {
-  ContactFinder finder(max_faults, scratch, operand, faults);
+void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
+                 PreparedOperand& operand, std::vector<Fault>& faults) {
+  ContactFinder finder(max_faults, cancellation, scratch, operand, faults);
   finder.find_contacts();
   // Whether a ring lies in its place means something only if no rings cross.
   if (faults.empty() && operand.rings.size() > 1) finder.find_misplaced_rings();

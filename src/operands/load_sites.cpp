@@ -15,9 +15,10 @@ std::uint64_t magnitude(std::int64_t value) {
   return value < 0 ? ~static_cast<std::uint64_t>(value) + 1 : static_cast<std::uint64_t>(value);
 }
 template <class Visit>
-void for_each_coordinate(const Region& region, Visit visit) {
+void for_each_coordinate(const Region& region, Cancellation& cancellation, Visit visit) {
   const std::size_t n = region.vertex_count();
   for (std::size_t v = 0; v < n; ++v) {
+    cancellation.check();
     visit(RegionAccess::x(region, v));
     visit(RegionAccess::y(region, v));
   }
@@ -33,7 +34,7 @@ struct Scale {
   int bits = 0;
 };
 
-Scale common_scale(const Region& region) {
+Scale common_scale(const Region& region, Cancellation& cancellation) {
   constexpr int kHigh = std::numeric_limits<int>::max();
   int low2 = kHigh;
   int low10 = kHigh;
@@ -41,7 +42,7 @@ Scale common_scale(const Region& region) {
   int high10 = -kHigh;
   std::uint64_t digits = 0;
   Scale scale;
-  for_each_coordinate(region, [&](const StoredCoordinate& c) {
+  for_each_coordinate(region, cancellation, [&](const StoredCoordinate& c) {
     scale.quotients |= c.denominator_limbs != 0;
     if (c.payload == 0) return;
     low2 = std::min<int>(low2, c.exp2);
@@ -59,7 +60,7 @@ Scale common_scale(const Region& region) {
   if (scale.bits <= GridCoordinates::kSmallBits) return scale;
   // No such bound for all: one for each.
   scale.bits = 0;
-  for_each_coordinate(region, [&](const StoredCoordinate& c) {
+  for_each_coordinate(region, cancellation, [&](const StoredCoordinate& c) {
     if (c.payload == 0) return;
     scale.bits = std::max(scale.bits, static_cast<int>(std::bit_width(magnitude(c.payload))) +
                                           (c.exp2 - low2) + bits_of_ten_to(c.exp10 - low10));
@@ -113,12 +114,13 @@ Number on_grid(Number value, int exp2, int exp10, const Scale& scale) {
 
 /// Puts the sites on the grid, their box at the origin. `at(v)` is a site where the grid has it.
 template <class Number, class At>
-void load_grid(std::size_t n, const Scale& scale, At at, std::vector<Vec<Number>>& sites,
-               GridCoordinates& grid) {
+void load_grid(std::size_t n, const Scale& scale, At at, Cancellation& cancellation,
+               std::vector<Vec<Number>>& sites, GridCoordinates& grid) {
   sites.resize(n);
   Vec<Number> low = at(0);
   Vec<Number> high = low;
   for (std::size_t v = 0; v < n; ++v) {
+    cancellation.check();
     sites[v] = at(v);
     low = {std::min(low.x, sites[v].x), std::min(low.y, sites[v].y)};
     high = {std::max(high.x, sites[v].x), std::max(high.y, sites[v].y)};
@@ -131,8 +133,8 @@ void load_grid(std::size_t n, const Scale& scale, At at, std::vector<Vec<Number>
 }
 
 template <class Number>
-void load_numbers(const Region& region, const Scale& scale, std::vector<Vec<Number>>& sites,
-                  GridCoordinates& grid) {
+void load_numbers(const Region& region, const Scale& scale, Cancellation& cancellation,
+                  std::vector<Vec<Number>>& sites, GridCoordinates& grid) {
   const auto number = [&](const StoredCoordinate& c) {
     return scale.uniform ? static_cast<Number>(c.payload)
                          : on_grid<Number>(c.payload, c.exp2, c.exp10, scale);
@@ -140,7 +142,7 @@ void load_numbers(const Region& region, const Scale& scale, std::vector<Vec<Numb
   const auto at = [&](std::size_t v) {
     return Vec<Number>{number(RegionAccess::x(region, v)), number(RegionAccess::y(region, v))};
   };
-  load_grid(region.vertex_count(), scale, at, sites, grid);
+  load_grid(region.vertex_count(), scale, at, cancellation, sites, grid);
 }
 
 /// Multiplies numbers by what makes them one divisor's; false if that is too long.
@@ -163,10 +165,10 @@ bool find_common_divisor(std::vector<LongNumber>& numbers, Scale& scale) {
 
 /// The same where some are stored as quotients; false if they have no short common denominator, or
 /// are too long.
-bool load_long_numbers(const Region& region, GridCoordinates& grid) {
+bool load_long_numbers(const Region& region, Cancellation& cancellation, GridCoordinates& grid) {
   std::vector<LongNumber> numbers;
   bool all = true;
-  for_each_coordinate(region, [&](const StoredCoordinate& c) {
+  for_each_coordinate(region, cancellation, [&](const StoredCoordinate& c) {
     all = all && as_long_number(region, c, numbers.emplace_back());
   });
   Scale scale;
@@ -191,7 +193,7 @@ bool load_long_numbers(const Region& region, GridCoordinates& grid) {
   const auto at = [&](std::size_t v) {
     return Vec<Int128>{on(numbers[2 * v]), on(numbers[2 * v + 1])};
   };
-  load_grid(region.vertex_count(), scale, at, grid.large_sites, grid);
+  load_grid(region.vertex_count(), scale, at, cancellation, grid.large_sites, grid);
   return true;
 }
 
@@ -204,25 +206,26 @@ Arithmetic rung_for(int bits, Arithmetic asked) {
   return std::max(needed, asked);
 }
 
-void load_sites(const Region& region, const Options& options, PreparedOperand& operand) {
+void load_sites(const Region& region, const Options& options, Cancellation& cancellation,
+                PreparedOperand& operand) {
   operand.region = &region;
   operand.thin = false;
   GridCoordinates& grid = operand.grid;
-  const Scale scale = common_scale(region);
+  const Scale scale = common_scale(region, cancellation);
   const bool rationals_asked = options.arithmetic == Arithmetic::kArbitrary;
   // A sum or difference of two such has one bit more, and must have its sign.
   grid.small = !scale.quotients && scale.bits < GridCoordinates::kSmallBits;
-  if (!rationals_asked && scale.quotients && load_long_numbers(region, grid)) {
+  if (!rationals_asked && scale.quotients && load_long_numbers(region, cancellation, grid)) {
     operand.rational = false;
     return;
   }
   operand.rational = rationals_asked || scale.quotients || scale.bits > kMaxGridBits;
   if (operand.rational) {
-    load_rationals(region, operand.rationals);
+    load_rationals(region, cancellation, operand.rationals);
   } else if (grid.small) {
-    load_numbers(region, scale, grid.small_sites, grid);
+    load_numbers(region, scale, cancellation, grid.small_sites, grid);
   } else {
-    load_numbers(region, scale, grid.large_sites, grid);
+    load_numbers(region, scale, cancellation, grid.large_sites, grid);
   }
 }
 

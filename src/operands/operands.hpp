@@ -80,7 +80,7 @@ enum class NarrowHoles : std::uint8_t { kFill, kKeep };
 /// Fills `operands` from two operands without faults. O(n + m) for n and m sites, if neither's
 /// coordinates are wide.
 void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
-                      NarrowHoles narrow, Operands& operands);
+                      NarrowHoles narrow, Cancellation& cancellation, Operands& operands);
 
 /// Whether `operands` keeps its promises; what is wrong, if not.
 [[nodiscard]] std::optional<std::string> check(const Operands& operands);
@@ -88,7 +88,8 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
 /// The sums of parallel edges of two thin operands, made from these walks: one segment a pair.
 /// O(n + m + pairs). Throws Error(kLimitExceeded) for more of them than segments are allowed.
 void list_parallel_sums(const Operands& operands, std::span<const Region, 2> walks,
-                        const Limits& limits, std::vector<Polyline>& sums);
+                        const Limits& limits, Cancellation& cancellation,
+                        std::vector<Polyline>& sums);
 
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Lists the sites that stay: all, or not those of holes into which no polygon of the other operand
@@ -98,11 +99,12 @@ void list_parallel_sums(const Operands& operands, std::span<const Region, 2> wal
 /// rings touch and cut its inside in parts. So holes are filled only if strictly narrower than
 /// polygons without holes; and only in operands of one polygon, so that polygons never overlap.
 void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles narrow,
-                bool tight_wanted, Operands& operands);
+                bool tight_wanted, Cancellation& cancellation, Operands& operands);
 /// Both operands' exact coordinates on their common grid.
 void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
-                Operands& operands);
+                Cancellation& cancellation, Operands& operands);
 /// Merges directions; sets rank, by_direction and the places.
-void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Operands& operands);
+void rank_directions(const PreparedOperand& p, const PreparedOperand& q,
+                     Cancellation& cancellation, Operands& operands);
 
 }  // namespace minksum

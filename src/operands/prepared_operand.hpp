@@ -90,12 +90,14 @@ struct PreparedOperand {
 /// count. Without any fault the operand is complete; otherwise it may not be used.
 /// O(n log n) for n vertices, plus close pairs of edges for the validation.
 void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
-                     OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults);
+                     Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
+                     std::vector<Fault>& faults);
 
 /// A region whose polygons are walks: each polyline from its start to its end and back, a ring
 /// without area. Polylines are as in a resolved Geometry: simple, without straight vertices. A
 /// closed one is cut at its first vertex.
-void walk_there_and_back(std::span<const Polyline> polylines, Region& walks);
+void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
+                         Region& walks);
 
 /// The same as `prepare_operand` for the union of the polylines that `walks` goes along.
 ///
@@ -103,26 +105,28 @@ void walk_there_and_back(std::span<const Polyline> polylines, Region& walks);
 /// vertex it turns left, on the other one right, and at both ends it turns left by half a circle.
 /// That is all that the pipeline asks of a ring: docs/pipeline.md, "Thin operands". The other
 /// operand must have area. O(n log n).
-void prepare_thin_operand(const Region& walks, const Options& options, OperandScratch& scratch,
-                          PreparedOperand& operand);
+void prepare_thin_operand(const Region& walks, const Options& options, Cancellation& cancellation,
+                          OperandScratch& scratch, PreparedOperand& operand);
 
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Exact coordinates of all vertices as given.
-void load_sites(const Region& region, const Options& options, PreparedOperand& operand);
+void load_sites(const Region& region, const Options& options, Cancellation& cancellation,
+                PreparedOperand& operand);
 /// Drops repeated and straight vertices, orients the rings, tells convex vertices. Rings with a
 /// fault are left out.
-void clean_rings(const Options& options, OperandScratch& scratch, PreparedOperand& operand,
-                 std::vector<Fault>& faults);
+void clean_rings(const Options& options, Cancellation& cancellation, OperandScratch& scratch,
+                 PreparedOperand& operand, std::vector<Fault>& faults);
 /// Faults between edges and rings. Faults' vertices are indices in the region.
-void find_faults(std::size_t max_faults, OperandScratch& scratch, PreparedOperand& operand,
-                 std::vector<Fault>& faults);
+void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
+                 PreparedOperand& operand, std::vector<Fault>& faults);
 /// A kernel, bounds and approximate places for the coordinates of so many sites, as they are now.
-void approximate_sites(std::size_t count, const Options& options, OperandScratch& scratch,
-                       PreparedOperand& operand);
+void approximate_sites(std::size_t count, const Options& options, Cancellation& cancellation,
+                       OperandScratch& scratch, PreparedOperand& operand);
 /// Sets which site follows which around the rings, and the edges between them.
-void connect_rings(PreparedOperand& operand);
+void connect_rings(Cancellation& cancellation, PreparedOperand& operand);
 /// Sorts edges by direction.
-void sort_directions(OperandScratch& scratch, PreparedOperand& operand);
+void sort_directions(Cancellation& cancellation, OperandScratch& scratch,
+                     PreparedOperand& operand);
 
 /// The narrowest rung for coordinates of so many bits, if none wider is asked for.
 [[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);

@@ -12,8 +12,9 @@ namespace {
 /// lists goes on is a toss-up at each step, so the merges are written without branches on it.
 class Ranker {
  public:
-  Ranker(const PreparedOperand& p, const PreparedOperand& q, Operands& operands)
-      : o_(operands), predicates_(operands.sites, *operands.kernel, operands.bounds),
+  Ranker(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
+         Operands& operands)
+      : o_(operands), predicates_(operands.sites, *operands.kernel, operands.bounds, cancellation),
         keys_tell_(p.keys_tell && q.keys_tell), of_rank_(operands.scratch.of_rank) {}
 
   void rank(std::span<const KeyedEdge> a, std::span<const KeyedEdge> b) {
@@ -115,10 +116,12 @@ std::span<const KeyedEdge> stay(const PreparedOperand& operand, std::size_t shif
 
 }  // namespace
 
-void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Operands& operands) {
+void rank_directions(const PreparedOperand& p, const PreparedOperand& q,
+                     Cancellation& cancellation, Operands& operands) {
   const auto& renumbered = operands.scratch.renumbered;
   auto& kept = operands.scratch.sorted;
-  Ranker ranker(p, q, operands);
+  cancellation.check(p.size() + q.size());
+  Ranker ranker(p, q, cancellation, operands);
   ranker.rank(renumbered.empty() ? p.by_direction : stay(p, 0, renumbered, kept[0]),
               stay(q, p.size(), renumbered, kept[1]));
   ranker.number_places();

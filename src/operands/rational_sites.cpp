@@ -60,16 +60,18 @@ std::size_t denominator_bits(const BigRational& r) {
 
 }  // namespace
 
-void load_rationals(const Region& region, RationalCoordinates& rationals) {
+void load_rationals(const Region& region, Cancellation& cancellation,
+                    RationalCoordinates& rationals) {
   rationals.sites.clear();
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    cancellation.check(work_of_decision(RegionAccess::bits(region, v)));
     rationals.sites.push_back({as_rational(region, RegionAccess::x(region, v)),
                                as_rational(region, RegionAccess::y(region, v))});
   }
-  measure_rationals(rationals);
+  measure_rationals(cancellation, rationals);
 }
 
-void measure_rationals(RationalCoordinates& rationals) {
+void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals) {
   rationals.bits = 0;
   if (rationals.sites.empty()) return;
   Vec<BigRational> low = rationals.sites[0];
@@ -77,6 +79,7 @@ void measure_rationals(RationalCoordinates& rationals) {
   for (const auto& s : rationals.sites) {
     low = {std::min(low.x, s.x), std::min(low.y, s.y)};
     high = {std::max(high.x, s.x), std::max(high.y, s.y)};
+    cancellation.check(work_of_decision(rationals.bits));
     for (const BigRational& c : {s.x, s.y}) {
       rationals.bits = std::max({rationals.bits, numerator_bits(c), denominator_bits(c)});
     }
@@ -85,10 +88,14 @@ void measure_rationals(RationalCoordinates& rationals) {
   rationals.extent = {BigRational(high.x - low.x), BigRational(high.y - low.y)};
 }
 
-RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const SiteId> sites) {
+RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const SiteId> sites,
+                                 Cancellation& cancellation) {
   RationalCoordinates result;
   const GridCoordinates& grid = operand.grid;
+  const std::uint64_t work =
+      work_of_product(operand.rational ? operand.rationals.bits : std::size_t{256});
   for (const SiteId site : sites) {
+    cancellation.check(work);
     if (operand.rational) {
       result.sites.push_back(operand.rationals.sites[site]);
       continue;
@@ -99,7 +106,7 @@ RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const
     result.sites.push_back({grid_coordinate(at.x, grid.offset.x, grid),
                             grid_coordinate(at.y, grid.offset.y, grid)});
   }
-  measure_rationals(result);
+  measure_rationals(cancellation, result);
   return result;
 }
 

@@ -12,12 +12,14 @@ namespace minksum {
 inline constexpr int kRationalExtentBits = 60;
 
 /// The coordinates of all vertices as given.
-void load_rationals(const Region& region, RationalCoordinates& rationals);
+void load_rationals(const Region& region, Cancellation& cancellation,
+                    RationalCoordinates& rationals);
 /// Sets box and bits.
-void measure_rationals(RationalCoordinates& rationals);
+void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals);
 /// An operand's coordinates of these sites, whatever holds them.
 [[nodiscard]] RationalCoordinates rationals_of(const PreparedOperand& operand,
-                                               std::span<const SiteId> sites);
+                                               std::span<const SiteId> sites,
+                                               Cancellation& cancellation);
 /// The power of two that scales the larger of the extents to kRationalExtentBits bits.
 [[nodiscard]] int rational_exponent(std::span<const Vec<BigRational>> extents);
 

@@ -14,10 +14,11 @@ namespace {
 /// Sites as loaded, ring by ring in the rings' own order, to those that stay.
 class RingCleaner {
  public:
-  RingCleaner(OperandScratch& scratch, PreparedOperand& operand, std::vector<Fault>& faults)
+  RingCleaner(Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
+              std::vector<Fault>& faults)
       : operand_(operand),
         region_(*operand.region),
-        predicates_(operand.sites, *operand.kernel, operand.bounds),
+        predicates_(operand.sites, *operand.kernel, operand.bounds, cancellation),
         distinct_(scratch.distinct),
         order_(scratch.order),
         faults_(faults) {}
@@ -40,6 +41,7 @@ class RingCleaner {
  private:
   void clean(std::size_t ring, std::uint32_t polygon, std::uint32_t ring_in_polygon) {
     begin_ = order_.size();
+    predicates_.cancellation().check(4 * region_.vertices_of(ring).size());
     if (!turns_everywhere(ring)) {
       drop_repeated(ring);
       if (distinct_.size() < 3) {
@@ -210,16 +212,16 @@ bool is_identity(std::span<const SiteId> order, std::size_t size) {
 
 }  // namespace
 
-void approximate_sites(std::size_t count, const Options& options, OperandScratch& scratch,
-                       PreparedOperand& operand) {
+void approximate_sites(std::size_t count, const Options& options, Cancellation& cancellation,
+                       OperandScratch& scratch, PreparedOperand& operand) {
   auto& ids = scratch.all;
   for (auto i = static_cast<SiteId>(ids.size()); i < count; ++i) ids.push_back(i);
   const std::span<const SiteId> all = std::span(ids).first(count);
   if (operand.rational) {
     const RationalCoordinates& r = operand.rationals;
     const int exponent = rational_exponent({&r.extent, 1});
-    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, exponent,
-                         operand.kernel);
+    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, r.bits,
+                         exponent, operand.kernel);
     operand.unit = {-exponent, 0, 1};
     operand.bounds =
         RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
@@ -235,10 +237,10 @@ void approximate_sites(std::size_t count, const Options& options, OperandScratch
   if (!options.filter) operand.bounds = RoundingBounds::distrustful(operand.bounds.magnitude);
   operand.sites.x.resize(all.size());
   operand.sites.y.resize(all.size());
-  operand.kernel->approximate_sites(operand.sites.x, operand.sites.y);
+  operand.kernel->approximate_sites(operand.sites.x, operand.sites.y, cancellation);
 }
 
-void connect_rings(PreparedOperand& operand) {
+void connect_rings(Cancellation& cancellation, PreparedOperand& operand) {
   const std::size_t n = operand.sites.x.size();
   operand.sites.next.resize(n);
   operand.previous.resize(n);
@@ -253,20 +255,20 @@ void connect_rings(PreparedOperand& operand) {
   operand.kernel->connect(operand.sites.next);
   operand.sites.dx.resize(n);
   operand.sites.dy.resize(n);
-  operand.kernel->approximate_edges(operand.sites.dx, operand.sites.dy);
+  operand.kernel->approximate_edges(operand.sites.dx, operand.sites.dy, cancellation);
 }
 
-void clean_rings(const Options& options, OperandScratch& scratch, PreparedOperand& operand,
-                 std::vector<Fault>& faults) {
+void clean_rings(const Options& options, Cancellation& cancellation, OperandScratch& scratch,
+                 PreparedOperand& operand, std::vector<Fault>& faults) {
   const std::size_t n = operand.region->vertex_count();
-  approximate_sites(n, options, scratch, operand);
-  RingCleaner(scratch, operand, faults).run();
+  approximate_sites(n, options, cancellation, scratch, operand);
+  RingCleaner(cancellation, scratch, operand, faults).run();
   operand.vertex_source.assign(scratch.order.begin(), scratch.order.end());
   if (!is_identity(scratch.order, n)) {
     pick_sites(scratch, operand);
-    approximate_sites(scratch.order.size(), options, scratch, operand);
+    approximate_sites(scratch.order.size(), options, cancellation, scratch, operand);
   }
-  connect_rings(operand);
+  connect_rings(cancellation, operand);
 }
 
 }  // namespace minksum

@@ -116,8 +116,10 @@ void mend(std::vector<KeyedEdge>& edges, bool keys_tell, Predicates& predicates)
 
 }  // namespace
 
-void sort_directions(OperandScratch& scratch, PreparedOperand& operand) {
-  Predicates predicates(operand.sites, *operand.kernel, operand.bounds);
+void sort_directions(Cancellation& cancellation, OperandScratch& scratch,
+                     PreparedOperand& operand) {
+  cancellation.check(4 * operand.size());
+  Predicates predicates(operand.sites, *operand.kernel, operand.bounds, cancellation);
   auto& edges = operand.by_direction;
   operand.keys_tell = keys_are_safe(operand);
   edges.resize(operand.size());

@@ -3,23 +3,28 @@
 
 namespace minksum {
 
-void walk_there_and_back(std::span<const Polyline> polylines, Region& walks) {
+void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
+                         Region& walks) {
   walks.clear();
   for (const Polyline& polyline : polylines) {
     walks.begin_polygon();
     walks.begin_ring();
     const std::size_t last = polyline.size() - 1;
-    for (std::size_t i = 0; i <= last; ++i) walks.add_vertex(polyline[i].x, polyline[i].y);
-    for (std::size_t i = last; i-- > 1;) walks.add_vertex(polyline[i].x, polyline[i].y);
+    const auto add = [&](const Point& at) {
+      cancellation.check(work_of(at));
+      walks.add_vertex(at.x, at.y);
+    };
+    for (std::size_t i = 0; i <= last; ++i) add(polyline[i]);
+    for (std::size_t i = last; i-- > 1;) add(polyline[i]);
   }
 }
 
-void prepare_thin_operand(const Region& walks, const Options& options, OperandScratch& scratch,
-                          PreparedOperand& operand) {
-  load_sites(walks, options, operand);
+void prepare_thin_operand(const Region& walks, const Options& options, Cancellation& cancellation,
+                          OperandScratch& scratch, PreparedOperand& operand) {
+  load_sites(walks, options, cancellation, operand);
   operand.thin = true;
   const auto n = static_cast<SiteId>(walks.vertex_count());
-  approximate_sites(n, options, scratch, operand);
+  approximate_sites(n, options, cancellation, scratch, operand);
   operand.rings.clear();
   for (const std::size_t ring : walks.polygons()) {
     const IndexRange vertices = walks.vertices_of(ring);
@@ -27,8 +32,8 @@ void prepare_thin_operand(const Region& walks, const Options& options, OperandSc
     operand.rings.push_back({begin, begin + static_cast<SiteId>(vertices.size()),
                              static_cast<std::uint32_t>(ring), 0});
   }
-  connect_rings(operand);
-  Predicates predicates(operand.sites, *operand.kernel, operand.bounds);
+  connect_rings(cancellation, operand);
+  Predicates predicates(operand.sites, *operand.kernel, operand.bounds, cancellation);
   operand.convex.resize(n);
   operand.vertex_source.resize(n);
   for (SiteId i = 0; i < n; ++i) {
@@ -38,12 +43,13 @@ void prepare_thin_operand(const Region& walks, const Options& options, OperandSc
     operand.vertex_source[i] = i;
   }
   operand.edge_source = operand.vertex_source;
-  sort_directions(scratch, operand);
+  sort_directions(cancellation, scratch, operand);
 }
 
 void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, const Limits& limits,
-                        std::vector<Polyline>& sums) {
+                        Cancellation& cancellation, std::vector<Polyline>& sums) {
   sums.clear();
+  const std::uint64_t work = 4 * o.kernel->work();
   const auto point = [&](SiteId site) {
     return walks[static_cast<std::size_t>(o.operand_of(site))].point(o.vertex_source[site]);
   };
@@ -62,7 +68,9 @@ void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, con
       if (o.operand_of(e) != 0) continue;
       for (std::size_t l = i; l < j; ++l) {
         const SiteId f = o.by_direction[l];
+        cancellation.check();
         if (o.operand_of(f) != 1) continue;
+        cancellation.check(work);
         if (sums.size() >= limits.max_segments) {
           throw Error(ErrorCode::kLimitExceeded,
                       "polylines have more than " + std::to_string(limits.max_segments) +

@@ -20,6 +20,7 @@ class RingExtractor {
       : arrangement_(arrangement),
         circle_(operands, arrangement),
         order_(arrangement, predicates),
+        cancellation_(predicates.cancellation()),
         scratch_(scratch),
         boundary_(boundary) {}
 
@@ -35,7 +36,7 @@ class RingExtractor {
     accept(loops, filtered);
     list_incidence(
         arrangement_, circle_, [&](PieceId p, NodeId) { return scratch_.accepted[p] != 0; },
-        scratch_.incidence);
+        cancellation_, scratch_.incidence);
     scratch_.stack_place.assign(arrangement_.nodes.size(), kNotOnStack);
     std::uint32_t walk = 0;
     for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -54,6 +55,7 @@ class RingExtractor {
   bool loops_are_rings(const Loops& loops, const FilteredLoops& filtered) {
     scratch_.passed.assign(arrangement_.nodes.size(), 0);
     for (std::size_t i = 0; i < loops.size(); ++i) {
+      cancellation_.check(1 + loops.loop(i).size());
       if (filtered.state[i] != LoopState::kAccepted) continue;
       for (const PieceId p : loops.loop(i)) {
         std::uint8_t& passed = scratch_.passed[arrangement_.pieces[p].from];
@@ -76,6 +78,7 @@ class RingExtractor {
   /// where it came.
   [[nodiscard]] PieceId successor(PieceId piece) const {
     const auto spokes = scratch_.incidence.at(arrangement_.pieces[piece].to);
+    cancellation_.check(1 + spokes.size());
     const std::uint32_t back = circle_.reverse(circle_.rank(piece));
     std::uint32_t best_turn = circle_.size();
     std::uint32_t best = kNoPiece;
@@ -121,6 +124,7 @@ class RingExtractor {
   }
 
   void add_ring(std::span<const PieceId> ring, std::uint32_t walk) {
+    cancellation_.check(ring.size());
     BoundaryRing result;
     result.begin = static_cast<std::uint32_t>(boundary_.vertices.size());
     result.walk = walk;
@@ -147,6 +151,7 @@ class RingExtractor {
     const auto end = boundary_.vertices.begin() + ring.end;
     auto smallest = begin;
     for (auto v = begin + 1; v != end; ++v) {
+      cancellation_.check();
       if (order_.compare(v->node, smallest->node) == kNegative) smallest = v;
     }
     std::rotate(begin, smallest, end);
@@ -155,6 +160,7 @@ class RingExtractor {
   const Arrangement& arrangement_;
   DirectionCircle circle_;
   NodeOrder order_;
+  Cancellation& cancellation_;
   OutputScratch& scratch_;
   Boundary& boundary_;
 };

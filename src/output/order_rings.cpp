@@ -16,7 +16,10 @@ class PolygonBuilder {
  public:
   PolygonBuilder(const Arrangement& arrangement, Predicates& predicates, OutputScratch& scratch,
                  Boundary& boundary)
-      : arrangement_(arrangement), order_(arrangement, predicates), scratch_(scratch),
+      : arrangement_(arrangement),
+        order_(arrangement, predicates),
+        cancellation_(predicates.cancellation()),
+        scratch_(scratch),
         b_(boundary) {}
 
   void run() {
@@ -24,13 +27,14 @@ class PolygonBuilder {
     auto& order = b_.ring_order;
     order.resize(b_.rings.size());
     for (std::uint32_t r = 0; r < order.size(); ++r) order[r] = r;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
       const std::uint32_t outer_a = scratch_.outer_of[a];
       const std::uint32_t outer_b = scratch_.outer_of[b];
       if (outer_a != outer_b) return ring_before(outer_a, outer_b);
       if (a == outer_a || b == outer_b) return a == outer_a && b != outer_b;
       return ring_before(a, b);
-    });
+    };
+    std::sort(order.begin(), order.end(), cancellation_.counting(before));
     b_.polygon_begin.clear();
     for (std::uint32_t i = 0; i < order.size(); ++i) {
       if (b_.rings[order[i]].positive) b_.polygon_begin.push_back(i);
@@ -157,6 +161,7 @@ class PolygonBuilder {
     const auto for_each_row = [&](const Node& v, const Node& w, auto visit) {
       const std::size_t first = row_of(std::min(v.at.y, w.at.y) - 2 * rows.error);
       const std::size_t last = row_of(std::max(v.at.y, w.at.y) + 2 * rows.error);
+      cancellation_.check(last - first);
       for (std::size_t row = first; row <= last; ++row) visit(row);
     };
     for_each_outer_edge([&](RowIndex::Edge, const Node& v, const Node& w) {
@@ -177,6 +182,7 @@ class PolygonBuilder {
       if (!ring.positive) continue;
       for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
         const std::uint32_t next = i + 1 == ring.end ? ring.begin : i + 1;
+        cancellation_.check();
         visit(RowIndex::Edge{r, i}, arrangement_.nodes[b_.vertices[i].node],
               arrangement_.nodes[b_.vertices[next].node]);
       }
@@ -192,6 +198,7 @@ class PolygonBuilder {
   }
   /// Whether the ray passes the edge that starts at this vertex.
   bool passes(const BoundaryRing& r, std::uint32_t i, NodeId at) {
+    cancellation_.check(2);
     const BoundaryVertex& v = b_.vertices[i];
     const BoundaryVertex& w = b_.vertices[i + 1 == r.end ? r.begin : i + 1];
     // A node at the same height is above the point.
@@ -207,6 +214,7 @@ class PolygonBuilder {
 
   const Arrangement& arrangement_;
   NodeOrder order_;
+  Cancellation& cancellation_;
   OutputScratch& scratch_;
   Boundary& b_;
 };

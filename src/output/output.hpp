@@ -73,7 +73,8 @@ void order_rings(const Arrangement& arrangement, Predicates& predicates, OutputS
 
 /// Writes exact coordinates and origins.
 void write_region(const Operands& operands, const Arrangement& arrangement,
-                  const Boundary& boundary, OutputScratch& scratch, Region& region);
+                  const Boundary& boundary, Cancellation& cancellation, OutputScratch& scratch,
+                  Region& region);
 
 /// Whether the rings are simple as far as their nodes tell, oriented and in canonical order; what
 /// is wrong, if not.

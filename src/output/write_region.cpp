@@ -70,17 +70,20 @@ EdgeOrigin origin_of(const Operands& o, const Segment& segment) {
 }  // namespace
 
 void write_region(const Operands& operands, const Arrangement& arrangement,
-                  const Boundary& boundary, OutputScratch& scratch, Region& region) {
+                  const Boundary& boundary, Cancellation& cancellation, OutputScratch& scratch,
+                  Region& region) {
   CoordinateWriter writer(*operands.kernel, scratch.coordinates, region);
   region.clear();
   const std::size_t vertices = boundary.vertices.size();
   const std::size_t rings = boundary.ring_order.size();
   RegionAccess::reserve(region, {vertices, vertices, rings, rings});
+  const std::uint64_t work = 4 * operands.kernel->work();
   for (std::uint32_t i = 0; i < boundary.ring_order.size(); ++i) {
     const BoundaryRing& ring = boundary.rings[boundary.ring_order[i]];
     if (ring.positive) region.begin_polygon();
     region.begin_ring();
     for (std::uint32_t k = ring.begin; k < ring.end; ++k) {
+      cancellation.check(work);
       const BoundaryVertex& v = boundary.vertices[k];
       const Vec<StoredCoordinate> at = writer.store(arrangement.nodes[v.node].point);
       const Segment& made_by = arrangement.kept[arrangement.pieces[v.piece].segment].segment;
@@ -91,7 +94,8 @@ void write_region(const Operands& operands, const Arrangement& arrangement,
 
 std::optional<std::string> check(const Boundary& b, const Arrangement& arrangement,
                                  const Operands& operands) {
-  Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+  Cancellation never;
+  Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
   const NodeOrder order(arrangement, predicates);
   if (b.ring_order.size() != b.rings.size()) return "a ring is in no polygon";
   for (const BoundaryRing& ring : b.rings) {

@@ -33,7 +33,8 @@ std::optional<Box> as_box(const Region& region) {
   return bounding_box(region);
 }
 
-Region combine(const Region& a, const Region& b, overlay::Inside inside) {
+Region combine(const Region& a, const Region& b, overlay::Inside inside,
+               const std::optional<CancelToken>& cancel) {
   std::vector<overlay::Chain> chains;
   for (const bool second : {false, true}) {
     overlay::for_each_ring(second ? b : a, [&](overlay::Chain chain, bool) {
@@ -41,12 +42,12 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside) {
       chains.push_back(chain);
     });
   }
-  return overlay::select(chains, {inside}, std::nullopt).region;
+  return overlay::select(chains, {inside}, cancel).region;
 }
 
 }  // namespace
 
-Geometry unite(std::span<const Geometry> geometries) {
+Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelToken>& cancel) {
   // Each winds once around its points: outer rings are counter-clockwise, holes clockwise.
   std::vector<overlay::Chain> chains;
   overlay::ThinStore thin;
@@ -59,25 +60,32 @@ Geometry unite(std::span<const Geometry> geometries) {
   }
   thin.list_chains(chains);
   return overlay::select(
-      chains, {[](const Winding& w) { return w.first > 0; }}, std::nullopt);
+      chains, {[](const Winding& w) { return w.first > 0; }}, cancel);
 }
 
-Region unite(const Region& a, const Region& b) {
-  return combine(a, b, [](const Winding& w) { return in_first(w) || in_second(w); });
+Region unite(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {
+  return combine(
+      a, b, [](const Winding& w) { return in_first(w) || in_second(w); }, cancel);
 }
-Region intersect(const Region& a, const Region& b) {
-  return combine(a, b, [](const Winding& w) { return in_first(w) && in_second(w); });
+Region intersect(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {
+  return combine(
+      a, b, [](const Winding& w) { return in_first(w) && in_second(w); }, cancel);
 }
-Region subtract(const Region& a, const Region& b) {
+Region subtract(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {
   if (const auto box = as_box(a)) {
-    if (auto result = complement_in(*box, b)) return std::move(*result);
+    if (auto result = complement_in(*box, b, cancel)) return std::move(*result);
   }
-  return combine(a, b, [](const Winding& w) { return in_first(w) && !in_second(w); });
+  return combine(
+      a, b, [](const Winding& w) { return in_first(w) && !in_second(w); }, cancel);
 }
-Region symmetric_difference(const Region& a, const Region& b) {
-  return combine(a, b, [](const Winding& w) { return in_first(w) != in_second(w); });
+Region symmetric_difference(const Region& a, const Region& b,
+                            const std::optional<CancelToken>& cancel) {
+  return combine(
+      a, b, [](const Winding& w) { return in_first(w) != in_second(w); }, cancel);
 }
 
-bool contains(const Region& b, const Region& a) { return subtract(a, b).empty(); }
+bool contains(const Region& b, const Region& a, const std::optional<CancelToken>& cancel) {
+  return subtract(a, b, cancel).empty();
+}
 
 }  // namespace minksum

@@ -24,12 +24,13 @@ struct AreaRing {
 class AreaExtractor {
  public:
   AreaExtractor(const Segments& segments, const Subdivision& subdivision)
-      : segments_(segments), s_(subdivision) {}
+      : segments_(segments), cancellation_(segments.cancellation()), s_(subdivision) {}
 
   void run(Region& area) {
     walk_of_.assign(s_.pieces.size(), kNone);
     place_in_path_.assign(s_.nodes.size(), kNone);
     for (PieceId p = 0; p < s_.pieces.size(); ++p) {
+      cancellation_.check();
       if (s_.pieces[p].is_boundary() && walk_of_[p] == kNone) follow(p);
     }
     assign_polygons();
@@ -60,6 +61,7 @@ class AreaExtractor {
     const Piece& piece = s_.pieces[step.piece];
     const std::uint32_t back = node == piece.low ? piece.place_at_low : piece.place_at_high;
     for (std::uint32_t at = back;;) {
+      cancellation_.check();
       at = (at == begin ? end : at) - 1;
       if (at == back) broken("the area's boundary ends at a node");
       const PieceId next = s_.around[at];
@@ -89,6 +91,7 @@ class AreaExtractor {
 
   void cut_off(std::uint32_t begin, std::uint32_t walk) {
     const std::span<Step> steps = std::span(path_).subspan(begin);
+    cancellation_.check(4 * steps.size());
     for (const Step& step : steps) place_in_path_[step.from] = kNone;
     const auto smallest = std::min_element(
         steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.from < b.from; });
@@ -127,11 +130,11 @@ class AreaExtractor {
   void assign_polygons() {
     std::vector<std::uint32_t> order(walks_.size());
     for (std::uint32_t w = 0; w < order.size(); ++w) order[w] = w;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::sort(order.begin(), order.end(), cancellation_.counting([&](auto a, auto b) {
       const bool a_hole = walks_[a].outer == kNone;
       const bool b_hole = walks_[b].outer == kNone;
       return std::tuple(a_hole, walks_[a].leftmost) < std::tuple(b_hole, walks_[b].leftmost);
-    });
+    }));
     for (const std::uint32_t w : order) {
       if (walks_[w].outer != kNone) continue;
       const PieceId ground = s_.ground_left[walks_[w].leftmost];
@@ -153,15 +156,19 @@ class AreaExtractor {
                         ring.corners[1]);
     };
     std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+              cancellation_.counting([&](auto a, auto b) { return key(a) < key(b); }));
     for (const std::uint32_t r : order) {
       if (rings_[r].outer) area.begin_polygon();
       area.begin_ring();
-      for (const NodeId node : rings_[r].corners) add_vertex(segments_, s_.nodes[node], area);
+      for (const NodeId node : rings_[r].corners) {
+        cancellation_.check(2);
+        add_vertex(segments_, s_.nodes[node], area);
+      }
     }
   }
 
   const Segments& segments_;
+  Cancellation& cancellation_;
   const Subdivision& s_;
   std::vector<std::uint32_t> walk_of_;        // by piece
   std::vector<std::uint32_t> place_in_path_;  // by node

@@ -1,5 +1,6 @@
 // What is in the result and outside of its area: polylines and points.
 #include <algorithm>
+#include <functional>
 
 #include "overlay/subdivision.hpp"
 #include "overlay/write_node.hpp"
@@ -10,7 +11,7 @@ namespace {
 class ThinExtractor {
  public:
   ThinExtractor(const Segments& segments, const Subdivision& subdivision)
-      : segments_(segments), s_(subdivision) {}
+      : segments_(segments), cancellation_(segments.cancellation()), s_(subdivision) {}
 
   void run(Geometry& geometry) {
     done_.assign(s_.pieces.size(), 0);
@@ -30,6 +31,7 @@ class ThinExtractor {
     thin_degree_.assign(s_.nodes.size(), 0);
     on_area_.assign(s_.nodes.size(), 0);
     for (const Piece& piece : s_.pieces) {
+      cancellation_.check();
       for (const NodeId v : {piece.low, piece.high}) {
         if (piece.thin) ++thin_degree_[v];
         if (piece.inside_above || piece.inside_below) on_area_[v] = 1;
@@ -40,6 +42,7 @@ class ThinExtractor {
   [[nodiscard]] bool is_end(NodeId v) const { return thin_degree_[v] != 2 || on_area_[v] != 0; }
 
   void follow_from(NodeId v) {
+    cancellation_.check(1 + s_.first_around[v + 1] - s_.first_around[v]);
     for (std::uint32_t i = s_.first_around[v]; i < s_.first_around[v + 1]; ++i) {
       const PieceId p = s_.around[i];
       if (s_.pieces[p].thin && done_[p] == 0) follow(v, p);
@@ -52,6 +55,7 @@ class ThinExtractor {
     NodeId at = start;
     PieceId before = kNone;
     for (;;) {
+      cancellation_.check(2);
       done_[p] = 1;
       if (before != kNone && turns_between(before, p, at)) path.push_back(at);
       const Piece& piece = s_.pieces[p];
@@ -82,19 +86,24 @@ class ThinExtractor {
   }
 
   void write(Geometry& geometry) {
-    std::sort(paths_.begin(), paths_.end());
+    std::sort(paths_.begin(), paths_.end(), cancellation_.counting(std::less<>()));
     for (const Path& path : paths_) {
       Polyline& line = geometry.polylines.emplace_back();
-      for (const NodeId v : path) line.push_back(exact_point(segments_, s_.nodes[v]));
+      for (const NodeId v : path) {
+        cancellation_.check(8);
+        line.push_back(exact_point(segments_, s_.nodes[v]));
+      }
     }
     for (NodeId v = 0; v < s_.nodes.size(); ++v) {
       const Node& node = s_.nodes[v];
+      cancellation_.check();
       if (!node.belongs || thin_degree_[v] != 0 || on_area_[v] != 0) continue;
       if (s_.inside_left[v] == 0) geometry.points.push_back(exact_point(segments_, node));
     }
   }
 
   const Segments& segments_;
+  Cancellation& cancellation_;
   const Subdivision& s_;
   std::vector<std::uint8_t> done_;          // by piece
   std::vector<std::uint32_t> thin_degree_;  // by node

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "overlay/subdivision.hpp"
 
@@ -32,12 +33,11 @@ struct Slant {
 
 class ContactFinder {
  public:
-  ContactFinder(const Segments& segments, std::size_t max_touches, Cancellation& cancellation,
-                Contacts& contacts)
+  ContactFinder(const Segments& segments, std::size_t max_touches, Contacts& contacts)
       : segments_(segments),
         predicates_(segments.predicates),
         max_touches_(max_touches),
-        cancellation_(cancellation),
+        cancellation_(segments.cancellation()),
         contacts_(contacts) {}
 
   bool run() {
@@ -55,7 +55,7 @@ class ContactFinder {
       return a.segment == b.segment && a.point == b.point;
     };
     auto& [touches, crossings] = contacts_;
-    std::sort(touches.begin(), touches.end(), touch_order);
+    std::sort(touches.begin(), touches.end(), cancellation_.counting(touch_order));
     touches.erase(std::unique(touches.begin(), touches.end(), same_touch), touches.end());
     sort_crossings();
     return true;
@@ -86,6 +86,7 @@ class ContactFinder {
   }
 
   void add(SegmentId s) {
+    cancellation_.check(4);
     const ApproximatePlace& a = predicates_.point(ends(s).low);
     const ApproximatePlace& b = predicates_.point(ends(s).high);
     const auto low = [](const Bounded& u, const Bounded& v) {
@@ -122,6 +123,7 @@ class ContactFinder {
 
   /// Bounds for all points.
   void measure() {
+    cancellation_.check(segments_.sources.size());
     for (PointId p = 0; p < segments_.sources.size(); ++p) {
       for (const Bounded& c : {predicates_.point(p).x, predicates_.point(p).y}) {
         extent_ = std::max(extent_, std::fabs(c.value));
@@ -139,6 +141,7 @@ class ContactFinder {
   void divide(std::size_t begin, std::size_t end, int poor) {
     if (too_many()) return;
     if (end - begin <= kFew) return test_all(begin, end);
+    cancellation_.check(2 * (end - begin));
     Item box = items_[begin];
     for (std::size_t i = begin + 1; i < end; ++i) {
       const Item& item = items_[i];
@@ -242,13 +245,14 @@ class ContactFinder {
 
   /// Pairs whose boxes overlap, from left to right.
   void test_all(std::size_t begin, std::size_t end) {
-    cancellation_.check();
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(first, items_.begin() + static_cast<std::ptrdiff_t>(end),
-              [](const Item& a, const Item& b) { return a.min_x < b.min_x; });
+              cancellation_.counting(
+                  [](const Item& a, const Item& b) { return a.min_x < b.min_x; }));
     for (std::size_t i = begin; i < end; ++i) {
       const Item a = items_[i];
-      for (std::size_t j = i + 1; j < end && items_[j].min_x <= a.max_x; ++j) {
+      std::size_t j = i + 1;
+      for (; j < end && items_[j].min_x <= a.max_x; ++j) {
         const Item& b = items_[j];
         if (b.min_y > a.max_y || a.min_y > b.max_y) continue;
         if (beside(a.segment, b.segment)) continue;
@@ -256,7 +260,7 @@ class ContactFinder {
         test(a.segment, b.segment);
       }
       if (too_many()) return;
-      if (end - begin > 1024) cancellation_.check();
+      cancellation_.check(1 + 2 * (j - i));
     }
   }
 
@@ -329,7 +333,7 @@ class ContactFinder {
   }
   void sort_crossings() {
     auto& crossings = contacts_.crossings;
-    std::sort(crossings.begin(), crossings.end());
+    std::sort(crossings.begin(), crossings.end(), cancellation_.counting(std::less<>()));
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
   }
 
@@ -348,9 +352,8 @@ class ContactFinder {
 
 }  // namespace
 
-bool find_contacts(const Segments& segments, std::size_t max_touches, Cancellation& cancellation,
-                   Contacts& contacts) {
-  return ContactFinder(segments, max_touches, cancellation, contacts).run();
+bool find_contacts(const Segments& segments, std::size_t max_touches, Contacts& contacts) {
+  return ContactFinder(segments, max_touches, contacts).run();
 }
 
 }  // namespace minksum::overlay

@@ -16,13 +16,16 @@ struct Step {
 
 /// The segments [begin, end) lie on one line: cut at all of their ends, and those of equal ends
 /// added up. Points of a line are in order if their numbers are.
-void join(std::span<const Segment> line, std::vector<Segment>& joined) {
+void join(std::span<const Segment> line, Cancellation& cancellation,
+          std::vector<Segment>& joined) {
   std::vector<Step> steps;
   for (const Segment& s : line) {
     steps.push_back({s.ends.low, s.change, s.belongs ? 1 : 0, s.spared});
     steps.push_back({s.ends.high, -s.change, s.belongs ? -1 : 0, -s.spared});
   }
-  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.at < b.at; });
+  std::sort(steps.begin(), steps.end(), cancellation.counting([](const Step& a, const Step& b) {
+    return a.at < b.at;
+  }));
   Step now = steps.front();
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const Step& step = steps[i];
@@ -36,18 +39,23 @@ void join(std::span<const Segment> line, std::vector<Segment>& joined) {
 }  // namespace
 
 void join_lines(Segments& segments) {
-  const ExactPoints& exact = segments.predicates.exact();
+  Cancellation& cancellation = segments.cancellation();
   std::vector<std::pair<ExactPoints::Line, Segment>> keyed;
   keyed.reserve(segments.list.size());
-  for (const Segment& s : segments.list) keyed.emplace_back(exact.line(s.ends), s);
-  std::sort(keyed.begin(), keyed.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const Segment& s : segments.list) {
+    cancellation.check(32);
+    keyed.emplace_back(segments.predicates.exact().line(s.ends), s);
+  }
+  std::sort(keyed.begin(), keyed.end(), cancellation.counting([](const auto& a, const auto& b) {
+    return a.first < b.first;
+  }));
   segments.list.clear();
   std::vector<Segment> line;
   for (std::size_t i = 0; i < keyed.size(); ++i) {
+    cancellation.check(4);
     line.push_back(keyed[i].second);
     if (i + 1 < keyed.size() && keyed[i + 1].first == keyed[i].first) continue;
-    join(line, segments.list);
+    join(line, cancellation, segments.list);
     line.clear();
   }
 }

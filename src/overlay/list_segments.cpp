@@ -29,11 +29,14 @@ std::vector<PointId> merge_points(std::vector<Source> sources, Segments& segment
   std::vector<PointId> order(sources.size());
   std::iota(order.begin(), order.end(), 0U);
   const Predicates& predicates = segments.predicates;
-  std::sort(order.begin(), order.end(),
-            [&](PointId a, PointId b) { return a != b && predicates.compare(a, b) == kNegative; });
+  const auto before = [&](PointId a, PointId b) {
+    return a != b && predicates.compare(a, b) == kNegative;
+  };
+  std::sort(order.begin(), order.end(), segments.cancellation().counting(before));
   std::vector<PointId> point_of(sources.size());
   std::vector<PointId> distinct;
   for (const PointId p : order) {
+    segments.cancellation().check();
     if (distinct.empty() || predicates.compare(distinct.back(), p) != kZero) {
       distinct.push_back(p);
       segments.sources.push_back(sources[p]);
@@ -53,10 +56,11 @@ Winding directed_weight(const Chain& chain, std::span<const PointId> points,
   return reversed ? -chain.weight : chain.weight;
 }
 
-void merge_equal(std::vector<Segment>& list) {
-  std::sort(list.begin(), list.end(), [](const Segment& a, const Segment& b) {
+void merge_equal(std::vector<Segment>& list, Cancellation& cancellation) {
+  std::sort(list.begin(), list.end(), cancellation.counting([](const Segment& a, const Segment& b) {
     return a.ends.low != b.ends.low ? a.ends.low < b.ends.low : a.ends.high < b.ends.high;
-  });
+  }));
+  cancellation.check(list.size());
   std::size_t kept = 0;
   for (const Segment& s : list) {
     Segment* last = kept == 0 ? nullptr : &list[kept - 1];
@@ -75,16 +79,20 @@ void merge_equal(std::vector<Segment>& list) {
 
 }  // namespace
 
-Segments list_segments(std::span<const Chain> chains) {
+Segments list_segments(std::span<const Chain> chains, Cancellation& cancellation) {
   Segments segments;
   std::vector<Source> sources = list_sources(chains);
-  segments.predicates = Predicates(load_points(sources), sources.size());
+  cancellation.check(chains.size() + sources.size());
+  LoadedPoints loaded = load_points(sources, cancellation);
+  segments.predicates =
+      Predicates(std::move(loaded.points), sources.size(), loaded.work, cancellation);
   const std::vector<PointId> point_of = merge_points(std::move(sources), segments);
   segments.belongs.assign(segments.sources.size(), 0);
   std::size_t first = 0;
   for (const Chain& chain : chains) {
     const auto points = std::span(point_of).subspan(first, chain.end - chain.begin);
     first += points.size();
+    cancellation.check(1 + points.size());
     if (points.empty()) continue;
     const auto is_first = [&](PointId p) { return p == points[0]; };
     if (chain.belongs && std::all_of(points.begin(), points.end(), is_first)) {
@@ -100,7 +108,7 @@ Segments list_segments(std::span<const Chain> chains) {
       if (b < a) segments.list.push_back({{b, a}, -weight, chain.belongs, chain.spared});
     }
   }
-  merge_equal(segments.list);
+  merge_equal(segments.list, cancellation);
   return segments;
 }
 

@@ -12,8 +12,9 @@ namespace minksum::overlay {
 namespace {
 
 template <class Visit>
-void for_each_coordinate(std::span<const Source> sources, Visit visit) {
+void for_each_coordinate(std::span<const Source> sources, Cancellation& cancellation, Visit visit) {
   for (const Source& source : sources) {
+    cancellation.check();
     visit(RegionAccess::x(*source.region, source.vertex));
     visit(RegionAccess::y(*source.region, source.vertex));
   }
@@ -24,11 +25,11 @@ int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
 
 /// The smallest powers of two and ten in use; if the integers that they make have so few bits that
 /// their differences fit the widest rung.
-bool find_grid(std::span<const Source> sources, Frame& frame) {
+bool find_grid(std::span<const Source> sources, Cancellation& cancellation, Frame& frame) {
   constexpr int kHigh = std::numeric_limits<int>::max();
   frame.exp2 = frame.exp10 = kHigh;
   bool quotients = false;
-  for_each_coordinate(sources, [&](const StoredCoordinate& c) {
+  for_each_coordinate(sources, cancellation, [&](const StoredCoordinate& c) {
     quotients |= c.denominator_limbs != 0;
     if (c.payload == 0) return;
     frame.exp2 = std::min<int>(frame.exp2, c.exp2);
@@ -37,7 +38,7 @@ bool find_grid(std::span<const Source> sources, Frame& frame) {
   if (quotients) return false;
   if (frame.exp2 == kHigh) frame.exp2 = frame.exp10 = 0;  // nothing but zeros
   int bits = 0;
-  for_each_coordinate(sources, [&](const StoredCoordinate& c) {
+  for_each_coordinate(sources, cancellation, [&](const StoredCoordinate& c) {
     if (c.payload == 0) return;
     bits = std::max(bits, bit_width(Int128{c.payload}) + (c.exp2 - frame.exp2) +
                               bits_of_ten_to(c.exp10 - frame.exp10));
@@ -69,10 +70,12 @@ std::unique_ptr<ExactPoints> make(std::span<const GridPoint> points, Frame frame
                                                std::move(frame));
 }
 
-std::unique_ptr<ExactPoints> load_grid(std::span<const Source> sources, Frame frame) {
+std::unique_ptr<ExactPoints> load_grid(std::span<const Source> sources, Cancellation& cancellation,
+                                       Frame frame) {
   std::vector<GridPoint> points;
   points.reserve(sources.size());
   for (const Source& s : sources) {
+    cancellation.check(4);
     points.push_back({on_grid(RegionAccess::x(*s.region, s.vertex), frame),
                       on_grid(RegionAccess::y(*s.region, s.vertex), frame)});
   }
@@ -91,12 +94,13 @@ std::unique_ptr<ExactPoints> load_grid(std::span<const Source> sources, Frame fr
   return make<WideRung>(points, std::move(frame));
 }
 
-std::unique_ptr<ExactPoints> load_homogeneous(std::span<const Source> sources) {
+LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& cancellation) {
   std::vector<ExactPointsOf<ArbitraryRung>::Own> points;
   std::vector<BigInteger> weights;
   points.reserve(sources.size());
   weights.reserve(sources.size());
   int log2_largest = std::numeric_limits<int>::min();
+  std::size_t bits = 0;
   const auto measure = [&](const Rational& value) {
     if (value.sign() == 0) return;
     const auto above = static_cast<int>(bit_length(RationalAccess::numerator(value)));
@@ -105,6 +109,7 @@ std::unique_ptr<ExactPoints> load_homogeneous(std::span<const Source> sources) {
   };
   for (const Source& s : sources) {
     const Point p = s.region->point(s.vertex);
+    cancellation.check(work_of(p));
     measure(p.x);
     measure(p.y);
     const auto part = [](const BigInt& value) { return BigInteger(value); };
@@ -113,21 +118,26 @@ std::unique_ptr<ExactPoints> load_homogeneous(std::span<const Source> sources) {
     const BigInteger w = dx == dy ? dx : BigInteger(lcm(dx, dy));
     points.push_back({BigInteger(part(RationalAccess::numerator(p.x)) * (w / dx)),
                       BigInteger(part(RationalAccess::numerator(p.y)) * (w / dy))});
+    bits = std::max({bits, bit_length(BigInt(w)), p.x.bits(), p.y.bits()});
     weights.push_back(w);
   }
   // The largest is about 2^100: far from overflow when three of them are multiplied.
   Frame frame;
   frame.approximate_exp2 = log2_largest == std::numeric_limits<int>::min() ? 0 : 100 - log2_largest;
-  return std::make_unique<ExactPointsOf<ArbitraryRung>>(std::move(points), std::move(weights),
-                                                        std::move(frame));
+  return {std::make_unique<ExactPointsOf<ArbitraryRung>>(std::move(points), std::move(weights),
+                                                         std::move(frame)),
+          work_of_decision(bits)};
 }
 
 }  // namespace
 
-std::unique_ptr<ExactPoints> load_points(std::span<const Source> sources) {
+LoadedPoints load_points(std::span<const Source> sources, Cancellation& cancellation) {
+  constexpr std::uint64_t kWorkOnGrid = 8;
   Frame frame;
-  if (find_grid(sources, frame)) return load_grid(sources, frame);
-  return load_homogeneous(sources);
+  if (find_grid(sources, cancellation, frame)) {
+    return {load_grid(sources, cancellation, frame), kWorkOnGrid};
+  }
+  return load_homogeneous(sources, cancellation);
 }
 
 }  // namespace minksum::overlay

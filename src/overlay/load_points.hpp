@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/region.hpp"
 #include "overlay/exact_points.hpp"
 
@@ -16,8 +17,13 @@ struct Source {
   std::size_t vertex = 0;
 };
 
+/// Points, and the units of work (see Cancellation) of a decision about them.
+struct LoadedPoints {
+  std::unique_ptr<ExactPoints> points;
+  std::uint64_t work = 0;
+};
 /// All points on the narrowest rung that holds them: integers on one grid, if it has up to 125 bits
 /// a side, else homogeneous integers, each point with its own denominator. O(n).
-[[nodiscard]] std::unique_ptr<ExactPoints> load_points(std::span<const Source> sources);
+[[nodiscard]] LoadedPoints load_points(std::span<const Source> sources, Cancellation& cancellation);
 
 }  // namespace minksum::overlay

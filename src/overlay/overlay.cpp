@@ -7,16 +7,16 @@ namespace minksum::overlay {
 namespace {
 
 // Far more touches than ends: many segments overlap on one line.
-Contacts list_contacts(Segments& segments, Cancellation& cancellation) {
+Contacts list_contacts(Segments& segments) {
   constexpr std::size_t kMany = 8;
   constexpr std::size_t kMaxTouches = std::size_t{1} << 28U;
   Contacts contacts;
-  if (find_contacts(segments, kMany * (segments.list.size() + 64), cancellation, contacts)) {
+  if (find_contacts(segments, kMany * (segments.list.size() + 64), contacts)) {
     return contacts;
   }
   join_lines(segments);
   contacts = {};
-  if (!find_contacts(segments, kMaxTouches, cancellation, contacts)) {
+  if (!find_contacts(segments, kMaxTouches, contacts)) {
     throw Error(ErrorCode::kLimitExceeded, "more than 2^28 touches of segments in one overlay");
   }
   return contacts;
@@ -27,11 +27,11 @@ Contacts list_contacts(Segments& segments, Cancellation& cancellation) {
 Geometry select(std::span<const Chain> chains, const Rule& rule,
                 const std::optional<CancelToken>& cancel) {
   Cancellation cancellation(cancel);
-  cancellation.check_now();
-  Segments segments = list_segments(chains);
-  const Contacts contacts = list_contacts(segments, cancellation);
-  Subdivision subdivision = subdivide(segments, contacts, cancellation);
-  sweep(segments, rule, cancellation, subdivision);
+  cancellation.look();
+  Segments segments = list_segments(chains, cancellation);
+  const Contacts contacts = list_contacts(segments);
+  Subdivision subdivision = subdivide(segments, contacts);
+  sweep(segments, rule, subdivision);
   Geometry result;
   extract_area(segments, subdivision, result.region);
   extract_thin(segments, subdivision, result);

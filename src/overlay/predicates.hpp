@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "overlay/bounded.hpp"
 #include "overlay/exact_points.hpp"
 
@@ -20,9 +21,15 @@ struct ApproximatePlace {
 class Predicates {
  public:
   Predicates() = default;
-  Predicates(std::unique_ptr<ExactPoints> exact, std::size_t points) : exact_(std::move(exact)) {
+  /// `work`: the units of work (see Cancellation) of an exact decision.
+  Predicates(std::unique_ptr<ExactPoints> exact, std::size_t points, std::uint64_t work,
+             Cancellation& cancellation)
+      : exact_(std::move(exact)), cancellation_(&cancellation), work_(work) {
     points_.reserve(points);
-    for (PointId p = 0; p < points; ++p) points_.push_back(approximate(p));
+    for (PointId p = 0; p < points; ++p) {
+      cancellation.check(2 + work / 8);
+      points_.push_back(approximate(p));
+    }
   }
 
   /// Keeps these points only, and numbers them in this order.
@@ -35,31 +42,36 @@ class Predicates {
   }
 
   [[nodiscard]] const ApproximatePlace& point(PointId p) const { return points_[p]; }
-  [[nodiscard]] const ExactPoints& exact() const { return *exact_; }
+  /// For one exact answer, whose work is counted.
+  [[nodiscard]] const ExactPoints& exact() const {
+    cancellation_->check(work_);
+    return *exact_;
+  }
+  [[nodiscard]] Cancellation& cancellation() const { return *cancellation_; }
 
   [[nodiscard]] Sign orientation(const Ends& line, PointId p) const {
     const Bounded area =
         cross(points_[line.low], points_[line.high], points_[line.low], points_[p]);
-    return area.certain() ? area.sign() : exact_->orientation(line, p);
+    return area.certain() ? area.sign() : exact().orientation(line, p);
   }
   [[nodiscard]] Sign orientation(const Ends& line, const ApproximatePlace& at,
                                  const Place& place) const {
     const Bounded area = cross(points_[line.low], points_[line.high], points_[line.low], at);
-    return area.certain() ? area.sign() : exact_->orientation(line, place);
+    return area.certain() ? area.sign() : exact().orientation(line, place);
   }
   [[nodiscard]] Sign cross(const Ends& s, const Ends& t) const {
     const Bounded area = cross(points_[s.low], points_[s.high], points_[t.low], points_[t.high]);
-    return area.certain() ? area.sign() : exact_->cross(s, t);
+    return area.certain() ? area.sign() : exact().cross(s, t);
   }
   [[nodiscard]] Sign compare(PointId a, PointId b) const {
     const Sign sign = by_filter(points_[a], points_[b]);
-    return sign != kZero ? sign : exact_->compare(a, b);
+    return sign != kZero ? sign : exact().compare(a, b);
   }
   /// By x, then by y.
   [[nodiscard]] Sign compare(const ApproximatePlace& a, const Place& a_place,
                              const ApproximatePlace& b, const Place& b_place) const {
     const Sign sign = by_filter(a, b);
-    return sign != kZero ? sign : exact_->compare(a_place, b_place);
+    return sign != kZero ? sign : exact().compare(a_place, b_place);
   }
   /// The sign of a ring's signed area.
   [[nodiscard]] Sign area_sign(std::span<const PointId> ring) const {
@@ -67,7 +79,10 @@ class Predicates {
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
       sum = sum + cross(points_[ring[0]], points_[ring[i]], points_[ring[0]], points_[ring[i + 1]]);
     }
-    return sum.certain() ? sum.sign() : exact_->area_sign(ring);
+    cancellation_->check(ring.size());
+    if (sum.certain()) return sum.sign();
+    cancellation_->check(work_ * ring.size());
+    return exact().area_sign(ring);
   }
 
   /// Where two segments cross: in doubles if these are good for it, else rounded from the exact
@@ -82,7 +97,7 @@ class Predicates {
     const Bounded height = b.y - a.y;
     constexpr double kGoodEnough = 0x1p-40;
     if (part.error < kGoodEnough) return {a.x + part * width, a.y + part * height};
-    const Approximation at = exact_->approximate(Place::of_crossing(s, t));
+    const Approximation at = exact().approximate(Place::of_crossing(s, t));
     return {rounded(at.x), rounded(at.y)};
   }
 
@@ -114,6 +129,8 @@ class Predicates {
   }
 
   std::unique_ptr<ExactPoints> exact_;
+  Cancellation* cancellation_ = nullptr;
+  std::uint64_t work_ = 0;
   std::vector<ApproximatePlace> points_;
 };
 

@@ -10,12 +10,11 @@ namespace {
 
 class Subdivider {
  public:
-  Subdivider(const Segments& segments, const Contacts& contacts, Cancellation& cancellation,
-             Subdivision& result)
+  Subdivider(const Segments& segments, const Contacts& contacts, Subdivision& result)
       : segments_(segments),
         predicates_(segments.predicates),
         contacts_(contacts),
-        cancellation_(cancellation),
+        cancellation_(segments.cancellation()),
         result_(result) {}
 
   void run() {
@@ -34,17 +33,16 @@ class Subdivider {
     std::vector<Node> crossed;
     crossed.reserve(crossings.size());
     for (const Crossing& c : crossings) {
-      cancellation_.check();
+      cancellation_.check(4);
       const Ends& s = segments_.list[c.first].ends;
       const Ends& t = segments_.list[c.second].ends;
       crossed.push_back({predicates_.crossing(s, t), Place::of_crossing(s, t), false});
     }
     std::vector<std::uint32_t> order(crossed.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      cancellation_.check();
+    std::sort(order.begin(), order.end(), cancellation_.counting([&](auto a, auto b) {
       return a != b && compare(crossed[a], crossed[b]) == kNegative;
-    });
+    }));
     node_of_point_.resize(point_count());
     node_of_crossing_.resize(crossed.size());
     result_.nodes.reserve(point_count() + crossed.size());
@@ -64,6 +62,7 @@ class Subdivider {
     return {predicates_.point(p), Place::of_point(p), segments_.belongs[p] != 0};
   }
   void add_point(PointId p) {
+    cancellation_.check();
     result_.nodes.push_back(node_at(p));
     node_of_point_[p] = last_node();
   }
@@ -81,8 +80,10 @@ class Subdivider {
   }
   template <class Visit>
   void for_each_stop(Visit visit) const {
+    cancellation_.check(contacts_.touches.size());
     for (const Touch& touch : contacts_.touches) visit(touch.segment, node_of_point_[touch.point]);
     for (std::size_t c = 0; c < contacts_.crossings.size(); ++c) {
+      cancellation_.check(2);
       visit(contacts_.crossings[c].first, node_of_crossing_[c]);
       visit(contacts_.crossings[c].second, node_of_crossing_[c]);
     }
@@ -94,10 +95,11 @@ class Subdivider {
     for (SegmentId s = 0; s < segments_.list.size(); ++s) {
       const auto begin = stops_.begin() + first_stop_[s];
       const auto end = stops_.begin() + first_stop_[s + 1];
-      std::sort(begin, end);
+      std::sort(begin, end, cancellation_.counting(std::less<>()));
       const Segment& segment = segments_.list[s];
       NodeId from = node_of_point_[segment.ends.low];
       const auto cut_at = [&](NodeId to) {
+        cancellation_.check();
         if (to == from) return;
         Piece& piece = pieces.emplace_back();
         piece.low = from;
@@ -122,7 +124,10 @@ class Subdivider {
     for (const Piece& piece : unsorted) ++place[piece.low + 1];
     std::partial_sum(place.begin(), place.end(), place.begin());
     result_.pieces.resize(unsorted.size());
-    for (const Piece& piece : unsorted) result_.pieces[place[piece.low]++] = piece;
+    for (const Piece& piece : unsorted) {
+      cancellation_.check();
+      result_.pieces[place[piece.low]++] = piece;
+    }
     // Now place[v] is where the pieces of node v end.
     result_.first_piece.assign(1, 0);
     std::size_t kept = 0;
@@ -141,7 +146,9 @@ class Subdivider {
     auto& pieces = result_.pieces;
     const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
     if (end - begin > 1) {
-      std::sort(at(begin), at(end), [](const Piece& a, const Piece& b) { return a.high < b.high; });
+      std::sort(at(begin), at(end), cancellation_.counting([](const Piece& a, const Piece& b) {
+        return a.high < b.high;
+      }));
     }
     std::size_t kept = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -157,11 +164,11 @@ class Subdivider {
     const auto end_of_kept = std::remove_if(at(to), at(to + kept), std::mem_fn(&Piece::idle));
     kept = static_cast<std::size_t>(end_of_kept - at(to));
     if (kept > 1) {
-      std::sort(at(to), at(to + kept), [&](const Piece& a, const Piece& b) {
+      std::sort(at(to), at(to + kept), cancellation_.counting([&](const Piece& a, const Piece& b) {
         return a.segment != b.segment &&
                predicates_.cross(segments_.list[a.segment].ends, segments_.list[b.segment].ends) ==
                    kPositive;
-      });
+      }));
     }
     return kept;
   }
@@ -179,10 +186,9 @@ class Subdivider {
 
 }  // namespace
 
-Subdivision subdivide(const Segments& segments, const Contacts& contacts,
-                      Cancellation& cancellation) {
+Subdivision subdivide(const Segments& segments, const Contacts& contacts) {
   Subdivision result;
-  Subdivider(segments, contacts, cancellation, result).run();
+  Subdivider(segments, contacts, result).run();
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "minksum/cancel.hpp"
+#include "cancellation.hpp"
 #include "overlay/load_points.hpp"
 #include "overlay/overlay.hpp"
 #include "overlay/predicates.hpp"
@@ -31,12 +31,15 @@ struct Segment {
   [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
 };
 
-/// Distinct points in lexicographic order, and the segments between them.
+/// Distinct points in lexicographic order, and the segments between them. The predicates know the
+/// operation's Cancellation.
 struct Segments {
   Predicates predicates;
   std::vector<Source> sources;        ///< by point: one vertex that is there
   std::vector<std::uint8_t> belongs;  ///< by point: a chain of this point alone belongs
   std::vector<Segment> list;
+
+  [[nodiscard]] Cancellation& cancellation() const { return predicates.cancellation(); }
 };
 
 /// A point that lies inside a segment.
@@ -100,36 +103,20 @@ struct Subdivision {
   std::vector<PieceId> ground_left;
 };
 
-/// Says stop if the caller has said so.
-class Cancellation {
- public:
-  explicit Cancellation(std::optional<CancelToken> token) : token_(std::move(token)) {}
-  /// Looks now and then only.
-  void check() {
-    if (++calls_ % 1024 == 0) check_now();
-  }
-  void check_now() const {
-    if (token_ && token_->cancelled()) throw Error(ErrorCode::kCancelled, "cancelled");
-  }
-
- private:
-  std::optional<CancelToken> token_;
-  std::uint32_t calls_ = 0;
-};
-
 [[noreturn]] inline void broken(const char* what) {
   throw Error(ErrorCode::kInternal, what, {}, "overlay");
 }
 
 // -- Steps, in their order -----------------------------------------------------------------------
 /// Points that are equal become one, equal segments as well, and closed chains are directed.
-[[nodiscard]] Segments list_segments(std::span<const Chain> chains);
+/// `cancellation` must live as long as the segments.
+[[nodiscard]] Segments list_segments(std::span<const Chain> chains, Cancellation& cancellation);
 
 /// All touches and crossings. Cells are divided at medians, with each segment's box cut to the
 /// cell: a pair that meets does so in some cell, where both boxes hold the point.
 /// Gives up, and returns false, if it finds more than `max_touches` touches.
 [[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
-                                 Cancellation& cancellation, Contacts& contacts);
+                                 Contacts& contacts);
 
 /// Replaces segments that overlap on one line by segments that do not: k of them that contain each
 /// other have up to k² touches, and become at most 2k. Worth its price only for such crowds.
@@ -138,14 +125,12 @@ void join_lines(Segments& segments);
 
 /// Cuts segments at their contacts. Nodes are equal if their exact places are.
 /// O((n + c) log (n + c)) for n segments and c contacts.
-[[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts,
-                                    Cancellation& cancellation);
+[[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts);
 
 /// Fills in what the sweep finds, and takes back `belongs` from nodes that the rule does not keep: a line moves over the nodes in their order and keeps the pieces
 /// that it meets in a balanced tree; as none cross, their order changes at nodes only. Only where
 /// no piece ends is a place looked for, by exact comparison. O(n log n)
-void sweep(const Segments& segments, const Rule& rule, Cancellation& cancellation,
-           Subdivision& subdivision);
+void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
 
 /// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them
 /// counter-clockwise, and both neighbours of a face agree on it; what is wrong, if not. Every pair

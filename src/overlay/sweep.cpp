@@ -9,8 +9,8 @@ namespace {
 
 class Sweep {
  public:
-  Sweep(const Segments& segments, const Rule& rule, Cancellation& cancellation, Subdivision& s)
-      : segments_(segments), rule_(rule), cancellation_(cancellation), s_(s) {}
+  Sweep(const Segments& segments, const Rule& rule, Subdivision& s)
+      : segments_(segments), rule_(rule), cancellation_(segments.cancellation()), s_(s) {}
 
   void run() {
     slot_of_.resize(s_.pieces.size());
@@ -21,7 +21,7 @@ class Sweep {
     s_.ground_left.reserve(s_.nodes.size());
     find_ending();
     for (NodeId v = 0; v < s_.nodes.size(); ++v) {
-      cancellation_.check();
+      cancellation_.check(4 + s_.first_piece[v + 1] - s_.first_piece[v]);
       pass(v);
     }
     s_.first_around.push_back(static_cast<std::uint32_t>(s_.around.size()));
@@ -86,6 +86,7 @@ class Sweep {
   [[nodiscard]] SlotId search(NodeId v) const {
     const Node& node = s_.nodes[v];
     return status_.search([&](PieceId p) {
+      cancellation_.check(4);
       const Ends& line = segments_.list[s_.pieces[p].segment].ends;
       const Sign side = segments_.predicates.orientation(line, node.at, node.place);
       if (side == kZero) broken("a node lies inside a piece");
@@ -150,9 +151,8 @@ class Sweep {
 
 }  // namespace
 
-void sweep(const Segments& segments, const Rule& rule, Cancellation& cancellation,
-           Subdivision& subdivision) {
-  Sweep(segments, rule, cancellation, subdivision).run();
+void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision) {
+  Sweep(segments, rule, subdivision).run();
 }
 
 }  // namespace minksum::overlay

@@ -22,7 +22,9 @@ Region copied(const Region& from, const IndexRange& rings) {
   for (const std::size_t ring : rings) append_ring(from, ring, region);
   return region;
 }
-bool is_legal(const Region& region) { return validate(region, 1).empty(); }
+bool is_legal(const Region& region, const ResolveOptions& options) {
+  return validate(region, 1, options.cancel).empty();
+}
 
 /// Adds the rings of a region, outer rings counter-clockwise and holes clockwise.
 template <class SetUp>
@@ -86,7 +88,7 @@ class PolygonReader {
 
   [[nodiscard]] Hole read_hole(std::size_t ring) const {
     Hole hole{copied(region_, {ring, ring + 1}), {}};
-    if (is_legal(hole.area)) return hole;
+    if (is_legal(hole.area, options_)) return hole;
     std::vector<Chain> chains;
     for_each_ring(hole.area, [&](Chain chain, bool) {
       chain.weight.first = 1;
@@ -120,7 +122,9 @@ Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options
     const IndexRange rings = region.rings_of(polygon);
     if (rings.empty()) continue;
     read.push_back({copied(region, rings), {}, {}});
-    if (!is_legal(read.back().region)) read.back() = PolygonReader(region, rings, options).run();
+    if (!is_legal(read.back().region, options)) {
+      read.back() = PolygonReader(region, rings, options).run();
+    }
     list_by_role(read.back().region, chains, [](Chain& chain) { chain.weight.first = 1; });
   }
   ThinStore thin;

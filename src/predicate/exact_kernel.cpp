@@ -51,6 +51,7 @@ class GridKernel final : public KernelOf<Rung> {
     if constexpr (std::is_same_v<Rung, MediumRung>) return Arithmetic::kMedium;
     return Arithmetic::kWide;
   }
+  std::uint64_t work() const override { return 8; }
   void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
     if (!node.is_crossing) {
       const auto at = this->position(node.vertex);
@@ -73,13 +74,17 @@ class GridKernel final : public KernelOf<Rung> {
   }
   int exp2() const override { return unit_.exp2; }
   int exp10() const override { return unit_.exp10; }
-  void approximate_sites(std::span<double> x, std::span<double> y) const override {
+  void approximate_sites(std::span<double> x, std::span<double> y,
+                         Cancellation& cancellation) const override {
+    cancellation.check(x.size() / 4);
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = to_double(this->sites_[i].x);
       y[i] = to_double(this->sites_[i].y);
     }
   }
-  void approximate_edges(std::span<double> dx, std::span<double> dy) const override {
+  void approximate_edges(std::span<double> dx, std::span<double> dy,
+                         Cancellation& cancellation) const override {
+    cancellation.check(dx.size() / 4);
     for (std::size_t i = 0; i < dx.size(); ++i) {
       const auto d = this->direction(static_cast<SiteId>(i));
       dx[i] = to_double(d.x);
@@ -129,15 +134,17 @@ class GridKernel final : public KernelOf<Rung> {
 class RationalKernel final : public KernelOf<ArbitraryRung> {
  public:
   void load(const std::vector<Vec<BigRational>>& sites, SiteId split, const Vec<BigRational>& first,
-            const Vec<BigRational>& second, int exponent) {
+            const Vec<BigRational>& second, std::size_t bits, int exponent) {
     sites_.clear();
     for (const Vec<BigRational>& site : sites) sites_.push_back(as<Fraction>(site));
     next_.clear();
     split_ = split;
     origin_ = {as<Fraction>(first), as<Fraction>(second)};
+    work_ = work_of_decision(bits);
     exponent_ = exponent;
   }
   Arithmetic rung() const override { return Arithmetic::kArbitrary; }
+  std::uint64_t work() const override { return work_; }
   void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
     const Vec<Fraction> at = exact_point(node);
     set(at.x.reduced(), out.x);
@@ -146,15 +153,19 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
   int exp2() const override { return 0; }
   int exp10() const override { return 0; }
-  void approximate_sites(std::span<double> x, std::span<double> y) const override {
+  void approximate_sites(std::span<double> x, std::span<double> y,
+                         Cancellation& cancellation) const override {
     for (std::size_t i = 0; i < x.size(); ++i) {
+      cancellation.check(work_);
       const Vec<double> at = scaled(minus(sites_[i], origin_[i < split_ ? 0 : 1]));
       x[i] = at.x;
       y[i] = at.y;
     }
   }
-  void approximate_edges(std::span<double> dx, std::span<double> dy) const override {
+  void approximate_edges(std::span<double> dx, std::span<double> dy,
+                         Cancellation& cancellation) const override {
     for (std::size_t i = 0; i < dx.size(); ++i) {
+      cancellation.check(work_);
       const Vec<double> d = scaled(direction(static_cast<SiteId>(i)));
       dx[i] = d.x;
       dy[i] = d.y;
@@ -173,6 +184,7 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   }
   SiteId split_ = 0;
   std::array<Vec<Fraction>, 2> origin_;
+  std::uint64_t work_ = 0;
   int exponent_ = 0;
 };
 
@@ -198,9 +210,9 @@ void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const Gr
 
 void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
                           const Vec<BigRational>& origin_first,
-                          const Vec<BigRational>& origin_second, int exponent,
+                          const Vec<BigRational>& origin_second, std::size_t bits, int exponent,
                           std::unique_ptr<ExactKernel>& old) {
-  reuse_or_make<RationalKernel>(old).load(sites, split, origin_first, origin_second,
+  reuse_or_make<RationalKernel>(old).load(sites, split, origin_first, origin_second, bits,
                                           exponent);
 }
 

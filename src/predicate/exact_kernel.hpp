@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "number/big.hpp"
 #include "number/sign.hpp"
@@ -33,6 +34,8 @@ class ExactKernel {
  public:
   virtual ~ExactKernel() = default;
   [[nodiscard]] virtual Arithmetic rung() const = 0;
+  /// The units of work (see Cancellation) of a decision.
+  [[nodiscard]] virtual std::uint64_t work() const = 0;
 
   // -- One operand's sites ------------------------------------------------------------------
   /// Positive if c lies to the left of the line from a to b; the three are of one operand.
@@ -82,8 +85,10 @@ class ExactKernel {
   [[nodiscard]] virtual int exp10() const = 0;
   /// The doubles nearest to all sites (moved and, on the arbitrary rung, scaled) and, once
   /// connected, to all edge vectors.
-  virtual void approximate_sites(std::span<double> x, std::span<double> y) const = 0;
-  virtual void approximate_edges(std::span<double> dx, std::span<double> dy) const = 0;
+  virtual void approximate_sites(std::span<double> x, std::span<double> y,
+                                 Cancellation& cancellation) const = 0;
+  virtual void approximate_edges(std::span<double> dx, std::span<double> dy,
+                                 Cancellation& cancellation) const = 0;
 
   /// The edge that starts at each site ends at the site `next` names.
   virtual void connect(std::span<const SiteId> next) = 0;
@@ -132,11 +137,11 @@ struct GridPart {
 /// of the common grid. Reuses `old` if it is of the same rung.
 void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old);
-/// A kernel for any rational coordinates; `origin_first`, `origin_second` and `exponent` say how
-/// they are approximated: (coordinate − origin of its operand) · 2^exponent.
+/// A kernel for any rational coordinates, none longer than `bits`; `origin_first`, `origin_second`
+/// and `exponent` say how they are approximated: (coordinate − origin of its operand) · 2^exponent.
 void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
                           const Vec<BigRational>& origin_first,
-                          const Vec<BigRational>& origin_second, int exponent,
+                          const Vec<BigRational>& origin_second, std::size_t bits, int exponent,
                           std::unique_ptr<ExactKernel>& old);
 
 }  // namespace minksum

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "predicate/bit_budget.hpp"
 #include "predicate/exact_kernel.hpp"
 
@@ -60,13 +61,19 @@ struct LadderCounts {
 /// each computation has its own (it counts).
 class Predicates {
  public:
-  Predicates(const ApproximateSites& sites, const ExactKernel& kernel, const RoundingBounds& bounds)
-      : sites_(&sites), kernel_(&kernel), bounds_(bounds) {}
+  Predicates(const ApproximateSites& sites, const ExactKernel& kernel, const RoundingBounds& bounds,
+             Cancellation& cancellation)
+      : sites_(&sites),
+        kernel_(&kernel),
+        bounds_(bounds),
+        cancellation_(&cancellation),
+        work_(kernel.work()) {}
 
   [[nodiscard]] const RoundingBounds& bounds() const { return bounds_; }
   [[nodiscard]] const ExactKernel& kernel() const { return *kernel_; }
   [[nodiscard]] const ApproximateSites& sites() const { return *sites_; }
   [[nodiscard]] const LadderCounts& counts() const { return counts_; }
+  [[nodiscard]] Cancellation& cancellation() const { return *cancellation_; }
 
   // -- Approximate values, with `bounds()` --------------------------------------------------
   [[nodiscard]] Vec<double> direction(SiteId edge) const {
@@ -97,7 +104,7 @@ class Predicates {
     if (value > bound) return count_filter(kPositive);
     if (value < -bound) return count_filter(kNegative);
     if (bound == 0) return count_filter(kZero);
-    ++counts_.by_kernel;
+    count_kernel();
     return exact();
   }
   Sign orientation(const Segment& s, const SumVertex& v) {
@@ -146,7 +153,7 @@ class Predicates {
     const double bound = error_a + error_b;
     if (lambda_a - lambda_b > bound) return count_filter(kPositive);
     if (lambda_b - lambda_a > bound) return count_filter(kNegative);
-    ++counts_.by_kernel;
+    count_kernel();
     return kernel_->compare_along(s, a, b);
   }
   /// Order of two nodes along an axis; `p`, `q` approximate them within `p_error`, `q_error`.
@@ -165,7 +172,7 @@ class Predicates {
         cross_bound(d, v, left, right, p_error + bounds_.difference + bounds_.position);
     if (left - right > bound) return count_filter(kPositive);
     if (left - right < -bound) return count_filter(kNegative);
-    ++counts_.by_kernel;
+    count_kernel();
     return kernel_->orientation(s, node);
   }
 
@@ -190,7 +197,7 @@ class Predicates {
     const double bound = cross_bound(d, w, left, right, bounds_.difference + 2 * bounds_.position);
     if (left - right > bound) return count_filter(kPositive);
     if (left - right < -bound) return count_filter(kNegative);
-    ++counts_.by_kernel;
+    count_kernel();
     Sign sign = kernel_->probe_orientation(edge, v, probe);
     if (sign == kZero) sign = -dot(edge, probe.segment.edge);
     if (sign == kZero) sign = cross(edge, probe.segment.edge);
@@ -202,7 +209,7 @@ class Predicates {
     const double bound = bounds_.difference + 2 * bounds_.position;
     if (at.y - p.y > bound) return count_filter(kPositive);
     if (at.y - p.y < -bound) return count_filter(kNegative);
-    ++counts_.by_kernel;
+    count_kernel();
     Sign sign = kernel_->probe_compare(probe, v, Axis::kY);
     if (sign == kZero) sign = -component(probe.segment.edge, Axis::kX);
     if (sign == kZero) sign = component(probe.segment.edge, Axis::kY);
@@ -222,7 +229,11 @@ class Predicates {
     return ((std::abs(left) + std::abs(right)) * bounds_.product + by_v + by_d) * (1 + 0x1p-48);
   }
   void count_filtered(std::uint64_t n) { counts_.by_filter += n; }
-  void count_kernel(std::uint64_t n) { counts_.by_kernel += n; }
+  /// Of a decision that the kernel is about to take: counts it, and its work.
+  void count_kernel() {
+    ++counts_.by_kernel;
+    cancellation_->check(work_);
+  }
 
  private:
   Sign count_filter(Sign sign) {
@@ -234,7 +245,7 @@ class Predicates {
     if (value > bound) return count_filter(kPositive);
     if (value < -bound) return count_filter(kNegative);
     if (bound == 0) return count_filter(kZero);
-    ++counts_.by_kernel;
+    count_kernel();
     return exact();
   }
   template <class Exact>
@@ -250,13 +261,15 @@ class Predicates {
     if (left - right > bound) return count_filter(kPositive);
     if (left - right < -bound) return count_filter(kNegative);
     if (bound == 0) return count_filter(kZero);
-    ++counts_.by_kernel;
+    count_kernel();
     return exact();
   }
 
   const ApproximateSites* sites_;
   const ExactKernel* kernel_;
   RoundingBounds bounds_;
+  Cancellation* cancellation_;
+  std::uint64_t work_;  ///< of a decision by the kernel
   LadderCounts counts_;
 };
 

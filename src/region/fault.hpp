@@ -8,6 +8,7 @@ namespace minksum {
 /// Throws Error(kBadInput) that tells of a fault of this operand (Culprit::operand).
 [[noreturn]] void reject(const Fault& fault, int operand);
 /// Throws that for the first fault of a region that is not legal (see `validate`).
-void require_legal(const Region& region, int operand);
+void require_legal(const Region& region, int operand,
+                   const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

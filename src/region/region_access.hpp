@@ -1,9 +1,11 @@
 // The inside of Region for the library's own code: coordinates as stored, and results as made.
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -111,6 +113,16 @@ class RegionAccess {
   }
   static Rational exact(const Region& region, const StoredCoordinate& coordinate) {
     return region.exact(coordinate);
+  }
+
+  /// Bits of the longer of a vertex's coordinates, or somewhat more.
+  static std::size_t bits(const Region& region, std::size_t vertex) {
+    const auto of = [](const StoredCoordinate& c) {
+      const std::size_t limbs = std::max<std::size_t>(
+          {1, static_cast<std::size_t>(c.numerator_limbs & kLimbCountMask), c.denominator_limbs});
+      return 64 * limbs + static_cast<std::size_t>(std::abs(c.exp2) + 4 * std::abs(c.exp10));
+    };
+    return std::max(of(x(region, vertex)), of(y(region, vertex)));
   }
 
   /// The order of two coordinates of this region.

@@ -27,8 +27,9 @@ using Choice = std::vector<Corner>;
 class RingChooser {
  public:
   RingChooser(const Region& region, const Target& target, const RoundedVertices& nearest,
-              double step, std::size_t ring, bool forward)
-      : region_(region),
+              double step, std::size_t ring, bool forward, Cancellation& cancellation)
+      : cancellation_(cancellation),
+        region_(region),
         target_(target),
         nearest_(nearest),
         step_(step),
@@ -87,6 +88,7 @@ class RingChooser {
 
   /// Takes the choice if it is allowed.
   bool try_choice(const Choice& choice) {
+    cancellation_.check(32);
     const std::size_t v = choice.front().source;
     for (const Corner& corner : choice) {
       const bool finite = std::isfinite(corner.to.x.value) && std::isfinite(corner.to.y.value);
@@ -259,6 +261,7 @@ class RingChooser {
     };
     const Point from = rounded ? place(p) : region_.point(p.source);
     const Point to = rounded ? place(v) : region_.point(v.source);
+    cancellation_.check(16 * work_of(to));
     const Point start = region_.point(end.source);
     const Point stop = place(end);
     const Rational product =
@@ -296,6 +299,7 @@ class RingChooser {
     return rounded_up(length_of(x - along_x, y - along_y) + error);
   }
 
+  Cancellation& cancellation_;
   const Region& region_;
   const Target& target_;
   const RoundedVertices& nearest_;
@@ -313,15 +317,16 @@ class RingChooser {
 }  // namespace
 
 std::optional<Sided> choose_side(const Region& region, RoundingSide side, const Target& target,
-                                 const RoundedVertices& nearest, double step) {
+                                 const RoundedVertices& nearest, double step,
+                                 Cancellation& cancellation) {
   Sided result;
   for (const std::size_t polygon : region.polygons()) {
     result.region.begin_polygon();
     bool is_hole = false;
     for (const std::size_t ring : region.rings_of(polygon)) {
-      const bool interior_left = counter_clockwise(region, ring) != is_hole;
+      const bool interior_left = counter_clockwise(region, ring, cancellation) != is_hole;
       RingChooser chooser(region, target, nearest, step, ring,
-                          interior_left == (side == RoundingSide::kOutside));
+                          interior_left == (side == RoundingSide::kOutside), cancellation);
       if (!chooser.run()) return std::nullopt;
       chooser.add_ring(result.region);
       result.largest_move = std::max(result.largest_move, chooser.largest_move());

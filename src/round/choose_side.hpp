@@ -40,6 +40,6 @@ struct Sided {
 /// The distance from an edge is a convex function, so greatest at one of these places.
 [[nodiscard]] std::optional<Sided> choose_side(const Region& region, RoundingSide side,
                                                const Target& target, const RoundedVertices& nearest,
-                                               double step);
+                                               double step, Cancellation& cancellation);
 
 }  // namespace minksum

@@ -32,13 +32,13 @@ Region grown(const Geometry& geometry, const Rational& half,
 
 Region shrunk(const Region& region, const Rational& half,
               const std::optional<CancelToken>& cancel) {
-  const auto around = bounding_box(region);
+  const auto around = bounding_box(region, cancel);
   if (!around) return {};
   // Any frame will do that the region does not touch.
   const Rational margin = half + half;
   const Region frame = box({around->min.x - margin, around->min.y - margin},
                            {around->max.x + margin, around->max.y + margin});
-  return subtract(frame, grown(subtract(frame, region), half, cancel));
+  return subtract(frame, grown(subtract(frame, region, cancel), half, cancel), cancel);
 }
 
 }  // namespace minksum

@@ -140,10 +140,11 @@ bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInt>& cent
   return !parameters.empty();
 }
 
-HotPixels::HotPixels(std::span<const SnapPoint> points) {
+HotPixels::HotPixels(std::span<const SnapPoint> points, Cancellation& cancellation) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    cancellation.check(4);
     return before(points[a].centre, points[b].centre);
   });
   pixel_of_.resize(points.size());
@@ -154,12 +155,12 @@ HotPixels::HotPixels(std::span<const SnapPoint> points) {
     pixel_of_[i] = static_cast<PixelId>(centres_.size() - 1);
   }
   stamp_.assign(centres_.size(), 0);
-  if (!centres_.empty()) place_in_cells();
+  if (!centres_.empty()) place_in_cells(cancellation);
 }
 
 /// Cells are measured in units of 2^k steps, with k such that doubles hold all units; so every
 /// pixel's place is known within one unit, which is a step or far less than a cell.
-void HotPixels::place_in_cells() {
+void HotPixels::place_in_cells(Cancellation& cancellation) {
   constexpr std::size_t kBits = 50;
   Vec<BigInt> low = centres_[0];
   Vec<BigInt> high = centres_[0];
@@ -172,6 +173,7 @@ void HotPixels::place_in_cells() {
   const auto unit = static_cast<unsigned>(bits > kBits ? bits - kBits : 0);
   Vec<double> extent{};
   for (const auto& c : centres_) {
+    cancellation.check(8);
     near_.push_back(
         {to_double(BigInt(c.x - low.x) >> unit), to_double(BigInt(c.y - low.y) >> unit)});
     extent = {std::max(extent.x, near_.back().x), std::max(extent.y, near_.back().y)};
@@ -192,6 +194,7 @@ void HotPixels::place_in_cells() {
                static_cast<std::size_t>(grid_.columns) +
            static_cast<std::size_t>(grid_.column(near_[p].x));
   };
+  cancellation.check(4 * centres_.size());
   for (PixelId p = 0; p < centres_.size(); ++p) ++cell_begin_[cell_of(p) + 1];
   std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
   in_cells_.resize(centres_.size());
@@ -200,19 +203,22 @@ void HotPixels::place_in_cells() {
 }
 
 void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoint& b,
-                         std::size_t index_b, std::vector<PixelId>& met) {
+                         std::size_t index_b, Cancellation& cancellation,
+                         std::vector<PixelId>& met) {
   met.clear();
   ++walk_;
   const PixelId from = pixel_of_[index_a];
   const PixelId to = pixel_of_[index_b];
   const auto add = [&](PixelId p) {
     if (stamp_[p] == walk_) return;
+    cancellation.check(32);
     stamp_[p] = walk_;
     if (p == from || p == to || meets_pixel(a, b, centres_[p])) met.push_back(p);
   };
   grid_.walk(near_[from], near_[to], margin_, [&](std::int32_t i, std::int32_t j) {
     const std::size_t cell = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
                              static_cast<std::size_t>(i);
+    cancellation.check(1 + cell_begin_[cell + 1] - cell_begin_[cell]);
     for (std::uint32_t k = cell_begin_[cell]; k < cell_begin_[cell + 1]; ++k) add(in_cells_[k]);
     return true;
   });
@@ -220,6 +226,7 @@ void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoin
   const bool right = !(centres_[to].x < centres_[from].x);
   const bool up = !(centres_[to].y < centres_[from].y);
   std::sort(met.begin(), met.end(), [&](PixelId p, PixelId q) {
+    cancellation.check(4);
     const int by_x = centres_[p].x.compare(centres_[q].x);
     if (by_x != 0) return right == (by_x < 0);
     const int by_y = centres_[p].y.compare(centres_[q].y);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "grid/uniform_grid.hpp"
 #include "region/rational_access.hpp"
 
@@ -24,7 +25,7 @@ using PixelId = std::uint32_t;
 class HotPixels {
  public:
   /// The pixels of these points. O(n log n).
-  explicit HotPixels(std::span<const SnapPoint> points);
+  HotPixels(std::span<const SnapPoint> points, Cancellation& cancellation);
 
   [[nodiscard]] const Vec<BigInt>& centre(PixelId pixel) const { return centres_[pixel]; }
   /// The pixel of the point with this index.
@@ -32,10 +33,10 @@ class HotPixels {
   /// All hot pixels that the closed segment between two of the points meets, in the order along it:
   /// first that of `a`, last that of `b`.
   void list_met(const SnapPoint& a, std::size_t index_a, const SnapPoint& b, std::size_t index_b,
-                std::vector<PixelId>& met);
+                Cancellation& cancellation, std::vector<PixelId>& met);
 
  private:
-  void place_in_cells();
+  void place_in_cells(Cancellation& cancellation);
 
   std::vector<Vec<BigInt>> centres_;  ///< sorted, each once
   std::vector<PixelId> pixel_of_;     ///< by point

@@ -1,6 +1,7 @@
 #include "round/keep_topology.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -35,18 +36,19 @@ class Classes {
 
 class Settler {
  public:
-  Settler(const Region& exact, const Region& moved)
-      : exact_(exact),
+  Settler(const Region& exact, const Region& moved, Cancellation& cancellation)
+      : cancellation_(cancellation),
+        exact_(exact),
         moved_(moved),
         keeps_origins_(exact.has_origins() && exact.vertex_count() == moved.vertex_count()) {}
 
   Settlement run() {
     if (moved_.empty()) return {Settled::kKept, {}};
     std::vector<Fault> faults;
-    load_sites(moved_, {}, operand_);
-    clean_rings({}, scratch_, operand_, faults);
+    load_sites(moved_, {}, cancellation_, operand_);
+    clean_rings({}, cancellation_, scratch_, operand_, faults);
     if (!faults.empty() || turned_over()) return {};
-    find_faults(1, scratch_, operand_, faults);
+    find_faults(1, cancellation_, scratch_, operand_, faults);
     if (!faults.empty()) return {};
     return {interiors_connected() ? Settled::kKept : Settled::kCut, write()};
   }
@@ -58,7 +60,7 @@ class Settler {
     return std::any_of(operand_.rings.begin(), operand_.rings.end(), [&](const OperandRing& ring) {
       const bool reversed = operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];
       const std::size_t source = RegionAccess::ring_of(moved_, operand_.vertex_source[ring.begin]);
-      return reversed != (counter_clockwise(exact_, source) == ring.is_hole());
+      return reversed != (counter_clockwise(exact_, source, cancellation_) == ring.is_hole());
     });
   }
 
@@ -72,11 +74,13 @@ class Settler {
   [[nodiscard]] bool interiors_connected() {
     Classes points(operand_.size());
     for (const RingTouch& touch : scratch_.touches) {
+      cancellation_.check();
       if (touch.at_vertex) points.join(touch.vertex, touch.other);
     }
     // Which rings of one polygon are at which point.
     std::vector<std::pair<std::size_t, std::size_t>> joints;
     for (const RingTouch& touch : scratch_.touches) {
+      cancellation_.check(4);
       const std::size_t a = ring_of(touch.vertex);
       const std::size_t b = ring_of(touch.other);
       if (operand_.rings[a].polygon != operand_.rings[b].polygon) continue;
@@ -84,7 +88,7 @@ class Settler {
       joints.emplace_back(a, point);
       joints.emplace_back(b, point);
     }
-    std::sort(joints.begin(), joints.end());
+    std::sort(joints.begin(), joints.end(), cancellation_.counting(std::less<>()));
     joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
     const std::size_t rings = operand_.rings.size();
     // One polygon's joints at a point where rings of others meet too are no joints of these.
@@ -93,10 +97,11 @@ class Settler {
       return std::pair{std::size_t{operand_.rings[joint.first].polygon}, joint.second};
     };
     for (const auto& joint : joints) nodes.push_back(node_of(joint));
-    std::sort(nodes.begin(), nodes.end());
+    std::sort(nodes.begin(), nodes.end(), cancellation_.counting(std::less<>()));
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     Classes parts(rings + nodes.size());
     return std::all_of(joints.begin(), joints.end(), [&](const auto& joint) {
+      cancellation_.check(4);
       const auto node = std::lower_bound(nodes.begin(), nodes.end(), node_of(joint));
       return parts.join(joint.first, rings + static_cast<std::size_t>(node - nodes.begin()));
     });
@@ -104,6 +109,7 @@ class Settler {
 
   // -- Canonical form ----------------------------------------------------------------------------
   [[nodiscard]] bool before(SiteId a, SiteId b) const {
+    cancellation_.check(operand_.kernel->work());
     const Sign by_x = operand_.kernel->compare(a, b, Axis::kX);
     return (by_x != kZero ? by_x : operand_.kernel->compare(a, b, Axis::kY)) == kNegative;
   }
@@ -148,6 +154,7 @@ class Settler {
   }
 
   void copy_vertex(SiteId site, Region& result) const {
+    cancellation_.check(2);
     const std::size_t v = operand_.vertex_source[site];
     const StoredCoordinate& x = RegionAccess::x(moved_, v);
     const StoredCoordinate& y = RegionAccess::y(moved_, v);
@@ -159,6 +166,7 @@ class Settler {
     }
   }
 
+  Cancellation& cancellation_;
   const Region& exact_;
   const Region& moved_;
   bool keeps_origins_;
@@ -169,6 +177,8 @@ class Settler {
 
 }  // namespace
 
-Settlement settle(const Region& exact, const Region& moved) { return Settler(exact, moved).run(); }
+Settlement settle(const Region& exact, const Region& moved, Cancellation& cancellation) {
+  return Settler(exact, moved, cancellation).run();
+}
 
 }  // namespace minksum

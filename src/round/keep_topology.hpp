@@ -1,6 +1,7 @@
 // Is a region still what it was, after its vertices were moved a little?
 #pragma once
 
+#include "cancellation.hpp"
 #include "round/place.hpp"
 
 namespace minksum {
@@ -25,6 +26,7 @@ struct Settlement {
 /// joined where a point is on a ring, make no cycle: a cycle is a closed curve in the polygon's
 /// boundary with interior on both sides; without any, each hole can be taken away in turn, as an
 /// area that touches the rest in one point at most.
-[[nodiscard]] Settlement settle(const Region& exact, const Region& moved);
+[[nodiscard]] Settlement settle(const Region& exact, const Region& moved,
+                                Cancellation& cancellation);
 
 }  // namespace minksum

@@ -1,5 +1,7 @@
 #include "round/orientation.hpp"
 
+#include "region/region_access.hpp"
+
 namespace minksum {
 namespace {
 
@@ -15,11 +17,13 @@ bool before(const Region& region, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-bool counter_clockwise(const Region& region, std::size_t ring) {
+bool counter_clockwise(const Region& region, std::size_t ring,
+                       Cancellation& cancellation) {
   const IndexRange vertices = region.vertices_of(ring);
   const std::size_t n = vertices.size();
   std::size_t lowest = vertices.front();
   for (const std::size_t v : vertices) {
+    cancellation.check(2 * work_of_product(RegionAccess::bits(region, v)));
     if (before(region, v, lowest)) lowest = v;
   }
   // The nearest different vertices on both sides; the ring turns at its smallest vertex.

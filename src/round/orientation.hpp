@@ -1,12 +1,14 @@
 // Small exact questions about a region's rings and points.
 #pragma once
 
+#include "cancellation.hpp"
 #include "minksum/region.hpp"
 #include "number/sign.hpp"
 
 namespace minksum {
 
 /// Whether a ring of a legal region runs counter-clockwise. O(n).
-[[nodiscard]] bool counter_clockwise(const Region& region, std::size_t ring);
+[[nodiscard]] bool counter_clockwise(const Region& region, std::size_t ring,
+                               Cancellation& cancellation);
 
 }  // namespace minksum

@@ -123,7 +123,10 @@ void fail_beyond_doubles(const Culprit& place) {
   throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", place);
 }
 
-RoundedVertices round_vertices(const Region& region, const Target& target) {
+RoundedVertices round_vertices(const Region& region, const Target& target,
+                               Cancellation& cancellation) {
+  const std::size_t digits =
+      target.is_decimal() ? 4 * static_cast<std::size_t>(*target.decimals) : 64;
   RoundedVertices result(region.vertex_count());
   const auto round_one = [&](std::size_t v, const StoredCoordinate& c, Place& place, double& off) {
     if (target.is_decimal()) {
@@ -137,6 +140,7 @@ RoundedVertices round_vertices(const Region& region, const Target& target) {
     off = off_double(region, c, place.value);
   };
   for (std::size_t v = 0; v < result.size(); ++v) {
+    cancellation.check(8 + 4 * work_of_product(RegionAccess::bits(region, v) + digits));
     round_one(v, RegionAccess::x(region, v), result[v].x, result[v].off_x);
     round_one(v, RegionAccess::y(region, v), result[v].y, result[v].off_y);
   }
@@ -181,13 +185,15 @@ void add_vertex(Region& region, const Place& x, const Place& y, const Target& ta
   region.add_vertex(value_of(x, target), value_of(y, target));
 }
 
-Region with_vertices(const Region& region, const RoundedVertices& vertices, const Target& target) {
+Region with_vertices(const Region& region, const RoundedVertices& vertices, const Target& target,
+                     Cancellation& cancellation) {
   Region result;
   for (const std::size_t polygon : region.polygons()) {
     result.begin_polygon();
     for (const std::size_t ring : region.rings_of(polygon)) {
       result.begin_ring();
       for (const std::size_t v : region.vertices_of(ring)) {
+        cancellation.check(32);
         add_vertex(result, vertices[v].x, vertices[v].y, target);
       }
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "minksum/error.hpp"
+#include "cancellation.hpp"
 #include "minksum/region.hpp"
 #include "region/rational_access.hpp"
 
@@ -45,7 +46,8 @@ using RoundedVertices = std::vector<RoundedVertex>;
 
 /// Every coordinate to the nearest of the target, ties to even. O(n). Throws as above, naming the
 /// vertex, if doubles are the target.
-[[nodiscard]] RoundedVertices round_vertices(const Region& region, const Target& target);
+[[nodiscard]] RoundedVertices round_vertices(const Region& region, const Target& target,
+                                             Cancellation& cancellation);
 
 /// The same for one coordinate; infinite if it is beyond the doubles.
 [[nodiscard]] Place nearest_place(const Rational& value, const Target& target);
@@ -63,7 +65,7 @@ using RoundedVertices = std::vector<RoundedVertex>;
 void add_vertex(Region& region, const Place& x, const Place& y, const Target& target);
 /// A region of the same rings with the rounded vertices.
 [[nodiscard]] Region with_vertices(const Region& region, const RoundedVertices& vertices,
-                                   const Target& target);
+                                   const Target& target, Cancellation& cancellation);
 
 /// How far any vertex is from its place, in the target's unit, rounded up.
 [[nodiscard]] double largest_move(const RoundedVertices& vertices);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/resolve.hpp"
 #include "round/round_region.hpp"
 #include "round/thin_sides.hpp"
@@ -42,9 +43,11 @@ Point nearest_point(const Point& p, const Target& target) {
 }
 
 /// Every point by itself. Returns how far any was moved, rounded up.
-double add_rounded_thin_parts(const Geometry& exact, const Target& target, Geometry& result) {
+double add_rounded_thin_parts(const Geometry& exact, const Target& target,
+                              Cancellation& cancellation, Geometry& result) {
   double largest = 0;
   const auto rounded = [&](const Point& p) {
+    cancellation.check(32 * work_of(p));
     Point q = nearest_point(p, target);
     const auto off = [](const Rational& a, const Rational& b) {
       const Rational difference = a < b ? b - a : a - b;
@@ -63,9 +66,10 @@ double add_rounded_thin_parts(const Geometry& exact, const Target& target, Geome
 }
 
 /// How far the nearest place can be from any point of the thin parts.
-double thin_bound(const Geometry& geometry, const Target& target) {
+double thin_bound(const Geometry& geometry, const Target& target, Cancellation& cancellation) {
   RoundedVertices places;
   for_each_thin_point(geometry, [&](const Point& p) {
+    cancellation.check(16 * work_of(p));
     RoundedVertex& place = places.emplace_back();
     place.x = nearest_place(p.x, target);
     place.y = nearest_place(p.y, target);
@@ -77,17 +81,18 @@ Geometry round_to_nearest(const Geometry& geometry, const Target& target,
                           const RoundOptions& options, RoundingReport& r) {
   Geometry result;
   result.region = round_region(geometry.region, target, options, r);
-  const double moved = add_rounded_thin_parts(geometry, target, result);
+  Cancellation cancellation(options.cancel);
+  const double moved = add_rounded_thin_parts(geometry, target, cancellation, result);
   ResolveOptions resolving;
   resolving.cancel = options.cancel;
   result = resolve(result, resolving);
   // A path may end in the middle of a region's edge: rounded by itself, it would come off.
   const bool attached = !geometry.region.empty() && !geometry.polylines.empty();
   const bool moved_apart = attached && !(r.exact && moved == 0);
-  if (!moved_apart && is_on_target(result, target)) {
+  if (!moved_apart && is_on_target(result, target, options.cancel)) {
     r.exact = r.exact && moved == 0;
     r.largest_move = std::max(r.largest_move, moved);
-    r.bound = std::max(r.bound, thin_bound(geometry, target));
+    r.bound = std::max(r.bound, thin_bound(geometry, target, cancellation));
     return result;
   }
   // Or they cross where nothing of the target is.
@@ -126,7 +131,7 @@ Region round(const Region& region, const RoundOptions& options, RoundingReport* 
   RoundingReport own;
   RoundingReport& r = report != nullptr ? *report : own;
   const Target target = target_of(options);
-  stop_if_asked(options);
+  Cancellation(options.cancel).look();
   Region result = round_region(region, target, options, r);
   r.largest_move = std::min(r.largest_move, r.bound);  // both are upper bounds
   r.topology_kept = topology(result) == topology(region);
@@ -138,7 +143,7 @@ Geometry round(const Geometry& geometry, const RoundOptions& options, RoundingRe
   RoundingReport& r = report != nullptr ? *report : own;
   if (!geometry.has_thin_parts()) return {round(geometry.region, options, &r), {}, {}};
   const Target target = target_of(options);
-  stop_if_asked(options);
+  Cancellation(options.cancel).look();
   Geometry result = round_thin(geometry, target, options, r);
   r.largest_move = std::min(r.largest_move, r.bound);
   r.topology_kept = topology(result.region) == topology(geometry.region) &&

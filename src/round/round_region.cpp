@@ -20,8 +20,8 @@ double in_units(double length, const Target& target) {
   return rounded_up(length * rounded_up(target.unit()));
 }
 
-[[noreturn]] void refuse(const Region& region) {
-  require_legal(region, -1);
+[[noreturn]] void refuse(const Region& region, const RoundOptions& options) {
+  require_legal(region, -1, options.cancel);
   throw Error(ErrorCode::kInternal, "a legal region did not settle", {}, "round");
 }
 
@@ -53,12 +53,6 @@ Geometry sided(const Geometry& geometry, const RoundOptions& options, const Snap
 
 }  // namespace
 
-void stop_if_asked(const RoundOptions& options) {
-  if (options.cancel && options.cancel->cancelled()) {
-    throw Error(ErrorCode::kCancelled, "cancelled", {}, "round");
-  }
-}
-
 double diagonal(double length) { return rounded_up(length * std::sqrt(2.0)); }
 
 double half_place(const RoundedVertices& vertices, const Target& target) {
@@ -74,15 +68,17 @@ double half_place(const RoundedVertices& vertices, const Target& target) {
 }
 
 Region canonical(const Region& region, const RoundOptions& options) {
-  Settlement same = settle(region, region);
-  if (same.outcome == Settled::kInvalid) refuse(region);
+  Cancellation cancellation(options.cancel);
+  Settlement same = settle(region, region, cancellation);
+  if (same.outcome == Settled::kInvalid) refuse(region, options);
   if (same.outcome == Settled::kCut) return resolved(same.region, options);
   return std::move(same.region);
 }
 
 std::optional<Region> round_by_vertices(const Region& region, const Target& target,
                                         const RoundOptions& options, RoundingReport& report) {
-  const RoundedVertices vertices = round_vertices(region, target);
+  Cancellation cancellation(options.cancel);
+  const RoundedVertices vertices = round_vertices(region, target, cancellation);
   report.exact = std::none_of(vertices.begin(), vertices.end(),
                               [](const RoundedVertex& v) { return v.moved(); });
   const bool sided = options.side != RoundingSide::kNearest && !report.exact;
@@ -90,14 +86,14 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
   Sided moved;
   if (sided) {
     auto chosen =
-        choose_side(region, options.side, target, vertices, target.is_decimal() ? 1 : 2 * half);
+        choose_side(region, options.side, target, vertices, target.is_decimal() ? 1 : 2 * half,
+                    cancellation);
     if (!chosen) return {};
     moved = std::move(*chosen);
   } else {
-    moved = {with_vertices(region, vertices, target), largest_move(vertices)};
+    moved = {with_vertices(region, vertices, target, cancellation), largest_move(vertices)};
   }
-  stop_if_asked(options);
-  Settlement settled = settle(region, moved.region);
+  Settlement settled = settle(region, moved.region, cancellation);
   if (settled.outcome == Settled::kInvalid) return {};
   if (settled.outcome == Settled::kCut) settled.region = resolved(settled.region, options);
   report.largest_move = in_units(moved.largest_move, target);
@@ -107,13 +103,13 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
 
 Geometry round_by_snapping(const Geometry& geometry, const Target& target,
                            const RoundOptions& options, RoundingReport& report) {
-  const SnapGrid grid = snap_grid(geometry, target);
+  Cancellation cancellation(options.cancel);
+  const SnapGrid grid = snap_grid(geometry, target, cancellation);
   Geometry base = sided(geometry, options, grid);
   ResolveOptions resolving;
   resolving.cancel = options.cancel;
   if (base.has_thin_parts()) base = resolve(base, resolving);
-  stop_if_asked(options);
-  Snapped snapped = snap(base, grid, options.cancel);
+  Snapped snapped = snap(base, grid, cancellation);
   const double step = rounded_up(grid.step());
   const bool moved_first = options.side != RoundingSide::kNearest;
   report.snapped = true;

@@ -8,9 +8,6 @@
 
 namespace minksum {
 
-/// Throws Error(kCancelled) if that was asked for.
-void stop_if_asked(const RoundOptions& options);
-
 /// √2 · length, rounded up.
 [[nodiscard]] double diagonal(double length);
 /// Half of a double's last place at the magnitude of the largest coordinate, or half a decimal

@@ -19,25 +19,33 @@ Rational power_of_two(int exponent) {
 Rational magnitude(const Rational& value) { return value.sign() < 0 ? -value : value; }
 
 template <class Visit>
-void for_each_point(const Geometry& geometry, Visit visit) {
-  for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) visit(geometry.region.point(v));
-  for (const Polyline& line : geometry.polylines) std::for_each(line.begin(), line.end(), visit);
-  std::for_each(geometry.points.begin(), geometry.points.end(), visit);
+void for_each_point(const Geometry& geometry, Cancellation& cancellation, Visit visit) {
+  const auto visit_one = [&](const Point& p) {
+    cancellation.check(8 * work_of(p));
+    visit(p);
+  };
+  for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) {
+    visit_one(geometry.region.point(v));
+  }
+  for (const Polyline& line : geometry.polylines) {
+    std::for_each(line.begin(), line.end(), visit_one);
+  }
+  std::for_each(geometry.points.begin(), geometry.points.end(), visit_one);
 }
 
 class Snapper {
  public:
-  Snapper(const Geometry& geometry, const SnapGrid& grid, const std::optional<CancelToken>& cancel)
+  Snapper(const Geometry& geometry, const SnapGrid& grid, Cancellation& cancellation)
       : geometry_(geometry),
         grid_(grid),
-        cancel_(cancel),
-        points_(points_of(geometry, grid)),
-        pixels_(points_) {}
+        cancellation_(cancellation),
+        points_(points_of(geometry, grid, cancellation)),
+        pixels_(points_, cancellation) {}
 
   Snapped run() {
     Snapped result;
     ResolveOptions options;
-    options.cancel = cancel_;
+    options.cancel = cancellation_.token();
     options.fill = FillRule::kPositive;
     options.regularize = true;
     Geometry areas;
@@ -54,11 +62,13 @@ class Snapper {
   }
 
  private:
-  static std::vector<SnapPoint> points_of(const Geometry& geometry, const SnapGrid& grid) {
+  static std::vector<SnapPoint> points_of(const Geometry& geometry, const SnapGrid& grid,
+                                          Cancellation& cancellation) {
     std::vector<SnapPoint> points;
     const Rational steps = Rational(1) / grid.step();
-    for_each_point(geometry,
-                   [&](const Point& p) { points.push_back(snap_point(p.x * steps, p.y * steps)); });
+    for_each_point(geometry, cancellation, [&](const Point& p) {
+      points.push_back(snap_point(p.x * steps, p.y * steps));
+    });
     return points;
   }
 
@@ -106,10 +116,9 @@ class Snapper {
   /// Appends what the edge between two points becomes; a pixel that the chain is at already is not
   /// repeated.
   void extend_chain(std::size_t a, std::size_t b) {
-    if (cancel_ && cancel_->cancelled()) {
-      throw Error(ErrorCode::kCancelled, "cancelled", {}, "round");
-    }
-    pixels_.list_met(points_[a], a, points_[b], b, met_);
+    cancellation_.check(8);
+    pixels_.list_met(points_[a], a, points_[b], b, cancellation_, met_);
+    cancellation_.check(8 * met_.size());
     const bool apart = pixels_.pixel_of(a) != pixels_.pixel_of(b);
     bent_ |= met_.size() > (apart ? 2U : 1U);
     for (const PixelId pixel : met_) {
@@ -145,7 +154,7 @@ class Snapper {
 
   const Geometry& geometry_;
   const SnapGrid& grid_;
-  const std::optional<CancelToken>& cancel_;
+  Cancellation& cancellation_;
   std::vector<SnapPoint> points_;  ///< of the region, the polylines, the points
   HotPixels pixels_;
   std::vector<PixelId> met_;
@@ -157,11 +166,11 @@ class Snapper {
 
 Rational SnapGrid::step() const { return target.is_decimal() ? target.unit() : power_of_two(exp2); }
 
-SnapGrid snap_grid(const Geometry& geometry, const Target& target) {
+SnapGrid snap_grid(const Geometry& geometry, const Target& target, Cancellation& cancellation) {
   SnapGrid grid{target, 0};
   if (target.is_decimal()) return grid;
   Rational largest;
-  for_each_point(geometry, [&](const Point& p) {
+  for_each_point(geometry, cancellation, [&](const Point& p) {
     largest = std::max({largest, magnitude(p.x), magnitude(p.y)});
   });
   constexpr int kLowest = -1074;
@@ -174,9 +183,8 @@ SnapGrid snap_grid(const Geometry& geometry, const Target& target) {
   return grid;
 }
 
-Snapped snap(const Geometry& geometry, const SnapGrid& grid,
-             const std::optional<CancelToken>& cancel) {
-  return Snapper(geometry, grid, cancel).run();
+Snapped snap(const Geometry& geometry, const SnapGrid& grid, Cancellation& cancellation) {
+  return Snapper(geometry, grid, cancellation).run();
 }
 
 }  // namespace minksum

@@ -1,9 +1,7 @@
 // Snap rounding: everything to the points of a uniform grid, so that nothing crosses.
 #pragma once
 
-#include <optional>
-
-#include "minksum/cancel.hpp"
+#include "cancellation.hpp"
 #include "minksum/geometry.hpp"
 #include "round/place.hpp"
 
@@ -17,7 +15,8 @@ struct SnapGrid {
   int exp2 = 0;  ///< step = 2^exp2, unless decimal
   [[nodiscard]] Rational step() const;
 };
-[[nodiscard]] SnapGrid snap_grid(const Geometry& geometry, const Target& target);
+[[nodiscard]] SnapGrid snap_grid(const Geometry& geometry, const Target& target,
+                                 Cancellation& cancellation);
 
 /// The snapped geometry, resolved.
 struct Snapped {
@@ -42,6 +41,6 @@ struct Snapped {
 ///
 /// O(n log n + k) for n vertices and k pairs of an edge and a hot pixel close to each other.
 [[nodiscard]] Snapped snap(const Geometry& geometry, const SnapGrid& grid,
-                           const std::optional<CancelToken>& cancel);
+                           Cancellation& cancellation);
 
 }  // namespace minksum

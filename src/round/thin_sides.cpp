@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/resolve.hpp"
 #include "round/cells.hpp"
 #include "round/round_region.hpp"
@@ -28,7 +29,7 @@ void add_ring(Region& region, const Ring& ring) {
 class OutsideRounder {
  public:
   OutsideRounder(const Geometry& exact, const Target& target, const RoundOptions& options)
-      : exact_(exact), target_(target), options_(options) {
+      : exact_(exact), target_(target), options_(options), cancellation_(options.cancel) {
     swollen_.region = canonical(exact.region, options);
     for (const Polyline& line : exact.polylines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) replace(line[i], line[i + 1]);
@@ -39,11 +40,10 @@ class OutsideRounder {
   Geometry run(RoundingReport& report) {
     constexpr int kMaxAttempts = 4;
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
-      stop_if_asked(options_);
       Geometry result = kept_;
       result.region = rounded_area(report);
       if (result.has_thin_parts()) result = resolved(result, options_);
-      if (is_on_target(result, target_)) return result;
+      if (is_on_target(result, target_, options_.cancel)) return result;
       swell_pieces_off_target(result);
     }
     report = RoundingReport{};
@@ -53,6 +53,7 @@ class OutsideRounder {
  private:
   /// A segment, or a point if both ends are the same.
   void replace(const Point& a, const Point& b) {
+    cancellation_.check(64 * (work_of(a) + work_of(b)));
     const Cell cell_a = cell_around(a, target_);
     const Cell cell_b = cell_around(b, target_);
     const Ring hull = hull_of(cell_a, cell_b);
@@ -86,6 +87,7 @@ class OutsideRounder {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         const Point& a = line[i];
         const Point& b = line[i + 1];
+        cancellation_.check(64 * (work_of(a) + work_of(b)));
         if (is_on_target(a, target_) && is_on_target(b, target_)) continue;
         const Cell cell_a = thick_cell(a);
         const Cell cell_b = thick_cell(b);
@@ -119,7 +121,7 @@ class OutsideRounder {
     if (far != 0) {
       report.exact = false;
       report.largest_move = rounded_up(report.largest_move + far);
-      report.bound = rounded_up(report.bound + cell_bound(exact_, target_));
+      report.bound = rounded_up(report.bound + cell_bound(exact_, target_, options_.cancel));
     }
     return result;
   }
@@ -127,11 +129,13 @@ class OutsideRounder {
   [[nodiscard]] Region united() const {
     Geometry all;
     const Region& region = swollen_.region;
+    Cancellation cancellation(options_.cancel);
     for (const Region* from : {&region, &hulls_}) {
       for (std::size_t ring = 0; ring < from->ring_count(); ++ring) {
         // Only winding numbers count: so each ring may be a polygon of its own.
         all.region.begin_polygon();
         all.region.begin_ring();
+        cancellation.check(from->vertices_of(ring).size() * 16);
         for (const std::size_t v : from->vertices_of(ring)) {
           all.region.add_vertex(from->exact_x(v), from->exact_y(v));
         }
@@ -147,6 +151,7 @@ class OutsideRounder {
   const Geometry& exact_;
   const Target& target_;
   const RoundOptions& options_;
+  Cancellation cancellation_;
   Geometry kept_;     ///< thin, of the target
   Geometry swollen_;  ///< the exact region, and exact thin parts that hulls replace
   Region hulls_;
@@ -158,17 +163,22 @@ class OutsideRounder {
 
 class InnerParts {
  public:
-  explicit InnerParts(const Target& target) : target_(target) {}
+  InnerParts(const Target& target, const std::optional<CancelToken>& cancel)
+      : target_(target), cancellation_(cancel) {}
 
   /// Returns whether nothing is lost.
-  bool add(const Geometry& exact, Geometry& result) const {
+  bool add(const Geometry& exact, Geometry& result) {
     bool all = true;
     for (const Polyline& line : exact.polylines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        cancellation_.check(64 * work_of(line[i]));
         all = add_segment(line[i], line[i + 1], result) && all;
       }
     }
-    for (const Point& p : exact.points) all = add_point(p, result) && all;
+    for (const Point& p : exact.points) {
+      cancellation_.check(64 * work_of(p));
+      all = add_point(p, result) && all;
+    }
     return all;
   }
 
@@ -211,21 +221,30 @@ class InnerParts {
   }
 
   const Target& target_;
+  Cancellation cancellation_;
 };
 
 }  // namespace
 
-bool is_on_target(const Geometry& geometry, const Target& target) {
-  const RoundedVertices vertices = round_vertices(geometry.region, target);
+bool is_on_target(const Geometry& geometry, const Target& target,
+                  const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  const RoundedVertices vertices = round_vertices(geometry.region, target, cancellation);
   bool all = std::none_of(vertices.begin(), vertices.end(),
                           [](const RoundedVertex& v) { return v.moved(); });
-  for_each_thin_point(geometry, [&](const Point& p) { all = all && is_on_target(p, target); });
+  for_each_thin_point(geometry, [&](const Point& p) {
+    cancellation.check(16 * work_of(p));
+    all = all && is_on_target(p, target);
+  });
   return all;
 }
 
-double cell_bound(const Geometry& geometry, const Target& target) {
+double cell_bound(const Geometry& geometry, const Target& target,
+                  const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   RoundedVertices corners;
   for_each_thin_point(geometry, [&](const Point& p) {
+    cancellation.check(64 * work_of(p));
     const Cell cell = cell_around(p, target);
     for (const Point* corner : {&cell.low, &cell.high}) {
       RoundedVertex& place = corners.emplace_back();
@@ -245,9 +264,9 @@ Geometry round_inside(const Geometry& geometry, const Target& target, const Roun
                       RoundingReport& report) {
   Geometry result;
   result.region = round_region(geometry.region, target, options, report);
-  if (!InnerParts(target).add(geometry, result)) report.exact = false;
+  if (!InnerParts(target, options.cancel).add(geometry, result)) report.exact = false;
   if (result.has_thin_parts()) result = resolved(result, options);
-  if (!is_on_target(result, target)) {
+  if (!is_on_target(result, target, options.cancel)) {
     throw Error(ErrorCode::kBadInput,
                 "thin parts cross: a geometry must be resolved to be rounded");
   }

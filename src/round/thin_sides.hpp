@@ -15,10 +15,12 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
 }
 
 /// Whether all coordinates are of the target.
-[[nodiscard]] bool is_on_target(const Geometry& geometry, const Target& target);
+[[nodiscard]] bool is_on_target(const Geometry& geometry, const Target& target,
+                                const std::optional<CancelToken>& cancel);
 
 /// √2 · u, rounded up: no corner of a cell around a point of the thin parts is farther from it.
-[[nodiscard]] double cell_bound(const Geometry& geometry, const Target& target);
+[[nodiscard]] double cell_bound(const Geometry& geometry, const Target& target,
+                                const std::optional<CancelToken>& cancel);
 
 /// A resolved geometry of the target that contains the exact one. The report lacks `topology_kept`,
 /// and `largest_move` may be beyond `bound`: both are upper bounds.

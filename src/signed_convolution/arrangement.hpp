@@ -87,7 +87,10 @@ template <class N>
 class ArrangementBuilder {
  public:
   ArrangementBuilder(Geometry<N>& geometry, const Options& options, Statistics& statistics)
-      : geometry_(geometry), options_(options), statistics_(statistics) {}
+      : geometry_(geometry),
+        options_(options),
+        cancellation_(geometry.cancellation()),
+        statistics_(statistics) {}
 
   Arrangement run(std::span<const Layer> layers, std::span<const SignedSegment> segments) {
     add_segments(layers, segments);
@@ -131,9 +134,11 @@ class ArrangementBuilder {
     std::vector<Vector> p;
     std::vector<Vector> q;
     for (std::size_t k = 0; k < segments.size(); ++k) {
+      cancellation_.check(8);
       const SignedSegment& s = segments[k];
       const Layer& loops = layers[s.layer];
       if (k == 0 || segments[k - 1].layer != s.layer) {
+        cancellation_.check(4 * (loops.p->size() + loops.q->size()));
         p = coordinates(*loops.p);
         q = coordinates(*loops.q);
       }
@@ -143,14 +148,15 @@ class ArrangementBuilder {
       if (from < to) all.push_back({from, to, {s.layer, s.multiplicity}});
       if (to < from) all.push_back({to, from, {s.layer, -s.multiplicity}});
     }
-    std::sort(all.begin(), all.end(), [](const Ends& a, const Ends& b) {
+    std::sort(all.begin(), all.end(), cancellation_.counting([](const Ends& a, const Ends& b) {
       return a.from != b.from ? a.from < b.from : a.to < b.to;
-    });
+    }));
     std::vector<Delta> group;
     for (std::size_t i = 0; i < all.size();) {
       group.clear();
       std::size_t j = i;
       for (; j < all.size() && all[j].from == all[i].from && all[j].to == all[i].to; ++j) {
+        cancellation_.check(2);
         group.push_back(all[j].delta);
       }
       const DeltaRange range = append_sum(group, result_.deltas);
@@ -175,6 +181,7 @@ class ArrangementBuilder {
       f = total;
     }
     std::vector<NodeId> nodes(total);
+    cancellation_.check(stops.size());
     for (const Stop& stop : stops) nodes[--first[stop.segment]] = stop.node;
     raw_.reserve(total + count);
     for (SegmentId id = 0; id < count; ++id) {
@@ -197,6 +204,7 @@ class ArrangementBuilder {
     const int sx = sign_of(d.x);
     const int sy = sign_of(d.y);
     std::sort(begin, end, [&](NodeId a, NodeId b) {
+      cancellation_.check(4);
       if (a == b) return false;
       const Key& ka = geometry_.key(a);
       const Key& kb = geometry_.key(b);
@@ -206,18 +214,21 @@ class ArrangementBuilder {
     });
   }
   void add_raw(SegmentId id, NodeId a, NodeId b) {
+    cancellation_.check();
     if (a < b) raw_.push_back({a, b, id, true});
     if (b < a) raw_.push_back({b, a, id, false});
   }
 
   void merge_pieces() {
-    std::sort(raw_.begin(), raw_.end(), [](const RawPiece& a, const RawPiece& b) {
+    const auto before = [](const RawPiece& a, const RawPiece& b) {
       return a.from != b.from ? a.from < b.from : a.to < b.to;
-    });
+    };
+    std::sort(raw_.begin(), raw_.end(), cancellation_.counting(before));
     std::vector<Delta> group;
     for (std::size_t i = 0; i < raw_.size();) {
       std::size_t j = i + 1;
       while (j < raw_.size() && raw_[j].from == raw_[i].from && raw_[j].to == raw_[i].to) ++j;
+      cancellation_.check(2 * (j - i));
       Piece piece{raw_[i].from, raw_[i].to, raw_[i].segment, raw_[i].along_segment, true, 0, 0};
       DeltaRange range = segment_deltas_[raw_[i].segment];
       piece.deltas_along_piece = raw_[i].along_segment;
@@ -245,6 +256,7 @@ class ArrangementBuilder {
   // Sorts the half-edges around each node. Their directions are those of whole segments: integers.
   void link() {
     const std::size_t count = result_.half_edge_count();
+    cancellation_.check(2 * count);
     result_.node_first.assign(geometry_.node_count() + 1, 0);
     for (HalfEdge h = 0; h < count; ++h) ++result_.node_first[result_.origin(h)];
     std::partial_sum(result_.node_first.begin(), result_.node_first.end(),
@@ -266,6 +278,7 @@ class ArrangementBuilder {
     std::vector<Ray> rays;
     const std::uint32_t first = result_.node_first[node];
     for (std::uint32_t i = first; i < result_.node_first[node + 1]; ++i) {
+      cancellation_.check(geometry_.work());
       const HalfEdge h = result_.outgoing[i];
       const Piece& piece = result_.pieces[h >> 1];
       Vector d = geometry_.direction(piece.segment);
@@ -273,7 +286,8 @@ class ArrangementBuilder {
       const bool first_half = d.x > 0 || (d.x == 0 && d.y > 0);
       rays.push_back({d, h, first_half});
     }
-    std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
+    std::sort(rays.begin(), rays.end(), [this](const Ray& a, const Ray& b) {
+      cancellation_.check(geometry_.work());
       if (a.first_half != b.first_half) return a.first_half;
       return Geometry<N>::cross(a.direction, b.direction) > 0;
     });
@@ -282,6 +296,7 @@ class ArrangementBuilder {
 
   Geometry<N>& geometry_;
   const Options& options_;
+  Cancellation& cancellation_;
   Statistics& statistics_;
   std::vector<DeltaRange> segment_deltas_;
   std::vector<RawPiece> raw_;

@@ -115,12 +115,13 @@ template <class N>
 class CrossingFinder {
  public:
   CrossingFinder(Geometry<N>& geometry, const Options& options)
-      : geometry_(geometry), options_(options) {}
+      : geometry_(geometry), cancellation_(geometry.cancellation()), options_(options) {}
 
   void run() {
     if (geometry_.segment_count() == 0) return;
     Key min = geometry_.key(0);
     Key max = min;
+    cancellation_.check(geometry_.node_count() + geometry_.segment_count());
     for (NodeId node = 0; node < geometry_.node_count(); ++node) {
       const Key& key = geometry_.key(node);
       min = {std::min(min.x, key.x), std::min(min.y, key.y)};
@@ -128,9 +129,7 @@ class CrossingFinder {
     }
     const Grid grid = make_grid(min, max);
     fill(grid);
-    StopClock clock(options_, Stage::kArrangement);
-    for (std::size_t cell = 0; cell + 1 < cell_first_.size(); ++cell)
-      meet_in_cell(grid, cell, clock);
+    for (std::size_t cell = 0; cell + 1 < cell_first_.size(); ++cell) meet_in_cell(grid, cell);
   }
 
   [[nodiscard]] const std::vector<Stop>& stops() const { return stops_; }
@@ -167,7 +166,10 @@ class CrossingFinder {
       const Key& b = geometry_.key(geometry_.segment(id).to);
       boxes_.push_back(
           {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}});
-      grid.for_cells(a, b, [&](std::size_t cell) { ++cell_first_[cell]; });
+      grid.for_cells(a, b, [&](std::size_t cell) {
+        cancellation_.check();
+        ++cell_first_[cell];
+      });
     }
     std::size_t total = 0;
     for (std::size_t& first : cell_first_) {
@@ -178,14 +180,18 @@ class CrossingFinder {
     for (SegmentId id = 0; id < geometry_.segment_count(); ++id) {
       const Key& a = geometry_.key(geometry_.segment(id).from);
       const Key& b = geometry_.key(geometry_.segment(id).to);
-      grid.for_cells(a, b, [&](std::size_t cell) { members_[--cell_first_[cell]] = id; });
+      grid.for_cells(a, b, [&](std::size_t cell) {
+        cancellation_.check();
+        members_[--cell_first_[cell]] = id;
+      });
     }
   }
 
-  void meet_in_cell(const Grid& grid, std::size_t cell, StopClock& clock) {
+  void meet_in_cell(const Grid& grid, std::size_t cell) {
+    cancellation_.check();
     for (std::size_t i = cell_first_[cell]; i < cell_first_[cell + 1]; ++i) {
       const SegmentId a = members_[i];
-      clock.tick();
+      cancellation_.check(1 + (cell_first_[cell + 1] - i) / 2);
       for (std::size_t j = i + 1; j < cell_first_[cell + 1]; ++j) {
         const SegmentId b = members_[j];
         if (overlap(boxes_[a], boxes_[b])) meet(grid, cell, a, b);
@@ -258,6 +264,7 @@ class CrossingFinder {
   }
 
   Geometry<N>& geometry_;
+  Cancellation& cancellation_;
   const Options& options_;
   std::vector<KeyBox> boxes_;
   std::vector<std::size_t> cell_first_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "signed_convolution/numbers.hpp"
 
 namespace minksum::signed_sum {
@@ -48,11 +49,17 @@ class Geometry {
     Product d;
   };
 
-  explicit Geometry(unsigned bits) : bits_(bits) {}
+  Geometry(unsigned bits, Cancellation& cancellation)
+      : bits_(bits), cancellation_(cancellation), work_(work_of(bits)) {}
+
+  /// The operation's; and the units of work of a decision.
+  [[nodiscard]] Cancellation& cancellation() const { return cancellation_; }
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
   // -- Building ------------------------------------------------------------------------------
   /// The node at an integer point.
   NodeId add_vertex(const Coordinate& x, const Coordinate& y) {
+    cancellation_.check(work_);
     const ExactPoint point{widen<Scaled>(x), widen<Scaled>(y), Product(1)};
     const NodeId fresh = next_node();
     const NodeId node = find_or_insert(fresh, key_of(point), point);
@@ -71,6 +78,7 @@ class Geometry {
   template <class Predicate>
   std::pair<bool, NodeId> add_crossing(SegmentId a, SegmentId b, const Product& a_from,
                                        const Product& a_to, const Predicate& wanted) {
+    cancellation_.check(2 * work_);
     const ExactPoint point = crossing(a, a_from, a_to);
     const Key key = key_of(point);
     if (!wanted(key)) return {false, 0};
@@ -96,6 +104,7 @@ class Geometry {
     return {b.x - a.x, b.y - a.y};
   }
   [[nodiscard]] ExactPoint exact(NodeId node) const {
+    cancellation_.check(work_);
     const Node& record = nodes_[node];
     if (record.second == kVertex) {
       const Vector& v = vertices_[record.first];
@@ -112,6 +121,7 @@ class Geometry {
   /// Twice the area of the triangle of a segment and a vertex: positive if the vertex is left of
   /// it.
   [[nodiscard]] Product side(SegmentId id, NodeId vertex_node) const {
+    cancellation_.check(work_ / 4);
     const Vector& a = vertex(segments_[id].from);
     const Vector& b = vertex(segments_[id].to);
     const Vector& c = vertex(vertex_node);
@@ -219,6 +229,7 @@ class Geometry {
     return compare(a.x, a.d, b.x, b.d) == 0 && compare(a.y, a.d, b.y, b.d) == 0;
   }
   void grow() {
+    cancellation_.check(4 * nodes_.size());
     table_.assign(table_.empty() ? 256 : 2 * table_.size(), kNobody);
     const std::size_t mask = table_.size() - 1;
     for (NodeId node = 0; node < nodes_.size(); ++node) {
@@ -228,7 +239,15 @@ class Geometry {
     }
   }
 
+  [[nodiscard]] static std::uint64_t work_of(unsigned bits) {
+    constexpr std::uint64_t kWorkOfFixedWidth = 8;
+    const bool fixed = !std::is_same_v<Coordinate, BigInteger>;
+    return fixed ? kWorkOfFixedWidth : work_of_decision(bits);
+  }
+
   unsigned bits_;
+  Cancellation& cancellation_;
+  std::uint64_t work_;
   std::vector<Vector> vertices_;
   std::vector<Node> nodes_;
   std::vector<Segment> segments_;

@@ -16,7 +16,7 @@ struct ExactPolygon {
   std::vector<ExactRing> rings;  // the outer ring first
 };
 
-std::vector<ExactPolygon> read(const GivenOperand& given) {
+std::vector<ExactPolygon> read(const GivenOperand& given, Cancellation& cancellation) {
   std::vector<ExactPolygon> polygons;
   for (const Polyline& polyline : given.polylines) {
     ExactRing walk(polyline);
@@ -30,6 +30,7 @@ std::vector<ExactPolygon> read(const GivenOperand& given) {
     for (const std::size_t ring : region.rings_of(polygon)) {
       ExactRing& points = rings.emplace_back();
       for (const std::size_t vertex : region.vertices_of(ring)) {
+        cancellation.check(4);
         points.push_back(region.point(vertex));
       }
     }
@@ -42,18 +43,23 @@ BigInteger denominator(const Rational& value) {
   return BigInteger(RationalAccess::denominator(value));
 }
 
+unsigned bit_count(const BigInteger& value) {
+  return value == 0 ? 0U : static_cast<unsigned>(msb(value)) + 1U;
+}
+
 void include_denominator(const Rational& value, BigInteger& scale) {
   const BigInteger d = denominator(value);
   if (scale % d != 0) scale = lcm(scale, d);
 }
 
 BigInteger common_denominator(const std::vector<ExactPolygon>& p,
-                              const std::vector<ExactPolygon>& q) {
+                              const std::vector<ExactPolygon>& q, Cancellation& cancellation) {
   BigInteger scale = 1;
   for (const auto* polygons : {&p, &q}) {
     for (const ExactPolygon& polygon : *polygons) {
       for (const ExactRing& ring : polygon.rings) {
         for (const Point& point : ring) {
+          cancellation.check(8 * work_of_product(bit_count(scale)));
           include_denominator(point.x, scale);
           include_denominator(point.y, scale);
         }
@@ -100,9 +106,16 @@ BigInteger doubled_area(const IntegerRing& ring) {
   return sum;
 }
 
-IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale) {
+/// The units of work of making a vertex of a ring.
+std::uint64_t work_of_vertex(const BigInteger& scale) {
+  return 16 + 16 * work_of_product(bit_count(scale) + 64);
+}
+
+IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale,
+                      Cancellation& cancellation) {
   IntegerRing ring;
   for (const Point& point : exact) {
+    cancellation.check(work_of_vertex(scale));
     ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
   }
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -111,9 +124,11 @@ IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale) {
   return ring;
 }
 
-IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool counter_clockwise) {
+IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool counter_clockwise,
+                      Cancellation& cancellation) {
   IntegerRing ring;
   for (const Point& point : exact) {
+    cancellation.check(work_of_vertex(scale));
     ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
   }
   drop_repeated_vertices(ring.vertices);
@@ -128,18 +143,18 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool coun
 }
 
 std::vector<IntegerPart> make_parts(const std::vector<ExactPolygon>& polygons,
-                                    const BigInteger& scale) {
+                                    const BigInteger& scale, Cancellation& cancellation) {
   std::vector<IntegerPart> parts;
   for (const auto& [is_walk, rings] : polygons) {
     if (rings.empty()) broken("an operand has a polygon without rings");
     IntegerPart& part = parts.emplace_back();
     if (is_walk) {
-      part.outer = make_walk(rings.front(), scale);
+      part.outer = make_walk(rings.front(), scale, cancellation);
       continue;
     }
-    part.outer = make_ring(rings.front(), scale, true);
+    part.outer = make_ring(rings.front(), scale, true, cancellation);
     for (std::size_t i = 1; i < rings.size(); ++i) {
-      part.holes.push_back(make_ring(rings[i], scale, false));
+      part.holes.push_back(make_ring(rings[i], scale, false, cancellation));
     }
   }
   return parts;
@@ -175,10 +190,6 @@ std::pair<IntegerPoint, BigInteger> move_to_origin(std::vector<IntegerPart>& par
   return {low, std::max<BigInteger>(high.x - low.x, high.y - low.y)};
 }
 
-unsigned bit_count(const BigInteger& value) {
-  return value == 0 ? 0U : static_cast<unsigned>(msb(value)) + 1U;
-}
-
 struct DirectedEdge {
   IntegerPoint direction;
   const IntegerRing* ring;
@@ -197,7 +208,8 @@ bool direction_less(const DirectedEdge& a, const DirectedEdge& b) {
   return cross(a.direction, b.direction) > 0;
 }
 
-DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPart>& q) {
+DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPart>& q,
+                              unsigned bits, Cancellation& cancellation) {
   std::vector<DirectedEdge> edges;
   std::vector<IntegerRing*> owners;
   std::vector<std::size_t> owner_of;
@@ -211,8 +223,11 @@ DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPa
   }
   std::vector<std::size_t> order(edges.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return direction_less(edges[a], edges[b]); });
+  const std::uint64_t work = 4 * work_of_product(bits);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    cancellation.check(work);
+    return direction_less(edges[a], edges[b]);
+  });
   DirectionRank rank = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && direction_less(edges[order[i - 1]], edges[order[i]])) ++rank;
@@ -221,11 +236,12 @@ DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPa
   return rank + 1;
 }
 
-void sort_edges(IntegerRing& ring) {
+void sort_edges(IntegerRing& ring, Cancellation& cancellation) {
   ring.by_direction.resize(ring.size());
   std::iota(ring.by_direction.begin(), ring.by_direction.end(), 0U);
   std::sort(
       ring.by_direction.begin(), ring.by_direction.end(), [&](std::uint32_t a, std::uint32_t b) {
+        cancellation.check();
         return ring.directions[a] != ring.directions[b] ? ring.directions[a] < ring.directions[b]
                                                         : a < b;
       });
@@ -251,21 +267,23 @@ void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank c
 
 }  // namespace
 
-IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q) {
-  const std::vector<ExactPolygon> exact_p = read(p);
-  const std::vector<ExactPolygon> exact_q = read(q);
+IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q,
+                              Cancellation& cancellation) {
+  const std::vector<ExactPolygon> exact_p = read(p, cancellation);
+  const std::vector<ExactPolygon> exact_q = read(q, cancellation);
   IntegerOperands operands;
-  operands.scale = common_denominator(exact_p, exact_q);
-  operands.p = make_parts(exact_p, operands.scale);
-  operands.q = make_parts(exact_q, operands.scale);
+  operands.scale = common_denominator(exact_p, exact_q, cancellation);
+  operands.p = make_parts(exact_p, operands.scale, cancellation);
+  operands.q = make_parts(exact_q, operands.scale, cancellation);
   const auto [p_low, p_side] = move_to_origin(operands.p);
   const auto [q_low, q_side] = move_to_origin(operands.q);
   operands.origin = {p_low.x + q_low.x, p_low.y + q_low.y};
   operands.operand_bits = std::max(bit_count(p_side), bit_count(q_side));
   operands.bits = bit_count(p_side + q_side);
-  operands.direction_count = rank_directions(operands.p, operands.q);
+  operands.direction_count =
+      rank_directions(operands.p, operands.q, operands.operand_bits, cancellation);
   for (auto* parts : {&operands.p, &operands.q}) {
-    for (IntegerRing* ring : rings_of(*parts)) sort_edges(*ring);
+    for (IntegerRing* ring : rings_of(*parts)) sort_edges(*ring, cancellation);
   }
   return operands;
 }

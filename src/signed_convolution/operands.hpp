@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/geometry.hpp"
 #include "signed_convolution/numbers.hpp"
 
@@ -59,7 +60,8 @@ struct GivenOperand {
   std::span<const Polyline> polylines;
 };
 
-[[nodiscard]] IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q);
+[[nodiscard]] IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q,
+                                            Cancellation& cancellation);
 
 /// Throws Error(kInternal) unless the operands are as described above: oriented or walks, no
 /// straight or repeated vertices, ranks in cyclic order of the directions.

@@ -49,12 +49,16 @@ class RingBuilder {
  public:
   RingBuilder(const Geometry<N>& geometry, const Arrangement& arrangement,
               const InsideFlags& inside)
-      : geometry_(geometry), arrangement_(arrangement), inside_(inside) {}
+      : geometry_(geometry),
+        cancellation_(geometry.cancellation()),
+        arrangement_(arrangement),
+        inside_(inside) {}
 
   BoundaryRings run() {
     used_.assign(arrangement_.half_edge_count(), false);
     place_of_node_.assign(arrangement_.node_count(), kNowhere);
     for (HalfEdge h = 0; h < used_.size(); ++h) {
+      cancellation_.check();
       if (!used_[h] && is_boundary(inside_, h)) walk_from(h);
     }
     return std::move(result_);
@@ -69,6 +73,7 @@ class RingBuilder {
     const HalfEdge back = twin(h);
     HalfEdge next = arrangement_.clockwise(back);
     while (!is_boundary(inside_, next)) {
+      cancellation_.check();
       if (next == back) broken("the sum's boundary ends at a node");
       next = arrangement_.clockwise(next);
     }
@@ -94,6 +99,7 @@ class RingBuilder {
   }
 
   void split_off(std::vector<HalfEdge>& path, std::size_t from, std::size_t walk) {
+    cancellation_.check(2 * (path.size() - from));
     BoundaryRing ring;
     ring.walk = walk;
     ring.edges.assign(path.begin() + static_cast<std::ptrdiff_t>(from), path.end());
@@ -117,6 +123,7 @@ class RingBuilder {
   void start_at_leftmost(BoundaryRing& ring) const {
     std::size_t best = 0;
     for (std::size_t i = 1; i < ring.edges.size(); ++i) {
+      cancellation_.check();
       const NodeId a = arrangement_.origin(ring.edges[i]);
       if (geometry_.compare_xy(a, arrangement_.origin(ring.edges[best])) < 0) best = i;
     }
@@ -134,6 +141,7 @@ class RingBuilder {
   }
 
   [[nodiscard]] int turn(HalfEdge a, HalfEdge b) const {
+    cancellation_.check(geometry_.work() / 4 + 1);
     return sign_of(Geometry<N>::cross(direction(a), direction(b)));
   }
   [[nodiscard]] typename Geometry<N>::Vector direction(HalfEdge h) const {
@@ -144,6 +152,7 @@ class RingBuilder {
   }
 
   const Geometry<N>& geometry_;
+  Cancellation& cancellation_;
   const Arrangement& arrangement_;
   const InsideFlags& inside_;
   std::vector<bool> used_;
@@ -157,7 +166,10 @@ class PolygonBuilder {
  public:
   PolygonBuilder(const Geometry<N>& geometry, const Arrangement& arrangement,
                  const BoundaryRings& boundary)
-      : geometry_(geometry), arrangement_(arrangement), boundary_(boundary) {}
+      : geometry_(geometry),
+        cancellation_(geometry.cancellation()),
+        arrangement_(arrangement),
+        boundary_(boundary) {}
 
   std::vector<BoundaryPolygon> run() {
     std::vector<BoundaryPolygon> polygons;
@@ -193,6 +205,7 @@ class PolygonBuilder {
     const Key& first = geometry_.key(arrangement_.origin(ring.vertices.front()));
     OuterRing outer{index, first, first};
     for (const HalfEdge h : ring.vertices) {
+      cancellation_.check();
       const Key& key = geometry_.key(arrangement_.origin(h));
       outer.min = {std::min(outer.min.x, key.x), std::min(outer.min.y, key.y)};
       outer.max = {std::max(outer.max.x, key.x), std::max(outer.max.y, key.y)};
@@ -206,6 +219,7 @@ class PolygonBuilder {
     const Key& key = geometry_.key(node);
     std::size_t best = BoundaryWalk::kNone;
     for (const OuterRing& outer : outers_) {
+      cancellation_.check();
       if (key.x < outer.min.x || outer.max.x < key.x) continue;
       if (key.y < outer.min.y || outer.max.y < key.y) continue;
       if (!holds_left_of(outer.ring, node)) continue;
@@ -221,6 +235,7 @@ class PolygonBuilder {
   [[nodiscard]] bool holds_left_of(std::size_t ring, NodeId node) const {
     bool odd = false;
     for (const HalfEdge h : boundary_.rings[ring].edges) {
+      cancellation_.check();
       const NodeId a = arrangement_.origin(h);
       const NodeId b = arrangement_.origin(twin(h));
       const bool rightward = geometry_.compare_x(a, node) < 0;
@@ -241,6 +256,10 @@ class PolygonBuilder {
     return (side > 0) == segment_rightward;
   }
 
+  [[nodiscard]] static std::size_t bit_count(const boost::multiprecision::cpp_rational& value) {
+    const boost::multiprecision::cpp_int denominator = boost::multiprecision::denominator(value);
+    return boost::multiprecision::msb(denominator) + 1;
+  }
   [[nodiscard]] boost::multiprecision::cpp_rational doubled_area(std::size_t ring) const {
     using Number = boost::multiprecision::cpp_rational;
     const auto coordinate = [](const auto& n, const auto& d) {
@@ -251,6 +270,7 @@ class PolygonBuilder {
     const std::vector<HalfEdge>& vertices = boundary_.rings[ring].vertices;
     auto a = geometry_.exact(arrangement_.origin(vertices.back()));
     for (const HalfEdge h : vertices) {
+      cancellation_.check(work_of_decision(bit_count(sum)));
       const auto b = geometry_.exact(arrangement_.origin(h));
       sum +=
           coordinate(a.x, a.d) * coordinate(b.y, b.d) - coordinate(a.y, a.d) * coordinate(b.x, b.d);
@@ -261,6 +281,7 @@ class PolygonBuilder {
 
   // By first vertices, and by second vertices where two rings start at the same node.
   [[nodiscard]] bool ring_less(std::size_t a, std::size_t b) const {
+    cancellation_.check();
     for (std::size_t i = 0; i < 2; ++i) {
       const int order = geometry_.compare_xy(arrangement_.origin(boundary_.rings[a].vertices[i]),
                                              arrangement_.origin(boundary_.rings[b].vertices[i]));
@@ -280,6 +301,7 @@ class PolygonBuilder {
   }
 
   const Geometry<N>& geometry_;
+  Cancellation& cancellation_;
   const Arrangement& arrangement_;
   const BoundaryRings& boundary_;
   std::vector<OuterRing> outers_;
@@ -299,6 +321,7 @@ void write_region(const Geometry<N>& geometry, const Arrangement& arrangement,
     result.begin_ring();
     for (const HalfEdge h : boundary.rings[ring].vertices) {
       const auto point = geometry.exact(arrangement.origin(h));
+      geometry.cancellation().check(16 + 4 * geometry.work());
       result.add_vertex(coordinate(point.x, point.d, operands.origin.x),
                         coordinate(point.y, point.d, operands.origin.y));
     }

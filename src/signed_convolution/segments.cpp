@@ -49,11 +49,13 @@ Range edges_of_q_between(DirectionRank a, DirectionRank b, DirectionRank count) 
 
 class Lister {
  public:
-  Lister(DirectionRank count, const Options& options, std::vector<SignedSegment>& segments)
-      : count_(count), options_(options), segments_(segments) {}
+  Lister(DirectionRank count, const Options& options, Cancellation& cancellation,
+         std::vector<SignedSegment>& segments)
+      : count_(count), options_(options), cancellation_(cancellation), segments_(segments) {}
 
   void list(LayerId layer, const Layer& loops) {
     for (std::size_t j = 0; j < loops.q->size(); ++j) {
+      cancellation_.check(4);
       const auto [from, to] = sector(*loops.q, j);
       const Range range = edges_of_p_between(from, to, count_);
       const std::int8_t sign = loops.q->convex[j] ? 1 : -1;
@@ -62,6 +64,7 @@ class Lister {
       });
     }
     for (std::size_t i = 0; i < loops.p->size(); ++i) {
+      cancellation_.check(4);
       const auto [from, to] = sector(*loops.p, i);
       const Range range = edges_of_q_between(from, to, count_);
       const std::int8_t sign = loops.p->convex[i] ? 1 : -1;
@@ -110,11 +113,13 @@ class Lister {
       throw Error(ErrorCode::kLimitExceeded,
                   "the convolution has more segments than allowed (Limits::max_segments)");
     }
+    cancellation_.check();
     segments_.push_back(segment);
   }
 
   DirectionRank count_;
   const Options& options_;
+  Cancellation& cancellation_;
   std::vector<SignedSegment>& segments_;
 };
 
@@ -136,9 +141,12 @@ bool end_less(const End& a, const End& b) {
 }
 
 void add_holes(const std::vector<IntegerRing>& holes, const IntegerRing& other, bool holes_of_p,
-               PairId pair, std::vector<Layer>& layers) {
+               PairId pair, Cancellation& cancellation, std::vector<Layer>& layers) {
+  if (holes.empty()) return;
   const Box box = box_of(other);
+  cancellation.check(16 * other.size());
   for (const IntegerRing& hole : holes) {
+    cancellation.check(16 * hole.size());
     if (!may_fit(box, box_of(hole))) continue;
     layers.push_back({pair, true, holes_of_p ? &hole : &other, holes_of_p ? &other : &hole});
   }
@@ -146,14 +154,15 @@ void add_holes(const std::vector<IntegerRing>& holes, const IntegerRing& other, 
 
 }  // namespace
 
-std::vector<Layer> make_layers(const IntegerOperands& operands) {
+std::vector<Layer> make_layers(const IntegerOperands& operands, Cancellation& cancellation) {
   std::vector<Layer> layers;
   PairId pair = 0;
   for (const IntegerPart& p : operands.p) {
     for (const IntegerPart& q : operands.q) {
+      cancellation.check();
       layers.push_back({pair, false, &p.outer, &q.outer});
-      add_holes(p.holes, q.outer, true, pair, layers);
-      add_holes(q.holes, p.outer, false, pair, layers);
+      add_holes(p.holes, q.outer, true, pair, cancellation, layers);
+      add_holes(q.holes, p.outer, false, pair, cancellation, layers);
       ++pair;
     }
   }
@@ -161,21 +170,22 @@ std::vector<Layer> make_layers(const IntegerOperands& operands) {
 }
 
 std::vector<SignedSegment> signed_segments(const IntegerOperands& operands,
-                                           std::span<const Layer> layers, const Options& options) {
+                                           std::span<const Layer> layers, const Options& options,
+                                           Cancellation& cancellation) {
   std::vector<SignedSegment> segments;
-  Lister lister(operands.direction_count, options, segments);
-  StopClock clock(options, Stage::kConvolution);
+  Lister lister(operands.direction_count, options, cancellation, segments);
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    clock.tick();
     lister.list(static_cast<LayerId>(i), layers[i]);
   }
   return segments;
 }
 
-bool is_closed(std::span<const Layer> layers, std::span<const SignedSegment> segments) {
+bool is_closed(std::span<const Layer> layers, std::span<const SignedSegment> segments,
+               Cancellation& cancellation) {
   std::vector<End> ends;
   ends.reserve(2 * segments.size());
   for (const SignedSegment& segment : segments) {
+    cancellation.check(2);
     const Layer& loops = layers[segment.layer];
     End end{segment.layer, segment.p_index, segment.q_index, -segment.multiplicity};
     ends.push_back(end);
@@ -184,7 +194,7 @@ bool is_closed(std::span<const Layer> layers, std::span<const SignedSegment> seg
     end.balance = segment.multiplicity;
     ends.push_back(end);
   }
-  std::sort(ends.begin(), ends.end(), end_less);
+  std::sort(ends.begin(), ends.end(), cancellation.counting(end_less));
   int balance = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     balance += ends[i].balance;

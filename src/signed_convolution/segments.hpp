@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "signed_convolution/operands.hpp"
 
@@ -40,16 +41,19 @@ struct SignedSegment {
   std::int8_t multiplicity = 0;
 };
 
-[[nodiscard]] std::vector<Layer> make_layers(const IntegerOperands& operands);
+[[nodiscard]] std::vector<Layer> make_layers(const IntegerOperands& operands,
+                                             Cancellation& cancellation);
 
 /// The signed convolutions of all layers, layer after layer.
 [[nodiscard]] std::vector<SignedSegment> signed_segments(const IntegerOperands& operands,
                                                          std::span<const Layer> layers,
-                                                         const Options& options);
+                                                         const Options& options,
+                                                         Cancellation& cancellation);
 
 /// Whether the segments form closed cycles in every layer: at each pair of vertices as many come in
 /// as go out. This is what the half-open rules for parallel edges must achieve.
 [[nodiscard]] bool is_closed(std::span<const Layer> layers,
-                             std::span<const SignedSegment> segments);
+                             std::span<const SignedSegment> segments,
+                             Cancellation& cancellation);
 
 }  // namespace minksum::signed_sum

@@ -37,10 +37,10 @@ struct Input {
 };
 
 template <class N>
-void solve(const Input& input, const Options& options, Statistics& statistics, StageTimer& timer,
-           Region& result) {
-  stop_if_asked(options, Stage::kArrangement);
-  Geometry<N> geometry(input.operands.bits);
+void solve(const Input& input, const Options& options, Cancellation& cancellation,
+           Statistics& statistics, StageTimer& timer, Region& result) {
+  cancellation.enter(Stage::kArrangement);
+  Geometry<N> geometry(input.operands.bits, cancellation);
   const Arrangement arrangement =
       ArrangementBuilder<N>(geometry, options, statistics).run(input.layers, input.segments);
   if (options.check && !is_balanced(arrangement)) {
@@ -49,13 +49,13 @@ void solve(const Input& input, const Options& options, Statistics& statistics, S
   timer.charge(Stage::kArrangement);
   // Polylines along one direction: all pieces cancel.
   if (arrangement.pieces.empty()) return;
-  stop_if_asked(options, Stage::kLoops);
-  const InsideFlags inside = WindingWalk<N>(geometry, arrangement, input.layers, options).run();
+  cancellation.enter(Stage::kLoops);
+  const InsideFlags inside = WindingWalk<N>(geometry, arrangement, input.layers).run();
   const BoundaryRings boundary = RingBuilder<N>(geometry, arrangement, inside).run();
   const auto polygons = PolygonBuilder<N>(geometry, arrangement, boundary).run();
   statistics.loops = boundary.rings.size();
   timer.charge(Stage::kLoops);
-  stop_if_asked(options, Stage::kOutput);
+  cancellation.enter(Stage::kOutput);
   write_region(geometry, arrangement, boundary, polygons, input.operands, result);
   timer.charge(Stage::kOutput);
 }
@@ -71,16 +71,18 @@ Arithmetic pick(unsigned bits, Arithmetic least) {
 void compute(const GivenOperand& p, const GivenOperand& q, const Options& options,
              Statistics& statistics, Region& result) {
   StageTimer timer(statistics);
-  stop_if_asked(options, Stage::kOperands);
-  const IntegerOperands operands = make_operands(p, q);
+  Cancellation cancellation(options);
+  cancellation.enter(Stage::kOperands);
+  const IntegerOperands operands = make_operands(p, q, cancellation);
   if (options.check) check(operands);
   statistics.coordinate_bits = operands.operand_bits;
   timer.charge(Stage::kOperands);
-  stop_if_asked(options, Stage::kConvolution);
-  const std::vector<Layer> layers = make_layers(operands);
-  const std::vector<SignedSegment> segments = signed_segments(operands, layers, options);
+  cancellation.enter(Stage::kConvolution);
+  const std::vector<Layer> layers = make_layers(operands, cancellation);
+  const std::vector<SignedSegment> segments =
+      signed_segments(operands, layers, options, cancellation);
   // Always: it costs little, and everything after it rests on it.
-  if (!is_closed(layers, segments)) broken("the signed convolution is not closed");
+  if (!is_closed(layers, segments, cancellation)) broken("the signed convolution is not closed");
   statistics.convolution_segments = segments.size();
   statistics.segments_kept = segments.size();
   timer.charge(Stage::kConvolution);
@@ -88,11 +90,11 @@ void compute(const GivenOperand& p, const GivenOperand& q, const Options& option
   statistics.arithmetic = pick(operands.bits, options.arithmetic);
   switch (statistics.arithmetic) {
     case Arithmetic::kNarrow:
-      return solve<SmallNumbers>(input, options, statistics, timer, result);
+      return solve<SmallNumbers>(input, options, cancellation, statistics, timer, result);
     case Arithmetic::kMedium:
-      return solve<MediumNumbers>(input, options, statistics, timer, result);
+      return solve<MediumNumbers>(input, options, cancellation, statistics, timer, result);
     default:
-      return solve<ArbitraryNumbers>(input, options, statistics, timer, result);
+      return solve<ArbitraryNumbers>(input, options, cancellation, statistics, timer, result);
   }
 }
 
@@ -111,13 +113,15 @@ bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d
 }
 
 /// The sums of parallel edges.
-void add_parallel_sums(const Polyline& p, const Polyline& q, std::vector<Polyline>& sums) {
+void add_parallel_sums(const Polyline& p, const Polyline& q, Cancellation& cancellation,
+                       std::vector<Polyline>& sums) {
   for (std::size_t i = 1; i < p.size(); ++i) {
     for (std::size_t j = 1; j < q.size(); ++j) {
       const Point& a = p[i - 1];
       const Point& b = p[i];
       const Point& c = q[j - 1];
       const Point& d = q[j];
+      cancellation.check(2 * (work_of(a) + work_of(c)));
       if (!are_parallel(a, b, c, d)) continue;
       const bool same_way = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) > Rational(0);
       sums.push_back({plus(a, same_way ? c : d), plus(b, same_way ? d : c)});
@@ -150,8 +154,11 @@ void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polylin
   Statistics unasked;
   signed_sum::compute_or_clear(signed_sum::GivenOperand(p), signed_sum::GivenOperand(q), options,
                                unasked, result.region);
+  Cancellation cancellation(options);
   for (const Polyline& a : p) {
-    for (const Polyline& b : q) signed_sum::add_parallel_sums(a, b, result.polylines);
+    for (const Polyline& b : q) {
+      signed_sum::add_parallel_sums(a, b, cancellation, result.polylines);
+    }
   }
 }
 

@@ -25,6 +25,8 @@ class WindingNumbers {
  public:
   explicit WindingNumbers(std::span<const Layer> layers);
   void add(LayerId layer, int change);
+  /// How many layers there are.
+  [[nodiscard]] std::size_t size() const { return winding_.size(); }
   /// The point is in the sum of some pair of parts: in the filled sum and in no hole.
   [[nodiscard]] bool inside() const { return pairs_inside_ > 0; }
   /// Throws Error(kInternal) if a layer just changed has a number that theory excludes.
@@ -54,11 +56,11 @@ template <class N>
 class WindingWalk {
  public:
   WindingWalk(const Geometry<N>& geometry, const Arrangement& arrangement,
-              std::span<const Layer> layers, const Options& options)
+              std::span<const Layer> layers)
       : geometry_(geometry),
+        cancellation_(geometry.cancellation()),
         arrangement_(arrangement),
-        winding_(layers),
-        clock_(options, Stage::kLoops) {}
+        winding_(layers) {}
 
   InsideFlags run() {
     label_cycles();
@@ -66,6 +68,7 @@ class WindingWalk {
     index_pieces(starts.size());
     cycle_inside_.assign(cycle_count_, 0);
     for (const NodeId node : starts) {
+      cancellation_.check(winding_.size() / 4);
       count_left_of(node);
       // The last one counter-clockwise from straight down, all of them going right or up: the face
       // on its left holds what is just left of the node.
@@ -85,7 +88,10 @@ class WindingWalk {
     cycle_.assign(arrangement_.half_edge_count(), kNone);
     for (HalfEdge h = 0; h < cycle_.size(); ++h) {
       if (cycle_[h] != kNone) continue;
-      for (HalfEdge g = h; cycle_[g] == kNone; g = arrangement_.next(g)) cycle_[g] = cycle_count_;
+      for (HalfEdge g = h; cycle_[g] == kNone; g = arrangement_.next(g)) {
+        cancellation_.check(2);
+        cycle_[g] = cycle_count_;
+      }
       ++cycle_count_;
     }
   }
@@ -101,11 +107,13 @@ class WindingWalk {
     for (const Piece& piece : arrangement_.pieces) {
       const NodeId a = find(piece.from);
       const NodeId b = find(piece.to);
+      cancellation_.check(2);
       if (a != b) parent[std::max(a, b)] = std::min(a, b);
     }
     std::vector<NodeId> leftmost(parent.size(), kNone);
     for (const Piece& piece : arrangement_.pieces) {
       NodeId& best = leftmost[find(piece.from)];
+      cancellation_.check(2);
       for (const NodeId node : {piece.from, piece.to}) {
         if (best == kNone || (node != best && geometry_.compare_xy(node, best) < 0)) best = node;
       }
@@ -116,6 +124,7 @@ class WindingWalk {
 
   // -- Winding numbers at a point, counted along a ray straight down ---------------------------
   void index_pieces(std::size_t queries) {
+    cancellation_.check(arrangement_.pieces.size());
     for (const Piece& piece : arrangement_.pieces) {
       for (const NodeId node : {piece.from, piece.to}) {
         min_x_ = std::min(min_x_, geometry_.key(node).x);
@@ -130,6 +139,7 @@ class WindingWalk {
       std::size_t a = slab(geometry_.key(piece.from).x);
       std::size_t b = slab(geometry_.key(piece.to).x);
       if (b < a) std::swap(a, b);
+      cancellation_.check(2 * (b - a + 1));
       for (std::size_t s = a; s <= b; ++s) slabs_[s].push_back(k);
     }
   }
@@ -143,6 +153,7 @@ class WindingWalk {
     winding_.clear();
     for (const std::uint32_t k : slabs_[slab(geometry_.key(node).x)]) {
       const Piece& piece = arrangement_.pieces[k];
+      cancellation_.check();
       const int from = geometry_.compare_x(piece.from, node);
       const int to = geometry_.compare_x(piece.to, node);
       const bool rightward = from < 0 && to >= 0;
@@ -165,19 +176,22 @@ class WindingWalk {
   };
 
   void cross_to_left_of(HalfEdge h) {
-    arrangement_.for_deltas(h, [&](LayerId layer, int change) { winding_.add(layer, change); });
+    arrangement_.for_deltas(h, [&](LayerId layer, int change) {
+      cancellation_.check();
+      winding_.add(layer, change);
+    });
     arrangement_.for_deltas(h, [&](LayerId layer, int) { winding_.check(layer); });
   }
 
   void enter(HalfEdge h) {
     cycle_inside_[cycle_[h]] = winding_.inside() ? kInside : kOutside;
     stack_.push_back({h, h, false});
-    clock_.tick();
   }
 
   void walk_component(HalfEdge start) {
     enter(start);
     while (!stack_.empty()) {
+      cancellation_.check();
       Visit& visit = stack_.back();
       if (visit.started && visit.current == visit.first) {
         const HalfEdge entered = visit.first;
@@ -196,9 +210,9 @@ class WindingWalk {
   }
 
   const Geometry<N>& geometry_;
+  Cancellation& cancellation_;
   const Arrangement& arrangement_;
   WindingNumbers winding_;
-  StopClock clock_;
   std::vector<std::uint32_t> cycle_;  // per half-edge: the boundary cycle of the face on its left
   std::uint32_t cycle_count_ = 0;
   std::vector<std::uint8_t> cycle_inside_;

@@ -33,6 +33,7 @@ class TightFinder {
     if (!p.parts_inside || !q.parts_inside) return;
     for (std::size_t i = 0; i < p.point.size(); ++i) {
       for (std::size_t j = 0; j < q.point.size(); ++j) {
+        predicates_.cancellation().check(4);
         if (!alternate(corners_at(p, i), corners_at(q, j))) continue;
         const SumVertex v{p.point[i], q.point[j]};
         if (is_free(at(node_at(v)))) pinches.push_back(v);
@@ -46,6 +47,7 @@ class TightFinder {
     Probe probe = probe_on(slit, position);
     while (is_free(at(probe))) {
       const auto is_here = [&](const SumVertex& v) {
+        predicates_.count_kernel();
         const ExactKernel& kernel = predicates_.kernel();
         return kernel.probe_compare(probe, v, Axis::kX) == kZero &&
                kernel.probe_compare(probe, v, Axis::kY) == kZero;
@@ -121,16 +123,15 @@ bool has_holes(const Operands& operands, std::size_t first, std::size_t last) {
 }  // namespace
 
 void find_tight_places(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
-                       const FilteredLoops& filtered, const std::function<void()>& stop,
-                       Predicates& predicates, BoxTrees& trees, TightScratch& scratch,
-                       TightPlaces& places) {
+                       const FilteredLoops& filtered, Predicates& predicates, BoxTrees& trees,
+                       TightScratch& scratch, TightPlaces& places) {
   places.slits.clear();
   places.nodes.clear();
   places.pinches.clear();
   const bool both_have_holes = has_holes(operands, 0, operands.first_rings) &&
                                has_holes(operands, operands.first_rings, operands.rings.size());
   if (arrangement.slits.empty() && arrangement.crowded.empty() && !both_have_holes) return;
-  trees.build(operands);
+  trees.build(operands, predicates.cancellation());
   for (const int operand : {0, 1}) {
     find_touching_rings(operands, operand, trees.tree[operand], predicates,
                         scratch.touching[operand]);
@@ -139,24 +140,24 @@ void find_tight_places(const Operands& operands, const Arrangement& arrangement,
   finder.find_pinches(places.pinches);
   for (std::uint32_t i = 0; i < arrangement.slits.size(); ++i) {
     if (finder.slit_is_free(arrangement.slits[i], places.pinches)) places.slits.push_back(i);
-    if ((i & 0xFF) == 0) stop();
   }
   mark_nodes(arrangement, loops, filtered, places, scratch.marked);
   for (std::size_t i = 0; i < arrangement.crowded.size(); ++i) {
+    predicates.cancellation().check();
     const NodeId node = arrangement.crowded[i];
     if (scratch.marked[node] == 0 && finder.is_free(TightFinder::at(arrangement.nodes[node]))) {
       places.nodes.push_back(node);
     }
-    if ((i & 0xFF) == 0) stop();
   }
 }
 
 std::optional<std::string> check(const TightPlaces& places, const Arrangement& arrangement,
                                  const Loops& loops, const FilteredLoops& filtered,
                                  const Operands& operands) {
-  Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+  Cancellation never;
+  Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
   BoxTrees trees;
-  trees.build(operands);
+  trees.build(operands, never);
   TightScratch scratch;
   for (const int operand : {0, 1}) {
     find_touching_rings(operands, operand, trees.tree[operand], predicates,

@@ -20,7 +20,8 @@ bool OverlapTest::overlaps(const Placement& x) {
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = x.error + 4 * (bounds.position + bounds.magnitude * 0x1p-49);
   const auto overlap = [this](std::size_t p, std::size_t q) { return leaves_overlap(p, q); };
-  return trees_.any_near(x_.at, doubt_, overlap) || a_ring_is_inside(0) || a_ring_is_inside(1);
+  return trees_.any_near(x_.at, doubt_, predicates_.cancellation(), overlap) ||
+         a_ring_is_inside(0) || a_ring_is_inside(1);
 }
 
 bool OverlapTest::near(const BoxTree::Box& p, const BoxTree::Box& q) const {
@@ -45,6 +46,7 @@ bool OverlapTest::any_part(SiteId edge, int operand, Visit visit) const {
 bool OverlapTest::leaves_overlap(std::size_t leaf_p, std::size_t leaf_q) {
   const BoxTree& p = trees_.tree[0];
   const BoxTree& q = trees_.tree[1];
+  predicates_.cancellation().check(2 * BoxTree::kLeafEdges * BoxTree::kLeafEdges);
   for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
     for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
       const bool overlap = any_part(e, 0, [&](const Part& of_p) {
@@ -126,7 +128,7 @@ Sign OverlapTest::side(SiteId edge, SiteId vertex) {
     predicates_.count_filtered(1);
     return sign_of(left - right);
   }
-  predicates_.count_kernel(1);
+  predicates_.count_kernel();
   return predicates_.kernel().probe_orientation(edge, sum_vertex(edge, vertex), x_.probe);
 }
 
@@ -139,7 +141,7 @@ Sign OverlapTest::compare(SiteId a, SiteId b, Axis axis) {
     predicates_.count_filtered(1);
     return sign_of(difference);
   }
-  predicates_.count_kernel(1);
+  predicates_.count_kernel();
   if (x_.node == nullptr) return predicates_.kernel().probe_compare(x_.probe, v, axis);
   return predicates_.kernel().compare(x_.node->point, {false, {}, {}, v}, axis);
 }
@@ -158,6 +160,7 @@ bool OverlapTest::a_ring_is_inside(int operand) {
   const BoxTree& other = trees_.tree[1 - operand];
   const BoxTree::Box& all = other.box(other.levels() - 1, 0);
   const auto misses = [&](const BoxTree::Box& box) {
+    predicates_.cancellation().check();
     return operand == 0 ? !near(box, all) : !near(all, box);
   };
   const BoxTree& tree = trees_.tree[operand];
@@ -166,6 +169,7 @@ bool OverlapTest::a_ring_is_inside(int operand) {
        e = tree.skip_edges(e, end, misses)) {
     const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
     for (; e < leaf_end; ++e) {
+      predicates_.cancellation().check();
       const std::uint32_t r = scratch_.ring_of[e];
       if (e == o_.rings[r].begin && is_inside(r, 1 - operand)) return true;
     }
@@ -189,6 +193,7 @@ bool OverlapTest::has_inside(int operand, SiteId vertex) {
   const BoxTree& tree = trees_.tree[operand];
   const Vec<double> at{x_.at.x - o_.sites.x[vertex], x_.at.y - o_.sites.y[vertex]};
   const auto misses = [&](const BoxTree::Box& box) {
+    predicates_.cancellation().check();
     return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
   };
   const auto above = [&](SiteId v) { return compare(v, vertex, Axis::kY) == kNegative; };
@@ -198,6 +203,7 @@ bool OverlapTest::has_inside(int operand, SiteId vertex) {
        e = tree.skip_edges(e, end, misses)) {
     const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
     for (; e < leaf_end; ++e) {
+      predicates_.cancellation().check();
       const bool goes_up = above(o_.sites.next[e]);
       // An edge going up has the point on its left if it passes right of it.
       if (above(e) != goes_up && (side(e, vertex) == kPositive) == goes_up) odd = !odd;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,13 +88,12 @@ struct TightScratch {
 /// Decides slits, crowded nodes and pinches. O(log n) and what touches for each, if boxes separate
 /// the rest.
 void find_tight_places(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
-                       const FilteredLoops& filtered, const std::function<void()>& stop,
-                       Predicates& predicates, BoxTrees& trees, TightScratch& scratch,
-                       TightPlaces& places);
+                       const FilteredLoops& filtered, Predicates& predicates, BoxTrees& trees,
+                       TightScratch& scratch, TightPlaces& places);
 
 /// The places as a geometry, resolved (see Geometry).
 void write_tight_places(const Operands& operands, const Arrangement& arrangement,
-                        const TightPlaces& places, Geometry& geometry);
+                        const TightPlaces& places, Cancellation& cancellation, Geometry& geometry);
 
 /// Whether points are what they should be, and slits are free, or not, at other points than the
 /// ones that were tested; what is wrong, if not.

@@ -1,5 +1,6 @@
 // Where rings of one polygon touch.
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "tight/tight.hpp"
@@ -16,6 +17,7 @@ class TouchFinder {
         end_(operand == 0 ? operands.split : operands.size()),
         tree_(tree),
         predicates_(predicates),
+        cancellation_(predicates.cancellation()),
         result_(touching) {}
 
   void run(int operand) {
@@ -61,12 +63,14 @@ class TouchFinder {
     const double y = o_.sites.y[v];
     const double doubt = predicates_.bounds().magnitude * 0x1p-49;
     const auto misses = [&](const BoxTree::Box& box) {
+      cancellation_.check();
       return x < box.x0 - doubt || x > box.x1 + doubt || y < box.y0 - doubt || y > box.y1 + doubt;
     };
     for (SiteId e = tree_.skip_edges(begin_, end_, misses); e < end_;
          e = tree_.skip_edges(e, end_, misses)) {
       const SiteId leaf_end = tree_.last_edge(tree_.leaf_of(e));
       for (; e < leaf_end; ++e) {
+        cancellation_.check();
         if (e >= ring.begin && e < ring.end) continue;
         if (ring_of(e).polygon == ring.polygon) add_touch(v, e);
       }
@@ -106,7 +110,7 @@ class TouchFinder {
       members_.push_back({point, t.at, true});
       members_.push_back({point, t.edge, t.at_start});
     }
-    std::sort(members_.begin(), members_.end());
+    std::sort(members_.begin(), members_.end(), cancellation_.counting(std::less<>()));
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
   }
 
@@ -117,6 +121,7 @@ class TouchFinder {
       const std::uint32_t from = o_.place[o_.rank[out.edge]];
       SiteId last = kNoSite;
       std::uint32_t least = o_.place_count;
+      cancellation_.check(around.size());
       for (const Member& other : around) {
         const SiteId in = other.starts ? o_.previous[other.edge] : other.edge;
         const std::uint32_t to = o_.reverse_place[o_.rank[in]];
@@ -147,11 +152,12 @@ class TouchFinder {
     }
   }
   void sort_cuts() {
-    std::sort(result_.cuts.begin(), result_.cuts.end(), [&](const EdgeCut& a, const EdgeCut& b) {
+    const auto before = [&](const EdgeCut& a, const EdgeCut& b) {
       if (a.edge != b.edge) return a.edge < b.edge;
       const Axis axis = predicates_.component(a.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
       return predicates_.compare(a.at, b.at, axis) == -predicates_.component(a.edge, axis);
-    });
+    };
+    std::sort(result_.cuts.begin(), result_.cuts.end(), cancellation_.counting(before));
   }
 
   const Operands& o_;
@@ -159,6 +165,7 @@ class TouchFinder {
   SiteId end_;
   const BoxTree& tree_;
   Predicates& predicates_;
+  Cancellation& cancellation_;
   TouchingRings& result_;
   std::vector<Touch> touches_;
   std::vector<Member> members_;

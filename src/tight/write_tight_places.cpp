@@ -1,5 +1,6 @@
 // Slits and nodes to polylines and points with exact coordinates, in canonical order.
 #include <algorithm>
+#include <functional>
 
 #include "region/point_arithmetic.hpp"
 #include "region/rational_access.hpp"
@@ -15,8 +16,12 @@ bool polyline_less(const Polyline& a, const Polyline& b) {
 class TightWriter {
  public:
   TightWriter(const Operands& operands, const Arrangement& arrangement, const TightPlaces& places,
-              Geometry& geometry)
-      : kernel_(*operands.kernel), arrangement_(arrangement), places_(places), result_(geometry) {}
+              Cancellation& cancellation, Geometry& geometry)
+      : cancellation_(cancellation),
+        kernel_(*operands.kernel),
+        arrangement_(arrangement),
+        places_(places),
+        result_(geometry) {}
 
   void run() {
     write_polylines();
@@ -24,7 +29,8 @@ class TightWriter {
     for (const SumVertex& v : places_.pinches) {
       result_.points.push_back(point(NodePoint{false, {}, {}, v}));
     }
-    std::sort(result_.points.begin(), result_.points.end(), comes_before);
+    const auto before = [&](const auto& a, const auto& b) { return comes_before(a, b); };
+    std::sort(result_.points.begin(), result_.points.end(), cancellation_.counting(before));
     result_.points.erase(std::unique(result_.points.begin(), result_.points.end()),
                          result_.points.end());
   }
@@ -42,7 +48,7 @@ class TightWriter {
       ends_.push_back({slit(i).from, 2 * i});
       ends_.push_back({slit(i).to, 2 * i + 1});
     }
-    std::sort(ends_.begin(), ends_.end());
+    std::sort(ends_.begin(), ends_.end(), cancellation_.counting(std::less<>()));
     written_.assign(places_.slits.size(), 0);
     // Paths end where one slit ends or three meet; what is left then is closed.
     for (const End& e : ends_) {
@@ -51,7 +57,8 @@ class TightWriter {
     for (const End& e : ends_) {
       if (written_[e.end / 2] == 0) follow(e.end, false);
     }
-    std::sort(result_.polylines.begin(), result_.polylines.end(), polyline_less);
+    std::sort(result_.polylines.begin(), result_.polylines.end(),
+              cancellation_.counting(polyline_less));
   }
 
   /// From one end of a slit on, as far as exactly one other slit goes on.
@@ -103,6 +110,7 @@ class TightWriter {
 
   [[nodiscard]] Point point(NodeId node) { return point(arrangement_.nodes[node].point); }
   [[nodiscard]] Point point(const NodePoint& node) {
+    cancellation_.check(4 * kernel_.work());
     kernel_.coordinates(node, scratch_);
     return {value(scratch_.x), value(scratch_.y)};
   }
@@ -117,6 +125,7 @@ class TightWriter {
     return RationalAccess::make(std::move(numerator), std::move(denominator));
   }
 
+  Cancellation& cancellation_;
   const ExactKernel& kernel_;
   const Arrangement& arrangement_;
   const TightPlaces& places_;
@@ -129,9 +138,9 @@ class TightWriter {
 }  // namespace
 
 void write_tight_places(const Operands& operands, const Arrangement& arrangement,
-                        const TightPlaces& places, Geometry& geometry) {
+                        const TightPlaces& places, Cancellation& cancellation, Geometry& geometry) {
   geometry = {};
-  TightWriter(operands, arrangement, places, geometry).run();
+  TightWriter(operands, arrangement, places, cancellation, geometry).run();
 }
 
 }  // namespace minksum

@@ -8,9 +8,11 @@ namespace {
 /// From the pipeline's moved and scaled doubles to the operands' own units.
 class Tracer {
  public:
-  Tracer(const Operands& operands, Trace& trace) : o_(operands), trace_(trace) {}
+  Tracer(const Operands& operands, Cancellation& cancellation, Trace& trace)
+      : o_(operands), cancellation_(cancellation), trace_(trace) {}
 
   [[nodiscard]] Trace::Vertex vertex(const Vec<double>& at) const {
+    cancellation_.check(4);
     return {at.x * o_.trace_unit + o_.trace_origin.x, at.y * o_.trace_unit + o_.trace_origin.y};
   }
   [[nodiscard]] Trace::Vertex sum(SiteId a, SiteId b) const {
@@ -35,6 +37,7 @@ class Tracer {
                     static_cast<std::uint32_t>(grid.columns),
                     static_cast<std::uint32_t>(grid.rows), {}};
     for (std::int32_t j = 0; j < grid.rows; ++j) {
+      cancellation_.check(static_cast<std::uint64_t>(grid.columns));
       for (std::int32_t i = 0; i < grid.columns; ++i) {
         trace_.cover.covered.push_back(cover.is_covered(i, j));
       }
@@ -72,6 +75,7 @@ class Tracer {
 
  private:
   const Operands& o_;
+  Cancellation& cancellation_;
   Trace& trace_;
 };
 
@@ -79,8 +83,8 @@ class Tracer {
 
 void fill_trace(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 const Arrangement& arrangement, const Loops& loops, const FilteredLoops& filtered,
-                Trace& trace) {
-  Tracer tracer(operands, trace);
+                Cancellation& cancellation, Trace& trace) {
+  Tracer tracer(operands, cancellation, trace);
   tracer.convolution(convolution, arrangement);
   tracer.cover(cover);
   tracer.arrangement(arrangement);

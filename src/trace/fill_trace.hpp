@@ -8,6 +8,6 @@ namespace minksum {
 
 void fill_trace(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 const Arrangement& arrangement, const Loops& loops, const FilteredLoops& filtered,
-                Trace& trace);
+                Cancellation& cancellation, Trace& trace);
 
 }  // namespace minksum

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "cancellation.hpp"
 #include "transform/turned.hpp"
 
 namespace minksum {
@@ -71,9 +72,11 @@ Point Affine::operator()(const Point& point) const {
   return {xx * point.x + xy * point.y + dx, yx * point.x + yy * point.y + dy};
 }
 
-Region transform(const Region& region, const Affine& map) {
+Region transform(const Region& region, const Affine& map,
+                 const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   if (const std::optional<int> quarters = quarters_of(map)) {
-    return turned_in_order(region, *quarters);
+    return turned_in_order(region, *quarters, cancellation);
   }
   Region image;
   for (const std::size_t polygon : region.polygons()) {
@@ -82,6 +85,7 @@ Region transform(const Region& region, const Affine& map) {
       image.begin_ring();
       for (const std::size_t v : region.vertices_of(ring)) {
         const Point point = map(region.point(v));
+        cancellation.check(4 * work_of(point));
         image.add_vertex(point.x, point.y);
       }
     }
@@ -89,19 +93,27 @@ Region transform(const Region& region, const Affine& map) {
   return image;
 }
 
-Geometry transform(const Geometry& geometry, const Affine& map) {
-  Geometry image{transform(geometry.region, map), {}, {}};
+Geometry transform(const Geometry& geometry, const Affine& map,
+                   const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  const auto mapped = [&](const Point& point) {
+    cancellation.check(4 * work_of(point));
+    return map(point);
+  };
+  Geometry image{transform(geometry.region, map, cancel), {}, {}};
   for (const Polyline& line : geometry.polylines) {
     Polyline& its_image = image.polylines.emplace_back();
-    for (const Point& point : line) its_image.push_back(map(point));
+    for (const Point& point : line) its_image.push_back(mapped(point));
   }
-  for (const Point& point : geometry.points) image.points.push_back(map(point));
+  for (const Point& point : geometry.points) image.points.push_back(mapped(point));
   return image;
 }
 
-Region reflect(const Region& region) { return transform(region, Affine::scaling(Rational(-1))); }
-Geometry reflect(const Geometry& geometry) {
-  return transform(geometry, Affine::scaling(Rational(-1)));
+Region reflect(const Region& region, const std::optional<CancelToken>& cancel) {
+  return transform(region, Affine::scaling(Rational(-1)), cancel);
+}
+Geometry reflect(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  return transform(geometry, Affine::scaling(Rational(-1)), cancel);
 }
 
 }  // namespace minksum

@@ -18,8 +18,11 @@ struct StoredPoint {
 
 class Turner {
  public:
-  Turner(const Region& region, int quarters, bool with_origins)
-      : region_(region), quarters_(((quarters % 4) + 4) % 4), with_origins_(with_origins) {
+  Turner(const Region& region, int quarters, bool with_origins, Cancellation& cancellation)
+      : region_(region),
+        cancellation_(cancellation),
+        quarters_(((quarters % 4) + 4) % 4),
+        with_origins_(with_origins) {
     RegionAccess::Room room = RegionAccess::room_of(region);
     if (!with_origins) room.origins = 0;
     RegionAccess::reserve(image_, room);
@@ -46,18 +49,17 @@ class Turner {
     std::vector<IndexRange> polygons;
     rings.reserve(region_.ring_count());
     polygons.reserve(region_.polygon_count());
-    const auto before = [this](const TurnedRing& a, const TurnedRing& b) {
-      return ring_before(a, b);
-    };
+    const auto before = cancellation_.counting(
+        [this](const TurnedRing& a, const TurnedRing& b) { return ring_before(a, b); });
     for (const std::size_t polygon : region_.polygons()) {
       const auto begin = static_cast<std::ptrdiff_t>(rings.size());
       for (const std::size_t ring : region_.rings_of(polygon)) rings.push_back(turned_ring(ring));
       std::sort(rings.begin() + begin + 1, rings.end(), before);
       polygons.emplace_back(static_cast<std::size_t>(begin), rings.size());
     }
-    std::ranges::sort(polygons, [&](const IndexRange& a, const IndexRange& b) {
+    std::ranges::sort(polygons, cancellation_.counting([&](const auto& a, const auto& b) {
       return ring_before(rings[a.front()], rings[b.front()]);
-    });
+    }));
     for (const IndexRange& polygon : polygons) {
       image_.begin_polygon();
       for (const std::size_t ring : polygon) write(rings[ring]);
@@ -73,12 +75,14 @@ class Turner {
     StoredPoint first = image<kQuarters>(0);
     for (std::size_t v = 1; v < n; ++v) {
       const StoredPoint point = image<kQuarters>(v);
+      cancellation_.check();
       if (compare(point, first) >= 0) continue;
       smallest = v;
       first = point;
     }
     RegionAccess::make_ring(image_, {n, with_origins_ ? n : 0});
     for (std::size_t i = 0, v = smallest; i < n; ++i, v = v + 1 == n ? 0 : v + 1) {
+      cancellation_.check();
       const StoredPoint at = image<kQuarters>(v);
       RegionAccess::set_vertex(image_, i, at.x, at.y);
       if (with_origins_) RegionAccess::set_origin(image_, i, region_.origin(v));
@@ -121,6 +125,7 @@ class Turner {
     return {x, y};
   }
   StoredPoint image(std::size_t vertex) {
+    cancellation_.check();
     if (quarters_ == 1) return image<1>(vertex);
     if (quarters_ == 2) return image<2>(vertex);
     return quarters_ == 3 ? image<3>(vertex) : image<0>(vertex);
@@ -173,6 +178,7 @@ class Turner {
   }
 
   const Region& region_;
+  Cancellation& cancellation_;
   int quarters_;
   bool with_origins_;
   Region image_;
@@ -180,12 +186,12 @@ class Turner {
 
 }  // namespace
 
-Region turned(const Region& region, int quarters) {
-  return quarters % 4 == 0 ? region
-                           : Turner(region, quarters, region.has_origins()).in_canonical_order();
+Region turned(const Region& region, int quarters, Cancellation& cancellation) {
+  if (quarters % 4 == 0) return region;
+  return Turner(region, quarters, region.has_origins(), cancellation).in_canonical_order();
 }
-Region turned_in_order(const Region& region, int quarters) {
-  return Turner(region, quarters, false).in_order();
+Region turned_in_order(const Region& region, int quarters, Cancellation& cancellation) {
+  return Turner(region, quarters, false, cancellation).in_order();
 }
 
 }  // namespace minksum

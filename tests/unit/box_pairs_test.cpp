@@ -48,7 +48,8 @@ void expect_pairs(const std::vector<Box>& boxes, const Plane& plane, const Plane
   BoxPairs pairs(plane.width, plane.height, doubt, scratch);
   for (const Box& box : boxes) pairs.add(box.x0, box.y0, box.x1, box.y1);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> found;
-  pairs.for_each([&](std::uint32_t a, std::uint32_t b) { ++found[std::minmax(a, b)]; }, [] {});
+  Cancellation never;
+  pairs.for_each([&](std::uint32_t a, std::uint32_t b) { ++found[std::minmax(a, b)]; }, never);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
       const double apart = gap(boxes[i], boxes[j], resolved);
@@ -110,7 +111,8 @@ TEST(BoxPairs, RoundsOutwardsByMoreThanTheDoubt) {
   BoxPairs pairs(1, 1, doubt, scratch);
   for (const Box& box : boxes) pairs.add(box.x0, box.y0, box.x1, box.y1);
   int found = 0;
-  pairs.for_each([&](std::uint32_t, std::uint32_t) { ++found; }, [] {});
+  Cancellation never;
+  pairs.for_each([&](std::uint32_t, std::uint32_t) { ++found; }, never);
   EXPECT_EQ(found, 1);
 }
 

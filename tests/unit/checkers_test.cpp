@@ -41,17 +41,16 @@ struct Stages {
 
   Stages() : Stages(comb(), l_shape(), true) {}
   Stages(const Region& p, const Region& q, bool with_cover) {
-    const std::function<void()> go_on = [] {};
+    Cancellation never;
     options.grid = 40;
     options.cover = with_cover;
     prepare_operands(p, q, options, operands);
-    reduced_convolution(operands, options.limits, convolution_scratch, convolution);
-    cover_interior(operands, options, cover_scratch, convolution, cover);
-    Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
-    arrange(operands, convolution, cover, options, go_on, predicates, arrangement_scratch,
-            arrangement);
-    find_loops(operands, arrangement, loop_scratch, loops);
-    filter_loops(operands, arrangement, loops, go_on, predicates, trees, filtered);
+    reduced_convolution(operands, options.limits, never, convolution_scratch, convolution);
+    cover_interior(operands, options, never, cover_scratch, convolution, cover);
+    Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
+    arrange(operands, convolution, cover, options, predicates, arrangement_scratch, arrangement);
+    find_loops(operands, arrangement, never, loop_scratch, loops);
+    filter_loops(operands, arrangement, loops, predicates, trees, filtered);
     extract_rings(operands, arrangement, loops, filtered, predicates, output_scratch, boundary);
   }
 };

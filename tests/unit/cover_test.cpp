@@ -15,6 +15,7 @@ using test::Random;
 /// The stages up to the cover.
 struct Covered {
   Options options;
+  Cancellation never;
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
@@ -24,11 +25,11 @@ struct Covered {
   Covered(const Region& p, const Region& q, int grid) {
     options.grid = grid;
     test::prepare_operands(p, q, options, operands);
-    reduced_convolution(operands, options.limits, convolution_scratch, convolution);
-    cover_interior(operands, options, scratch, convolution, cover);
+    reduced_convolution(operands, options.limits, never, convolution_scratch, convolution);
+    cover_interior(operands, options, never, scratch, convolution, cover);
   }
   void divide(std::int32_t side) {
-    divide_by_winding(operands, convolution, options.limits, side, scratch, cover);
+    divide_by_winding(operands, convolution, options.limits, side, never, scratch, cover);
   }
 };
 
@@ -119,7 +120,7 @@ TEST(Cover, ByParallelogramsIsInside) {
       c.cover.active = true;
       c.cover.divided = false;
       c.cover.covered.reset(c.cover.grid.columns, c.cover.grid.rows);
-      cover_by_parallelograms(c.operands, c.scratch, c.cover);
+      cover_by_parallelograms(c.operands, c.never, c.scratch, c.cover);
       EXPECT_EQ(check(c.cover, c.operands), std::nullopt) << name;
       expect_inside(p, q, c, random, name + " on grid " + std::to_string(grid));
       covered = c.cover.covered_count();
@@ -154,9 +155,10 @@ TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
                                  operands.extent[0].y + operands.extent[1].y, 160);
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       (static_cast<std::size_t>(cover.grid.columns) + 64) / 64);
-  cover_by_translates(operands, scratch, cover);
+  Cancellation never;
+  cover_by_translates(operands, never, scratch, cover);
   const std::uint64_t by_translates = cover.covered_count();
-  cover_by_parallelograms(operands, scratch, cover);
+  cover_by_parallelograms(operands, never, scratch, cover);
   const auto cells = static_cast<std::uint64_t>(cover.grid.size());
   EXPECT_LT(by_translates, cells * 8 / 10);
   EXPECT_GT(cover.covered_count(), cells * 9 / 10);
@@ -195,7 +197,7 @@ TEST(Cover, IsTheSameWithWiderVectors) {
         wide.scratch.vectors = vectors;
         for (Covered* c : {&plain, &wide}) {
           c->cover.divided = false;
-          cover_interior(c->operands, c->options, c->scratch, c->convolution, c->cover);
+          cover_interior(c->operands, c->options, c->never, c->scratch, c->convolution, c->cover);
         }
         EXPECT_EQ(words(plain.cover), words(wide.cover)) << name << " on grid " << grid;
         for (Covered* c : {&plain, &wide}) c->divide(256);

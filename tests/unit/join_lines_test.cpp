@@ -82,11 +82,12 @@ TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
   prepare_operands(comb(9), comb(7), options, o);
-  reduced_convolution(o, options.limits, convolution_scratch, convolution);
+  Cancellation never;
+  reduced_convolution(o, options.limits, never, convolution_scratch, convolution);
   const std::vector<KeptSegment> before = segments_of(o, convolution);
   std::vector<KeptSegment> after = before;
   JoinScratch scratch;
-  join_lines(o, lines_are_joined(o, after.size()), scratch, after);
+  join_lines(o, lines_are_joined(o, after.size()), never, scratch, after);
   EXPECT_LT(2 * after.size(), before.size());
   EXPECT_EQ(union_of(after), union_of(before));
   EXPECT_GE(scratch.joined.size(), 2U);
@@ -130,7 +131,8 @@ TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
       prepare_operands(image_p, image_q, {}, o);
       ConvolutionScratch scratch;
       Convolution convolution;
-      reduced_convolution(o, {}, scratch, convolution);
+      Cancellation never;
+      reduced_convolution(o, {}, never, scratch, convolution);
       ASSERT_GT(o.bits, 25);
       if (lines_are_joined(o, convolution.segments.size())) ++joined_sums;
       Options options;
@@ -150,10 +152,11 @@ TEST(JoinLines, LeavesSegmentsOfManyDirections) {
   Convolution convolution;
   Random random(1);
   prepare_operands(random_two_opt(random, 40, 1000), random_two_opt(random, 40, 1000), options, o);
-  reduced_convolution(o, options.limits, convolution_scratch, convolution);
+  Cancellation never;
+  reduced_convolution(o, options.limits, never, convolution_scratch, convolution);
   std::vector<KeptSegment> kept = segments_of(o, convolution);
   JoinScratch scratch;
-  join_lines(o, lines_are_joined(o, kept.size()), scratch, kept);
+  join_lines(o, lines_are_joined(o, kept.size()), never, scratch, kept);
   EXPECT_TRUE(scratch.joined.empty());
   EXPECT_EQ(kept.size(), convolution.segments.size());
 }

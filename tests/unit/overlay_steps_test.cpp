@@ -137,20 +137,19 @@ std::vector<Chain> chains_of(const Geometry& geometry, ThinStore& store) {
 
 struct Steps {
   std::shared_ptr<ThinStore> store = std::make_shared<ThinStore>();  // results point into it
+  std::shared_ptr<Cancellation> never = std::make_shared<Cancellation>();
   Segments segments;
   Contacts contacts;
   Subdivision subdivision;
 };
 Steps run_steps(const Geometry& geometry, bool joined = false) {
   Steps steps;
-  Cancellation cancellation(std::nullopt);
-  steps.segments = list_segments(chains_of(geometry, *steps.store));
+  steps.segments = list_segments(chains_of(geometry, *steps.store), *steps.never);
   if (joined) join_lines(steps.segments);
-  EXPECT_TRUE(find_contacts(steps.segments, SIZE_MAX, cancellation, steps.contacts));
-  steps.subdivision = subdivide(steps.segments, steps.contacts, cancellation);
+  EXPECT_TRUE(find_contacts(steps.segments, SIZE_MAX, steps.contacts));
+  steps.subdivision = subdivide(steps.segments, steps.contacts);
   sweep(
-      steps.segments, {[](const Winding& w) { return w.first != 0; }}, cancellation,
-      steps.subdivision);
+      steps.segments, {[](const Winding& w) { return w.first != 0; }}, steps.subdivision);
   return steps;
 }
 
@@ -195,8 +194,7 @@ TEST(OverlaySteps, NestedSegmentsHaveFewTouchesOnceJoined) {
   EXPECT_LT(joined.contacts.touches.size(), 500U);
   EXPECT_EQ(result_of(joined), result_of(plain));
   Contacts contacts;
-  Cancellation cancellation(std::nullopt);
-  EXPECT_FALSE(find_contacts(plain.segments, 9000, cancellation, contacts));
+  EXPECT_FALSE(find_contacts(plain.segments, 9000, contacts));
 }
 
 // Cells are divided often here; every pair is tried as well.
@@ -263,8 +261,7 @@ TEST(OverlaySteps, CheckerRejects) {
   // Without the contacts nothing is cut.
   const auto uncut = [](const Geometry& geometry) {
     const Steps steps = run_steps(geometry);
-    Cancellation cancellation(std::nullopt);
-    Subdivision bad = subdivide(steps.segments, {}, cancellation);
+    Subdivision bad = subdivide(steps.segments, {});
     bad.first_around.assign(bad.nodes.size() + 1, 0);
     return check(steps.segments, bad).value_or("");
   };

@@ -82,8 +82,10 @@ TEST_F(Rungs, AgreeOnEveryQuestionAndKeepTheLaws) {
   }
   for (const auto& o : all) {
     const ExactKernel& kernel = *o->kernel;
-    Predicates ladder(o->sites, kernel, o->bounds);
-    Predicates distrustful(o->sites, kernel, RoundingBounds::distrustful(o->bounds.magnitude));
+    Cancellation never;
+    Predicates ladder(o->sites, kernel, o->bounds, never);
+    Predicates distrustful(o->sites, kernel, RoundingBounds::distrustful(o->bounds.magnitude),
+                           never);
     for (SiteId e = 0; e < n; ++e) {
       for (SiteId f = 0; f < n; ++f) {
         ASSERT_EQ(kernel.cross(e, f), first.kernel->cross(e, f));
@@ -178,7 +180,8 @@ TEST_F(Rungs, NodesCompareAlikeOnBothAxes) {
 
 TEST_F(Rungs, ProbesAreInGeneralPosition) {
   for (const auto& o : on_all_rungs(p_, q_)) {
-    Predicates ladder(o->sites, *o->kernel, o->bounds);
+    Cancellation never;
+    Predicates ladder(o->sites, *o->kernel, o->bounds, never);
     const BigRational half(1, 2);
     const Probe probe{{0, o->split}, 1, 1};
     const Probe same{{0, o->split}, 0, 0, &half};

@@ -231,34 +231,37 @@ TEST(Round, SidesHaveNames) {
 // -------------------------------------------------------------------------------------
 
 TEST(Settle, Judges) {
+  Cancellation never;
   const Region exact = make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{1, 4}, {4, 3}, {7, 4}}});
-  EXPECT_EQ(settle(exact, exact).outcome, Settled::kKept);
+  EXPECT_EQ(settle(exact, exact, never).outcome, Settled::kKept);
   const auto moved = [](const Outline& hole) {
     return make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {hole});
   };
-  EXPECT_EQ(settle(exact, moved({{0, 4}, {4, 3}, {7, 4}})).outcome, Settled::kKept);
-  EXPECT_EQ(settle(exact, moved({{0, 4}, {4, 3}, {8, 4}})).outcome, Settled::kCut);
-  EXPECT_EQ(settle(exact, moved({{1, 4}, {4, 5}, {7, 4}})).outcome, Settled::kInvalid);
-  EXPECT_EQ(settle(exact, moved({{1, 4}, {4, 4}, {7, 4}})).outcome, Settled::kInvalid);
-  EXPECT_EQ(settle(exact, moved({{-1, 4}, {4, 3}, {7, 4}})).outcome, Settled::kInvalid);
-  EXPECT_EQ(settle(exact, moved({{11, 4}, {14, 3}, {17, 4}})).outcome, Settled::kInvalid);
+  EXPECT_EQ(settle(exact, moved({{0, 4}, {4, 3}, {7, 4}}), never).outcome, Settled::kKept);
+  EXPECT_EQ(settle(exact, moved({{0, 4}, {4, 3}, {8, 4}}), never).outcome, Settled::kCut);
+  EXPECT_EQ(settle(exact, moved({{1, 4}, {4, 5}, {7, 4}}), never).outcome, Settled::kInvalid);
+  EXPECT_EQ(settle(exact, moved({{1, 4}, {4, 4}, {7, 4}}), never).outcome, Settled::kInvalid);
+  EXPECT_EQ(settle(exact, moved({{-1, 4}, {4, 3}, {7, 4}}), never).outcome, Settled::kInvalid);
+  EXPECT_EQ(settle(exact, moved({{11, 4}, {14, 3}, {17, 4}}), never).outcome, Settled::kInvalid);
 }
 
 TEST(Settle, ThreeRingsAtOnePointCutNothing) {
+  Cancellation never;
   const Region exact =
       make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
                    {{{4, 4}, {5, 4}, {4, 5}}, {{4, 4}, {3, 4}, {4, 3}}, {{4, 4}, {3, 5}, {3, 6}}});
-  EXPECT_EQ(settle(exact, exact).outcome, Settled::kKept);
+  EXPECT_EQ(settle(exact, exact, never).outcome, Settled::kKept);
 }
 
 TEST(Settle, AChainOfHolesCutsAtItsEnd) {
+  Cancellation never;
   const auto with = [](std::int64_t last) {
     return make_polygon(
         {{0, 0}, {9, 0}, {9, 9}, {0, 9}},
         {{{0, 4}, {3, 3}, {3, 5}}, {{3, 4}, {6, 3}, {6, 5}}, {{6, 4}, {last, 3}, {8, 5}}});
   };
-  EXPECT_EQ(settle(with(8), with(8)).outcome, Settled::kKept);
-  EXPECT_EQ(settle(with(8), with(9)).outcome, Settled::kCut);
+  EXPECT_EQ(settle(with(8), with(8), never).outcome, Settled::kKept);
+  EXPECT_EQ(settle(with(8), with(9), never).outcome, Settled::kCut);
 }
 
 TEST(HotPixels, AreHalfOpen) {
@@ -297,11 +300,12 @@ TEST(HotPixels, AreFoundLikeByTryingAll) {
                                           : size * random.between(-50, 50);
       points.push_back(snap_point(x, y));
     }
-    HotPixels pixels(points);
+    Cancellation never;
+    HotPixels pixels(points, never);
     std::vector<PixelId> met;
     for (std::size_t a = 0; a + 1 < points.size(); ++a) {
       const std::size_t b = a + 1;
-      pixels.list_met(points[a], a, points[b], b, met);
+      pixels.list_met(points[a], a, points[b], b, never, met);
       ASSERT_FALSE(met.empty());
       EXPECT_EQ(met.front(), pixels.pixel_of(a));
       EXPECT_EQ(met.back(), pixels.pixel_of(b));

@@ -44,7 +44,8 @@ TEST(SignedNumbers, WidenKeepsTheValue) {
 
 TYPED_TEST(SignedArrangement, OneNodeForOnePoint) {
   // Three segments through (3, 3), one of which starts there, and two that overlap.
-  Geometry<TypeParam> geometry(3);
+  Cancellation never;
+  Geometry<TypeParam> geometry(3, never);
   const auto segment = [&](int x0, int y0, int x1, int y1) {
     return geometry.add_segment(geometry.add_vertex(x0, y0), geometry.add_vertex(x1, y1));
   };
@@ -62,7 +63,8 @@ TYPED_TEST(SignedArrangement, OneNodeForOnePoint) {
 
 TYPED_TEST(SignedArrangement, CrossingsThatCoincideAreOneNode) {
   // Four lines through (7/2, 7/2), which is no vertex; and another crossing close by.
-  Geometry<TypeParam> geometry(3);
+  Cancellation never;
+  Geometry<TypeParam> geometry(3, never);
   const auto segment = [&](int x0, int y0, int x1, int y1) {
     return geometry.add_segment(geometry.add_vertex(x0, y0), geometry.add_vertex(x1, y1));
   };
@@ -85,15 +87,16 @@ TYPED_TEST(SignedArrangement, CrossingsThatCoincideAreOneNode) {
 template <class N>
 struct Stages {
   Stages(const Region& p, const Region& q)
-      : operands(make_operands(p, q)),
-        layers(make_layers(operands)),
-        segments(signed_segments(operands, layers, options)),
-        geometry(operands.bits),
+      : operands(make_operands(p, q, never)),
+        layers(make_layers(operands, never)),
+        segments(signed_segments(operands, layers, options, never)),
+        geometry(operands.bits, never),
         arrangement(ArrangementBuilder<N>(geometry, options, statistics).run(layers, segments)) {}
   Stages(const Stages&) = delete;
   Stages& operator=(const Stages&) = delete;
 
   Options options;
+  Cancellation never;
   Statistics statistics;
   IntegerOperands operands;
   std::vector<Layer> layers;
@@ -134,7 +137,7 @@ TYPED_TEST(SignedArrangement, WindingWalkRejectsImpossibleNumbers) {
   Stages<TypeParam> stages(square, square);
   for (Delta& delta : stages.arrangement.deltas) delta.change = -delta.change;
   ASSERT_TRUE(is_balanced(stages.arrangement));
-  WindingWalk<TypeParam> walk(stages.geometry, stages.arrangement, stages.layers, stages.options);
+  WindingWalk<TypeParam> walk(stages.geometry, stages.arrangement, stages.layers);
   EXPECT_THROW((void)walk.run(), Error);
 }
 
@@ -142,7 +145,7 @@ TYPED_TEST(SignedArrangement, RingBuilderRejectsOpenBoundaries) {
   const Region square = test::parse_wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
   Stages<TypeParam> stages(square, square);
   InsideFlags inside =
-      WindingWalk<TypeParam>(stages.geometry, stages.arrangement, stages.layers, stages.options)
+      WindingWalk<TypeParam>(stages.geometry, stages.arrangement, stages.layers)
           .run();
   RingBuilder<TypeParam> sound(stages.geometry, stages.arrangement, inside);
   EXPECT_EQ(sound.run().rings.size(), 1U);

@@ -18,15 +18,17 @@ struct Made {
   Region region;
   PreparedOperand operand;
   explicit Made(const Region& area) : region(area) {
+    Cancellation never;
     OperandScratch scratch;
     std::vector<Fault> faults;
-    prepare_operand(region, {}, 1, scratch, operand, faults);
+    prepare_operand(region, {}, 1, never, scratch, operand, faults);
     EXPECT_TRUE(faults.empty());
   }
   explicit Made(const std::vector<Outline>& polylines) {
+    Cancellation never;
     OperandScratch scratch;
-    walk_there_and_back(make_lines(polylines).polylines, region);
-    prepare_thin_operand(region, {}, scratch, operand);
+    walk_there_and_back(make_lines(polylines).polylines, never, region);
+    prepare_thin_operand(region, {}, never, scratch, operand);
   }
 };
 
@@ -56,7 +58,8 @@ TEST(ThinOperand, TheCheckerKnowsEndsFromSpikes) {
   const Made hook(kHook);
   const auto combined = [&] {
     Operands operands;
-    combine_operands(triangle.operand, hook.operand, {}, NarrowHoles::kFill, operands);
+    Cancellation never;
+    combine_operands(triangle.operand, hook.operand, {}, NarrowHoles::kFill, never, operands);
     return operands;
   };
   EXPECT_EQ(check(combined()), std::nullopt);
@@ -74,11 +77,12 @@ TEST(ThinOperand, EndsTakeHalfACircleOfDirections) {
   const Made triangle(kTriangle);
   const Made segment({{{0, 0}, {5, 1}}});
   Operands operands;
-  combine_operands(triangle.operand, segment.operand, {}, NarrowHoles::kFill, operands);
+  Cancellation never;
+  combine_operands(triangle.operand, segment.operand, {}, NarrowHoles::kFill, never, operands);
   EXPECT_TRUE(operands.both_convex);
   ConvolutionScratch scratch;
   Convolution convolution;
-  reduced_convolution(operands, {}, scratch, convolution);
+  reduced_convolution(operands, {}, never, scratch, convolution);
   EXPECT_EQ(check(convolution, operands, false), std::nullopt);
   // Both edges of the walk and all of the triangle: each once.
   EXPECT_EQ(convolution.segments.size(), 5U);
@@ -91,10 +95,11 @@ TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
     const Made a(p);
     const Made b(q);
     Operands operands;
-    combine_operands(a.operand, b.operand, {}, NarrowHoles::kFill, operands);
+    Cancellation never;
+    combine_operands(a.operand, b.operand, {}, NarrowHoles::kFill, never, operands);
     ConvolutionScratch scratch;
     Convolution convolution;
-    reduced_convolution(operands, {}, scratch, convolution);
+    reduced_convolution(operands, {}, never, scratch, convolution);
     EXPECT_EQ(check(operands), std::nullopt);
     EXPECT_EQ(check(convolution, operands, false), std::nullopt);
     return convolution.segments.size();
@@ -110,28 +115,30 @@ TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
   const Made p({{{0, 0}, {3, 0}, {3, 2}}});
   const Made q({{{0, 0}, {-7, 0}}, {{5, 5}, {6, 5}}, {{0, 0}, {1, 1}}});
   Operands operands;
-  combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, operands);
+  Cancellation never;
+  combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, never, operands);
   const std::array<Region, 2> walks{p.region, q.region};
   std::vector<Polyline> sums;
-  list_parallel_sums(operands, walks, {}, sums);
+  list_parallel_sums(operands, walks, {}, never, sums);
   EXPECT_EQ(to_text(Geometry{{}, sums, {}}),
             to_text(make_lines({{{-7, 0}, {3, 0}}, {{5, 5}, {9, 5}}})));
   Limits limits;
   limits.max_segments = 1;
-  EXPECT_THROW(list_parallel_sums(operands, walks, limits, sums), Error);
+  EXPECT_THROW(list_parallel_sums(operands, walks, limits, never, sums), Error);
 }
 
 TEST(SignedThinOperand, IsClosedAndChecked) {
   using namespace minksum::signed_sum;
   const Geometry hook = make_lines(kHook);
-  const IntegerOperands operands = make_operands(kTriangle, GivenOperand(hook.polylines));
+  Cancellation never;
+  const IntegerOperands operands = make_operands(kTriangle, GivenOperand(hook.polylines), never);
   EXPECT_NO_THROW(check(operands));
-  const std::vector<Layer> layers = make_layers(operands);
+  const std::vector<Layer> layers = make_layers(operands, never);
   ASSERT_EQ(layers.size(), 2U);
-  const std::vector<SignedSegment> segments = signed_segments(operands, layers, {});
-  EXPECT_TRUE(is_closed(layers, segments));
+  const std::vector<SignedSegment> segments = signed_segments(operands, layers, {}, never);
+  EXPECT_TRUE(is_closed(layers, segments, never));
   const auto rejects = [&](auto damage) {
-    IntegerOperands damaged = make_operands(kTriangle, GivenOperand(hook.polylines));
+    IntegerOperands damaged = make_operands(kTriangle, GivenOperand(hook.polylines), never);
     damage(damaged.q[0].outer);
     try {
       check(damaged);

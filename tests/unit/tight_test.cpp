@@ -210,26 +210,24 @@ struct Stages {
   TightPlaces places;
 
   Stages(const Region& p, const Region& q) {
-    const std::function<void()> go_on = [] {};
+    Cancellation never;
     options.tight = &geometry;
     prepare_operands(p, q, options, operands);
     ConvolutionScratch convolution_scratch;
     Convolution convolution;
-    reduced_convolution(operands, options.limits, convolution_scratch, convolution);
+    reduced_convolution(operands, options.limits, never, convolution_scratch, convolution);
     CoverScratch cover_scratch;
     Cover cover;
-    cover_interior(operands, options, cover_scratch, convolution, cover);
-    Predicates predicates(operands.sites, *operands.kernel, operands.bounds);
+    cover_interior(operands, options, never, cover_scratch, convolution, cover);
+    Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
     ArrangementScratch arrangement_scratch;
-    arrange(operands, convolution, cover, options, go_on, predicates, arrangement_scratch,
-            arrangement);
+    arrange(operands, convolution, cover, options, predicates, arrangement_scratch, arrangement);
     LoopScratch loop_scratch;
-    find_loops(operands, arrangement, loop_scratch, loops);
+    find_loops(operands, arrangement, never, loop_scratch, loops);
     BoxTrees trees;
-    filter_loops(operands, arrangement, loops, go_on, predicates, trees, filtered);
+    filter_loops(operands, arrangement, loops, predicates, trees, filtered);
     TightScratch scratch;
-    find_tight_places(operands, arrangement, loops, filtered, go_on, predicates, trees, scratch,
-                      places);
+    find_tight_places(operands, arrangement, loops, filtered, predicates, trees, scratch, places);
   }
   [[nodiscard]] std::optional<std::string> fault() const {
     return check(places, arrangement, loops, filtered, operands);

@@ -20,7 +20,6 @@ namespace {
 
 using test::Random;
 
-const std::function<void()> kGoOn = [] {};
 
 /// The stages up to the cover, from all segments or a sample.
 struct Covered {
@@ -39,30 +38,32 @@ struct Covered {
     find_cover();
   }
   void find_cover() {
-    reduced_convolution(operands, options.limits, convolution_scratch, all);
-    reduced_convolution_or_sample(operands, options.limits, 0, convolution_scratch, sample);
-    cover_interior(operands, options, scratch, sample, cover);
+    Cancellation never;
+    reduced_convolution(operands, options.limits, never, convolution_scratch, all);
+    reduced_convolution_or_sample(operands, options.limits, 0, never, convolution_scratch, sample);
+    cover_interior(operands, options, never, scratch, sample, cover);
   }
 };
 
 /// The pipeline after the cover.
 Region sum_of(const Covered& c, const Convolution& convolution) {
-  Predicates predicates(c.operands.sites, *c.operands.kernel, c.operands.bounds);
+  Cancellation never;
+  Predicates predicates(c.operands.sites, *c.operands.kernel, c.operands.bounds, never);
   ArrangementScratch arrangement_scratch;
   Arrangement arrangement;
-  arrange(c.operands, convolution, c.cover, c.options, kGoOn, predicates, arrangement_scratch,
+  arrange(c.operands, convolution, c.cover, c.options, predicates, arrangement_scratch,
           arrangement);
   LoopScratch loop_scratch;
   Loops loops;
-  find_loops(c.operands, arrangement, loop_scratch, loops);
+  find_loops(c.operands, arrangement, never, loop_scratch, loops);
   BoxTrees trees;
   FilteredLoops filtered;
-  filter_loops(c.operands, arrangement, loops, kGoOn, predicates, trees, filtered);
+  filter_loops(c.operands, arrangement, loops, predicates, trees, filtered);
   OutputScratch output_scratch;
   Boundary boundary;
   extract_rings(c.operands, arrangement, loops, filtered, predicates, output_scratch, boundary);
   Region sum;
-  write_region(c.operands, arrangement, boundary, output_scratch, sum);
+  write_region(c.operands, arrangement, boundary, never, output_scratch, sum);
   return sum;
 }
 
@@ -88,7 +89,8 @@ bool is_hidden(const Covered& c, const Segment& s) {
 /// Compares the visible ones with all; how many are hidden.
 std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) {
   VisibleScratch scratch;
-  const auto visible = visible_segments(c.operands, c.sample, c.cover, {}, kGoOn, scratch);
+  Cancellation never;
+  const auto visible = visible_segments(c.operands, c.sample, c.cover, {}, never, scratch);
   std::size_t seen = 0;
   for (const Segment& segment : c.all.segments) {
     if (seen < visible.size() && visible[seen] == segment) {
@@ -171,16 +173,17 @@ TEST(VisibleSegments, AlongAPolyline) {
     std::array<PreparedOperand, 2> prepared;
     std::vector<Fault> faults;
     const Region area = test::random_two_opt(random, 60, 400);
-    prepare_operand(area, c.options, 1, scratch, prepared[0], faults);
+    Cancellation never;
+    prepare_operand(area, c.options, 1, never, scratch, prepared[0], faults);
     ASSERT_TRUE(faults.empty());
     test::Outline line;
     for (int k = 0; k < 30; ++k) {
       line.push_back({static_cast<std::int64_t>(random.below(400)), 14 * k});
     }
     Region walk;
-    walk_there_and_back(test::make_lines({line}).polylines, walk);
-    prepare_thin_operand(walk, c.options, scratch, prepared[1]);
-    combine_operands(prepared[0], prepared[1], c.options, NarrowHoles::kFill, c.operands);
+    walk_there_and_back(test::make_lines({line}).polylines, never, walk);
+    prepare_thin_operand(walk, c.options, never, scratch, prepared[1]);
+    combine_operands(prepared[0], prepared[1], c.options, NarrowHoles::kFill, never, c.operands);
     c.find_cover();
     covers += compare(c, "polyline " + std::to_string(i), hidden) ? 1 : 0;
   }
@@ -197,7 +200,8 @@ TEST(VisibleSegments, SamplesHaveOneOfEachStep) {
     for (const std::uint64_t many : {0U, 1U, 7U, 1000U, 5000U}) {
       ConvolutionScratch scratch;
       Convolution sample;
-      reduced_convolution_or_sample(c.operands, {}, many, scratch, sample);
+      Cancellation never;
+      reduced_convolution_or_sample(c.operands, {}, many, never, scratch, sample);
       EXPECT_EQ(sample.listed(), many >= c.all.segments.size());
       EXPECT_EQ(sample.size, c.all.segments.size());
       EXPECT_GE(sample.segments.size(), sample.size / sample.step);
@@ -221,7 +225,8 @@ TEST(VisibleSegments, TooManyAreAnError) {
   VisibleScratch scratch;
   Limits limits;
   limits.max_segments = 20;
-  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, limits, kGoOn, scratch),
+  Cancellation never;
+  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, limits, never, scratch),
                Error);
 }
 
@@ -232,11 +237,13 @@ TEST(VisibleSegments, CanBeStopped) {
   ASSERT_FALSE(c.sample.listed());
   VisibleScratch scratch;
   int asked = 0;
-  const auto stop = [&] {
+  const std::optional<CancelToken> token = CancelToken::polling([&] {
     ++asked;
-    throw Error(ErrorCode::kCancelled, "cancelled");
-  };
-  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, {}, stop, scratch), Error);
+    return true;
+  });
+  Cancellation cancellation(token);
+  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, {}, cancellation, scratch),
+               Error);
   EXPECT_EQ(asked, 1);
 }
 
