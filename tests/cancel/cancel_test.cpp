@@ -1,0 +1,111 @@
+// Every operation ends when its token says stop, whenever that is, and leaves nothing behind.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdint>
+
+#include "minksum/minksum.hpp"
+#include "support/cancel_cases.hpp"
+#include "support/polygon_kinds.hpp"
+
+namespace minksum {
+namespace {
+
+/// Says stop at its n-th look, and from then on.
+class Stopper {
+ public:
+  explicit Stopper(std::uint64_t at) : at_(at) {}
+  [[nodiscard]] CancelToken token() {
+    return CancelToken::polling([this] { return looks_.fetch_add(1) + 1 >= at_; });
+  }
+  [[nodiscard]] std::uint64_t looks() const { return looks_.load(); }
+
+ private:
+  std::uint64_t at_;
+  std::atomic<std::uint64_t> looks_{0};
+};
+
+constexpr std::uint64_t kNever = ~std::uint64_t{0};
+
+/// Whether it ended because it was cancelled.
+bool is_cancelled(const test::CancelCase& hard, const CancelToken& token) {
+  try {
+    hard.run(token);
+    return false;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kCancelled) << error.what();
+    return error.code() == ErrorCode::kCancelled;
+  }
+}
+
+TEST(Cancel, EveryOperationEndsAtAnyLook) {
+  for (const test::CancelCase& hard : test::cancel_cases(120)) {
+    SCOPED_TRACE(hard.operation + ", " + hard.input);
+    bool ended = true;
+    for (std::uint64_t at = 1; ended && at < 1024; at *= 2) {
+      Stopper stopper(at);
+      ended = is_cancelled(hard, stopper.token());
+      // It was told so, or came to its end before.
+      EXPECT_EQ(ended, stopper.looks() >= at);
+    }
+  }
+}
+
+TEST(Cancel, LooksGrowWithTheWork) {
+  // Of n² pairs of edges that cross, so many units of work, or more, are counted.
+  Options options;
+  Stopper stopper(kNever);
+  options.cancel = stopper.token();
+  options.method = Method::kFull;
+  const Region teeth = test::comb(80, 1, 1000);
+  Statistics statistics;
+  options.statistics = &statistics;
+  static_cast<void>(minkowski_sum(teeth, test::turned(teeth), options));
+  EXPECT_GT(stopper.looks(), statistics.crossings >> 15U);
+}
+
+TEST(Cancel, ResultIsEmptyAndTheWorkspaceWorksAfterwards) {
+  const Region p = test::comb(30, 1, 1000);
+  const Region q = test::turned(p);
+  const Region sum = minkowski_sum(p, q);
+  Workspace workspace;
+  for (std::uint64_t at = 1; at < 64; at *= 2) {
+    Stopper stopper(at);
+    Options options;
+    options.cancel = stopper.token();
+    Region result = p;
+    const Outcome outcome = minkowski_sum(p, q, options, workspace, result);
+    if (outcome.ok()) {
+      EXPECT_EQ(result, sum);
+    } else {
+      EXPECT_EQ(outcome.error->code(), ErrorCode::kCancelled);
+      EXPECT_TRUE(result.empty());
+    }
+    ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, result).ok());
+    EXPECT_EQ(result, sum);
+  }
+}
+
+TEST(Cancel, WhatAPollingFunctionThrowsIsThrownOn) {
+  struct Stop {};
+  Options options;
+  options.cancel = CancelToken::polling([]() -> bool { throw Stop{}; });
+  const Region p = test::comb(30, 1, 1000);
+  EXPECT_THROW(static_cast<void>(minkowski_sum(p, p, options)), Stop);
+}
+
+TEST(Cancel, APollingTokenIsAskedNoMoreOnceItSaidStop) {
+  Stopper stopper(1);
+  const CancelToken token = stopper.token();
+  EXPECT_TRUE(token.cancelled());
+  EXPECT_TRUE(token.cancelled());
+  EXPECT_EQ(stopper.looks(), 1U);
+  Stopper never(kNever);
+  const CancelToken told = never.token();
+  told.cancel();
+  EXPECT_TRUE(told.cancelled());
+  EXPECT_EQ(never.looks(), 0U);
+}
+
+}  // namespace
+}  // namespace minksum
