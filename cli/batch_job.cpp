@@ -281,6 +281,7 @@ std::string JobRunner::head(const JobLine& line) const {
 
 Done JobRunner::run(const JobLine& line, Worker& worker) {
   std::string result;
+  std::string notes;
   std::string_view id;
   double seconds = 0;
   bool failed = false;
@@ -301,6 +302,12 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
     const NamedOperand b =
         job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
+    for (const NamedOperand* const operand : {&a, &b}) {
+      const auto reading =
+          reading_of_faults(operand->geometry.region, operation.fill, watch.token());
+      if (!reading) continue;
+      notes += (notes.empty() ? "" : ",") + to_json(operand->name + ": " + *reading);
+    }
     try {
       result = operation.run(a.geometry, b.geometry, watch.token(), worker);
     } catch (const Error& error) {
@@ -313,6 +320,7 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
   }
   std::string text = head(line);
   if (!id.empty()) text.append(",\"id\":").append(id);
+  if (!notes.empty()) text.append(",\"notes\":[").append(notes).append("]");
   text.append(",").append(result).append("}\n");
   return {std::move(text), 1, failed ? 1u : 0u};
 }

@@ -71,6 +71,9 @@ Region moving_region(const BatchArguments& arguments, const Geometry& given, con
 
 Part prepare(const BatchArguments& arguments, const fs::path& file, const Geometry& given,
              const std::vector<Turn>& turns) {
+  if (const auto reading = reading_of_faults(given.region, arguments.fill)) {
+    tell(file.string() + ": " + *reading);
+  }
   const Geometry resolved = resolve(given, {arguments.fill, true, {}});
   if (resolved.region.empty()) {
     throw Failure(kBadInput, file.string() + ": a part without area cannot be paired");

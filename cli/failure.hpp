@@ -67,7 +67,8 @@ struct ReadOperand {
 
 /// Why polygons are not valid and how they are read by this rule; nothing if they are valid, or if
 /// the rule refuses them.
-[[nodiscard]] std::optional<std::string> reading_of_faults(const Region& region, FillRule fill);
+[[nodiscard]] std::optional<std::string> reading_of_faults(
+    const Region& region, FillRule fill, const std::optional<CancelToken>& cancel = {});
 
 /// Tells the exception being handled on standard error, in one line; returns the exit code.
 /// Needs no memory to say that there is none; `memory_limit` in bytes, if there is one.

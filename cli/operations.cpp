@@ -14,7 +14,11 @@
 namespace minksum::cli {
 namespace {
 
-using Run = decltype(ReadyOperation::run);
+/// What is done with operands, and by which rule these are read.
+struct Made {
+  FillRule fill;
+  decltype(ReadyOperation::run) run;
+};
 using Cancel = std::optional<CancelToken>;
 
 // A subcommand of its own, which reads one list of options.
@@ -56,7 +60,7 @@ std::string result_json(const Geometry& geometry, const ResultArguments& argumen
   return std::string("\"") + key + "\":" + geometry_json(geometry, arguments.format, coordinates);
 }
 
-Run make_sum(Parser& parser, ProcessLimits& limits) {
+Made make_sum(Parser& parser, ProcessLimits& limits) {
   SumArguments arguments;
   TypedSum typed;
   bool tight = false;
@@ -70,8 +74,8 @@ Run make_sum(Parser& parser, ProcessLimits& limits) {
     throw Failure(kWrongUsage, "--tight needs the reduced method");
   }
   arguments.options.limits = limits.sum;
-  return [arguments, tight](const Geometry& a, const Geometry& b, const Cancel& cancel,
-                            Worker& worker) {
+  const auto run = [arguments, tight](const Geometry& a, const Geometry& b,
+                                      const Cancel& cancel, Worker& worker) {
     ResultArguments rounding = arguments;
     rounding.cancel = cancel;
     Options options = arguments.options;
@@ -85,10 +89,11 @@ Run make_sum(Parser& parser, ProcessLimits& limits) {
     rounding.rounding = RoundingSide::kNearest;
     return json + "," + result_json(rounded(places, rounding), rounding, "tight");
   };
+  return {arguments.options.fill, run};
 }
 
 template <MorphologyArguments::Operation operation>
-Run make_morphology(Parser& parser, ProcessLimits& limits) {
+Made make_morphology(Parser& parser, ProcessLimits& limits) {
   MorphologyArguments arguments;
   TypedMorphology typed;
   arguments.operation = operation;
@@ -97,15 +102,16 @@ Run make_morphology(Parser& parser, ProcessLimits& limits) {
   settle(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
-  return [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
     MorphologyArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
     return result_json(rounded(morphology(mine, a, b), mine), mine);
   };
+  return {arguments.options.fill, run};
 }
 
 template <bool inner_fit>
-Run make_nesting(Parser& parser, ProcessLimits& limits) {
+Made make_nesting(Parser& parser, ProcessLimits& limits) {
   NestingArguments arguments;
   TypedNesting typed;
   arguments.inner_fit = inner_fit;
@@ -114,7 +120,7 @@ Run make_nesting(Parser& parser, ProcessLimits& limits) {
   settle(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
-  return [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
     NestingArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
     if (mine.placements.empty()) {
@@ -123,23 +129,25 @@ Run make_nesting(Parser& parser, ProcessLimits& limits) {
     const nlohmann::ordered_json json{{"contacts", contacts(mine, a, b)}};
     return "\"result\":" + json.dump();
   };
+  return {arguments.options.fill, run};
 }
 
-Run make_depth(Parser& parser, ProcessLimits& limits) {
+Made make_depth(Parser& parser, ProcessLimits& limits) {
   DepthArguments arguments;
   TypedDepth typed;
   add_depth(parser.app(), arguments, typed, limits);
   parser.parse();
   settle(arguments, typed);
   arguments.options.limits = limits.sum;
-  return [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
     DepthArguments mine = arguments;
     mine.options.cancel = cancel;
     return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
   };
+  return {arguments.options.fill, run};
 }
 
-Run make_offset(Parser& parser, ProcessLimits& limits) {
+Made make_offset(Parser& parser, ProcessLimits& limits) {
   OffsetArguments arguments;
   TypedOffset typed;
   add_offset(parser.app(), arguments, typed, limits);
@@ -147,18 +155,19 @@ Run make_offset(Parser& parser, ProcessLimits& limits) {
   settle(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
-  return [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
     OffsetArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
     return result_json(rounded(offset(a, mine.distance, mine.options), mine), mine);
   };
+  return {arguments.options.fill, run};
 }
 
 // An operation is a line here: its name, its maker, what it takes beside limits, and of how many
 // operands.
 struct Entry {
   const char* name;
-  Run (*make)(Parser& parser, ProcessLimits& limits);
+  Made (*make)(Parser& parser, ProcessLimits& limits);
   std::vector<std::string> options;
   int operands = 2;
 };
@@ -221,6 +230,10 @@ void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
 bool holds(const std::vector<TypedOption>& options, const std::string& name) {
   return std::ranges::find(options, name, &TypedOption::name) != options.end();
 }
+bool asks_for(const std::vector<TypedOption>& options, const std::string& flag) {
+  const auto found = std::ranges::find(options, flag, &TypedOption::name);
+  return found != options.end() && !found->is_off;
+}
 
 }  // namespace
 
@@ -233,14 +246,16 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<TypedO
   for (const TypedOption& option : defaults) {
     const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
     if (at && holds(typed, "at")) continue;  // its answers are no geometry
-    if (option.name == "fill" && holds(typed, "strict")) continue;
+    if (option.name == "fill" && asks_for(typed, "strict")) continue;
     if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
   }
   Parser parser(entry.name, entry.operands, all);
   ProcessLimits mine = limits;
   ReadyOperation operation;
   operation.operands = entry.operands;
-  operation.run = entry.make(parser, mine);
+  Made made = entry.make(parser, mine);
+  operation.fill = made.fill;
+  operation.run = std::move(made.run);
   operation.limits = mine.read;
   operation.seconds = mine.seconds;
   return operation;

@@ -12,6 +12,7 @@
 #include "limits.hpp"
 #include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
+#include "minksum/resolve.hpp"
 
 namespace minksum::cli {
 
@@ -29,6 +30,7 @@ struct ReadyOperation {
   std::function<std::string(const Geometry& a, const Geometry& b,
                             const std::optional<CancelToken>& cancel, Worker& worker)>
       run;
+  FillRule fill = FillRule::kAutomatic;  ///< how it reads operands
   io::ReadLimits limits;
   double seconds = 0;  ///< 0 = no limit
 };

@@ -191,7 +191,7 @@ bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
   const Geometry& obstacles = state_->obstacles;
   if (!intersect(obstacles.region, region, cancel).empty()) return true;
   for (std::size_t p = 0; p < region.polygon_count() && obstacles.has_thin_parts(); ++p) {
-    const FreePart part(Region(region.polygon(p)), cancellation);
+    const FreePart part(Region(region.polygon(p)), cancel);
     const auto enters = [&](const Point& a, const Point& b) {
       return part.meets(a, b, Location::kInside, cancellation);
     };

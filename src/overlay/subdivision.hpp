@@ -127,9 +127,10 @@ void join_lines(Segments& segments);
 /// O((n + c) log (n + c)) for n segments and c contacts.
 [[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts);
 
-/// Fills in what the sweep finds, and takes back `belongs` from nodes that the rule does not keep: a line moves over the nodes in their order and keeps the pieces
-/// that it meets in a balanced tree; as none cross, their order changes at nodes only. Only where
-/// no piece ends is a place looked for, by exact comparison. O(n log n)
+/// Fills in what the sweep finds, and takes back `belongs` from nodes that the rule does not keep.
+/// A line moves over the nodes in their order and keeps the pieces that it meets in a balanced tree;
+/// as none cross, their order changes at nodes only. Only where no piece ends is a place looked
+/// for, by exact comparison. O(n log n)
 void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
 
 /// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them

@@ -152,6 +152,27 @@ class Jobs(BatchTest):
                          "POINT (110000000000000000000000000001/100000000000000000000000000000 "
                          "370370367037037036703703703671/3)")
 
+    def test_operands_that_are_not_valid(self):
+        """A note tells of them, before the result, and `strict` refuses them."""
+        notched = "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), (4 2, 9 2, 9 4, 4 4, 4 2))"
+        job = {"operation": "sum", "a": wkt(notched), "b": wkt("POINT (0 0)")}
+        result = self.one(**job)
+        self.assertEqual(result["result"]["wkt"],
+                         "POLYGON ((0 0, 6 0, 6 2, 4 2, 4 4, 6 4, 6 6, 0 6, 0 0))")
+        [note] = result["notes"]
+        for part in ("a: polygon 1, ring 1, vertex 2: edges cross at (6, ", "--fill automatic"):
+            self.assertIn(part, note)
+        self.assertEqual(list(result)[-1], "result")
+        for options in ({"strict": True}, {"fill": "strict"}):
+            error = self.one(code=2, options=options, **job)["error"]
+            self.assertEqual(error["code"], "bad-input")
+            self.assertIn("edges cross at (6, ", error["message"])
+        [error] = self.batch([job], "--strict", code=2)
+        self.assertEqual(error["error"]["code"], "bad-input")
+        [result] = self.batch([{**job, "options": {"strict": False}}], "--fill", "nonzero")
+        self.assertIn("--fill nonzero", result["notes"][0])
+        self.assertNotIn("notes", self.one(**{**job, "a": wkt(SQUARE)}))
+
     def test_order_and_ids(self):
         jobs = some_jobs(300)
         jobs[7]["id"] = {"any": ["thing", 1.0, "\\\"}", None]}
