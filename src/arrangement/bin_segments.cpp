@@ -1,4 +1,5 @@
 // Which segments touch uncovered cells, and which cells.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -221,9 +222,11 @@ class Binner {
     std::uint32_t begin = 0;
     for (const std::uint32_t cell : cells) begin += std::exchange(end[cell], begin);
     scratch_.in_cells.resize(items_.size());
-    for (const CellItem& item : items_) {
-      cancellation_.check();
-      scratch_.in_cells[end[item.cell]++] = item;
+    constexpr std::size_t kBlock = 4096;  // items are too many to count each
+    for (std::size_t i = 0; i < items_.size();) {
+      const std::size_t last = std::min(items_.size(), i + kBlock);
+      cancellation_.check(last - i);
+      for (; i < last; ++i) scratch_.in_cells[end[items_[i].cell]++] = items_[i];
     }
   }
 

@@ -99,8 +99,8 @@ class Splitter {
   /// comparison each, and meets all equal neighbours.
   void order_events(KeptId s) {
     const std::span<Event> events = events_of(s);
-    cancellation_.check();
     if (events.size() < 2) return;
+    cancellation_.check(events.size());
     constexpr std::size_t kFew = 12;
     if (events.size() > kFew) {
       std::sort(events.begin(), events.end(),
@@ -112,11 +112,12 @@ class Splitter {
       std::size_t j = i;
       Sign order = kNegative;
       while (j > 0 && (order = compare(s, events[j - 1], event)) == kPositive) {
-        cancellation_.check();
         events[j] = events[j - 1];
         --j;
       }
       events[j] = event;
+      // Hardly ever far.
+      if (i - j > kFew) cancellation_.check(i - j);
       if (order == kZero) unite(scratch_.parent, events[j - 1].point, event.point);
     }
   }

@@ -224,7 +224,7 @@ class RunSearch {
       pairs[0].run[i] = trees_[i]->level_begin.back();
     }
     while (count > 0) {
-      cancellation.check(2);
+      cancellation.check(16);
       const RunPair pair = pairs[--count];
       if ((pair.level[0] | pair.level[1]) == 0) {
         list(pair.run[0], pair.run[1]);

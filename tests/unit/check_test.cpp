@@ -151,7 +151,8 @@ TEST(Check, PlacementsAgreeWithTheReference) {
   for (int i = 0; i < 60; ++i) {
     const Region p = test::random_region(random);
     const Region q = test::random_region(random);
-    const checking::Placement placement({p, {}, {}}, {q, {}, {}});
+    Cancellation never;
+    const checking::Placement placement({p, {}, {}}, {q, {}, {}}, never);
     for (int k = 0; k < 40; ++k) {
       // Halves: half of the points are on edges' lines, where touching decides.
       const Point x{Rational(random.between(-4, 100), 2), Rational(random.between(-4, 100), 2)};
@@ -164,7 +165,8 @@ TEST(Check, PlacementsAgreeWithTheReference) {
 TEST(Check, PlacementsOfThinParts) {
   const Geometry cross{{}, {{{0, 0}, {4, 0}}, {{2, -2}, {2, 2}}}, {{9, 9}}};
   const Geometry square{rectangle(0, 0, 1, 1), {}, {}};
-  const checking::Placement placement(cross, square);
+  Cancellation never;
+  const checking::Placement placement(cross, square, never);
   const auto in_sum = [&](int x2, int y2) {
     return placement.in_sum({Rational(x2, 2), Rational(y2, 2)});
   };
@@ -176,7 +178,7 @@ TEST(Check, PlacementsOfThinParts) {
   EXPECT_TRUE(in_sum(18, 18));
   EXPECT_TRUE(in_sum(19, 19));
   EXPECT_FALSE(in_sum(21, 19));
-  const checking::Placement lines(cross, cross);
+  const checking::Placement lines(cross, cross, never);
   EXPECT_TRUE(lines.in_sum({Rational(18), Rational(18)}));   // the point twice
   EXPECT_TRUE(lines.in_sum({Rational(5), Rational(1)}));     // crossing segments
   EXPECT_TRUE(lines.in_sum({Rational(8), Rational(0)}));     // ends

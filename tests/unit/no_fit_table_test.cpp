@@ -171,7 +171,8 @@ TEST(Turned, TakesTheSmallestInteger) {
   region.add_vertex(std::int64_t{0}, kSmallest);
   region.add_vertex(std::int64_t{0}, std::int64_t{0});
   for (int quarters = -1; quarters < 4; ++quarters) {
-    EXPECT_EQ(turned(region, quarters),
+    Cancellation never;
+    EXPECT_EQ(turned(region, quarters, never),
               resolve({transform(region, Affine::quarter_turns(quarters)), {}, {}}).region);
   }
 }

@@ -60,7 +60,8 @@ Region outlines_of(const Region& region, bool inwards, const Corners& corners) {
     std::vector<Point> path;
     for (const std::size_t v : region.vertices_of(ring)) path.push_back(region.point(v));
     if (inwards) std::reverse(path.begin(), path.end());
-    add_outline(path, {}, corners, outlines);
+    Cancellation never;
+    add_outline(path, {}, corners, never, outlines);
   }
   return outlines;
 }
@@ -107,7 +108,8 @@ TEST(OffsetOutline, NeverWindsTheWrongWayAroundPolylines) {
     for (const Join join : kJoins) {
       for (const Cap cap : {Cap::kRound, Cap::kButt, Cap::kSquare}) {
         Region outlines;
-        add_outline(path, ends, Corners(d, d / Rational(10), with(join, cap)), outlines);
+        Cancellation never;
+        add_outline(path, ends, Corners(d, d / Rational(10), with(join, cap)), never, outlines);
         EXPECT_TRUE(negative(outlines).empty()) << to_string(join) << ' ' << to_string(cap);
       }
     }

@@ -233,7 +233,7 @@ TEST(VisibleSegments, TooManyAreAnError) {
 TEST(VisibleSegments, CanBeStopped) {
   Random random(16);
   const Covered c(test::random_two_opt(random, 400, 3000),
-                  test::random_star_shaped(random, 1200, 3000), 200);
+                  test::random_star_shaped(random, 3000, 9000), 400);
   ASSERT_FALSE(c.sample.listed());
   VisibleScratch scratch;
   int asked = 0;
