@@ -76,9 +76,10 @@ class Cancellation {
   const std::uint64_t words = bits / 64 + 1;
   return 4 + words * words / 4;
 }
-/// The units of a few sums and products of a point's coordinates.
+/// The units of a few sums and products of a point's coordinates, brought to lowest terms: a common
+/// divisor takes some ten times as long as a product.
 [[nodiscard]] inline std::uint64_t work_of(const Point& point) {
-  return 16 + 4 * work_of_product(std::max(point.x.bits(), point.y.bits()));
+  return 16 + 32 * work_of_product(std::max(point.x.bits(), point.y.bits()));
 }
 /// The units of an exact decision about coordinates of so many bits, of arbitrary precision: some
 /// ten products of numbers that are up to five times as long.

@@ -209,9 +209,11 @@ void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoin
   ++walk_;
   const PixelId from = pixel_of_[index_a];
   const PixelId to = pixel_of_[index_b];
+  const std::uint64_t work =
+      4 * (work_of({a.offset.x, a.offset.y}) + work_of({b.offset.x, b.offset.y}));
   const auto add = [&](PixelId p) {
     if (stamp_[p] == walk_) return;
-    cancellation.check(32);
+    cancellation.check(work);
     stamp_[p] = walk_;
     if (p == from || p == to || meets_pixel(a, b, centres_[p])) met.push_back(p);
   };
