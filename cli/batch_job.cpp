@@ -300,8 +300,7 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     const NamedOperand a = read(job.a, "a", folder_, limits);
     if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");
     if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
-    const NamedOperand b =
-        job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
+    const NamedOperand b = job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
     for (const NamedOperand* const operand : {&a, &b}) {
       const auto reading =
           reading_of_faults(operand->geometry.region, operation.fill, watch.token());

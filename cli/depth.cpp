@@ -126,8 +126,10 @@ int run_depth(const DepthArguments& arguments) {
   OutputFiles files;
   files.expect("the answer", "");
   files.expect_if_any("--svg", arguments.picture);
-  const Geometry a = read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
-  const Geometry b = read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
+  const Geometry a =
+      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
+  const Geometry b =
+      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
     const DepthFindings findings = find_depth(arguments, a, b);
     if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth, files);

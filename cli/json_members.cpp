@@ -43,7 +43,8 @@ bool is_json(std::string_view text) {
     const bool digit = c == '-' || (c >= '0' && c <= '9');
     if (!in_string && digit) length = text.find_first_not_of("+-.0123456789eE");
     const std::string_view part = text.substr(0, length);
-    !in_string && digit && is_number(part) ? simpler += '0' : simpler += part;
+    const bool is_replaced = !in_string && digit && is_number(part);
+    simpler += is_replaced ? std::string_view("0") : part;
     text.remove_prefix(part.size());
   }
   return Json::accept(simpler);

@@ -49,15 +49,22 @@ int run_morphology(const MorphologyArguments& arguments) {
   OutputFiles files;
   files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
-  const Geometry a = read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
-  const Geometry b = read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
+  const Geometry a =
+      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
+  const Geometry b =
+      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
     const Geometry result = morphology(arguments, a, b);
     write_rounded(files, arguments, result);
     if (!arguments.picture.empty()) {
       const ResolveOptions reading{arguments.options.fill, false, {}};
-      const Drawing drawing{resolve(a, reading), resolve(b, reading), result, nullptr,
-                            captions_of(arguments.operation), true, {}};
+      const Drawing drawing{resolve(a, reading),
+                            resolve(b, reading),
+                            result,
+                            nullptr,
+                            captions_of(arguments.operation),
+                            true,
+                            {}};
       files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
     }
   } catch (const Error& error) {

@@ -41,8 +41,8 @@ void draw(const NestingArguments& arguments, const Geometry& fixed, const Geomet
   // A part without area would have failed already if it had to have a first vertex.
   const Point mark =
       arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
-  const Drawing drawing{resolve(fixed, reading), resolve(moving, reading), area, &tight, captions,
-                        true,                    mark};
+  const Drawing drawing{
+      resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark};
   files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
 }
 
@@ -58,8 +58,8 @@ void write_polygon(const NestingArguments& arguments, const Geometry& fixed, con
                    OutputFiles& files) {
   const Geometry polygon = fit_polygon(arguments, fixed, moving);
   write_geometry(files, arguments, made_for(arguments.output, [&] {
-    return rounded_fit_polygon(arguments, polygon);
-  }));
+                   return rounded_fit_polygon(arguments, polygon);
+                 }));
   if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
   files.finish();
   if (arguments.inner_fit && polygon.empty()) {
@@ -103,8 +103,10 @@ int run_nesting(const NestingArguments& arguments) {
   OutputFiles files;
   files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
-  const Geometry fixed = read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
-  const Geometry moving = read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
+  const Geometry fixed =
+      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
+  const Geometry moving =
+      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
     if (!arguments.placements.empty()) {
       write_contacts(arguments, fixed, moving);

@@ -112,7 +112,8 @@ int run_offset(const OffsetArguments& arguments) {
   OutputFiles files;
   files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
-  const Geometry a = read_operand(arguments.operand, arguments.limits, arguments.options.fill).geometry;
+  const Geometry a =
+      read_operand(arguments.operand, arguments.limits, arguments.options.fill).geometry;
   try {
     const Geometry result = offset(a, arguments.distance, arguments.options);
     write_rounded(files, arguments, result);

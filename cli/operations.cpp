@@ -74,8 +74,8 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
     throw Failure(kWrongUsage, "--tight needs the reduced method");
   }
   arguments.options.limits = limits.sum;
-  const auto run = [arguments, tight](const Geometry& a, const Geometry& b,
-                                      const Cancel& cancel, Worker& worker) {
+  const auto run = [arguments, tight](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                                      Worker& worker) {
     ResultArguments rounding = arguments;
     rounding.cancel = cancel;
     Options options = arguments.options;
@@ -102,7 +102,8 @@ Made make_morphology(Parser& parser, ProcessLimits& limits) {
   settle(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                               Worker&) {
     MorphologyArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
     return result_json(rounded(morphology(mine, a, b), mine), mine);
@@ -120,7 +121,8 @@ Made make_nesting(Parser& parser, ProcessLimits& limits) {
   settle(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                               Worker&) {
     NestingArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
     if (mine.placements.empty()) {
@@ -139,7 +141,8 @@ Made make_depth(Parser& parser, ProcessLimits& limits) {
   parser.parse();
   settle(arguments, typed);
   arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                               Worker&) {
     DepthArguments mine = arguments;
     mine.options.cancel = cancel;
     return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
@@ -174,14 +177,19 @@ struct Entry {
 
 const std::vector<Entry>& operations() {
   using enum MorphologyArguments::Operation;
-  static const std::vector<std::string> kMorphology{"fill", "strict", "tight", "format", "coords", "round"};
+  static const std::vector<std::string> kMorphology{"fill",   "strict", "tight",
+                                                    "format", "coords", "round"};
   static const std::vector<Entry> kOperations{
-      {"sum", make_sum, {"fill", "strict", "regularize", "method", "tight", "format", "coords", "round"}},
+      {"sum",
+       make_sum,
+       {"fill", "strict", "regularize", "method", "tight", "format", "coords", "round"}},
       {"dilate", make_morphology<kDilate>, kMorphology},
       {"erode", make_morphology<kErode>, kMorphology},
       {"open", make_morphology<kOpen>, kMorphology},
       {"close", make_morphology<kClose>, kMorphology},
-      {"nfp", make_nesting<false>, {"fill", "strict", "reference", "at", "format", "coords", "round"}},
+      {"nfp",
+       make_nesting<false>,
+       {"fill", "strict", "reference", "at", "format", "coords", "round"}},
       {"ifp", make_nesting<true>, {"fill", "strict", "reference", "format", "coords", "round"}},
       {"depth", make_depth, {"fill", "strict", "along"}},
       {"offset",

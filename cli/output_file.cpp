@@ -151,8 +151,7 @@ void take_over_rights(int descriptor, const fs::path& place) {
   constexpr auto kSameOwner = static_cast<uid_t>(-1);
   const bool same_group = ::fchown(descriptor, old.st_uid, old.st_gid) == 0 ||
                           ::fchown(descriptor, kSameOwner, old.st_gid) == 0;
-  const AccessList list =
-      same_group ? take_over_access_list(descriptor, place) : AccessList::kLost;
+  const AccessList list = same_group ? take_over_access_list(descriptor, place) : AccessList::kLost;
   if (list == AccessList::kTakenOver) return;  // the permission bits came with it
   mode_t rights = old.st_mode & 0777;
   if (list == AccessList::kLost) rights &= 0707 | ((rights & 07) << 3);

@@ -42,7 +42,8 @@ void expect_files(const SumArguments& arguments, OutputFiles& files) {
 void read_operands(const SumArguments& arguments, SumRun& run) {
   const Stopwatch watch;
   for (int i = 0; i < 2; ++i) {
-    ReadOperand operand = read_operand(arguments.operands[i], arguments.limits, arguments.options.fill);
+    ReadOperand operand =
+        read_operand(arguments.operands[i], arguments.limits, arguments.options.fill);
     run.operands[i] = std::move(operand.geometry);
     if (i == 0) run.properties = std::move(operand.properties);
   }
@@ -81,9 +82,8 @@ void compute_and_write_trace(const SumArguments& arguments, const SumRun& run, O
   Options options = arguments.options;
   options.trace = &trace;
   static_cast<void>(minkowski_sum(run.operands[0], run.operands[1], options));
-  made_for(arguments.trace, [&] {
-    write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace);
-  });
+  made_for(arguments.trace,
+           [&] { write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace); });
 }
 
 // What is written: rounded as a whole, so that it stays valid.
@@ -91,9 +91,8 @@ void round_result(const SumArguments& arguments, SumRun& run) {
   if (arguments.coordinates.style == Style::kExact) return;
   const Stopwatch watch;
   RoundOptions options = rounding_of(arguments);
-  run.rounded = made_for(arguments.output, [&] {
-    return round(run.exact, options, &run.rounding.emplace());
-  });
+  run.rounded = made_for(arguments.output,
+                         [&] { return round(run.exact, options, &run.rounding.emplace()); });
   options.side = RoundingSide::kNearest;
   if (run.tight) {
     run.rounded_tight = made_for(arguments.tight, [&] { return round(*run.tight, options); });
@@ -111,9 +110,8 @@ void write_results(const SumArguments& arguments, SumRun& run, OutputFiles& file
                    arguments.tight_format, arguments.coordinates);
   }
   if (!arguments.picture.empty()) {
-    files.write(arguments.picture, [&](std::ostream& out) {
-      out << sum_picture(drawing_of(run, arguments.options));
-    });
+    files.write(arguments.picture,
+                [&](std::ostream& out) { out << sum_picture(drawing_of(run, arguments.options)); });
   }
   if (!arguments.stats.empty()) {
     const auto json = statistics_json(arguments, run);

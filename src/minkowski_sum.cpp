@@ -178,8 +178,8 @@ class Sums final : public PartialSums {
     if (is_small_[i]) return true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
-    prepare_operand(region, options_, 1, cancellation_, state_.operand_scratch,
-                    state_.prepared[i], faults);
+    prepare_operand(region, options_, 1, cancellation_, state_.operand_scratch, state_.prepared[i],
+                    faults);
     preparing_ += Clock::now() - begin;
     return faults.empty();
   }
@@ -323,8 +323,7 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
   try {
     prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, cancellation, w);
     convolve(w, options, cancellation);
-    return share_raster(w.operands, widest, options, cancellation, w.cover_scratch,
-                        w.convolution);
+    return share_raster(w.operands, widest, options, cancellation, w.cover_scratch, w.convolution);
   } catch (const Error& error) {
     // With narrow holes there may be more than the limits allow; each sum tells for itself.
     if (error.code() != ErrorCode::kLimitExceeded) throw;

@@ -49,8 +49,7 @@ void prepare(const Given& p, const Given& q, const Options& options, Cancellatio
 void report_tight_places(const Options& options, Predicates& predicates, Workspace::State& w) {
   find_tight_places(w.operands, w.arrangement, w.loops, w.filtered, predicates, w.trees,
                     w.tight_scratch, w.tight);
-  write_tight_places(w.operands, w.arrangement, w.tight, predicates.cancellation(),
-                     *options.tight);
+  write_tight_places(w.operands, w.arrangement, w.tight, predicates.cancellation(), *options.tight);
 }
 
 }  // namespace
@@ -58,8 +57,7 @@ void report_tight_places(const Options& options, Predicates& predicates, Workspa
 void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation) {
   const Operands& o = w.operands;
   if (is_full(w, options)) {
-    return full_convolution(o, options.limits, cancellation, w.convolution_scratch,
-                            w.convolution);
+    return full_convolution(o, options.limits, cancellation, w.convolution_scratch, w.convolution);
   }
   // Fewer are listed, and looked at one by one, before trees are built and searched.
   const std::uint64_t sites = o.size();
@@ -118,9 +116,8 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
     }
   });
   if (options.check) runner.require(check(w.arrangement, w.operands));
-  runner.run(Stage::kLoops, [&] {
-    find_loops(w.operands, w.arrangement, cancellation, w.loop_scratch, w.loops);
-  });
+  runner.run(Stage::kLoops,
+             [&] { find_loops(w.operands, w.arrangement, cancellation, w.loop_scratch, w.loops); });
   if (options.check) runner.require(check(w.loops, w.arrangement));
   runner.run(Stage::kFilters, [&] {
     filter_loops(w.operands, w.arrangement, w.loops, predicates, w.trees, w.filtered);
@@ -144,8 +141,8 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
       reduced_convolution(w.operands, options.limits, cancellation, w.convolution_scratch,
                           w.convolution);
     }
-    fill_trace(w.operands, w.convolution, w.cover, w.arrangement, w.loops, w.filtered,
-               cancellation, *options.trace);
+    fill_trace(w.operands, w.convolution, w.cover, w.arrangement, w.loops, w.filtered, cancellation,
+               *options.trace);
   }
 }
 

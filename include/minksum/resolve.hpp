@@ -38,8 +38,9 @@ struct ResolveOptions {
 ///
 /// Its area is the closure of the points that the fill rule says. A ring's own points belong to the
 /// set (by kAutomatic, what holes take away excepted), so spikes, antennas and rings that collapse
-/// become polylines or points where no area holds them. Where rings cross, vertices are rational points. O((n + c) log n) for n vertices and c
-/// places where edges meet. Throws Error: kBadInput (kStrict), kLimitExceeded, kCancelled.
+/// become polylines or points where no area holds them. Where rings cross, vertices are rational
+/// points. O((n + c) log n) for n vertices and c places where edges meet. Throws Error: kBadInput
+/// (kStrict), kLimitExceeded, kCancelled.
 [[nodiscard]] Geometry resolve(const Geometry& geometry, const ResolveOptions& options = {});
 
 }  // namespace minksum

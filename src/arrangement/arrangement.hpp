@@ -179,8 +179,7 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 
 /// The same where each operand is one convex ring, by merging: their edges in order of direction
 /// are the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
-void arrange_convex(const Operands& operands, Cancellation& cancellation,
-                    Arrangement& arrangement);
+void arrange_convex(const Operands& operands, Cancellation& cancellation, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
 /// Whether so many segments share directions that many may share lines, and their places in
@@ -198,8 +197,8 @@ void join_lines(const Operands& operands, bool wanted, Cancellation& cancellatio
 /// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
 /// of a size that suits the segments, and none are needed if boxes of segments hardly overlap.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  const Limits& limits, Cancellation& cancellation,
-                  ArrangementScratch& scratch, Arrangement& arrangement);
+                  const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
+                  Arrangement& arrangement);
 /// The same from the leaves of a divided cover. O(segments listed).
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement);

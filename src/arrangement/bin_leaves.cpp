@@ -58,8 +58,7 @@ CellBox box_near(const KeptSegment& s, const UniformGrid& grid, const CoverLeaf&
 }  // namespace
 
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                Cancellation& cancellation, ArrangementScratch& scratch,
-                Arrangement& arrangement) {
+                Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement) {
   scratch.grid = cover.grid;
   keep_listed(operands, convolution, cover, cancellation, scratch, arrangement.kept);
   scratch.line_count = static_cast<KeptId>(arrangement.kept.size());

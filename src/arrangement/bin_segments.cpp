@@ -65,9 +65,9 @@ class Binner {
     kept_.clear();
     items_.clear();
     std::span<const Segment> visible =
-        covers_any_ ? visible_segments(o_, convolution, cover_, limits, cancellation_,
-                                       scratch_.visible)
-                    : convolution.segments;
+        covers_any_
+            ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
+            : convolution.segments;
     cancellation_.check(visible.size());
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
     // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
@@ -243,8 +243,8 @@ class Binner {
 }  // namespace
 
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                  const Limits& limits, Cancellation& cancellation,
-                  ArrangementScratch& scratch, Arrangement& arrangement) {
+                  const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
+                  Arrangement& arrangement) {
   if (cover.divided) {
     return bin_leaves(operands, convolution, cover, cancellation, scratch, arrangement);
   }

@@ -11,8 +11,8 @@ constexpr NodeId kNoNode = 0xFFFFFFFFU;
 
 class Splitter {
  public:
-  Splitter(const Operands& operands, const Cover& cover, bool tight_wanted,
-           Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement)
+  Splitter(const Operands& operands, const Cover& cover, bool tight_wanted, Predicates& predicates,
+           ArrangementScratch& scratch, Arrangement& arrangement)
       : operands_(operands),
         cover_(cover),
         tight_wanted_(tight_wanted),
@@ -218,8 +218,8 @@ class Splitter {
   [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {
     if (!cover_.active) return false;
     bool covered = false;
-    cancellation_.check(1 + static_cast<std::uint64_t>(
-                                (std::abs(b.x - a.x) + std::abs(b.y - a.y)) * cover_.grid.inverse));
+    cancellation_.check(1 + static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) *
+                                                       cover_.grid.inverse));
     // Cells within kMargin of the piece are covered with three times that margin, so a walk that
     // meets one has met a point of the piece inside the sum (up to rounding, which is far less).
     cover_.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {

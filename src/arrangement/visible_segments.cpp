@@ -357,8 +357,7 @@ bool covers_any(const Cover& cover) {
 
 std::span<const Segment> visible_segments(const Operands& operands, const Convolution& convolution,
                                           const Cover& cover, const Limits& limits,
-                                          Cancellation& cancellation,
-                                          VisibleScratch& scratch) {
+                                          Cancellation& cancellation, VisibleScratch& scratch) {
   cancellation.check(operands.size());
   measure_sites(operands, cover.grid.inverse, scratch.sites);
   if (convolution.listed()) return list_visible(convolution.segments, cover, cancellation, scratch);

@@ -310,8 +310,7 @@ std::vector<Point> FreePart::shortened(const std::vector<Point>& path,
   return kept;
 }
 
-std::vector<Point> FreePart::way(const Point& a, const Point& b,
-                                 Cancellation& cancellation) const {
+std::vector<Point> FreePart::way(const Point& a, const Point& b, Cancellation& cancellation) const {
   if (a == b) return {a};
   std::vector<Point> path = walk(a, b, cancellation);
   // Once from each end: a corner that is skipped from one side may be in the way of the other.

@@ -258,16 +258,14 @@ class Planner {
 /// Throws if the robot is not free at one of both ends (3 or 4).
 void require_free(const ConfigurationSpace& space, const Configuration& end, const Turn& turn,
                   const ReachOptions& options, int operand) {
-  const Region placed =
-      transform(space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()),
-                options.cancel);
+  const Region placed = transform(
+      space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()), options.cancel);
   Culprit culprit;
   culprit.operand = operand;
   const std::string where = operand == 3 ? " at the start" : " at the goal";
   if (options.workspace) {
     const ResolveOptions reading{options.fill, true, options.cancel, 2};
-    if (!contains(resolve(*options.workspace, reading).region, placed,
-                  options.cancel)) {
+    if (!contains(resolve(*options.workspace, reading).region, placed, options.cancel)) {
       throw Error(ErrorCode::kBadInput, "the robot leaves the workspace" + where, culprit);
     }
   }

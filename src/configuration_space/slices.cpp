@@ -115,8 +115,7 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
                           slice.obstacles.region);
   if (!outcome.ok()) throw *outcome.error;
   if (with_free) {
-    slice.free.region =
-        subtract(as_region(boundary), slice.obstacles.region, state.options.cancel);
+    slice.free.region = subtract(as_region(boundary), slice.obstacles.region, state.options.cancel);
     slice.free.polylines = std::move(tight.polylines);
     slice.free.points = std::move(tight.points);
   }
@@ -130,9 +129,9 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
                                        const ConfigurationOptions& options) {
   State state;
   state.options = options;
-  state.robot = transform(read(robot, options, 0, true).region,
-                          Affine::translation(-options.reference.x, -options.reference.y),
-                          options.cancel);
+  state.robot =
+      transform(read(robot, options, 0, true).region,
+                Affine::translation(-options.reference.x, -options.reference.y), options.cancel);
   if (state.robot.empty()) refuse("a robot needs an area", 0);
   state.obstacles = read(obstacles, options, 1, false);
   // minkowski_sum finds those between areas only, and none may be missing.
@@ -224,8 +223,8 @@ void ConfigurationSpace::for_each_slice(
   if (turns.size() >= kManySlices && !state_->forbidden.region.empty() &&
       !state_->forbidden.has_thin_parts()) {
     const Region typical = turned_mirror(state_->robot, turns.front(), state_->options);
-    shared = share_raster(state_->prepared, typical,
-                          2 * state_->reach.to_double(), sum_options(state_->options));
+    shared = share_raster(state_->prepared, typical, 2 * state_->reach.to_double(),
+                          sum_options(state_->options));
   }
   const auto make = [&](std::size_t i, Workspace& workspace) {
     Slice made = make_slice(*state_, boundary_, turns[i], shared ? &*shared : nullptr, with_free,

@@ -162,8 +162,7 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
   const std::uint64_t size = convolution.size;
   const auto list = [&]() -> std::span<const Segment> {
     if (!convolution.listed()) {
-      reduced_convolution(operands, options.limits, cancellation, scratch.convolution,
-                          convolution);
+      reduced_convolution(operands, options.limits, cancellation, scratch.convolution, convolution);
     }
     return convolution.segments;
   };
@@ -185,10 +184,10 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
     const Sample sample = take_sample(convolution, scratch);
     int side = choose_side(size, options);
     cover_on_grid(operands, side, cancellation, scratch, cover);
-    const Visibility seen = free_side ? refine(operands, size, sample,
-                                               divisible ? crossings_to_divide : HUGE_VAL,
-                                               cancellation, side, scratch, cover)
-                                      : look(operands, sample, cover);
+    const Visibility seen =
+        free_side ? refine(operands, size, sample, divisible ? crossings_to_divide : HUGE_VAL,
+                           cancellation, side, scratch, cover)
+                  : look(operands, sample, cover);
     crowded = seen.crossings > crossings_to_divide;
     if (crowded) {
       // So it is with narrow shapes. Of those a coarse grid tells whether parallelograms will do.

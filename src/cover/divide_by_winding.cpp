@@ -18,9 +18,13 @@ constexpr int kMostFutile = 4;
 class Divider {
  public:
   Divider(const Operands& o, Cancellation& cancellation, CoverScratch& scratch, Cover& cover)
-      : o_(o), cancellation_(cancellation), reflex_(scratch.reflex.segments),
-        vectors_(scratch.vectors), stack_(scratch.stack),
-        known_(scratch.known), cover_(cover) {}
+      : o_(o),
+        cancellation_(cancellation),
+        reflex_(scratch.reflex.segments),
+        vectors_(scratch.vectors),
+        stack_(scratch.stack),
+        known_(scratch.known),
+        cover_(cover) {}
 
   void run(std::span<const Segment> reduced, std::int32_t side) {
     take_known();

@@ -50,8 +50,8 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
 }
 
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
-                    Cancellation& cancellation, CoverScratch& scratch,
-                    Convolution& convolution, Cover& cover) {
+                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
+                    Cover& cover) {
   const auto cover_without = [&] {
     cover_interior(operands, options, cancellation, scratch, convolution, cover);
   };

@@ -29,7 +29,7 @@ struct SharedRaster {
 /// `cover_interior` with a raster of the first operand: where that leaves much more than in the
 /// typical sum, and where cells do not fit, as without.
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
-                    Cancellation& cancellation, CoverScratch& scratch,
-                    Convolution& convolution, Cover& cover);
+                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
+                    Cover& cover);
 
 }  // namespace minksum

@@ -140,16 +140,17 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
   const std::vector<Edge> edges = edges_of(*around, cancellation);
   Nearest nearest = nearest_of(edges, cancellation);
   Depth depth;
-  depth.overlapping = nearest.squared.sign() != 0 &&
-                      PointLocator(around->sum, options.cancel)
-                              .locate({Rational(0), Rational(0)}) == Location::kInside;
+  depth.overlapping =
+      nearest.squared.sign() != 0 &&
+      PointLocator(around->sum, options.cancel).locate({Rational(0), Rational(0)}) ==
+          Location::kInside;
   depth.vector = nearest.point;
   depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
   if (!nearest.edge->tight && around->a.as_given && around->b.as_given) {
-    depth.contact = find_contact(around->a.geometry.region, around->b.geometry.region,
-                                 nearest.point, minus(nearest.edge->b, nearest.edge->a),
-                                 cancellation);
+    depth.contact =
+        find_contact(around->a.geometry.region, around->b.geometry.region, nearest.point,
+                     minus(nearest.edge->b, nearest.edge->a), cancellation);
   }
   return depth;
 }

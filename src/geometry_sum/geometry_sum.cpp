@@ -44,8 +44,7 @@ Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancella
 }
 
 /// A polyline as walks without repeated or straight vertices, each ending where it turns back.
-void append_walks(const Polyline& given, Cancellation& cancellation,
-                  std::vector<Polyline>& walks) {
+void append_walks(const Polyline& given, Cancellation& cancellation, std::vector<Polyline>& walks) {
   Polyline walk;
   for (const Point& to : given) {
     cancellation.check(2 * work_of(to));

@@ -1,5 +1,3 @@
-#include "minksum/locate.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +5,7 @@
 
 #include "cancellation.hpp"
 #include "locate/point_predicates.hpp"
+#include "minksum/locate.hpp"
 
 namespace minksum {
 namespace {

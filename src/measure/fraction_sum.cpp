@@ -104,7 +104,8 @@ Rational FractionSum::half(Term term) const {
   // What divides neither this factor nor any before it divides none of their product.
   for (BigInt& factor : factors) {
     const std::size_t bits = bit_length(factor);
-    cancellation_.check(8 * work_of_product(bits) + (bit_length(term.numerator) / 64) * (bits / 64 + 1));
+    cancellation_.check(8 * work_of_product(bits) +
+                        (bit_length(term.numerator) / 64) * (bits / 64 + 1));
     const BigInt common = mp::gcd(remainder_of(term.numerator, factor), factor);
     if (common == 1) continue;
     term.numerator /= common;

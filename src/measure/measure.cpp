@@ -122,8 +122,7 @@ class CompensatedSum {
   double lost_ = 0;
 };
 
-double approximate_doubled_area(const Region& region, IndexRange ring,
-                                Cancellation& cancellation) {
+double approximate_doubled_area(const Region& region, IndexRange ring, Cancellation& cancellation) {
   if (ring.size() < 3) return 0;
   const double origin_x = region.x(ring.front());
   const double origin_y = region.y(ring.front());

@@ -36,9 +36,8 @@ Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
   sum.limits = options.limits;
   sum.cancel = options.cancel;
   sum.tight = &tight;
-  Geometry result =
-      minkowski_sum(read(fixed, options, 0),
-                    reflect(read(moving, options, 1), options.cancel), sum);
+  Geometry result = minkowski_sum(read(fixed, options, 0),
+                                  reflect(read(moving, options, 1), options.cancel), sum);
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
   return moved(result, reference, options);
@@ -51,8 +50,7 @@ Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
   erosion.tight = true;
   erosion.limits = options.limits;
   erosion.cancel = options.cancel;
-  return moved(erode(read(bin, options, 0), read(part, options, 1), erosion), reference,
-               options);
+  return moved(erode(read(bin, options, 0), read(part, options, 1), erosion), reference, options);
 }
 
 NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,

@@ -148,9 +148,9 @@ Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving,
   Geometry result{turned(sum.region, quarters, cancellation), {}, {}};
   if (mirrored) RegionAccess::exchange_operands(result.region);
   if (sum.has_thin_parts()) {
-    const Geometry tight = resolve(transform(Geometry{{}, sum.polylines, sum.points},
-                                             Affine::quarter_turns(quarters), cancel),
-                                   {FillRule::kAutomatic, false, cancel});
+    const Geometry tight = resolve(
+        transform(Geometry{{}, sum.polylines, sum.points}, Affine::quarter_turns(quarters), cancel),
+        {FillRule::kAutomatic, false, cancel});
     result.polylines = tight.polylines;
     result.points = tight.points;
   }

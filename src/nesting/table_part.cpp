@@ -44,9 +44,8 @@ bool TablePart::read_small_part() {
 
 Region TablePart::covered() const {
   // Resolving takes as long as some sums: what is legal already goes without.
-  const bool legal =
-      !small_.empty() || (is_by_role(options_->fill) &&
-                          validate(given_->region, 1, options_->cancel).empty());
+  const bool legal = !small_.empty() || (is_by_role(options_->fill) &&
+                                         validate(given_->region, 1, options_->cancel).empty());
   const Region area =
       legal ? given_->region
             : resolve(*given_, {options_->fill, true, options_->cancel, static_cast<int>(index_)})
@@ -55,17 +54,16 @@ Region TablePart::covered() const {
     refuse("a part without area cannot be paired", index_);
   }
   const Point reference = given_->region.point(0);
-  return transform(area, Affine::translation(-reference.x, -reference.y),
-                   options_->cancel);
+  return transform(area, Affine::translation(-reference.x, -reference.y), options_->cancel);
 }
 
 const PreparedRegion& TablePart::prepared(std::size_t direction) const {
   std::call_once(prepared_->once, [&] { prepared_->covered = covered(); });
   Direction& d = prepared_->directions[direction];
   std::call_once(d.once, [&] {
-    d.region.emplace(transform(prepared_->covered, Affine::quarter_turns(quarters(direction)),
-                               options_->cancel),
-                     options_->cancel);
+    d.region.emplace(
+        transform(prepared_->covered, Affine::quarter_turns(quarters(direction)), options_->cancel),
+        options_->cancel);
   });
   return *d.region;
 }

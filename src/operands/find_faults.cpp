@@ -22,7 +22,9 @@ class ContactFinder {
  public:
   ContactFinder(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
                 PreparedOperand& operand, std::vector<Fault>& faults)
-      : scratch_(scratch), o_(operand), cancellation_(cancellation),
+      : scratch_(scratch),
+        o_(operand),
+        cancellation_(cancellation),
         predicates_(operand.sites, *operand.kernel, operand.bounds, cancellation),
         max_faults_(max_faults),
         faults_(faults) {}

@@ -104,7 +104,7 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles 
 void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
                 Cancellation& cancellation, Operands& operands);
 /// Merges directions; sets rank, by_direction and the places.
-void rank_directions(const PreparedOperand& p, const PreparedOperand& q,
-                     Cancellation& cancellation, Operands& operands);
+void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
+                     Operands& operands);
 
 }  // namespace minksum

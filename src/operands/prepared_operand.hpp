@@ -125,8 +125,7 @@ void approximate_sites(std::size_t count, const Options& options, Cancellation& 
 /// Sets which site follows which around the rings, and the edges between them.
 void connect_rings(Cancellation& cancellation, PreparedOperand& operand);
 /// Sorts edges by direction.
-void sort_directions(Cancellation& cancellation, OperandScratch& scratch,
-                     PreparedOperand& operand);
+void sort_directions(Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand);
 
 /// The narrowest rung for coordinates of so many bits, if none wider is asked for.
 [[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);

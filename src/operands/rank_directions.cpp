@@ -14,8 +14,10 @@ class Ranker {
  public:
   Ranker(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
          Operands& operands)
-      : o_(operands), predicates_(operands.sites, *operands.kernel, operands.bounds, cancellation),
-        keys_tell_(p.keys_tell && q.keys_tell), of_rank_(operands.scratch.of_rank) {}
+      : o_(operands),
+        predicates_(operands.sites, *operands.kernel, operands.bounds, cancellation),
+        keys_tell_(p.keys_tell && q.keys_tell),
+        of_rank_(operands.scratch.of_rank) {}
 
   void rank(std::span<const KeyedEdge> a, std::span<const KeyedEdge> b) {
     o_.by_direction.resize(o_.size());
@@ -116,8 +118,8 @@ std::span<const KeyedEdge> stay(const PreparedOperand& operand, std::size_t shif
 
 }  // namespace
 
-void rank_directions(const PreparedOperand& p, const PreparedOperand& q,
-                     Cancellation& cancellation, Operands& operands) {
+void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
+                     Operands& operands) {
   const auto& renumbered = operands.scratch.renumbered;
   auto& kept = operands.scratch.sorted;
   cancellation.check(p.size() + q.size());

@@ -59,8 +59,7 @@ Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelT
     thin.add(geometry);
   }
   thin.list_chains(chains);
-  return overlay::select(
-      chains, {[](const Winding& w) { return w.first > 0; }}, cancel);
+  return overlay::select(chains, {[](const Winding& w) { return w.first > 0; }}, cancel);
 }
 
 Region unite(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {

@@ -246,9 +246,9 @@ class ContactFinder {
   /// Pairs whose boxes overlap, from left to right.
   void test_all(std::size_t begin, std::size_t end) {
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
-    std::sort(first, items_.begin() + static_cast<std::ptrdiff_t>(end),
-              cancellation_.counting(
-                  [](const Item& a, const Item& b) { return a.min_x < b.min_x; }));
+    std::sort(
+        first, items_.begin() + static_cast<std::ptrdiff_t>(end),
+        cancellation_.counting([](const Item& a, const Item& b) { return a.min_x < b.min_x; }));
     for (std::size_t i = begin; i < end; ++i) {
       const Item a = items_[i];
       std::size_t j = i + 1;

@@ -16,23 +16,20 @@ struct Step {
 
 /// The segments [begin, end) lie on one line: cut at all of their ends, and those of equal ends
 /// added up. Points of a line are in order if their numbers are.
-void join(std::span<const Segment> line, Cancellation& cancellation,
-          std::vector<Segment>& joined) {
+void join(std::span<const Segment> line, Cancellation& cancellation, std::vector<Segment>& joined) {
   std::vector<Step> steps;
   for (const Segment& s : line) {
     steps.push_back({s.ends.low, s.change, s.belongs ? 1 : 0, s.spared});
     steps.push_back({s.ends.high, -s.change, s.belongs ? -1 : 0, -s.spared});
   }
-  std::sort(steps.begin(), steps.end(), cancellation.counting([](const Step& a, const Step& b) {
-    return a.at < b.at;
-  }));
+  std::sort(steps.begin(), steps.end(),
+            cancellation.counting([](const Step& a, const Step& b) { return a.at < b.at; }));
   Step now = steps.front();
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const Step& step = steps[i];
     const Segment part{{now.at, step.at}, now.change, now.belongs > 0, now.spared};
     if (step.at != now.at && !part.idle()) joined.push_back(part);
-    now = {step.at, now.change + step.change, now.belongs + step.belongs,
-           now.spared + step.spared};
+    now = {step.at, now.change + step.change, now.belongs + step.belongs, now.spared + step.spared};
   }
 }
 
@@ -46,9 +43,8 @@ void join_lines(Segments& segments) {
     cancellation.check(32);
     keyed.emplace_back(segments.predicates.exact().line(s.ends), s);
   }
-  std::sort(keyed.begin(), keyed.end(), cancellation.counting([](const auto& a, const auto& b) {
-    return a.first < b.first;
-  }));
+  std::sort(keyed.begin(), keyed.end(),
+            cancellation.counting([](const auto& a, const auto& b) { return a.first < b.first; }));
   segments.list.clear();
   std::vector<Segment> line;
   for (std::size_t i = 0; i < keyed.size(); ++i) {

@@ -30,8 +30,8 @@ using Inside = bool (*)(const Winding& winding);
 struct Wall {
   Winding left;
   Winding right;
-  bool belongs = false;      ///< it is on a chain that belongs
-  std::int32_t spared = 0;   ///< the sum over the chains that it is on: see Chain::spared
+  bool belongs = false;     ///< it is on a chain that belongs
+  std::int32_t spared = 0;  ///< the sum over the chains that it is on: see Chain::spared
 };
 /// Whether a piece or a point that has no area beside it is in the result.
 using Keeps = bool (*)(const Wall& wall);

@@ -75,7 +75,7 @@ struct Piece {
   std::int32_t spared = 0;
 
   // By the sweep:
-  bool thin = false;  ///< in the result, without area beside it
+  bool thin = false;          ///< in the result, without area beside it
   bool inside_above = false;  ///< the face on the left, seen from low to high
   bool inside_below = false;
   /// The nearest piece of the area's boundary straight below, through pieces that are inside on
@@ -128,9 +128,9 @@ void join_lines(Segments& segments);
 [[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts);
 
 /// Fills in what the sweep finds, and takes back `belongs` from nodes that the rule does not keep.
-/// A line moves over the nodes in their order and keeps the pieces that it meets in a balanced tree;
-/// as none cross, their order changes at nodes only. Only where no piece ends is a place looked
-/// for, by exact comparison. O(n log n)
+/// A line moves over the nodes in their order and keeps the pieces that it meets in a balanced
+/// tree; as none cross, their order changes at nodes only. Only where no piece ends is a place
+/// looked for, by exact comparison. O(n log n)
 void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
 
 /// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them

@@ -68,8 +68,7 @@ class PolygonReader {
       }
     }
     const Inside inside = [](const Winding& w) { return w.first != 0 && w.second == 0; };
-    return select(chains_, {inside, options_.regularize ? keeps_nothing : stays},
-                  options_.cancel);
+    return select(chains_, {inside, options_.regularize ? keeps_nothing : stays}, options_.cancel);
   }
 
  private:
@@ -95,7 +94,9 @@ class PolygonReader {
       chains.push_back(chain);
     });
     const Inside nowhere = [](const Winding&) { return false; };
-    const Keeps within = [](const Wall& w) { return wound_around(w.left) && wound_around(w.right); };
+    const Keeps within = [](const Wall& w) {
+      return wound_around(w.left) && wound_around(w.right);
+    };
     // A piece that is walked there and back has no weight: `spared` keeps it in the list.
     for (Chain& chain : chains) chain.spared = 1;
     const Geometry inner = select(chains, {nowhere, within}, options_.cancel);

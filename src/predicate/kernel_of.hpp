@@ -192,8 +192,8 @@ class KernelOf : public ExactKernel {
     const Vec<Fraction> at = big(position(node.vertex_or_start()));
     if (!node.is_crossing) return at;
     const Vec<Fraction> d = big(direction(node.first.edge));
-    const auto t = minksum::crossing_parameter(
-        d, big(minus(start(node.second), start(node.first))), big(direction(node.second.edge)));
+    const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
+                                               big(direction(node.second.edge)));
     // Its terms have the same denominators many times over.
     const Fraction lambda((t.numerator / t.denominator).reduced());
     return {at.x + d.x * lambda, at.y + d.y * lambda};

@@ -17,8 +17,7 @@ bool before(const Region& region, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-bool counter_clockwise(const Region& region, std::size_t ring,
-                       Cancellation& cancellation) {
+bool counter_clockwise(const Region& region, std::size_t ring, Cancellation& cancellation) {
   const IndexRange vertices = region.vertices_of(ring);
   const std::size_t n = vertices.size();
   std::size_t lowest = vertices.front();

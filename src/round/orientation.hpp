@@ -9,6 +9,6 @@ namespace minksum {
 
 /// Whether a ring of a legal region runs counter-clockwise. O(n).
 [[nodiscard]] bool counter_clockwise(const Region& region, std::size_t ring,
-                               Cancellation& cancellation);
+                                     Cancellation& cancellation);
 
 }  // namespace minksum

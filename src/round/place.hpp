@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "minksum/error.hpp"
 #include "cancellation.hpp"
+#include "minksum/error.hpp"
 #include "minksum/region.hpp"
 #include "region/rational_access.hpp"
 

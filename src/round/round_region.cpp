@@ -85,9 +85,8 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
   const double half = half_place(vertices, target);
   Sided moved;
   if (sided) {
-    auto chosen =
-        choose_side(region, options.side, target, vertices, target.is_decimal() ? 1 : 2 * half,
-                    cancellation);
+    auto chosen = choose_side(region, options.side, target, vertices,
+                              target.is_decimal() ? 1 : 2 * half, cancellation);
     if (!chosen) return {};
     moved = std::move(*chosen);
   } else {

@@ -66,9 +66,8 @@ class Snapper {
                                           Cancellation& cancellation) {
     std::vector<SnapPoint> points;
     const Rational steps = Rational(1) / grid.step();
-    for_each_point(geometry, cancellation, [&](const Point& p) {
-      points.push_back(snap_point(p.x * steps, p.y * steps));
-    });
+    for_each_point(geometry, cancellation,
+                   [&](const Point& p) { points.push_back(snap_point(p.x * steps, p.y * steps)); });
     return points;
   }
 

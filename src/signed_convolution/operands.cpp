@@ -111,8 +111,7 @@ std::uint64_t work_of_vertex(const BigInteger& scale) {
   return 16 + 16 * work_of_product(bit_count(scale) + 64);
 }
 
-IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale,
-                      Cancellation& cancellation) {
+IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale, Cancellation& cancellation) {
   IntegerRing ring;
   for (const Point& point : exact) {
     cancellation.check(work_of_vertex(scale));

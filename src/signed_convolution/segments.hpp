@@ -52,8 +52,7 @@ struct SignedSegment {
 
 /// Whether the segments form closed cycles in every layer: at each pair of vertices as many come in
 /// as go out. This is what the half-open rules for parallel edges must achieve.
-[[nodiscard]] bool is_closed(std::span<const Layer> layers,
-                             std::span<const SignedSegment> segments,
+[[nodiscard]] bool is_closed(std::span<const Layer> layers, std::span<const SignedSegment> segments,
                              Cancellation& cancellation);
 
 }  // namespace minksum::signed_sum

@@ -42,10 +42,15 @@ ConfigurationSpace space_of(const ReachScene& scene, const Region& robot) {
 
 Judge::Judge(const ReachScene& scene, const Configuration& from, const Configuration& to,
              Turn first, Turn last)
-    : from_(from), to_(to), first_(std::move(first)), last_(std::move(last)),
-      certain_(scene.options.certain), turns_(all_turns(scene, first_, last_)),
+    : from_(from),
+      to_(to),
+      first_(std::move(first)),
+      last_(std::move(last)),
+      certain_(scene.options.certain),
+      turns_(all_turns(scene, first_, last_)),
       robot_(scene.robot, scene.options.reference, scene.obstacles, workspace_of(scene)),
-      margin_(margin_of(scene)), grown_(grown(scene.robot, scene.options.reference, margin_)),
+      margin_(margin_of(scene)),
+      grown_(grown(scene.robot, scene.options.reference, margin_)),
       grown_robot_(grown_, {}, scene.obstacles, workspace_of(scene)),
       space_(space_of(scene, grown_)) {
   // More room all around must not matter.
@@ -61,9 +66,9 @@ Rational Judge::margin_of(const ReachScene& scene) const {
   const ConfigurationSpace plain({scene.robot, {}, {}}, scene.obstacles, scene.options);
   reference::Number largest = 0;
   for (std::size_t i = 0; i < turns_.size(); ++i) {
-    const auto half = reference::half_step(
-        reference::direction_of(turns_[i]),
-        reference::direction_of(turns_[(i + 1) % turns_.size()]));
+    const auto half =
+        reference::half_step(reference::direction_of(turns_[i]),
+                             reference::direction_of(turns_[(i + 1) % turns_.size()]));
     largest = std::max(largest, half.value());
   }
   return plain.reach() * reference::to_rational(largest);

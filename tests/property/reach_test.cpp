@@ -120,8 +120,8 @@ TEST(Reach, CertainNeedsRoomOrAngles) {
 // Lines of no width on both sides, and a point between the halves of the robot: it touches them.
 TEST(Reach, FromWallsWithoutPlay) {
   Scene scene;
-  scene.robot = test::make_region({{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
-                                   {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}});
+  scene.robot =
+      test::make_region({{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}});
   scene.obstacles.polylines = {{{-1, 0}, {1, 0}}, {{1, 1}, {9, 1}}, {{0, 2}, {2, 2}}};
   scene.obstacles.points = {{0, 1}};
   scene.options.angles = 4;

@@ -254,8 +254,9 @@ TEST(TightPairsWithWalls, AgreeWithBruteForce) {
     Options options;
     options.tight = &tight;
     static_cast<void>(minkowski_sum(p, q, options));
-    EXPECT_EQ(to_text(tight), to_text(uncovered_tight_places(p, q)))
-        << "seed " << seed << '\n' << to_text(p) << '\n' << to_text(q);
+    EXPECT_EQ(to_text(tight), to_text(uncovered_tight_places(p, q))) << "seed " << seed << '\n'
+                                                                     << to_text(p) << '\n'
+                                                                     << to_text(q);
     tally.count(tight);
   }
   std::cout << count << " pairs with walls; with tight points: " << tally.with_points

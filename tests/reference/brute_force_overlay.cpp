@@ -70,9 +70,7 @@ struct Input {
     }
     for (const Point& point : geometry.points) add_point(point);
   }
-  void add_point(const Point& point) {
-    points.push_back({to_pt(point), to_pt(point), kThin});
-  }
+  void add_point(const Point& point) { points.push_back({to_pt(point), to_pt(point), kThin}); }
 };
 
 Pt meeting_point(const Edge& e, const Edge& f) {
@@ -393,7 +391,9 @@ Geometry brute_force_unite(std::span<const Geometry> geometries) {
     input.add_region(geometry.region, 0, true);
     input.add_thin(geometry);
   }
-  return Overlay(input, [](Windings& w) { return w[0] != 0; }, is_on_any).run();
+  return Overlay(
+             input, [](Windings& w) { return w[0] != 0; }, is_on_any)
+      .run();
 }
 
 std::string resolved_fault(const Geometry& geometry) {

@@ -40,9 +40,7 @@ Region triangles(int count) {
 Region nested_squares(int rings) {
   std::vector<std::vector<Outline>> parts;
   for (std::int64_t i = 0; i + 1 < rings; i += 2) {
-    const auto square = [&](std::int64_t r) {
-      return Outline{{-r, -r}, {r, -r}, {r, r}, {-r, r}};
-    };
+    const auto square = [&](std::int64_t r) { return Outline{{-r, -r}, {r, -r}, {r, r}, {-r, r}}; };
     parts.push_back({square(2 * (rings - i)), square(2 * (rings - i) - 2)});
   }
   return make_region(parts);
@@ -114,9 +112,8 @@ RoundOptions rounding(const Cancel& cancel, RoundingSide side, std::optional<int
 std::vector<Unary> unary_operations() {
   std::vector<Unary> list;
   const auto add = [&](const char* name, auto run) { list.emplace_back(name, run); };
-  add("validate", [](const Geometry& a, const Cancel& c) {
-    static_cast<void>(validate(a.region, 100, c));
-  });
+  add("validate",
+      [](const Geometry& a, const Cancel& c) { static_cast<void>(validate(a.region, 100, c)); });
   add("prepare", [](const Geometry& a, const Cancel& c) {
     if (validate(a.region, 1, c).empty()) static_cast<void>(PreparedRegion(a.region, c));
   });
@@ -149,9 +146,8 @@ std::vector<Unary> unary_operations() {
        {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
     add(side == RoundingSide::kNearest ? "round" : to_string(side),
         [side](const Geometry& a, const Cancel& c) {
-          const Geometry third =
-              transform(resolve(a, {FillRule::kAutomatic, false, c}),
-                        Affine::scaling(Rational(1, 3)), c);
+          const Geometry third = transform(resolve(a, {FillRule::kAutomatic, false, c}),
+                                           Affine::scaling(Rational(1, 3)), c);
           static_cast<void>(round(third, rounding(c, side, 0)));
         });
   }
@@ -271,9 +267,8 @@ std::vector<CancelCase> cancel_cases(int size) {
   for (Input& input : inputs(size)) {
     const auto shapes = std::make_shared<const Input>(std::move(input));
     for (const auto& [name, run] : unary_operations()) {
-      cases.push_back({name, shapes->name, [shapes, run = run](const Cancel& cancel) {
-                         run(shapes->a, cancel);
-                       }});
+      cases.push_back({name, shapes->name,
+                       [shapes, run = run](const Cancel& cancel) { run(shapes->a, cancel); }});
     }
     for (const auto& [name, run] : binary_operations()) {
       cases.push_back({name, shapes->name, [shapes, run = run](const Cancel& cancel) {

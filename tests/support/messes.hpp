@@ -9,9 +9,9 @@
 
 namespace minksum::test {
 
-/// Up to three polygons of up to four rings, a polyline and some points, all at random on a grid of 1 to 6 units, where
-/// nearly everything coincides: rings cross and overlap themselves and each other, go back the way
-/// that they came, and collapse.
+/// Up to three polygons of up to four rings, a polyline and some points, all at random on a grid of
+/// 1 to 6 units, where nearly everything coincides: rings cross and overlap themselves and each
+/// other, go back the way that they came, and collapse.
 [[nodiscard]] Geometry random_mess(Random& random);
 
 /// A map that scales and moves along the axes, which changes no order: to large integers, decimals,

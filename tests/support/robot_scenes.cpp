@@ -114,8 +114,7 @@ void make_narrow(Random& random, RobotScene& scene) {
   scene.robot = random_region(random);
   const Affine turn = scene.turn.map();
   const bool along_robot = random.one_in(2);
-  const Box box =
-      *bounding_box(along_robot ? scene.robot : transform(scene.robot, turn));
+  const Box box = *bounding_box(along_robot ? scene.robot : transform(scene.robot, turn));
   Rational width = box.max.y - box.min.y + random_play(random);
   if (width.sign() <= 0) width = box.max.y - box.min.y;
   const Rational length = (box.max.x - box.min.x) * Rational(random.between(1, 3));
@@ -210,8 +209,7 @@ Point between(const Point& a, const Point& b, const Rational& t) {
 std::optional<Point> place_on(Random& random, const Region& region) {
   if (region.empty()) return std::nullopt;
   const IndexRange rings = region.rings_of(any_of(random, region.polygon_count()));
-  const IndexRange vertices =
-      region.vertices_of(rings.front() + any_of(random, rings.size()));
+  const IndexRange vertices = region.vertices_of(rings.front() + any_of(random, rings.size()));
   const std::size_t v = vertices.front() + any_of(random, vertices.size());
   const std::size_t w = v + 1 < vertices.front() + vertices.size() ? v + 1 : vertices.front();
   return between(region.point(v), region.point(w), Rational(random.below(3), 3));

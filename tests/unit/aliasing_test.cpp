@@ -74,8 +74,7 @@ TEST(Aliasing, TightPlacesMayGoToAnOperand) {
   // Of regions, it is the operand's own geometry.
   Geometry owner{frame(), {}, {}};
   options.tight = &owner;
-  EXPECT_EQ(minkowski_sum(owner.region, peg.region, options),
-            minkowski_sum(frame(), peg.region));
+  EXPECT_EQ(minkowski_sum(owner.region, peg.region, options), minkowski_sum(frame(), peg.region));
   EXPECT_EQ(owner, expected_tight);
 }
 

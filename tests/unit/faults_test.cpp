@@ -23,8 +23,7 @@ std::vector<std::string> texts(const Region& region) {
 using Texts = std::vector<std::string>;
 
 TEST(Faults, ACrossingIsWhereEdgesCross) {
-  const std::vector<Fault> faults =
-      validate(make_polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}}));
+  const std::vector<Fault> faults = validate(make_polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}}));
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].at, (Point{5, 5}));
   EXPECT_EQ(to_string(faults[0]), "edges cross at (5, 5)");
@@ -41,8 +40,8 @@ TEST(Faults, EachCrossingOfOneEdgeIsAFault) {
 }
 
 TEST(Faults, OfAnOverlapTheFirstSharedPoint) {
-  const Region two = make_region({{{{0, 0}, {6, 0}, {6, 4}, {0, 4}}},
-                                  {{{6, 1}, {9, 1}, {9, 7}, {6, 7}}}});
+  const Region two =
+      make_region({{{{0, 0}, {6, 0}, {6, 4}, {0, 4}}}, {{{6, 1}, {9, 1}, {9, 7}, {6, 7}}}});
   const std::vector<Fault> faults = validate(two);
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(to_string(faults[0]), "edges overlap at (6, 1)");
@@ -80,7 +79,8 @@ TEST(Faults, OfHolesTheEdgeIsCountedAsGiven) {
 }
 
 TEST(Faults, TouchesNameBothSides) {
-  const std::vector<Fault> faults = validate(make_polygon({{0, 0}, {8, 0}, {8, 4}, {4, 0}, {0, 4}}));
+  const std::vector<Fault> faults =
+      validate(make_polygon({{0, 0}, {8, 0}, {8, 4}, {4, 0}, {0, 4}}));
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(to_string(faults[0]), "ring touches itself at (4, 0)");
   EXPECT_EQ(faults[0].place.vertex, 3U);

@@ -89,7 +89,14 @@ TEST(Measure, BothWaysToTheAreaAgree) {
 // doubles and decimals among them: against the sum by definition.
 TEST(Measure, AreaAndBitsOfManyDenominators) {
   test::Random random(12);
-  const Rational below[] = {1, 3, 3, 7, 12, 21, Rational(1) / Rational(0.375), 10,
+  const Rational below[] = {1,
+                            3,
+                            3,
+                            7,
+                            12,
+                            21,
+                            Rational(1) / Rational(0.375),
+                            10,
                             *Rational::parse("1000000000000000000000000000057"),
                             *Rational::parse("3000000000000000000000000000171")};
   for (int round = 0; round < 300; ++round) {

@@ -148,8 +148,7 @@ Steps run_steps(const Geometry& geometry, bool joined = false) {
   if (joined) join_lines(steps.segments);
   EXPECT_TRUE(find_contacts(steps.segments, SIZE_MAX, steps.contacts));
   steps.subdivision = subdivide(steps.segments, steps.contacts);
-  sweep(
-      steps.segments, {[](const Winding& w) { return w.first != 0; }}, steps.subdivision);
+  sweep(steps.segments, {[](const Winding& w) { return w.first != 0; }}, steps.subdivision);
   return steps;
 }
 

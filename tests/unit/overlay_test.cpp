@@ -80,8 +80,10 @@ TEST(Resolve, AntennaThroughAHole) {
 // -- The automatic rule for polygons that are not legal ------------------------------------------
 
 TEST(Holes, OneThatCrossesItsShellTakesAwayOnly) {
-  const Region region = make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{4, 2}, {9, 2}, {9, 4}, {4, 4}}});
-  const Region expected = make_polygon({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 6}, {0, 6}});
+  const Region region =
+      make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{4, 2}, {9, 2}, {9, 4}, {4, 4}}});
+  const Region expected =
+      make_polygon({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 6}, {0, 6}});
   EXPECT_EQ(resolved(region), (Geometry{expected, {}, {}}));
   EXPECT_EQ(resolved(region, FillRule::kAutomatic, true), (Geometry{expected, {}, {}}));
 }
@@ -93,10 +95,10 @@ TEST(Holes, OneOutsideOfItsShellTakesNothing) {
 }
 
 TEST(Holes, TwoThatOverlapTakeTheirUnion) {
-  const Region region = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
-                                     {{{1, 1}, {5, 1}, {5, 5}, {1, 5}},
-                                      {{3, 3}, {7, 3}, {7, 7}, {3, 7}},
-                                      {{4, 4}, {5, 4}, {5, 5}, {4, 5}}});
+  const Region region =
+      make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{1, 1}, {5, 1}, {5, 5}, {1, 5}},
+                                                      {{3, 3}, {7, 3}, {7, 7}, {3, 7}},
+                                                      {{4, 4}, {5, 4}, {5, 5}, {4, 5}}});
   const Region expected =
       make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
                    {{{1, 1}, {1, 5}, {3, 5}, {3, 7}, {7, 7}, {7, 3}, {5, 3}, {5, 1}}});
@@ -105,13 +107,14 @@ TEST(Holes, TwoThatOverlapTakeTheirUnion) {
 
 TEST(Holes, WhatTheyLeaveBetweenThemStays) {
   // Two holes share an edge: a wall of no width. One is wider than its shell.
-  const Region region = make_polygon({{0, 0}, {9, 0}, {9, 6}, {0, 6}},
-                                     {{{1, 1}, {4, 1}, {4, 9}, {1, 9}},
-                                      {{4, 1}, {8, 1}, {8, 5}, {4, 5}}});
+  const Region region =
+      make_polygon({{0, 0}, {9, 0}, {9, 6}, {0, 6}},
+                   {{{1, 1}, {4, 1}, {4, 9}, {1, 9}}, {{4, 1}, {8, 1}, {8, 5}, {4, 5}}});
   const Geometry result = resolved(region);
   EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{4, 1}, {4, 5}}}));
-  EXPECT_EQ(result.region, make_polygon({{0, 0}, {9, 0}, {9, 6}, {4, 6}, {4, 5}, {8, 5}, {8, 1},
-                                         {1, 1}, {1, 6}, {0, 6}}));
+  EXPECT_EQ(result.region,
+            make_polygon(
+                {{0, 0}, {9, 0}, {9, 6}, {4, 6}, {4, 5}, {8, 5}, {8, 1}, {1, 1}, {1, 6}, {0, 6}}));
 }
 
 TEST(Holes, ASpikeOfAHoleIntoItIsAWall) {
@@ -132,17 +135,20 @@ TEST(Holes, ABowTieHasTwoPartsToTakeAway) {
 
 TEST(Holes, EachIsOfItsOwnPolygon) {
   // The hole of the first polygon takes nothing from the second, which lies over it.
-  const Region region = make_region({{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{1, 1}, {5, 1}, {5, 5}, {1, 5}}},
-                                     {{{2, 2}, {9, 2}, {9, 4}, {2, 4}}}});
+  const Region region =
+      make_region({{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{1, 1}, {5, 1}, {5, 5}, {1, 5}}},
+                   {{{2, 2}, {9, 2}, {9, 4}, {2, 4}}}});
   EXPECT_EQ(area(resolved(region).region), Rational(36 - 16 + 6 + 6));
   // The same bow tie twice, in both directions: their windings cancel.
-  const Region ties = make_region({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, {{{0, 4}, {4, 0}, {4, 4}, {0, 0}}},
+  const Region ties = make_region({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}},
+                                   {{{0, 4}, {4, 0}, {4, 4}, {0, 0}}},
                                    {{{8, 8}, {9, 8}, {9, 9}}}});
   EXPECT_EQ(area(resolved(ties).region), Rational(17, 2));
 }
 
 TEST(Holes, AShellThatItsHoleFillsIsALine) {
-  const Region region = make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
+  const Region region =
+      make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
   const Geometry result = resolved(region);
   EXPECT_TRUE(result.region.empty());
   EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{0, 0}, {0, 4}, {4, 4}, {4, 0}, {0, 0}}}));

@@ -145,8 +145,7 @@ TYPED_TEST(SignedArrangement, RingBuilderRejectsOpenBoundaries) {
   const Region square = test::parse_wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
   Stages<TypeParam> stages(square, square);
   InsideFlags inside =
-      WindingWalk<TypeParam>(stages.geometry, stages.arrangement, stages.layers)
-          .run();
+      WindingWalk<TypeParam>(stages.geometry, stages.arrangement, stages.layers).run();
   RingBuilder<TypeParam> sound(stages.geometry, stages.arrangement, inside);
   EXPECT_EQ(sound.run().rings.size(), 1U);
   for (HalfEdge h = 0; h < inside.size(); ++h) {

@@ -20,7 +20,6 @@ namespace {
 
 using test::Random;
 
-
 /// The stages up to the cover, from all segments or a sample.
 struct Covered {
   Options options;
