@@ -24,10 +24,12 @@ class Cancellation {
 
   /// Nobody can cancel.
   Cancellation() = default;
-  explicit Cancellation(const std::optional<CancelToken>& token) : token_(token) {}
+  /// `token` must live as long.
+  explicit Cancellation(const std::optional<CancelToken>& token) : token_(&token) {}
+  explicit Cancellation(const std::optional<CancelToken>&& token) = delete;
   /// `options` must live as long.
   explicit Cancellation(const Options& options)
-      : token_(options.cancel),
+      : token_(&options.cancel),
         progress_(options.progress ? &options.progress : nullptr),
         has_stages_(true) {}
   Cancellation(const Cancellation&) = delete;
@@ -41,7 +43,7 @@ class Cancellation {
   /// Looks now.
   void look() {
     done_ = 0;
-    if ((token_ && token_->cancelled()) || (progress_ != nullptr && !(*progress_)(stage_))) {
+    if ((*token_ && (*token_)->cancelled()) || (progress_ != nullptr && !(*progress_)(stage_))) {
       throw Error(ErrorCode::kCancelled, "cancelled", {}, has_stages_ ? to_string(stage_) : "");
     }
   }
@@ -52,7 +54,7 @@ class Cancellation {
   }
   [[nodiscard]] Stage stage() const { return stage_; }
   /// For an operation that is part of this one.
-  [[nodiscard]] const std::optional<CancelToken>& token() const { return token_; }
+  [[nodiscard]] const std::optional<CancelToken>& token() const { return *token_; }
 
   /// A comparison that counts: for sorting what may be long.
   template <class Less>
@@ -64,8 +66,10 @@ class Cancellation {
   }
 
  private:
+  static inline const std::optional<CancelToken> kNobody;
+
   std::uint64_t done_ = 0;
-  std::optional<CancelToken> token_;
+  const std::optional<CancelToken>* token_ = &kNobody;
   const std::function<bool(Stage)>* progress_ = nullptr;
   Stage stage_ = Stage::kOperands;
   bool has_stages_ = false;
