@@ -25,7 +25,10 @@ class Splitter {
 
   void run() {
     group_events();
-    for (KeptId s = 0; s < scratch_.line_count; ++s) order_events(s);
+    for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      cancellation_.check(1 + 4 * events_of(s).size());
+      order_events(s);
+    }
     result_.nodes.clear();
     result_.pieces.clear();
     if (may_coincide_) scratch_.first_piece.assign(scratch_.parent.size(), kNoPiece);
@@ -100,12 +103,13 @@ class Splitter {
   void order_events(KeptId s) {
     const std::span<Event> events = events_of(s);
     if (events.size() < 2) return;
-    cancellation_.check(events.size());
     constexpr std::size_t kFew = 12;
-    if (events.size() > kFew) {
-      std::sort(events.begin(), events.end(),
-                cancellation_.counting(
-                    [](const Event& a, const Event& b) { return a.lambda < b.lambda; }));
+    constexpr std::size_t kMany = 4096;
+    const auto before = [](const Event& a, const Event& b) { return a.lambda < b.lambda; };
+    if (events.size() > kMany) {
+      std::sort(events.begin(), events.end(), cancellation_.counting(before));
+    } else if (events.size() > kFew) {
+      std::sort(events.begin(), events.end(), before);
     }
     for (std::size_t i = 1; i < events.size(); ++i) {
       const Event event = events[i];
@@ -116,8 +120,6 @@ class Splitter {
         --j;
       }
       events[j] = event;
-      // Hardly ever far.
-      if (i - j > kFew) cancellation_.check(i - j);
       if (order == kZero) unite(scratch_.parent, events[j - 1].point, event.point);
     }
   }
