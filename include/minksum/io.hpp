@@ -34,7 +34,7 @@ struct ReadLimits {
   std::size_t max_bytes = std::size_t{1} << 30;
   std::size_t max_vertices = std::size_t{1} << 30;  ///< of rings and polylines, and points
   int max_depth = 32;                               ///< nesting of parentheses, brackets and braces
-  std::optional<CancelToken> cancel;
+  std::optional<CancelToken> cancel = {};
 };
 
 /// The format that the text seems to be in, by its first characters; WKT if it says nothing.
@@ -67,7 +67,7 @@ struct Coordinates {
   Style style = Style::kDouble;
   int digits = 6;  ///< for kDecimal: digits after the point
   /// Cancels writing: Error(kCancelled). What was written until then stays.
-  std::optional<CancelToken> cancel;
+  std::optional<CancelToken> cancel = {};
 };
 
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,
