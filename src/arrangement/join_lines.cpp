@@ -28,6 +28,7 @@ class PlaceLister {
     scratch_.edge_of_rank.resize(o_.rank_count);
     for (const SiteId e : o_.by_direction) scratch_.edge_of_rank[o_.rank[e]] = e;
     scratch_.places.clear();
+    scratch_.places.reserve(kept_.size());
     for (KeptId id = 0; id < kept_.size(); ++id) {
       cancellation_.check();
       const DirectionRank rank = o_.rank[kept_[id].segment.edge];
@@ -97,6 +98,7 @@ void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, Join
   auto& result = scratch.result;
   result.clear();
   const auto& places = scratch.places;
+  result.reserve(places.size());
   for (std::size_t i = 0; i < places.size();) {
     cancellation.check();
     const PlaceOnLine& start = places[i];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "machine/make_room.hpp"
+
 namespace minksum {
 namespace {
 
@@ -173,6 +175,10 @@ void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides&
     throw Error(ErrorCode::kLimitExceeded, "more than " + std::to_string(most_crossings_) +
                                                " crossings (Limits::max_crossings)");
   }
+  Cancellation& cancellation = predicates_.cancellation();
+  make_room(scratch_.parent, 1, cancellation);
+  make_room(scratch_.crossings, 1, cancellation);
+  make_room(scratch_.events, 2, cancellation);
   scratch_.parent.push_back(point);
   if (of_s.start == kPositive) {
     scratch_.crossings.push_back({s, t, on_s.lambda, doubted(on_s.error)});

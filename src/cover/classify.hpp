@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "machine/make_room.hpp"
 #include "machine/vectors.hpp"
 
 namespace minksum {
@@ -30,11 +31,15 @@ struct SegmentStack {
   static constexpr std::size_t kStride = 8;
   static constexpr std::int32_t kUnsure = 16;
 
-  void grow(std::size_t size) {
+  void grow(std::size_t size, Cancellation& cancellation) {
     if (id.size() >= size) return;
-    segment.resize(size);
-    id.resize(size);
-    mask.resize(size);
+    const auto grow_list = [&](auto& list) {
+      make_room(list, size - list.size(), cancellation);
+      list.resize(size);
+    };
+    grow_list(segment);
+    grow_list(id);
+    grow_list(mask);
   }
   /// Puts those of the entries [begin, end) that have this bit in their masks at `to` and on, and
   /// may write one more; where they end.

@@ -33,7 +33,7 @@ class Divider {
     cover_.divided = true;
     cover_.leaves.clear();
     cover_.leaf_segments.clear();
-    stack_.grow(reduced.size() + reflex_.size() + SegmentStack::kStride);
+    stack_.grow(reduced.size() + reflex_.size() + SegmentStack::kStride, cancellation_);
     load(reduced, 0);
     load(reflex_, reduced.size());
     const std::size_t end = stack_.fill_up(reduced.size() + reflex_.size());
@@ -159,11 +159,12 @@ class Divider {
 
   /// Puts the entries with this bit in their masks behind the cell's list; where they end.
   std::size_t copy(const Cell& cell, std::int32_t bit, std::size_t count) {
-    stack_.grow(cell.end + count + SegmentStack::kStride);
+    stack_.grow(cell.end + count + SegmentStack::kStride, cancellation_);
     return stack_.fill_up(stack_.copy(cell.begin, cell.end, bit, cell.end));
   }
 
   void add_leaf(CoverLeaf leaf, std::size_t begin, std::size_t end, std::int32_t bit) {
+    make_room(cover_.leaf_segments, end - begin, cancellation_);
     for (std::size_t i = begin; i < end; ++i) {
       if ((stack_.mask[i] & bit) != 0 && stack_.id[i] >= 0) {
         cover_.leaf_segments.push_back(static_cast<std::uint32_t>(stack_.id[i]));
