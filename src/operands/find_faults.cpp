@@ -1,18 +1,14 @@
 // What makes an operand illegal: edges that meet where they must not, rings in the wrong place.
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
-#include <string>
-#include <tuple>
 #include <utility>
 
 #include "grid/box_pairs.hpp"
 #include "grid/uniform_grid.hpp"
 #include "operands/bin_edges.hpp"
+#include "operands/fault_list.hpp"
 #include "operands/prepared_operand.hpp"
-#include "region/point_arithmetic.hpp"
-#include "region/region_access.hpp"
 
 namespace minksum {
 namespace {
@@ -26,8 +22,7 @@ class ContactFinder {
         o_(operand),
         cancellation_(cancellation),
         predicates_(operand.sites, *operand.kernel, operand.bounds, cancellation),
-        max_faults_(max_faults),
-        faults_(faults) {}
+        list_(operand, max_faults, faults) {}
 
   void find_contacts() {
     scratch_.touches.clear();
@@ -45,14 +40,14 @@ class ContactFinder {
       cancellation_.check();
       if (count < 2) continue;
       find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
-      if (full()) return;
+      if (list_.full()) return;
     }
   }
 
   /// Rings do not cross here, so a point of a ring that is not on the other ring decides.
   void find_misplaced_rings() {
     scratch_.stamp.assign(o_.size(), kNoSite);
-    for (std::size_t r = 0; r < o_.rings.size() && !full(); ++r) {
+    for (std::size_t r = 0; r < o_.rings.size() && !list_.full(); ++r) {
       list_rings_around(r);
       if (o_.rings[r].is_hole()) {
         check_hole(r);
@@ -92,7 +87,7 @@ class ContactFinder {
     }
     pairs.for_each(
         [&](SiteId e, SiteId f) {
-          if (!full()) contact(std::min(e, f), std::max(e, f));
+          if (!list_.full()) contact(std::min(e, f), std::max(e, f));
         },
         cancellation_, true);
   }
@@ -115,75 +110,15 @@ class ContactFinder {
         contact(edges[i], edges[j]);
       }
       cancellation_.check(2 * (j - i));
-      if (full()) return;
+      if (list_.full()) return;
     }
   }
 
-  [[nodiscard]] bool full() const { return faults_.size() >= max_faults_; }
   [[nodiscard]] std::size_t ring_of(SiteId v) const {
     const auto after =
         std::upper_bound(o_.rings.begin(), o_.rings.end(), v,
                          [](SiteId site, const OperandRing& r) { return site < r.begin; });
     return static_cast<std::size_t>(after - o_.rings.begin()) - 1;
-  }
-
-  // -- Telling --------------------------------------------------------------------------------
-  /// Whether this is new. Cells have edges in common, and so find pairs more than once.
-  [[nodiscard]] bool is_new(const char* message, SiteId a, SiteId b = kNoSite) {
-    return !full() && reported_.insert({message, a, b}).second;
-  }
-  /// A vertex that is wrong.
-  void report(const char* message, SiteId v) {
-    if (is_new(message, v)) add(message, vertex(v), {}, point(v));
-  }
-  /// A vertex that meets another one, or an edge.
-  void report(const char* message, SiteId v, const Culprit& other) {
-    if (is_new(message, v)) add(message, vertex(v), other, point(v));
-  }
-  /// Two edges that have a point in common.
-  void report_pair(const char* message, SiteId e, SiteId f, const Point& at) {
-    if (is_new(message, std::min(e, f), std::max(e, f))) add(message, edge(e, at), edge(f, at), at);
-  }
-  void add(const char* message, const Culprit& place, const Culprit& other, const Point& at) {
-    faults_.push_back({message, place, other, at});
-  }
-  [[nodiscard]] Point point(SiteId v) const { return o_.region->point(o_.vertex_source[v]); }
-  [[nodiscard]] Culprit vertex(SiteId v) const {
-    return RegionAccess::culprit(*o_.region, o_.vertex_source[v]);
-  }
-  /// The edge of the region that holds a point of edge `e`, which may stand for several in line.
-  [[nodiscard]] Culprit edge(SiteId e, const Point& at) const {
-    const Region& region = *o_.region;
-    const std::size_t ring = RegionAccess::ring_of(region, o_.edge_source[e]);
-    const std::size_t begin = RegionAccess::ring_first(region, ring);
-    const std::size_t end = RegionAccess::ring_first(region, ring + 1);
-    std::size_t first = o_.edge_source[e];
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t second = first + 1 == end ? begin : first + 1;
-      if (is_between(region.point(first), at, region.point(second))) break;
-      first = second;
-    }
-    return RegionAccess::culprit(region, first);
-  }
-  /// Of points on one line.
-  static bool is_between(const Point& a, const Point& at, const Point& b) {
-    return !comes_before(at, std::min(a, b, comes_before)) &&
-           !comes_before(std::max(a, b, comes_before), at);
-  }
-  [[nodiscard]] Point crossing(SiteId e, SiteId f) const {
-    const Point a = point(e);
-    const Point c = point(f);
-    const Point along = minus(point(o_.sites.next[e]), a);
-    const Point other = minus(point(o_.sites.next[f]), c);
-    const Rational part = cross(minus(c, a), other) / cross(along, other);
-    return {a.x + part * along.x, a.y + part * along.y};
-  }
-  /// Of two edges that overlap on one line: the larger of their smaller ends.
-  [[nodiscard]] Point first_shared(SiteId e, SiteId f) const {
-    const auto smaller = [&](SiteId edge) {
-      return std::min(point(edge), point(o_.sites.next[edge]), comes_before);
-    };
-    return std::max(smaller(e), smaller(f), comes_before);
   }
 
   [[nodiscard]] bool boxes_apart(SiteId e, SiteId f) const {
@@ -210,7 +145,7 @@ class ContactFinder {
     if (es == et && es != kZero) return;
     if (fs == kZero && ft == kZero) return collinear(e, f);
     if (fs != kZero && ft != kZero && es != kZero && et != kZero) {
-      return report_pair("edges cross", e, f, crossing(e, f));
+      return list_.add_crossing("edges cross", e, f);
     }
     // They touch at a point that is a vertex of one of them.
     if (fs == kZero && between(e, e1, f)) touch(e, f);
@@ -249,7 +184,7 @@ class ContactFinder {
         }
       }
     }
-    report_pair("edges overlap", e, f, first_shared(e, f));
+    list_.add_overlap("edges overlap", e, f);
   }
 
   /// v of another edge lies on the closed edge e.
@@ -257,21 +192,21 @@ class ContactFinder {
     const SiteId e1 = o_.sites.next[e];
     if (equal(e, v)) return touch_at_vertices(e, v);
     if (equal(e1, v)) return touch_at_vertices(e1, v);
-    if (ring_of(e) == ring_of(v)) return report("ring touches itself", v, edge(e, point(v)));
+    if (ring_of(e) == ring_of(v)) return list_.add_vertex_on_edge("ring touches itself", v, e);
     const Sign before = predicates_.orientation(e, e1, o_.previous[v]);
     const Sign after = predicates_.orientation(e, e1, o_.sites.next[v]);
-    if (before * after == kNegative) return report("rings cross", v, edge(e, point(v)));
+    if (before * after == kNegative) return list_.add_vertex_on_edge("rings cross", v, e);
     scratch_.touches.push_back({v, e, false});
   }
 
   void touch_at_vertices(SiteId v, SiteId w) {
     if (v == w) return;
     if (ring_of(v) == ring_of(w)) {
-      return report("ring touches itself", std::min(v, w), vertex(std::max(v, w)));
+      return list_.add_two_vertices("ring touches itself", v, w);
     }
     // Both edges of w must leave into the same of the two sectors between the edges of v.
     if (left_of(v, w, kPositive) != left_of(v, o_.previous[w], kNegative)) {
-      return report("rings cross", std::min(v, w), vertex(std::max(v, w)));
+      return list_.add_two_vertices("rings cross", v, w);
     }
     scratch_.touches.push_back({v, w, true});
   }
@@ -396,9 +331,9 @@ class ContactFinder {
       const OperandRing& ring = o_.rings[r];
       if (ring.polygon != own.polygon) continue;
       in_outer |= !ring.is_hole();
-      if (ring.is_hole()) report("hole lies inside another hole", own.begin);
+      if (ring.is_hole()) list_.add_vertex("hole lies inside another hole", own.begin);
     }
-    if (!in_outer) report("hole lies outside its outer ring", own.begin);
+    if (!in_outer) list_.add_vertex("hole lies outside its outer ring", own.begin);
   }
 
   void check_outer(std::size_t outer) {
@@ -412,7 +347,7 @@ class ContactFinder {
     for (const std::size_t r : scratch_.around) {
       const OperandRing& ring = o_.rings[r];
       if (!ring.is_hole() && !in_hole_of(ring.polygon)) {
-        report("polygons overlap", o_.rings[outer].begin);
+        list_.add_vertex("polygons overlap", o_.rings[outer].begin);
       }
     }
   }
@@ -422,9 +357,7 @@ class ContactFinder {
   Cancellation& cancellation_;
   UniformGrid grid_;
   Predicates predicates_;
-  std::size_t max_faults_;
-  std::vector<Fault>& faults_;
-  std::set<std::tuple<std::string, SiteId, SiteId>> reported_;
+  FaultList list_;
 };
 
 }  // namespace
