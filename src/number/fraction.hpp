@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "number/big.hpp"
+#include "number/big_integer.hpp"
 #include "number/sign.hpp"
 
 namespace minksum {

@@ -1,7 +1,7 @@
 // The exact order of edge directions.
 #pragma once
 
-#include "operands/prepared_operand.hpp"
+#include "operands/prepare_operand.hpp"
 
 namespace minksum {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "operands/prepared_operand.hpp"
+#include "operands/prepare_operand.hpp"
 
 namespace minksum {
 

@@ -1,9 +1,8 @@
-// One operand, by itself: on an integer grid, clean, oriented, validated, its directions sorted.
+// One operand, by itself: on an integer grid, clean, oriented, validated.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -86,27 +85,12 @@ struct PreparedOperand {
   [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
 };
 
-/// Fills `operand` from `region`, which must live as long. Of `options`, `arithmetic` and `filter`
-/// count. Without any fault the operand is complete; otherwise it may not be used.
-/// O(n log n) for n vertices, plus close pairs of edges for the validation.
-void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
-                     Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
-                     std::vector<Fault>& faults);
-
-/// A region whose polygons are walks: each polyline from its start to its end and back, a ring
-/// without area. Polylines are as in a resolved Geometry: simple, without straight vertices. A
-/// closed one is cut at its first vertex.
-void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
-                         Region& walks);
-
-/// The same as `prepare_operand` for the union of the polylines that `walks` goes along.
-///
-/// A walk is the boundary of the polyline made a little wider, in the limit: on one side of each
-/// vertex it turns left, on the other one right, and at both ends it turns left by half a circle.
-/// That is all that the pipeline asks of a ring: docs/pipeline.md, "Thin operands". The other
-/// operand must have area. O(n log n).
-void prepare_thin_operand(const Region& walks, const Options& options, Cancellation& cancellation,
-                          OperandScratch& scratch, PreparedOperand& operand);
+/// Fills all of `operand` but its directions from `region`, which must live as long, and lists at
+/// most `max_faults` faults. Of `options`, `arithmetic` and `filter` count. O(n log n) for n
+/// vertices, plus close pairs of edges.
+void load_and_validate(const Region& region, const Options& options, std::size_t max_faults,
+                       Cancellation& cancellation, OperandScratch& scratch,
+                       PreparedOperand& operand, std::vector<Fault>& faults);
 
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Exact coordinates of all vertices as given.
@@ -124,9 +108,6 @@ void approximate_sites(std::size_t count, const Options& options, Cancellation& 
                        OperandScratch& scratch, PreparedOperand& operand);
 /// Sets which site follows which around the rings, and the edges between them.
 void connect_rings(Cancellation& cancellation, PreparedOperand& operand);
-/// Sorts edges by direction.
-void sort_directions(Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand);
-
 /// The narrowest rung for coordinates of so many bits, if none wider is asked for.
 [[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);
 /// A bound on the bits of 10^exponent.

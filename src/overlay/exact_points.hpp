@@ -6,7 +6,7 @@
 #include <span>
 
 #include "minksum/region.hpp"
-#include "number/big.hpp"
+#include "number/big_integer.hpp"
 #include "number/sign.hpp"
 
 namespace minksum::overlay {

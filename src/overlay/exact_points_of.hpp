@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "number/big.hpp"
+#include "number/big_integer.hpp"
 #include "number/wide_int.hpp"
 #include "overlay/exact_points.hpp"
 #include "region/rational_access.hpp"

@@ -7,7 +7,7 @@
 
 #include "cancellation.hpp"
 #include "minksum/minkowski_sum.hpp"
-#include "number/big.hpp"
+#include "number/big_integer.hpp"
 #include "number/sign.hpp"
 #include "number/wide_int.hpp"
 #include "predicate/formulas.hpp"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "number/big_integer.hpp"
 #include "predicate/bit_budget.hpp"
 #include "predicate/exact_kernel.hpp"
-#include "region/rational_access.hpp"
 
 namespace minksum {
 

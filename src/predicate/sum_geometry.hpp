@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "number/big.hpp"
+#include "number/big_integer.hpp"
 
 namespace minksum {
 

@@ -1,4 +1,6 @@
 // Helpers on big integers, and the one correctly rounding division.
+#include "number/big_integer.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include <limits>
 
 #include "number/wide_int.hpp"
-#include "region/rational_access.hpp"
 
 namespace minksum {
 
