@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "cancellation.hpp"
 #include "io/number.hpp"
+#include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/io.hpp"
 

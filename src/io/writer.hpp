@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "cancellation.hpp"
 #include "io/formats.hpp"
+#include "machine/cancellation.hpp"
 #include "minksum/io.hpp"
 
 namespace minksum::io {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cancellation.hpp"
+#include "machine/cancellation.hpp"
 
 namespace minksum {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "complement/complement.hpp"
 #include "overlay/chains.hpp"
+#include "overlay/complement.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {

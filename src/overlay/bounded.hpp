@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "number/sign.hpp"
+#include "exact/sign.hpp"
 
 namespace minksum::overlay {
 

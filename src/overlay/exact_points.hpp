@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "exact/big_integer.hpp"
+#include "exact/sign.hpp"
 #include "minksum/region.hpp"
-#include "number/big_integer.hpp"
-#include "number/sign.hpp"
 
 namespace minksum::overlay {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "number/big_integer.hpp"
-#include "number/wide_int.hpp"
+#include "exact/big_integer.hpp"
+#include "exact/wide_int.hpp"
 #include "overlay/exact_points.hpp"
 #include "region/rational_access.hpp"
 

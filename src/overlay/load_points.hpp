@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cancellation.hpp"
+#include "machine/cancellation.hpp"
 #include "minksum/region.hpp"
 #include "overlay/exact_points.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "cancellation.hpp"
+#include "machine/cancellation.hpp"
 #include "overlay/bounded.hpp"
 #include "overlay/exact_points.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "overlay/chains.hpp"
 #include "overlay/take_holes.hpp"
-#include "region/fault.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
 namespace {

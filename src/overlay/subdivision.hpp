@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cancellation.hpp"
+#include "machine/cancellation.hpp"
 #include "overlay/load_points.hpp"
 #include "overlay/overlay.hpp"
 #include "overlay/predicates.hpp"

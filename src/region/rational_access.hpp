@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "exact/big_integer.hpp"
 #include "minksum/rational.hpp"
-#include "number/big_integer.hpp"
 
 namespace minksum {
 

@@ -1,1 +1,1 @@
-#include "loops/loops.hpp"
+#include "sum/pipeline.hpp"

@@ -1,1 +1,2 @@
-#include <boost/version.hpp>
+#pragma once
+#include <boost/rational.hpp>

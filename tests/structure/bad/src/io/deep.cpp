@@ -1,1 +1,1 @@
-#include "region/region_access.hpp"
+#include "region/point.hpp"

@@ -1,0 +1,219 @@
+#include "exact/exact_kernel.hpp"
+
+#include <limits>
+#include <numeric>
+
+#include "exact/kernel_of.hpp"
+
+namespace minksum {
+namespace {
+
+template <std::size_t N>
+void set_limbs(const WideInt<N>& magnitude, std::vector<std::uint64_t>& out) {
+  std::size_t count = N;
+  while (count > 0 && magnitude.limb(count - 1) == 0) --count;
+  out.clear();
+  for (std::size_t i = 0; i < count; ++i) out.push_back(magnitude.limb(i));
+}
+
+void set_limbs(const BigInteger& magnitude, std::vector<std::uint64_t>& out) {
+  out.clear();
+  if (magnitude == 0) return;
+  boost::multiprecision::export_bits(magnitude, std::back_inserter(out), 64, false);
+}
+
+/// Integer coordinates on a common grid.
+template <class Rung>
+class GridKernel final : public KernelOf<Rung> {
+  using Base = KernelOf<Rung>;
+  using typename Base::Coord;
+  using typename Base::Lexicographic;
+
+ public:
+  void load(std::span<const GridPart> parts, const GridUnit& unit) {
+    this->sites_.clear();
+    offset_ = {0, 0};
+    for (const GridPart& part : parts) {
+      if (part.grid->small) {
+        append(part.grid->small_sites, part);
+      } else {
+        append(part.grid->large_sites, part);
+      }
+      offset_ = {offset_.x + part.grid->offset.x * part.factor,
+                 offset_.y + part.grid->offset.y * part.factor};
+    }
+    this->next_.clear();
+    unit_ = unit;
+  }
+
+  Arithmetic rung() const override {
+    if constexpr (std::is_same_v<Rung, NarrowRung>) return Arithmetic::kNarrow;
+    if constexpr (std::is_same_v<Rung, MediumRung>) return Arithmetic::kMedium;
+    return Arithmetic::kWide;
+  }
+  std::uint64_t work() const override { return 8; }
+  void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
+    if (!node.is_crossing) {
+      const auto at = this->position(node.vertex);
+      set(at.x + offset_.x, out.x);
+      set(at.y + offset_.y, out.y);
+      return;
+    }
+    const auto h = this->homogeneous(node);
+    set(h.x, h.denominator, offset_.x, out.x);
+    set(h.y, h.denominator, offset_.y, out.y);
+  }
+  bool integer_coordinates(const SumVertex& v, Vec<std::int64_t>& out) const override {
+    const auto at = this->position(v);
+    const Int128 x = at.x + offset_.x;
+    const Int128 y = at.y + offset_.y;
+    out = {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
+    return unit_.divisor == 1 && out.x == x && out.y == y &&
+           out.x != std::numeric_limits<std::int64_t>::min() &&
+           out.y != std::numeric_limits<std::int64_t>::min();
+  }
+  int exp2() const override { return unit_.exp2; }
+  int exp10() const override { return unit_.exp10; }
+  void approximate_sites(std::span<double> x, std::span<double> y,
+                         Cancellation& cancellation) const override {
+    cancellation.check(x.size() / 4);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] = to_double(this->sites_[i].x);
+      y[i] = to_double(this->sites_[i].y);
+    }
+  }
+  void approximate_edges(std::span<double> dx, std::span<double> dy,
+                         Cancellation& cancellation) const override {
+    cancellation.check(dx.size() / 4);
+    for (std::size_t i = 0; i < dx.size(); ++i) {
+      const auto d = this->direction(static_cast<SiteId>(i));
+      dx[i] = to_double(d.x);
+      dy[i] = to_double(d.y);
+    }
+  }
+
+ private:
+  template <class Number>
+  void append(const std::vector<Vec<Number>>& sites, const GridPart& part) {
+    const auto factor = static_cast<Coord>(part.factor);
+    const std::size_t size = this->sites_.size();
+    this->sites_.resize(size + part.sites.size());
+    auto to = this->sites_.begin() + static_cast<std::ptrdiff_t>(size);
+    for (const SiteId site : part.sites) {
+      *to++ = {static_cast<Coord>(static_cast<Coord>(sites[site].x) * factor),
+               static_cast<Coord>(static_cast<Coord>(sites[site].y) * factor)};
+    }
+  }
+
+  void set(const Lexicographic& numerator, const Lexicographic& denominator, const Int128& offset,
+           ExactCoordinate& out) const {
+    const Lexicographic moved = numerator + Lexicographic(offset) * denominator;
+    out.negative = moved.negative() != denominator.negative() && sign_of(moved) != kZero;
+    set_limbs(moved.magnitude(), out.numerator);
+    if (unit_.divisor == 1) return set_limbs(denominator.magnitude(), out.denominator);
+    set_limbs((denominator * Lexicographic(unit_.divisor)).magnitude(), out.denominator);
+  }
+
+  /// In lowest terms, but for the powers in the unit.
+  void set(const Int128& value, ExactCoordinate& out) const {
+    const std::int64_t common =
+        unit_.divisor == 1
+            ? 1
+            : std::gcd(static_cast<std::int64_t>(value % unit_.divisor), unit_.divisor);
+    const WideInt<2> wide(common == 1 ? value : value / common);
+    out.negative = wide.negative();
+    set_limbs(wide.magnitude(), out.numerator);
+    out.denominator.assign(1, static_cast<std::uint64_t>(unit_.divisor / common));
+  }
+
+  Vec<Int128> offset_{};
+  GridUnit unit_;
+};
+
+/// Rational coordinates, in the operands' own units.
+class RationalKernel final : public KernelOf<ArbitraryRung> {
+ public:
+  void load(const std::vector<Vec<BigRational>>& sites, SiteId split, const Vec<BigRational>& first,
+            const Vec<BigRational>& second, std::size_t bits, int exponent) {
+    sites_.clear();
+    for (const Vec<BigRational>& site : sites) sites_.push_back(as<Fraction>(site));
+    next_.clear();
+    split_ = split;
+    origin_ = {as<Fraction>(first), as<Fraction>(second)};
+    work_ = work_of_decision(bits);
+    exponent_ = exponent;
+  }
+  Arithmetic rung() const override { return Arithmetic::kArbitrary; }
+  std::uint64_t work() const override { return work_; }
+  void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
+    const Vec<Fraction> at = exact_point(node);
+    set(at.x.reduced(), out.x);
+    set(at.y.reduced(), out.y);
+  }
+  bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
+  int exp2() const override { return 0; }
+  int exp10() const override { return 0; }
+  void approximate_sites(std::span<double> x, std::span<double> y,
+                         Cancellation& cancellation) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      cancellation.check(work_);
+      const Vec<double> at = scaled(minus(sites_[i], origin_[i < split_ ? 0 : 1]));
+      x[i] = at.x;
+      y[i] = at.y;
+    }
+  }
+  void approximate_edges(std::span<double> dx, std::span<double> dy,
+                         Cancellation& cancellation) const override {
+    for (std::size_t i = 0; i < dx.size(); ++i) {
+      cancellation.check(work_);
+      const Vec<double> d = scaled(direction(static_cast<SiteId>(i)));
+      dx[i] = d.x;
+      dy[i] = d.y;
+    }
+  }
+
+ private:
+  static void set(const BigRational& value, ExactCoordinate& out) {
+    const BigInteger numerator(boost::multiprecision::numerator(value));
+    out.negative = numerator < 0;
+    set_limbs(BigInteger(abs(numerator)), out.numerator);
+    set_limbs(BigInteger(boost::multiprecision::denominator(value)), out.denominator);
+  }
+  [[nodiscard]] Vec<double> scaled(const Vec<Fraction>& v) const {
+    return {to_double(v.x, exponent_), to_double(v.y, exponent_)};
+  }
+  SiteId split_ = 0;
+  std::array<Vec<Fraction>, 2> origin_;
+  std::uint64_t work_ = 0;
+  int exponent_ = 0;
+};
+
+template <class Kernel>
+Kernel& reuse_or_make(std::unique_ptr<ExactKernel>& old) {
+  if (dynamic_cast<Kernel*>(old.get()) == nullptr) old = std::make_unique<Kernel>();
+  return static_cast<Kernel&>(*old);
+}
+
+}  // namespace
+
+void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
+                      std::unique_ptr<ExactKernel>& old) {
+  switch (rung) {
+    case Arithmetic::kNarrow:
+      return reuse_or_make<GridKernel<NarrowRung>>(old).load(parts, unit);
+    case Arithmetic::kMedium:
+      return reuse_or_make<GridKernel<MediumRung>>(old).load(parts, unit);
+    default:
+      return reuse_or_make<GridKernel<WideRung>>(old).load(parts, unit);
+  }
+}
+
+void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
+                          const Vec<BigRational>& origin_first,
+                          const Vec<BigRational>& origin_second, std::size_t bits, int exponent,
+                          std::unique_ptr<ExactKernel>& old) {
+  reuse_or_make<RationalKernel>(old).load(sites, split, origin_first, origin_second, bits,
+                                          exponent);
+}
+
+}  // namespace minksum

@@ -1,0 +1,58 @@
+// A rational number whose arithmetic does not look for lowest terms.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "exact/big_integer.hpp"
+#include "exact/sign.hpp"
+
+namespace minksum {
+
+/// numerator / denominator, the denominator positive. Predicates ask for signs alone, by formulas
+/// of a few steps: finding lowest terms after each step costs far more than the longer numbers do.
+class Fraction {
+ public:
+  Fraction() = default;
+  explicit Fraction(std::int64_t value) : numerator_(value) {}
+  explicit Fraction(const BigRational& value)
+      : numerator_(boost::multiprecision::numerator(value)),
+        denominator_(boost::multiprecision::denominator(value)) {}
+
+  [[nodiscard]] const BigInteger& numerator() const { return numerator_; }
+  [[nodiscard]] const BigInteger& denominator() const { return denominator_; }
+  [[nodiscard]] BigRational reduced() const { return BigRational(numerator_, denominator_); }
+
+  friend Fraction operator+(const Fraction& a, const Fraction& b) {
+    return added(a, b.numerator_, b.denominator_);
+  }
+  friend Fraction operator-(const Fraction& a, const Fraction& b) {
+    return added(a, -b.numerator_, b.denominator_);
+  }
+  friend Fraction operator*(const Fraction& a, const Fraction& b) {
+    return {a.numerator_ * b.numerator_, a.denominator_ * b.denominator_};
+  }
+  friend Fraction operator/(const Fraction& a, const Fraction& b) {
+    Fraction result{a.numerator_ * b.denominator_, a.denominator_ * b.numerator_};
+    if (b.numerator_ < 0) {
+      result.numerator_ = -result.numerator_;
+      result.denominator_ = -result.denominator_;
+    }
+    return result;
+  }
+  friend Sign sign_of(const Fraction& value) { return static_cast<Sign>(value.numerator_.sign()); }
+
+ private:
+  Fraction(BigInteger numerator, BigInteger denominator)
+      : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
+  static Fraction added(const Fraction& a, const BigInteger& numerator,
+                        const BigInteger& denominator) {
+    if (a.denominator_ == denominator) return {a.numerator_ + numerator, denominator};
+    return {a.numerator_ * denominator + numerator * a.denominator_, a.denominator_ * denominator};
+  }
+
+  BigInteger numerator_ = 0;
+  BigInteger denominator_ = 1;
+};
+
+}  // namespace minksum

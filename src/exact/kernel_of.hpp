@@ -1,0 +1,220 @@
+// Every exact decision, written once, for any rung of the ladder.
+#pragma once
+
+#include <cmath>
+
+#include "exact/big_integer.hpp"
+#include "exact/bit_budget.hpp"
+#include "exact/exact_kernel.hpp"
+
+namespace minksum {
+
+inline double to_double(std::int64_t value) { return static_cast<double>(value); }
+inline double to_double(Int128 value) { return static_cast<double>(value); }
+/// The nearest double to value · 2^exp2.
+inline double to_double(const Fraction& value, int exp2 = 0) {
+  return nearest_double(value.numerator() < 0, BigInt(abs(value.numerator())),
+                        BigInt(value.denominator()), exp2);
+}
+/// Relative error under 2^-51. Let t be the magnitude, limb k the highest that is not 0, so that
+/// t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at most. Of the sums, the last one is
+/// rounded by 2^-53 t at most; so is the one before it, as it is below 2^64k or equal; those before
+/// that are smaller by 2^-64 each. That is 3 · 2^-53 t, and next to nothing.
+template <std::size_t N>
+double to_double(const WideInt<N>& value) {
+  const WideInt<N> magnitude = value.magnitude();
+  double sum = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    sum += std::ldexp(static_cast<double>(magnitude.limb(i)), static_cast<int>(64 * i));
+  }
+  return value.negative() ? -sum : sum;
+}
+
+inline Fraction to_fraction(std::int64_t value) { return Fraction(value); }
+inline Fraction to_fraction(Int128 value) {
+  const auto low = static_cast<std::uint64_t>(value);
+  const auto high = static_cast<std::int64_t>(value >> 64);
+  return Fraction(BigRational(BigInteger((BigInteger(high) << 64) + low)));
+}
+inline Fraction to_fraction(const Fraction& value) { return value; }
+
+/// The formulas over one rung. Storage and output differ between rungs and are left to subclasses.
+template <class Rung>
+class KernelOf : public ExactKernel {
+ public:
+  using Coord = typename Rung::Coord;
+  using CrossNumber = typename Rung::Cross;
+  using Along = typename Rung::Along;
+  using Lexicographic = typename Rung::Lexicographic;
+  using ProbeNumber = typename Rung::ProbeNumber;
+
+  Sign orientation(SiteId a, SiteId b, SiteId c) const override {
+    return cross_sign(difference(a, b), difference(a, c));
+  }
+  Sign dot(SiteId a, SiteId b, SiteId c, SiteId d) const override {
+    return sign_of(
+        minksum::dot(as<CrossNumber>(difference(a, b)), as<CrossNumber>(difference(c, d))));
+  }
+  Sign compare(SiteId a, SiteId b, Axis axis) const override {
+    return sign_of(Coord(along(sites_[a], axis) - along(sites_[b], axis)));
+  }
+  Sign cross(SiteId edge, SiteId other) const override {
+    return cross_sign(direction(edge), direction(other));
+  }
+  Sign dot(SiteId edge, SiteId other) const override {
+    return sign_of(
+        minksum::dot(as<CrossNumber>(direction(edge)), as<CrossNumber>(direction(other))));
+  }
+
+  Sign orientation(const Segment& s, const SumVertex& v) const override {
+    return cross_sign(direction(s.edge), minus(position(v), start(s)));
+  }
+  Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) const override {
+    return sign_of(Coord(along(position(a), axis) - along(position(b), axis)));
+  }
+  Sign compare_along(const Segment& s, const PointOnSegment& a,
+                     const PointOnSegment& b) const override {
+    const auto p = parameter_of(s, a);
+    const auto q = parameter_of(s, b);
+    const Along difference = Along(p.numerator) * Along(q.denominator) -
+                             Along(q.numerator) * Along(p.denominator);
+    return sign_of(difference) * sign_of(p.denominator) * sign_of(q.denominator);
+  }
+  double parameter(const Segment& s, const PointOnSegment& point) const override {
+    const auto p = parameter_of(s, point);
+    if constexpr (std::is_same_v<CrossNumber, Fraction>) {
+      return to_double(p.numerator / p.denominator);
+    } else {
+      return to_double(p.numerator) / to_double(p.denominator);
+    }
+  }
+
+  Sign compare(const NodePoint& a, const NodePoint& b, Axis axis) const override {
+    const Homogeneous p = homogeneous(a);
+    const Homogeneous q = homogeneous(b);
+    const bool x = axis == Axis::kX;
+    return sign_of(Lexicographic((x ? p.x : p.y) * q.denominator -
+                                 (x ? q.x : q.y) * p.denominator)) *
+           sign_of(p.denominator) * sign_of(q.denominator);
+  }
+  Sign orientation(const Segment& s, const NodePoint& node) const override {
+    if (!node.is_crossing) return orientation(s, node.vertex);
+    const Vec<Coord> d = direction(s.edge);
+    const auto t = crossing_of(node.first, node.second);
+    const CrossNumber from_start =
+        minksum::cross(as<CrossNumber>(d), as<CrossNumber>(minus(start(node.first), start(s))));
+    const CrossNumber ahead =
+        minksum::cross(as<CrossNumber>(d), as<CrossNumber>(direction(node.first.edge)));
+    return sign_of(Along(Along(from_start) * Along(t.denominator) +
+                         Along(ahead) * Along(t.numerator))) *
+           sign_of(t.denominator);
+  }
+
+  Sign probe_orientation(SiteId edge, const SumVertex& v, const Probe& probe) const override {
+    if (probe.exact != nullptr) {
+      return sign_of(minksum::cross(big(direction(edge)), exact_probe_offset(probe, v)));
+    }
+    return sign_of(minksum::cross(as<ProbeNumber>(direction(edge)), probe_offset(probe, v)));
+  }
+  Sign probe_compare(const Probe& probe, const SumVertex& v, Axis axis) const override {
+    if (probe.exact != nullptr) return sign_of(along(exact_probe_offset(probe, v), axis));
+    return sign_of(along(probe_offset(probe, v), axis));
+  }
+
+  BigRational exact_parameter(const Segment& s, const NodePoint& node) const override {
+    const Vec<Fraction> at = exact_point(node);
+    const Vec<Fraction> a = big(start(s));
+    const Vec<Fraction> d = big(direction(s.edge));
+    return (sign_of(d.x) != kZero ? (at.x - a.x) / d.x : (at.y - a.y) / d.y).reduced();
+  }
+
+  void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
+
+ protected:
+  template <class To, class From>
+  static Vec<To> as(const Vec<From>& v) {
+    return {To(v.x), To(v.y)};
+  }
+  template <class Number>
+  static const Number& along(const Vec<Number>& v, Axis axis) {
+    return axis == Axis::kX ? v.x : v.y;
+  }
+  static Vec<Coord> minus(const Vec<Coord>& a, const Vec<Coord>& b) {
+    return {Coord(a.x - b.x), Coord(a.y - b.y)};
+  }
+  static Sign cross_sign(const Vec<Coord>& a, const Vec<Coord>& b) {
+    return sign_of(minksum::cross(as<CrossNumber>(a), as<CrossNumber>(b)));
+  }
+  [[nodiscard]] Vec<Coord> difference(SiteId from, SiteId to) const {
+    return minus(sites_[to], sites_[from]);
+  }
+  [[nodiscard]] Vec<Coord> direction(SiteId edge) const { return difference(edge, next_[edge]); }
+  [[nodiscard]] Vec<Coord> position(const SumVertex& v) const {
+    return {Coord(sites_[v.first].x + sites_[v.second].x),
+            Coord(sites_[v.first].y + sites_[v.second].y)};
+  }
+  [[nodiscard]] Vec<Coord> start(const Segment& s) const {
+    return position(sum_vertex(s.edge, s.vertex));
+  }
+  [[nodiscard]] Quotient<CrossNumber> crossing_of(const Segment& s, const Segment& t) const {
+    return crossing_parameter(as<CrossNumber>(direction(s.edge)),
+                              as<CrossNumber>(minus(start(t), start(s))),
+                              as<CrossNumber>(direction(t.edge)));
+  }
+  [[nodiscard]] Quotient<CrossNumber> parameter_of(const Segment& s,
+                                                   const PointOnSegment& point) const {
+    if (point.is_crossing) return crossing_of(s, point.other);
+    const Vec<Coord> d = direction(s.edge);
+    const Axis axis = sign_of(d.x) != kZero ? Axis::kX : Axis::kY;
+    return {CrossNumber(along(minus(position(point.vertex), start(s)), axis)),
+            CrossNumber(along(d, axis))};
+  }
+  struct Homogeneous {
+    Lexicographic x;
+    Lexicographic y;
+    Lexicographic denominator;
+  };
+  [[nodiscard]] Homogeneous homogeneous(const NodePoint& node) const {
+    if (!node.is_crossing) {
+      const Vec<Coord> at = position(node.vertex);
+      return {Lexicographic(at.x), Lexicographic(at.y), Lexicographic(1)};
+    }
+    const auto t = crossing_of(node.first, node.second);
+    const Vec<Lexicographic> at = as<Lexicographic>(start(node.first));
+    const Vec<Lexicographic> d = as<Lexicographic>(direction(node.first.edge));
+    const Lexicographic denominator(t.denominator);
+    const Lexicographic numerator(t.numerator);
+    return {at.x * denominator + numerator * d.x, at.y * denominator + numerator * d.y,
+            denominator};
+  }
+  static Vec<Fraction> big(const Vec<Coord>& v) { return {to_fraction(v.x), to_fraction(v.y)}; }
+  [[nodiscard]] Vec<Fraction> exact_point(const NodePoint& node) const {
+    const Vec<Fraction> at = big(position(node.vertex_or_start()));
+    if (!node.is_crossing) return at;
+    const Vec<Fraction> d = big(direction(node.first.edge));
+    const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
+                                               big(direction(node.second.edge)));
+    // Its terms have the same denominators many times over.
+    const Fraction lambda((t.numerator / t.denominator).reduced());
+    return {at.x + d.x * lambda, at.y + d.y * lambda};
+  }
+  [[nodiscard]] Vec<Fraction> exact_probe_offset(const Probe& probe, const SumVertex& v) const {
+    const Vec<Fraction> offset = big(minus(start(probe.segment), position(v)));
+    const Vec<Fraction> d = big(direction(probe.segment.edge));
+    const Fraction exact(*probe.exact);
+    return {offset.x + d.x * exact, offset.y + d.y * exact};
+  }
+  /// (probe − v) · 2^shift.
+  [[nodiscard]] Vec<ProbeNumber> probe_offset(const Probe& probe, const SumVertex& v) const {
+    const ProbeNumber scale(std::int64_t{1} << probe.shift);
+    const ProbeNumber k(probe.numerator);
+    const auto offset = as<ProbeNumber>(minus(start(probe.segment), position(v)));
+    const auto d = as<ProbeNumber>(direction(probe.segment.edge));
+    return {ProbeNumber(offset.x * scale + d.x * k), ProbeNumber(offset.y * scale + d.y * k)};
+  }
+
+  std::vector<Vec<Coord>> sites_;
+  std::vector<SiteId> next_;
+};
+
+}  // namespace minksum

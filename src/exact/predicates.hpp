@@ -1,0 +1,276 @@
+// The ladder: a floating-point filter with proven bounds, then the exact kernel.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "exact/bit_budget.hpp"
+#include "exact/exact_kernel.hpp"
+#include "machine/cancellation.hpp"
+
+namespace minksum {
+
+/// The sites' coordinates and edge vectors, each rounded once to the nearest double.
+struct ApproximateSites {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> dx;  ///< to the next site of the ring
+  std::vector<double> dy;
+  std::vector<SiteId> next;
+};
+
+/// Bounds on the rounding of the numbers that the filter works with.
+///
+/// Let M bound every coordinate. A stored coordinate is off by at most M·2^-53; a difference of two
+/// sums of two (four coordinates, three roundings of numbers up to 4M) by at most M·2^-49; an edge
+/// vector's component, rounded once, by at most M·2^-53. All are 0 where B ≤ 52 bits. A product is
+/// off by its size times 2^-53, a difference of two by half an ulp more: in all m·2^-51 for
+/// m = |product| + |product|. That is 0 where B ≤ 25 bits.
+struct RoundingBounds {
+  double magnitude = 0;    ///< M
+  double difference = 0;   ///< of two sum vertices, per component
+  double direction = 0;    ///< of an edge vector, per component
+  double product = 0;      ///< relative, of a cross product
+  double position = 0;     ///< of a point a + λd computed in doubles, beyond λ's own error
+
+  static RoundingBounds of(double magnitude, bool sums_exact, bool products_exact) {
+    RoundingBounds bounds;
+    bounds.magnitude = magnitude;
+    bounds.difference = sums_exact ? 0 : magnitude * 0x1p-49;
+    bounds.direction = sums_exact ? 0 : magnitude * 0x1p-53;
+    bounds.product = products_exact ? 0 : 0x1p-51;
+    bounds.position = magnitude * 0x1p-48;
+    return bounds;
+  }
+  /// No number is trusted: everything goes to the exact kernel.
+  static RoundingBounds distrustful(double magnitude) {
+    RoundingBounds bounds = of(magnitude, false, false);
+    bounds.difference = bounds.direction = HUGE_VAL;
+    return bounds;
+  }
+};
+
+/// Which rung took how many decisions.
+struct LadderCounts {
+  std::uint64_t by_filter = 0;
+  std::uint64_t by_kernel = 0;
+};
+
+/// All decisions of the pipeline. Inline up to the filter; exact beyond. Not for concurrent use:
+/// each computation has its own (it counts).
+class Predicates {
+ public:
+  Predicates(const ApproximateSites& sites, const ExactKernel& kernel, const RoundingBounds& bounds,
+             Cancellation& cancellation)
+      : sites_(&sites),
+        kernel_(&kernel),
+        bounds_(bounds),
+        cancellation_(&cancellation),
+        work_(kernel.work()) {}
+
+  [[nodiscard]] const RoundingBounds& bounds() const { return bounds_; }
+  [[nodiscard]] const ExactKernel& kernel() const { return *kernel_; }
+  [[nodiscard]] const ApproximateSites& sites() const { return *sites_; }
+  [[nodiscard]] const LadderCounts& counts() const { return counts_; }
+  [[nodiscard]] Cancellation& cancellation() const { return *cancellation_; }
+
+  // -- Approximate values, with `bounds()` --------------------------------------------------
+  [[nodiscard]] Vec<double> direction(SiteId edge) const {
+    return {sites_->dx[edge], sites_->dy[edge]};
+  }
+  [[nodiscard]] Vec<double> position(const SumVertex& v) const {
+    return {sites_->x[v.first] + sites_->x[v.second], sites_->y[v.first] + sites_->y[v.second]};
+  }
+  [[nodiscard]] Vec<double> start(const Segment& s) const {
+    return position(sum_vertex(s.edge, s.vertex));
+  }
+  [[nodiscard]] static SumVertex start_vertex(const Segment& s) {
+    return sum_vertex(s.edge, s.vertex);
+  }
+  [[nodiscard]] SumVertex end_vertex(const Segment& s) const {
+    return sum_vertex(sites_->next[s.edge], s.vertex);
+  }
+
+  // -- Decisions ----------------------------------------------------------------------------
+  /// Sign of a cross product `d × v` of an edge vector and a difference of sum vertices, if the
+  /// filter can tell; `exact` otherwise.
+  template <class Exact>
+  Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, Exact exact) {
+    const double left = d.x * v.y;
+    const double right = d.y * v.x;
+    const double value = left - right;
+    const double bound = cross_bound(d, v, left, right, bounds_.difference);
+    if (value > bound) return count_filter(kPositive);
+    if (value < -bound) return count_filter(kNegative);
+    if (bound == 0) return count_filter(kZero);
+    count_kernel();
+    return exact();
+  }
+  Sign orientation(const Segment& s, const SumVertex& v) {
+    const Vec<double> a = start(s);
+    const Vec<double> p = position(v);
+    return filtered_cross(direction(s.edge), {p.x - a.x, p.y - a.y},
+                          [&] { return kernel_->orientation(s, v); });
+  }
+  Sign cross(SiteId edge, SiteId other) {
+    return filtered_cross(direction(edge), direction(other),
+                          [&] { return kernel_->cross(edge, other); });
+  }
+  Sign dot(SiteId edge, SiteId other) {
+    const Vec<double> d = direction(edge);
+    const Vec<double> e = direction(other);
+    // d · e = d × (e turned by a right angle).
+    return filtered_cross(d, {-e.y, e.x}, [&] { return kernel_->dot(edge, other); });
+  }
+  /// Sign of a component of an edge vector.
+  Sign component(SiteId edge, Axis axis) {
+    const double value = axis == Axis::kX ? sites_->dx[edge] : sites_->dy[edge];
+    return filtered_difference(value, bounds_.direction,
+                               [&] { return kernel_->compare(sites_->next[edge], edge, axis); });
+  }
+  Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) {
+    const Vec<double> p = position(a);
+    const Vec<double> q = position(b);
+    return filtered_difference(axis == Axis::kX ? p.x - q.x : p.y - q.y, bounds_.difference,
+                               [&] { return kernel_->compare(a, b, axis); });
+  }
+  /// Three sites of one operand.
+  Sign orientation(SiteId a, SiteId b, SiteId c) {
+    const auto& [x, y, dx, dy, next] = *sites_;
+    // Here both factors are differences of coordinates; the bound for sums covers that.
+    return filtered_differences_cross({x[b] - x[a], y[b] - y[a]}, {x[c] - x[a], y[c] - y[a]},
+                                      [&] { return kernel_->orientation(a, b, c); });
+  }
+  Sign compare(SiteId a, SiteId b, Axis axis) {
+    const auto& coordinate = axis == Axis::kX ? sites_->x : sites_->y;
+    return filtered_difference(coordinate[a] - coordinate[b], bounds_.difference,
+                               [&] { return kernel_->compare(a, b, axis); });
+  }
+  /// Order of two points along s whose parameters are known within their errors.
+  Sign compare_along(const Segment& s, double lambda_a, double error_a, const PointOnSegment& a,
+                     double lambda_b, double error_b, const PointOnSegment& b) {
+    const double bound = error_a + error_b;
+    if (lambda_a - lambda_b > bound) return count_filter(kPositive);
+    if (lambda_b - lambda_a > bound) return count_filter(kNegative);
+    count_kernel();
+    return kernel_->compare_along(s, a, b);
+  }
+  /// Order of two nodes along an axis; `p`, `q` approximate them within `p_error`, `q_error`.
+  Sign compare(const NodePoint& a, const Vec<double>& p, double p_error, const NodePoint& b,
+               const Vec<double>& q, double q_error, Axis axis) {
+    return filtered_difference(axis == Axis::kX ? p.x - q.x : p.y - q.y, p_error + q_error,
+                               [&] { return kernel_->compare(a, b, axis); });
+  }
+  Sign orientation(const Segment& s, const NodePoint& node, const Vec<double>& p, double p_error) {
+    const Vec<double> a = start(s);
+    const Vec<double> d = direction(s.edge);
+    const Vec<double> v{p.x - a.x, p.y - a.y};
+    const double left = d.x * v.y;
+    const double right = d.y * v.x;
+    const double bound =
+        cross_bound(d, v, left, right, p_error + bounds_.difference + bounds_.position);
+    if (left - right > bound) return count_filter(kPositive);
+    if (left - right < -bound) return count_filter(kNegative);
+    count_kernel();
+    return kernel_->orientation(s, node);
+  }
+
+  // -- Probes -------------------------------------------------------------------------------
+  /// The probe's place, within `bounds().position` (+ difference) per component.
+  [[nodiscard]] Vec<double> position(const Probe& probe) const {
+    const double lambda = probe.exact != nullptr
+                              ? probe.exact->convert_to<double>()
+                              : std::ldexp(static_cast<double>(probe.numerator), -probe.shift);
+    const Vec<double> a = start(probe.segment);
+    const Vec<double> d = direction(probe.segment.edge);
+    return {a.x + lambda * d.x, a.y + lambda * d.y};
+  }
+  /// Never zero: the probe stands off its segment by an infinitesimal along its right normal, and
+  /// by one of second order along its direction.
+  Sign orientation(SiteId edge, const SumVertex& v, const Probe& probe, const Vec<double>& at) {
+    const Vec<double> d = direction(edge);
+    const Vec<double> p = position(v);
+    const Vec<double> w{at.x - p.x, at.y - p.y};
+    const double left = d.x * w.y;
+    const double right = d.y * w.x;
+    const double bound = cross_bound(d, w, left, right, bounds_.difference + 2 * bounds_.position);
+    if (left - right > bound) return count_filter(kPositive);
+    if (left - right < -bound) return count_filter(kNegative);
+    count_kernel();
+    Sign sign = kernel_->probe_orientation(edge, v, probe);
+    if (sign == kZero) sign = -dot(edge, probe.segment.edge);
+    if (sign == kZero) sign = cross(edge, probe.segment.edge);
+    return sign;
+  }
+  /// Sign of (probe − v) along y; never zero, as above.
+  Sign compare_y(const Probe& probe, const Vec<double>& at, const SumVertex& v) {
+    const Vec<double> p = position(v);
+    const double bound = bounds_.difference + 2 * bounds_.position;
+    if (at.y - p.y > bound) return count_filter(kPositive);
+    if (at.y - p.y < -bound) return count_filter(kNegative);
+    count_kernel();
+    Sign sign = kernel_->probe_compare(probe, v, Axis::kY);
+    if (sign == kZero) sign = -component(probe.segment.edge, Axis::kX);
+    if (sign == kZero) sign = component(probe.segment.edge, Axis::kY);
+    return sign;
+  }
+
+  /// Bound on the error of the cross product of an edge vector with a vector that is known within
+  /// `v_error` per component.
+  [[nodiscard]] double cross_bound(const Vec<double>& d, const Vec<double>& v, double left,
+                                   double right, double v_error) const {
+    // The last term is the product of both errors; the factor covers the rounding of this sum.
+    const double by_v = v_error == 0 ? 0 : (std::abs(d.x) + std::abs(d.y)) * v_error;
+    const double by_d =
+        bounds_.direction == 0
+            ? 0
+            : (std::abs(v.x) + std::abs(v.y)) * bounds_.direction + 2 * bounds_.direction * v_error;
+    return ((std::abs(left) + std::abs(right)) * bounds_.product + by_v + by_d) * (1 + 0x1p-48);
+  }
+  void count_filtered(std::uint64_t n) { counts_.by_filter += n; }
+  /// Of a decision that the kernel is about to take: counts it, and its work.
+  void count_kernel() {
+    ++counts_.by_kernel;
+    cancellation_->check(work_);
+  }
+
+ private:
+  Sign count_filter(Sign sign) {
+    ++counts_.by_filter;
+    return sign;
+  }
+  template <class Exact>
+  Sign filtered_difference(double value, double bound, Exact exact) {
+    if (value > bound) return count_filter(kPositive);
+    if (value < -bound) return count_filter(kNegative);
+    if (bound == 0) return count_filter(kZero);
+    count_kernel();
+    return exact();
+  }
+  template <class Exact>
+  Sign filtered_differences_cross(const Vec<double>& u, const Vec<double>& v, Exact exact) {
+    const double left = u.x * v.y;
+    const double right = u.y * v.x;
+    const double e = bounds_.difference;
+    const double bound =
+        e == 0 ? (std::abs(left) + std::abs(right)) * bounds_.product
+               : ((std::abs(left) + std::abs(right)) * bounds_.product +
+                  (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y)) * e + 2 * e * e) *
+                     (1 + 0x1p-48);
+    if (left - right > bound) return count_filter(kPositive);
+    if (left - right < -bound) return count_filter(kNegative);
+    if (bound == 0) return count_filter(kZero);
+    count_kernel();
+    return exact();
+  }
+
+  const ApproximateSites* sites_;
+  const ExactKernel* kernel_;
+  RoundingBounds bounds_;
+  Cancellation* cancellation_;
+  std::uint64_t work_;  ///< of a decision by the kernel
+  LadderCounts counts_;
+};
+
+}  // namespace minksum

@@ -1,0 +1,324 @@
+#include "operations/configuration_space/free_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace minksum {
+namespace {
+
+constexpr double kHuge = std::numeric_limits<double>::infinity();
+
+Point along(const Point& a, const Point& b, const Rational& t) {
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+}
+
+/// A segment's line in doubles: on which side points are, where rounding leaves no doubt.
+///
+/// With M the largest coordinate and R the largest difference, coordinates are off by 2^-53·M,
+/// differences by less than 2^-51·M, as R ≤ 2M, and the determinant by less than 4·R·2^-51·M and
+/// its own roundings, 2^-51·R²: together less than 2^-47·M·R.
+class Line {
+ public:
+  Line(double ax, double ay, double bx, double by, double magnitude)
+      : x_(ax), y_(ay), dx_(bx - ax), dy_(by - ay),
+        magnitude_(std::max({magnitude, std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)})) {
+  }
+  /// 1 left, -1 right, 0 not known.
+  [[nodiscard]] int side(double x, double y) const {
+    const double vx = x - x_;
+    const double vy = y - y_;
+    const double size =
+        std::max({std::abs(vx), std::abs(vy), std::abs(dx_), std::abs(dy_)}) + 0x1p-50 * magnitude_;
+    const double error = 0x1p-46 * magnitude_ * size;
+    const double determinant = dx_ * vy - dy_ * vx;
+    if (!(error > 0x1p-900 && std::isfinite(error) && std::abs(determinant) > error)) return 0;
+    return determinant > 0 ? 1 : -1;
+  }
+  [[nodiscard]] double magnitude() const { return magnitude_; }
+
+ private:
+  double x_, y_, dx_, dy_, magnitude_;
+};
+
+/// A segment, and its ends in doubles.
+struct Ends {
+  const Point& a;
+  const Point& b;
+  double ax = a.x.to_double(), ay = a.y.to_double();
+  double bx = b.x.to_double(), by = b.y.to_double();
+};
+
+}  // namespace
+
+LooseBox LooseBox::around(double ax, double ay, double bx, double by) {
+  return {std::nextafter(std::min(ax, bx), -kHuge), std::nextafter(std::min(ay, by), -kHuge),
+          std::nextafter(std::max(ax, bx), kHuge), std::nextafter(std::max(ay, by), kHuge)};
+}
+
+FreePart::FreePart(Region polygon, const std::optional<CancelToken>& cancel)
+    : region_(std::move(polygon)), locator_({region_, {}, {}}, cancel) {
+  Cancellation cancellation(cancel);
+  for (const std::size_t ring : region_.rings_of(0)) {
+    const auto index = static_cast<std::uint32_t>(ring_begin_.size());
+    ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
+    for (const std::size_t v : region_.vertices_of(ring)) {
+      points_.push_back(region_.point(v));
+      cancellation.check(2 * work_of(points_.back()));
+      x_.push_back(region_.x(v));
+      y_.push_back(region_.y(v));
+      magnitude_ = std::max({magnitude_, std::abs(x_.back()), std::abs(y_.back())});
+      ring_of_.push_back(index);
+    }
+  }
+  ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
+  box_ = LooseBox::around(points_[0], points_[0]);
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    const std::uint32_t w = next(v);
+    const LooseBox edge = LooseBox::around(x_[v], y_[v], x_[w], y_[w]);
+    edge_boxes_.push_back(edge);
+    box_ = {std::min(box_.min_x, edge.min_x), std::min(box_.min_y, edge.min_y),
+            std::max(box_.max_x, edge.max_x), std::max(box_.max_y, edge.max_y)};
+  }
+}
+
+std::uint32_t FreePart::next(std::uint32_t vertex) const {
+  const std::uint32_t ring = ring_of_[vertex];
+  return vertex + 1 == ring_begin_[ring + 1] ? ring_begin_[ring] : vertex + 1;
+}
+
+std::uint32_t FreePart::previous(std::uint32_t vertex) const {
+  const std::uint32_t ring = ring_of_[vertex];
+  return (vertex == ring_begin_[ring] ? ring_begin_[ring + 1] : vertex) - 1;
+}
+
+void FreePart::add_hits(std::uint32_t edge, const Point& a, const Point& d,
+                        std::vector<Hit>& found) const {
+  const Point from = minus(points_[edge], a);
+  const Point to = minus(points_[next(edge)], a);
+  const Rational left_from = cross(d, from);
+  const Rational left_to = cross(d, to);
+  const int sides = left_from.sign() * left_to.sign();
+  if (sides > 0) return;
+  const Rational one(1);
+  if (left_from.sign() == 0 && left_to.sign() == 0) {
+    const Rational whole = dot(d, d);
+    Rational t = dot(from, d) / whole;
+    Rational u = dot(to, d) / whole;
+    if (u < t) std::swap(t, u);
+    if (u.sign() < 0 || t > one) return;
+    found.push_back({std::max(t, Rational(0)), edge});
+    found.push_back({std::min(u, one), edge});
+    return;
+  }
+  const Point e = minus(to, from);
+  const Rational t = cross(from, e) / cross(d, e);
+  if (t.sign() >= 0 && t <= one) found.push_back({t, edge});
+}
+
+std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* crosses,
+                                          Cancellation& cancellation) const {
+  const Ends ends{a, b};
+  const LooseBox box = LooseBox::around(ends.ax, ends.ay, ends.bx, ends.by);
+  const Line line(ends.ax, ends.ay, ends.bx, ends.by, magnitude_);
+  const auto is_at = [&](std::uint32_t v, const Point& end, double x, double y) {
+    return x_[v] == x && y_[v] == y && points_[v] == end;
+  };
+  const Point d = minus(b, a);
+  std::vector<Hit> found;
+  for (std::uint32_t edge = 0; edge < points_.size(); ++edge) {
+    cancellation.check();
+    if (!edge_boxes_[edge].meets(box)) continue;
+    const std::uint32_t end = next(edge);
+    const int from = line.side(x_[edge], y_[edge]);
+    const int to = line.side(x_[end], y_[end]);
+    if (from * to > 0) continue;
+    if (from * to < 0 && crosses != nullptr) {
+      const Line other(x_[edge], y_[edge], x_[end], y_[end], line.magnitude());
+      *crosses = other.side(ends.ax, ends.ay) * other.side(ends.bx, ends.by) < 0;
+      if (*crosses) return found;
+    }
+    // Of an edge that has one end off the line, the other end is the only hit, if it is at an end
+    // of the segment: no need for long numbers.
+    if ((from == 0) != (to == 0)) {
+      const std::uint32_t v = from == 0 ? edge : end;
+      if (is_at(v, a, ends.ax, ends.ay)) {
+        found.push_back({Rational(0), edge});
+        continue;
+      }
+      if (is_at(v, b, ends.bx, ends.by)) {
+        found.push_back({Rational(1), edge});
+        continue;
+      }
+    }
+    cancellation.check(8 * work_of(points_[edge]));
+    add_hits(edge, a, d, found);
+  }
+  std::stable_sort(found.begin(), found.end(), [&](const Hit& x, const Hit& y) {
+    cancellation.check(work_of_product(x.t.bits()));
+    return x.t < y.t;
+  });
+  return found;
+}
+
+bool FreePart::meets(const Point& a, const Point& b, Location open_side,
+                     Cancellation& cancellation) const {
+  if (a == b) return locate(a) == open_side;
+  // Between two hits the segment is inside or outside; hits themselves are on the boundary.
+  const Rational half(1, 2);
+  Rational last;
+  const auto found_up_to = [&](const Rational& t) {
+    cancellation.check(64 * work_of_product(t.bits()));
+    if (t == last) return false;
+    const bool is_there = locate(along(a, b, (last + t) * half)) == open_side;
+    last = t;
+    return is_there;
+  };
+  // An edge that is crossed has the inside on one of its sides, the outside on the other.
+  bool crosses = false;
+  const std::vector<Hit> found = hits(a, b, &crosses, cancellation);
+  if (crosses) return true;
+  for (const Hit& hit : found) {
+    if (found_up_to(hit.t)) return true;
+  }
+  return found_up_to(Rational(1));
+}
+
+/// Whether a point is on the side of a ring that is not free: outside of the outer one, in a hole.
+bool FreePart::is_beyond(std::uint32_t ring, const Point& point,
+                         const std::optional<CancelToken>& cancel) const {
+  const Polygon alone{Ring(points_.begin() + ring_begin_[ring],
+                           points_.begin() + ring_begin_[ring + 1]), {}};
+  const Location location = PointLocator({Region(alone), {}, {}}, cancel).locate(point);
+  return location == (ring == 0 ? Location::kOutside : Location::kInside);
+}
+
+namespace {
+
+double length_of(const Point& from, const std::vector<Point>& path, const Point& to) {
+  double length = 0;
+  double x = from.x.to_double();
+  double y = from.y.to_double();
+  const auto go = [&](const Point& point) {
+    const double px = point.x.to_double();
+    const double py = point.y.to_double();
+    length += std::hypot(px - x, py - y);
+    x = px;
+    y = py;
+  };
+  for (const Point& point : path) go(point);
+  go(to);
+  return length;
+}
+
+}  // namespace
+
+/// Appends the vertices between two hits of one ring, the shorter way round, and the second hit.
+void FreePart::go_round(const Hit& from, const Point& a, const Hit& to, const Point& b,
+                        std::vector<Point>& path) const {
+  std::vector<Point> forward;
+  std::vector<Point> back;
+  const bool same = from.edge == to.edge;
+  const bool ahead =
+      same && dot(minus(b, a), minus(points_[next(from.edge)], points_[from.edge])).sign() >= 0;
+  if (!ahead) {
+    std::uint32_t v = from.edge;
+    do {
+      v = next(v);
+      forward.push_back(points_[v]);
+    } while (v != to.edge);
+  }
+  if (!same || ahead) {
+    const std::uint32_t last = next(to.edge);
+    std::uint32_t v = from.edge;
+    for (;; v = previous(v)) {
+      back.push_back(points_[v]);
+      if (v == last) break;
+    }
+  }
+  const auto& shorter = length_of(a, forward, b) <= length_of(a, back, b) ? forward : back;
+  path.insert(path.end(), shorter.begin(), shorter.end());
+  path.push_back(b);
+}
+
+std::vector<Point> FreePart::walk(const Point& a, const Point& b,
+                                  Cancellation& cancellation) const {
+  const std::vector<Hit> found = hits(a, b, nullptr, cancellation);
+  const Rational half(1, 2);
+  std::vector<Point> path{a};
+  std::size_t i = 0;
+  while (i < found.size()) {
+    const Hit& hit = found[i];
+    cancellation.check(64 * work_of_product(hit.t.bits()));
+    std::size_t after = i;  // the next hit that is farther on
+    while (after < found.size() && found[after].t == hit.t) ++after;
+    const Rational end = after < found.size() ? found[after].t : Rational(1);
+    const Point middle = along(a, b, (hit.t + end) * half);
+    if (hit.t == end || contains(middle)) {
+      i = after;
+      continue;
+    }
+    // The ring by which the segment leaves, and where it meets that for the last time: from there
+    // on it is on that ring's free side, so that each ring is gone around once at most.
+    while (i < after && !is_beyond(ring_of_[found[i].edge], middle, cancellation.token())) {
+      ++i;
+    }
+    std::size_t last = found.size();
+    for (std::size_t k = found.size(); i < after && k-- > after;) {
+      if (ring_of_[found[k].edge] == ring_of_[found[i].edge]) {
+        last = k;
+        break;
+      }
+    }
+    if (last == found.size()) {
+      throw Error(ErrorCode::kInternal, "a way leaves a free part for good", {}, "reach");
+    }
+    const Point leave = along(a, b, found[i].t);
+    path.push_back(leave);
+    go_round(found[i], leave, found[last], along(a, b, found[last].t), path);
+    while (last > 0 && found[last - 1].t == found[last].t) --last;
+    i = last;
+  }
+  path.push_back(b);
+  path.erase(std::unique(path.begin(), path.end()), path.end());
+  return path;
+}
+
+std::vector<Point> FreePart::shortened(const std::vector<Point>& path,
+                                       Cancellation& cancellation) const {
+  std::vector<Point> kept{path.front()};
+  const std::size_t end = path.size() - 1;
+  for (std::size_t i = 0; i < end;) {
+    std::size_t seen = i + 1;
+    std::size_t step = end - i;
+    if (step > 1 && sees(path[i], path[end], cancellation)) {
+      seen = end;
+    } else {
+      for (step = 2; i + step < end && sees(path[i], path[i + step], cancellation); step *= 2) {
+        seen = i + step;
+      }
+      std::size_t hidden = std::min(i + step, end);
+      while (hidden - seen > 1) {
+        const std::size_t middle = seen + (hidden - seen) / 2;
+        (sees(path[i], path[middle], cancellation) ? seen : hidden) = middle;
+      }
+    }
+    kept.push_back(path[seen]);
+    i = seen;
+  }
+  return kept;
+}
+
+std::vector<Point> FreePart::way(const Point& a, const Point& b, Cancellation& cancellation) const {
+  if (a == b) return {a};
+  std::vector<Point> path = walk(a, b, cancellation);
+  // Once from each end: a corner that is skipped from one side may be in the way of the other.
+  for (int i = 0; i < 2; ++i) {
+    path = shortened(path, cancellation);
+    std::reverse(path.begin(), path.end());
+  }
+  return path;
+}
+
+}  // namespace minksum

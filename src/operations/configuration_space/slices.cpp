@@ -1,0 +1,246 @@
+// Configuration-space obstacles and free space, one slice a turn.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "machine/cancellation.hpp"
+#include "machine/in_order.hpp"
+#include "minksum/boolean.hpp"
+#include "minksum/configuration_space.hpp"
+#include "minksum/prepared_region.hpp"
+#include "operations/configuration_space/free_part.hpp"
+#include "operations/sum/fixed_sum.hpp"
+
+namespace minksum {
+
+struct ConfigurationSpace::State {
+  ConfigurationOptions options;
+  Region robot;           ///< its reference point at the origin
+  Rational reach;
+  Geometry obstacles;
+  Region workspace;
+  Geometry forbidden;                 ///< obstacles, and what is outside of the workspace
+  PreparedRegion prepared{Region()};  ///< the area of `forbidden`
+};
+
+namespace {
+
+Geometry read(const Geometry& geometry, const ConfigurationOptions& options, int operand,
+              bool regularize) {
+  return resolve(geometry, {options.fill, regularize, options.cancel, operand});
+}
+
+Options sum_options(const ConfigurationOptions& options) {
+  Options result;
+  result.limits = options.limits;
+  result.cancel = options.cancel;
+  return result;
+}
+
+[[noreturn]] void refuse(const char* what, int operand) {
+  Culprit culprit;
+  culprit.operand = operand;
+  throw Error(ErrorCode::kBadInput, what, culprit);
+}
+
+/// A rational that is not below the largest distance from the origin.
+Rational reach_of(const Region& robot, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  Rational squared;
+  Rational largest;  // coordinate
+  for (std::size_t v = 0; v < robot.vertex_count(); ++v) {
+    const Point at = robot.point(v);
+    cancellation.check(8 * work_of(at));
+    squared = std::max(squared, at.x * at.x + at.y * at.y);
+    largest = std::max({largest, at.x, -at.x, at.y, -at.y});
+  }
+  const double root = std::sqrt(squared.to_double());
+  for (const double candidate : {root, root * (1 + 0x1p-40)}) {
+    if (!std::isfinite(candidate)) break;
+    if (const Rational reach(candidate); reach * reach >= squared) return reach;
+  }
+  return largest * Rational(3, 2);
+}
+
+void enlarge(std::optional<Box>& box, const Point& point) {
+  if (!box) box = Box{point, point};
+  box->min = {std::min(box->min.x, point.x), std::min(box->min.y, point.y)};
+  box->max = {std::max(box->max.x, point.x), std::max(box->max.y, point.y)};
+}
+
+std::optional<Box> box_of(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  std::optional<Box> box = bounding_box(geometry.region, cancel);
+  const auto add = [&](const Point& point) {
+    cancellation.check(4 * work_of(point));
+    enlarge(box, point);
+  };
+  for (const Polyline& line : geometry.polylines) {
+    for (const Point& point : line) add(point);
+  }
+  for (const Point& point : geometry.points) add(point);
+  return box;
+}
+
+Box widened(const Box& box, const Rational& by) {
+  return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+}
+
+/// −R(turn).
+Region turned_mirror(const Region& robot, const Turn& turn, const ConfigurationOptions& options) {
+  return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()), options.cancel);
+}
+
+Region as_region(const Box& box) {
+  return Region(Polygon{
+      {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
+}
+
+/// `shared` is for these obstacles, or null.
+Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, const Turn& turn,
+                 const SharedRaster* shared, bool with_free, Workspace& workspace) {
+  const auto begin = std::chrono::steady_clock::now();
+  Slice slice;
+  slice.turn = turn;
+  Options options = sum_options(state.options);
+  Geometry tight;
+  if (with_free && state.options.tight) options.tight = &tight;
+  Region mirrored = turned_mirror(state.robot, turn, state.options);
+  const Outcome outcome =
+      state.forbidden.has_thin_parts()
+          ? minkowski_sum(state.forbidden, {std::move(mirrored), {}, {}}, options, workspace,
+                          slice.obstacles)
+          : minkowski_sum(state.prepared, mirrored, shared, options, workspace,
+                          slice.obstacles.region);
+  if (!outcome.ok()) throw *outcome.error;
+  if (with_free) {
+    slice.free.region = subtract(as_region(boundary), slice.obstacles.region, state.options.cancel);
+    slice.free.polylines = std::move(tight.polylines);
+    slice.free.points = std::move(tight.points);
+  }
+  slice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return slice;
+}
+
+}  // namespace
+
+ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
+                                       const ConfigurationOptions& options) {
+  State state;
+  state.options = options;
+  state.robot =
+      transform(read(robot, options, 0, true).region,
+                Affine::translation(-options.reference.x, -options.reference.y), options.cancel);
+  if (state.robot.empty()) refuse("a robot needs an area", 0);
+  state.obstacles = read(obstacles, options, 1, false);
+  // minkowski_sum finds those between areas only, and none may be missing.
+  if (options.tight && state.obstacles.has_thin_parts()) {
+    refuse("places without play among obstacles with thin parts are not known", 1);
+  }
+  if (options.workspace) {
+    state.workspace = read(*options.workspace, options, 2, true).region;
+    if (state.workspace.empty()) refuse("a workspace needs an area", 2);
+  }
+  set_up(std::move(state));
+}
+
+void ConfigurationSpace::set_up(State state) {
+  const std::optional<CancelToken>& cancel = state.options.cancel;
+  state.reach = reach_of(state.robot, cancel);
+  state.forbidden = state.obstacles;
+  if (state.options.workspace) {
+    // A robot inside the workspace has its reference point in the boundary, and one that has it
+    // there is within twice the reach of the box: the frame's outer side is never seen.
+    boundary_ = widened(*bounding_box(state.workspace, cancel), state.reach);
+    const Region frame = as_region(widened(boundary_, state.reach * Rational(2)));
+    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, cancel), {}, {}}};
+    state.forbidden = unite(both, cancel);
+  } else {
+    const auto box = box_of(state.obstacles, cancel);
+    boundary_ = widened(box ? *box : Box{}, state.reach * Rational(2));
+  }
+  state.prepared = PreparedRegion(state.forbidden.region, cancel);
+  state_ = std::make_shared<const State>(std::move(state));
+}
+
+ConfigurationSpace ConfigurationSpace::grown(const Region& by) const {
+  ConfigurationSpace space = *this;
+  State state = *state_;
+  state.robot = minkowski_sum(state.robot, by, sum_options(state.options));
+  space.set_up(std::move(state));
+  return space;
+}
+
+void ConfigurationSpace::include(const Point& point) {
+  if (state_->options.workspace) return;
+  std::optional<Box> box = boundary_;
+  const Rational& by = state_->reach;
+  enlarge(box, {point.x - by, point.y - by});
+  enlarge(box, {point.x + by, point.y + by});
+  boundary_ = *box;
+}
+
+const Rational& ConfigurationSpace::reach() const { return state_->reach; }
+const Region& ConfigurationSpace::robot() const { return state_->robot; }
+
+bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
+  const std::optional<CancelToken>& cancel = state_->options.cancel;
+  Cancellation cancellation(cancel);
+  const Geometry& obstacles = state_->obstacles;
+  if (!intersect(obstacles.region, region, cancel).empty()) return true;
+  for (std::size_t p = 0; p < region.polygon_count() && obstacles.has_thin_parts(); ++p) {
+    const FreePart part(Region(region.polygon(p)), cancel);
+    const auto enters = [&](const Point& a, const Point& b) {
+      return part.meets(a, b, Location::kInside, cancellation);
+    };
+    for (const Polyline& line : obstacles.polylines) {
+      if (std::adjacent_find(line.begin(), line.end(), enters) != line.end()) return true;
+    }
+    for (const Point& point : obstacles.points) {
+      if (enters(point, point)) return true;
+    }
+  }
+  return false;
+}
+
+Slice ConfigurationSpace::slice(const Turn& turn, bool with_free) const {
+  Workspace workspace;
+  return slice(turn, with_free, workspace);
+}
+
+Slice ConfigurationSpace::slice(const Turn& turn, bool with_free, Workspace& workspace) const {
+  return make_slice(*state_, boundary_, turn, nullptr, with_free, workspace);
+}
+
+void ConfigurationSpace::for_each_slice(
+    std::span<const Turn> turns, bool with_free,
+    const std::function<void(std::size_t, Slice&)>& finish,
+    const std::function<void(std::size_t, Slice&)>& visit) const {
+  // For few slices it would take longer than it saves.
+  constexpr std::size_t kManySlices = 8;
+  std::optional<SharedRaster> shared;
+  if (turns.size() >= kManySlices && !state_->forbidden.region.empty() &&
+      !state_->forbidden.has_thin_parts()) {
+    const Region typical = turned_mirror(state_->robot, turns.front(), state_->options);
+    shared = share_raster(state_->prepared, typical, 2 * state_->reach.to_double(),
+                          sum_options(state_->options));
+  }
+  const auto make = [&](std::size_t i, Workspace& workspace) {
+    Slice made = make_slice(*state_, boundary_, turns[i], shared ? &*shared : nullptr, with_free,
+                            workspace);
+    if (finish) finish(i, made);
+    return made;
+  };
+  for_each_in_order<Slice, Workspace>(turns.size(), state_->options.threads, make, visit);
+}
+
+std::vector<Slice> ConfigurationSpace::slices(std::span<const Turn> turns, bool with_free) const {
+  std::vector<Slice> result;
+  result.reserve(turns.size());
+  for_each_slice(turns, with_free, {},
+                 [&](std::size_t, Slice& slice) { result.push_back(std::move(slice)); });
+  return result;
+}
+
+}  // namespace minksum

@@ -1,0 +1,126 @@
+#include "minksum/morphology.hpp"
+
+#include <utility>
+
+#include "machine/cancellation.hpp"
+#include "minksum/boolean.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/transform.hpp"
+
+namespace minksum {
+namespace {
+
+Geometry read(const Geometry& geometry, const MorphologyOptions& options, int operand) {
+  return resolve(geometry, {options.fill, false, options.cancel, operand});
+}
+
+Options sum_options(const MorphologyOptions& options) {
+  Options sum;
+  sum.limits = options.limits;
+  sum.cancel = options.cancel;
+  return sum;
+}
+
+void add(Box& box, const Point& point) {
+  if (point.x < box.min.x) box.min.x = point.x;
+  if (point.y < box.min.y) box.min.y = point.y;
+  if (box.max.x < point.x) box.max.x = point.x;
+  if (box.max.y < point.y) box.max.y = point.y;
+}
+
+Box box_of(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  Box box;
+  if (const auto areal = bounding_box(geometry.region, cancel)) {
+    box = *areal;
+  } else {
+    const Point& any =
+        geometry.polylines.empty() ? geometry.points.front() : geometry.polylines.front().front();
+    box = {any, any};
+  }
+  for (const Polyline& line : geometry.polylines) {
+    for (const Point& point : line) add(box, point);
+    cancellation.check(line.size() * work_of(line.front()));
+  }
+  for (const Point& point : geometry.points) {
+    cancellation.check(work_of(point));
+    add(box, point);
+  }
+  return box;
+}
+
+Ring corners(const Box& box) {
+  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+}
+
+/// A box that is `by` wider on all sides.
+Box widened(const Box& box, const Rational& by) {
+  return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
+}
+
+/// All of it, for operands in resolved form.
+Geometry eroded(const Region& a, const Geometry& b, const MorphologyOptions& options) {
+  Geometry result;
+  if (a.empty()) return result;
+  // x + B ⊆ A puts x into A's box moved by −b for any b of B, so within B's size of A's box moved
+  // by one of them. The frame reaches beyond that by its size again, so that all is enclosed in
+  // complement ⊕ −B.
+  const Box size = box_of(b, options.cancel);
+  const Rational reach = size.max.x - size.min.x + size.max.y - size.min.y + Rational(1);
+  const Box box = *bounding_box(a, options.cancel);
+  const Region frame =
+      subtract(Region(Polygon{corners(widened(box, reach + reach)), {}}), a, options.cancel);
+  const Box where = widened({{box.min.x - size.max.x, box.min.y - size.max.y},
+                             {box.max.x - size.min.x, box.max.y - size.min.y}},
+                            Rational(1));
+  Geometry tight;
+  Options sum = sum_options(options);
+  if (options.tight) sum.tight = &tight;
+  const Geometry outside = minkowski_sum({frame, {}, {}}, reflect(b, options.cancel), sum);
+  result.region = subtract(Region(Polygon{corners(where), {}}), outside.region, options.cancel);
+  result.polylines = std::move(tight.polylines);
+  result.points = std::move(tight.points);
+  return result;
+}
+
+/// B, if there can be an erosion by it.
+Geometry usable_element(const Geometry& b, const MorphologyOptions& options) {
+  Geometry element = read(b, options, 1);
+  Culprit second;
+  second.operand = 1;
+  if (element.empty()) {
+    throw Error(ErrorCode::kBadInput, "erosion by an empty set would be the whole plane", second);
+  }
+  if (options.tight && element.has_thin_parts()) {
+    throw Error(ErrorCode::kBadInput, "tight places of an element with thin parts are not known",
+                second);
+  }
+  return element;
+}
+
+}  // namespace
+
+Geometry dilate(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+  Options sum = sum_options(options);
+  sum.fill = options.fill;
+  return minkowski_sum(a, b, sum);
+}
+
+Geometry erode(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+  const Geometry element = usable_element(b, options);
+  return eroded(read(a, options, 0).region, element, options);
+}
+
+Geometry open(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+  const Geometry element = usable_element(b, options);
+  const Geometry inner = eroded(read(a, options, 0).region, element, options);
+  return minkowski_sum(inner, element, sum_options(options));
+}
+
+Geometry close(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+  const Geometry element = usable_element(b, options);
+  const Geometry sum = minkowski_sum(read(a, options, 0), element, sum_options(options));
+  return eroded(sum.region, element, options);
+}
+
+}  // namespace minksum

@@ -1,0 +1,160 @@
+// All pairs of a nesting problem: each sum once, the others as its images.
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "machine/in_order.hpp"
+#include "minksum/nesting.hpp"
+#include "minksum/transform.hpp"
+#include "operations/no_fit/table_part.hpp"
+#include "operations/sum/fixed_sum.hpp"
+#include "region/region_access.hpp"
+#include "region/turned.hpp"
+#include "sum/small/small_sum.hpp"
+
+namespace minksum {
+
+struct NoFitTable::State {
+  /// Row i holds the pairs of i with i, i + 1, ..., and for each of them a sum for each turn of the
+  /// second part; of i with itself, turns up to half a full one.
+  std::vector<std::vector<Geometry>> rows;
+  int turns = 4;
+
+  [[nodiscard]] int turns_with_itself() const { return turns / 2 + 1; }
+  [[nodiscard]] const Geometry& sum(std::size_t fixed, std::size_t moving, int turn) const {
+    const auto all = static_cast<std::size_t>(turns);
+    const std::size_t before =
+        fixed == moving
+            ? 0
+            : static_cast<std::size_t>(turns_with_itself()) + (moving - fixed - 1) * all;
+    return rows[fixed][before + static_cast<std::size_t>(turn)];
+  }
+};
+
+namespace {
+
+Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
+             const NoFitTableOptions& options, Workspace& workspace) {
+  Geometry result;
+  Geometry tight;
+  Options settings;
+  settings.limits = options.limits;
+  settings.cancel = options.cancel;
+  if (options.tight) settings.tight = &tight;
+  const Outcome outcome = sum_by_stages(fixed, moving, settings, workspace, result.region);
+  if (!outcome.ok()) throw *outcome.error;
+  result.polylines = std::move(tight.polylines);
+  result.points = std::move(tight.points);
+  return result;
+}
+
+/// How many threads are worth their start.
+int worthwhile_threads(std::span<const Geometry> parts, const NoFitTableOptions& options) {
+  // Sums take a time that grows with the square of their operands' vertices: together these are a
+  // fraction of a millisecond.
+  constexpr std::uint64_t kForOne = 60'000;
+  std::uint64_t vertices = 0;
+  for (const Geometry& part : parts) vertices += part.region.vertex_count();
+  const std::uint64_t work = vertices * vertices * static_cast<std::uint64_t>(options.turns);
+  const auto wanted = std::min<std::uint64_t>(thread_count(options.threads), work / kForOne);
+  return static_cast<int>(std::max<std::uint64_t>(wanted, 1));
+}
+
+/// The units of work (see Cancellation) of a sum of two small parts, which looks at no token.
+constexpr std::uint64_t kWorkOfSmallSum = 1 << 12;
+
+/// A thread's. The workspace is made where it is needed.
+struct Memory {
+  SmallScratch small;
+  std::optional<Workspace> workspace;
+};
+
+Geometry sum(const TablePart& fixed, const TablePart& moving, std::size_t direction,
+             const NoFitTableOptions& options, Memory& memory) {
+  const SmallOperand* const p = fixed.small(0);
+  const SmallOperand* const q = moving.small(direction);
+  if (p != nullptr && q != nullptr && !options.tight && allow_small(options.limits)) {
+    Geometry result;
+    if (sum_small(*p, *q, memory.small, result.region)) return result;
+  }
+  if (!memory.workspace) memory.workspace.emplace();
+  return sum(fixed.prepared(0), moving.prepared(direction), options, *memory.workspace);
+}
+
+}  // namespace
+
+NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions& options) {
+  if (options.turns != 1 && options.turns != 2 && options.turns != 4) {
+    throw Error(ErrorCode::kBadInput, "a table of no-fit polygons has 1, 2 or 4 turns");
+  }
+  std::vector<TablePart> parts;
+  parts.reserve(given.size());
+  for (const Geometry& part : given) parts.emplace_back(part, parts.size(), options);
+
+  State state;
+  state.turns = options.turns;
+  state.rows.reserve(parts.size());
+  const int half = std::max(1, options.turns / 2);
+  const auto make_row = [&](std::size_t i, Memory& memory) {
+    Cancellation cancellation(options.cancel);
+    cancellation.look();
+    std::vector<Geometry> row;
+    row.reserve((parts.size() - i) * static_cast<std::size_t>(state.turns));
+    for (std::size_t j = i; j < parts.size(); ++j) {
+      const int turns = j == i ? state.turns_with_itself() : state.turns;
+      for (int turn = 0; turn < turns; ++turn) {
+        cancellation.check(kWorkOfSmallSum);
+        // Its point mirror is itself, turned by half a full turn.
+        const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].directions();
+        row.push_back(sum(parts[i], parts[j], mirror, options, memory));
+      }
+    }
+    return row;
+  };
+  for_each_in_order<std::vector<Geometry>, Memory>(
+      parts.size(), worthwhile_threads(given, options), make_row,
+      [&](std::size_t, std::vector<Geometry>& row) { state.rows.push_back(std::move(row)); });
+  state_ = std::make_shared<const State>(std::move(state));
+}
+
+std::size_t NoFitTable::size() const { return state_->rows.size(); }
+int NoFitTable::turns() const { return state_->turns; }
+
+Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving,
+                        const std::optional<CancelToken>& cancel) const {
+  Cancellation cancellation(cancel);
+  const int turns = state_->turns;
+  for (const TurnedPart& part : {fixed, moving}) {
+    if (part.part >= size()) throw Error(ErrorCode::kBadInput, "there is no such part");
+    if (part.turn < 0 || part.turn >= turns) {
+      throw Error(ErrorCode::kBadInput, "there is no such turn");
+    }
+  }
+  // A ⊕ −R(t) B, turned as A is; and it is −R(t) (B ⊕ −R(−t) A).
+  const int quarter = 4 / turns;
+  int quarters = fixed.turn * quarter;
+  int turn = (moving.turn - fixed.turn + turns) % turns;
+  std::size_t first = fixed.part;
+  std::size_t second = moving.part;
+  const bool mirrored = second < first || (second == first && turn > turns / 2);
+  if (mirrored) {
+    std::swap(first, second);
+    quarters += turn * quarter + 2;
+    turn = (turns - turn) % turns;
+  }
+  const Geometry& sum = state_->sum(first, second, turn);
+  Geometry result{turned(sum.region, quarters, cancellation), {}, {}};
+  if (mirrored) RegionAccess::exchange_operands(result.region);
+  if (sum.has_thin_parts()) {
+    const Geometry tight = resolve(
+        transform(Geometry{{}, sum.polylines, sum.points}, Affine::quarter_turns(quarters), cancel),
+        {FillRule::kAutomatic, false, cancel});
+    result.polylines = tight.polylines;
+    result.points = tight.points;
+  }
+  return result;
+}
+
+}  // namespace minksum

@@ -1,0 +1,71 @@
+#include "operations/no_fit/table_part.hpp"
+
+#include <utility>
+
+#include "minksum/transform.hpp"
+#include "minksum/validity.hpp"
+
+namespace minksum {
+namespace {
+
+[[noreturn]] void refuse(const char* what, std::size_t part) {
+  Culprit culprit;
+  culprit.operand = static_cast<int>(part);
+  throw Error(ErrorCode::kBadInput, what, culprit);
+}
+
+/// Whether a ring's orientation has no meaning.
+bool is_by_role(FillRule fill) { return fill == FillRule::kAutomatic || fill == FillRule::kStrict; }
+
+}  // namespace
+
+TablePart::TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options)
+    : given_(&given),
+      index_(index),
+      options_(&options),
+      directions_(options.turns == 1 ? 2 : static_cast<std::size_t>(options.turns)),
+      prepared_(std::make_unique<Prepared>()) {
+  if (read_small_part()) return;
+  for (std::size_t i = 0; i < directions_; ++i) static_cast<void>(prepared(i));
+}
+
+int TablePart::quarters(std::size_t direction) const {
+  return static_cast<int>(direction * 4 / directions_);
+}
+
+bool TablePart::read_small_part() {
+  SmallOperand read;
+  if (!is_by_role(options_->fill) || !read_small(given_->region, SmallHoles::kSome, read)) return false;
+  read.offset = {read.offset.x - read.first.x, read.offset.y - read.first.y};
+  small_.resize(directions_);
+  for (std::size_t i = 0; i < directions_; ++i) turn(read, quarters(i), small_[i]);
+  return true;
+}
+
+Region TablePart::covered() const {
+  // Resolving takes as long as some sums: what is legal already goes without.
+  const bool legal = !small_.empty() || (is_by_role(options_->fill) &&
+                                         validate(given_->region, 1, options_->cancel).empty());
+  const Region area =
+      legal ? given_->region
+            : resolve(*given_, {options_->fill, true, options_->cancel, static_cast<int>(index_)})
+                  .region;
+  if (area.empty() || given_->region.empty()) {
+    refuse("a part without area cannot be paired", index_);
+  }
+  const Point reference = given_->region.point(0);
+  return transform(area, Affine::translation(-reference.x, -reference.y), options_->cancel);
+}
+
+const PreparedRegion& TablePart::prepared(std::size_t direction) const {
+  std::call_once(prepared_->once, [&] { prepared_->covered = covered(); });
+  Direction& d = prepared_->directions[direction];
+  std::call_once(d.once, [&] {
+    d.region.emplace(
+        transform(prepared_->covered, Affine::quarter_turns(quarters(direction)), options_->cancel),
+        options_->cancel);
+  });
+  return *d.region;
+}
+
+}  // namespace minksum

@@ -1,0 +1,118 @@
+// Polygons for discs.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "minksum/error.hpp"
+#include "minksum/offset.hpp"
+#include "operations/offset/decimal_grid.hpp"
+
+namespace minksum {
+namespace {
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kMaxEdgesOfQuarter = 1 << 18;
+
+/// The angle whose cosine is 1 − gap/whole: acos without loss for small ones.
+double angle_of(double gap, double whole) { return 2 * std::asin(std::sqrt(gap / (2 * whole))); }
+
+/// The vertices of a quarter, from the one after the x-axis (or on it) to the one before the
+/// y-axis. Angles are chosen in doubles; what comes out is verified.
+class Quarter {
+ public:
+  Quarter(const Rational& radius, const Rational& tolerance, RoundingSide side)
+      : radius_(radius),
+        inner_(side == RoundingSide::kOutside ? radius : radius - tolerance),
+        outer_(side == RoundingSide::kInside ? radius : radius + tolerance),
+        grid_(DecimalGrid::below(tolerance / Rational(64))) {
+    const Rational diagonal = radius * radius + radius * radius;
+    if (side != RoundingSide::kInside && diagonal <= outer_ * outer_) {
+      vertices_ = {{radius, radius}};
+    } else {
+      place(side == RoundingSide::kInside);
+    }
+    verify();
+  }
+  [[nodiscard]] const std::vector<Point>& vertices() const { return vertices_; }
+
+ private:
+  /// In steps of the grid: rounding moves vertices by less than one, and so edges. All vertices but
+  /// those beside the axes are placed one step within the outer circle, and all edges keep one step
+  /// from the inner one; that leaves at least 62 of 64 steps of the tolerance.
+  void place(bool inside) {
+    const auto steps = [this](const Rational& length) {
+      return (length / grid_.step()).to_double();
+    };
+    const double circle = steps(outer_) - 1;
+    // Half of an edge, seen from the middle: one that touches the inner circle, and one that is cut
+    // at right angles by an axis, at exactly the radius.
+    const double half = angle_of(steps(outer_ - inner_) - 2, circle);
+    const double first = inside ? 0 : angle_of(steps(outer_ - radius_) - 1, circle);
+    const double edges = std::ceil((kRightAngle - 2 * first) / (2 * half));
+    if (!(edges < kMaxEdgesOfQuarter)) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "a disc of this tolerance would have more than 2^20 vertices");
+    }
+    const auto count = static_cast<std::size_t>(std::max(edges, 1.0));
+    const double angle = (kRightAngle - 2 * first) / static_cast<double>(count);
+    vertices_.resize(count + 1);
+    vertices_[0] = {radius_, grid_.at(inside ? 0 : std::floor(circle * std::sin(first)))};
+    for (std::size_t i = 1; 2 * i <= count; ++i) {
+      const double at = first + static_cast<double>(i) * angle;
+      vertices_[i] = {grid_.at(circle * std::cos(at)), grid_.at(circle * std::sin(at))};
+    }
+    if (count % 2 == 0) vertices_[count / 2].y = vertices_[count / 2].x;
+    for (std::size_t i = 0; 2 * i < count; ++i) {
+      vertices_[count - i] = {vertices_[i].y, vertices_[i].x};
+    }
+    if (inside) vertices_.pop_back();  // it is the first of the next quarter
+  }
+
+  /// The quarter goes left around the origin within its quadrant, so that D is star-shaped; all
+  /// vertices are within the outer circle, and all edges' lines outside of the inner one.
+  void verify() const {
+    const Rational inner = inner_ * inner_;
+    const Rational outer = outer_ * outer_;
+    const Point next{-vertices_[0].y, vertices_[0].x};
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const Point& a = vertices_[i];
+      const Point& b = i + 1 < vertices_.size() ? vertices_[i + 1] : next;
+      const Rational x = b.x - a.x;
+      const Rational y = b.y - a.y;
+      const Rational cross = a.x * b.y - a.y * b.x;
+      if (a.x.sign() < 0 || a.y.sign() < 0 || cross.sign() <= 0 || a.x * a.x + a.y * a.y > outer ||
+          cross * cross < inner * (x * x + y * y)) {
+        throw Error(ErrorCode::kInternal, "a disc is not within its tolerance", {}, "offset");
+      }
+    }
+  }
+
+  Rational radius_;
+  Rational inner_;
+  Rational outer_;
+  DecimalGrid grid_;
+  std::vector<Point> vertices_;
+};
+
+}  // namespace
+
+Region disc(const Rational& radius, const Rational& tolerance, RoundingSide side) {
+  if (radius.sign() <= 0) throw Error(ErrorCode::kBadInput, "a disc's radius must be positive");
+  if (tolerance.sign() <= 0) throw Error(ErrorCode::kBadInput, "a tolerance must be positive");
+  const Quarter quarter(radius, std::min(tolerance, radius / Rational(2)), side);
+  Region result;
+  result.begin_polygon();
+  result.begin_ring();
+  // In canonical form: from the lowest of the leftmost vertices.
+  for (const int turns : {2, 3, 0, 1}) {
+    for (const auto& [x, y] : quarter.vertices()) {
+      const Rational& along = turns % 2 == 0 ? x : y;
+      const Rational& across = turns % 2 == 0 ? y : x;
+      result.add_vertex(turns == 1 || turns == 2 ? -along : along, turns >= 2 ? -across : across);
+    }
+  }
+  return result;
+}
+
+}  // namespace minksum

@@ -1,0 +1,183 @@
+#include "minksum/offset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "minksum/boolean.hpp"
+#include "minksum/error.hpp"
+#include "minksum/morphology.hpp"
+#include "operations/offset/outline.hpp"
+
+namespace minksum {
+namespace {
+
+[[noreturn]] void refuse(const char* what) { throw Error(ErrorCode::kBadInput, what); }
+
+bool all_round(const OffsetOptions& options) {
+  return options.join == Join::kRound && options.cap == Cap::kRound;
+}
+
+void require_sense(const OffsetOptions& options) {
+  if (options.tolerance && options.tolerance->sign() <= 0) refuse("a tolerance must be positive");
+  if (options.miter_limit < Rational(1)) refuse("a miter limit must be at least 1");
+  if (options.side != RoundingSide::kNearest && !all_round(options)) {
+    refuse("a side can be chosen for round joins and caps only");
+  }
+}
+
+/// A larger disc leaves less when a set shrinks.
+RoundingSide swapped(RoundingSide side) {
+  switch (side) {
+    case RoundingSide::kOutside:
+      return RoundingSide::kInside;
+    case RoundingSide::kInside:
+      return RoundingSide::kOutside;
+    case RoundingSide::kNearest:
+      break;
+  }
+  return RoundingSide::kNearest;
+}
+
+/// One offset: by `radius` outwards or inwards.
+class Offset {
+ public:
+  Offset(const Rational& distance, const OffsetOptions& options)
+      : options_(options),
+        inwards_(distance.sign() < 0),
+        radius_(inwards_ ? -distance : distance),
+        tolerance_(options.tolerance ? std::min(*options.tolerance, radius_ / Rational(2))
+                                     : radius_ / Rational(1000)) {}
+
+  [[nodiscard]] Geometry run(const Geometry& a) const {
+    const ResolveOptions reading{options_.fill, inwards_, options_.cancel, 0};
+    if (all_round(options_)) {
+      // The disc is read as A is, and its ring is counter-clockwise.
+      const bool reads_disc = options_.fill != FillRule::kNegative;
+      return reads_disc ? round(a, options_.fill)
+                        : round(resolve(a, reading), FillRule::kAutomatic);
+    }
+    Geometry set = resolve({a.region, {}, {}}, reading);
+    const Corners corners(radius_, tolerance_, options_);
+    Cancellation cancellation(options_.cancel);
+    Region outlines;
+    if (options_.join != Join::kRound) add_boundary(set.region, corners, cancellation, outlines);
+    if (!inwards_) {
+      for (const auto& lines : {set.polylines, a.polylines}) {
+        for (const Polyline& line : lines) add_polyline(line, corners, cancellation, outlines);
+      }
+      for (const auto& points : {set.points, a.points}) {
+        for (const Point& point : points) add_point(point, cancellation, outlines);
+      }
+    }
+    require_few(outlines);
+    const FillRule rule = inwards_ ? FillRule::kNegative : FillRule::kPositive;
+    Geometry result = resolve({std::move(outlines), {}, {}}, {rule, true, options_.cancel});
+    if (options_.join != Join::kRound) return result;
+    const std::array<Geometry, 2> both{round({std::move(set.region), {}, {}}, FillRule::kAutomatic),
+                                       std::move(result)};
+    return both[1].empty() ? both[0] : unite(both, options_.cancel);
+  }
+
+ private:
+  [[nodiscard]] Geometry round(const Geometry& a, FillRule fill) const {
+    const RoundingSide side = inwards_ ? swapped(options_.side) : options_.side;
+    const Geometry element{disc(radius_, tolerance_, side), {}, {}};
+    const MorphologyOptions options{false, fill, options_.limits, options_.cancel};
+    return inwards_ ? erode(a, element, options) : dilate(a, element, options);
+  }
+
+  void add_boundary(const Region& region, const Corners& corners, Cancellation& cancellation,
+                    Region& outlines) const {
+    for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
+      std::vector<Point> path;
+      for (const std::size_t v : region.vertices_of(ring)) path.push_back(region.point(v));
+      if (inwards_) std::reverse(path.begin(), path.end());
+      add_outline(path, {}, corners, cancellation, outlines);
+    }
+  }
+
+  void add_polyline(const Polyline& line, const Corners& corners, Cancellation& cancellation,
+                    Region& outlines) const {
+    std::vector<Point> path;
+    for (const Point& point : line) {
+      if (path.empty() || !(path.back() == point)) path.push_back(point);
+    }
+    if (path.empty()) return;
+    if (path.size() == 1) return add_point(path[0], cancellation, outlines);
+    std::vector<Point> back(path.rbegin(), path.rend());
+    // One there and one back, if it is closed; else one there and back.
+    if (path.front() == path.back()) {
+      for (std::vector<Point>* const way : {&path, &back}) {
+        way->pop_back();
+        add_outline(*way, {}, corners, cancellation, outlines);
+      }
+      return;
+    }
+    const std::array<std::size_t, 2> ends{0, path.size() - 1};
+    path.insert(path.end(), back.begin() + 1, back.end() - 1);
+    add_outline(path, ends, corners, cancellation, outlines);
+  }
+
+  void add_point(const Point& point, Cancellation& cancellation, Region& outlines) const {
+    if (options_.cap == Cap::kButt) return;
+    const Rational& r = radius_;
+    Ring ring{{-r, -r}, {r, -r}, {r, r}, {-r, r}};
+    if (options_.cap == Cap::kRound) ring = disc(r, tolerance_).polygon(0).outer;
+    cancellation.check(ring.size() * work_of(point));
+    outlines.begin_polygon();
+    outlines.begin_ring();
+    for (const Point& vector : ring) outlines.add_vertex(point.x + vector.x, point.y + vector.y);
+  }
+
+  void require_few(const Region& outlines) const {
+    const std::uint64_t most = options_.limits.max_segments;
+    if (outlines.vertex_count() <= most) return;
+    throw Error(ErrorCode::kLimitExceeded, "the offset's outlines have more than " +
+                                               std::to_string(most) +
+                                               " segments (Limits::max_segments)");
+  }
+
+  const OffsetOptions& options_;
+  bool inwards_;
+  Rational radius_;
+  Rational tolerance_;
+};
+
+}  // namespace
+
+const char* to_string(Join join) {
+  switch (join) {
+    case Join::kRound:
+      return "round";
+    case Join::kMiter:
+      return "miter";
+    case Join::kSquare:
+      return "square";
+    case Join::kBevel:
+      break;
+  }
+  return "bevel";
+}
+
+const char* to_string(Cap cap) {
+  switch (cap) {
+    case Cap::kRound:
+      return "round";
+    case Cap::kButt:
+      return "butt";
+    case Cap::kSquare:
+      break;
+  }
+  return "square";
+}
+
+Geometry offset(const Geometry& a, const Rational& distance, const OffsetOptions& options) {
+  require_sense(options);
+  if (distance.sign() == 0) return resolve(a, {options.fill, false, options.cancel, 0});
+  return Offset(distance, options).run(a);
+}
+
+}  // namespace minksum

@@ -1,0 +1,189 @@
+#include "minksum/depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "minksum/locate.hpp"
+#include "minksum/transform.hpp"
+#include "minksum/validity.hpp"
+#include "operations/penetration/contact.hpp"
+#include "region/point_arithmetic.hpp"
+
+namespace minksum {
+namespace {
+
+struct Shape {
+  Geometry geometry;
+  bool as_given = false;  ///< its vertices are those that the caller knows
+};
+
+Shape read(const Geometry& geometry, const DepthOptions& options, int operand) {
+  const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
+  if (by_role && !geometry.has_thin_parts() &&
+      validate(geometry.region, 1, options.cancel).empty()) {
+    return {geometry, true};
+  }
+  return {resolve(geometry, {options.fill, true, options.cancel, operand}), false};
+}
+
+/// A ⊕ −B with its tight places.
+struct Obstacle {
+  Shape a;
+  Shape b;
+  Geometry sum;
+  Geometry tight;
+};
+
+std::optional<Obstacle> obstacle(const Geometry& a, const Geometry& b,
+                                 const DepthOptions& options) {
+  Obstacle result{read(a, options, 0), read(b, options, 1), {}, {}};
+  if (result.a.geometry.empty() || result.b.geometry.empty()) return std::nullopt;
+  Options sum;
+  sum.limits = options.limits;
+  sum.cancel = options.cancel;
+  sum.tight = &result.tight;
+  result.sum = minkowski_sum(result.a.geometry, reflect(result.b.geometry, options.cancel), sum);
+  return result;
+}
+
+struct Edge {
+  Point a;
+  Point b;
+  bool tight = false;
+};
+
+std::vector<Edge> edges_of(const Obstacle& obstacle, Cancellation& cancellation) {
+  std::vector<Edge> edges;
+  const Region& region = obstacle.sum.region;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(ring);
+      for (const std::size_t v : vertices) {
+        const bool last = v + 1 == vertices.front() + vertices.size();
+        edges.push_back({region.point(v), region.point(last ? vertices.front() : v + 1)});
+        cancellation.check(work_of(edges.back().a));
+      }
+    }
+  }
+  for (const Polyline& line : obstacle.tight.polylines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      edges.push_back({line[i], line[i + 1], true});
+    }
+  }
+  for (const Point& point : obstacle.tight.points) edges.push_back({point, point, true});
+  return edges;
+}
+
+/// The point of an edge that is nearest to the origin.
+Point nearest_point(const Edge& edge) {
+  const Point d = minus(edge.b, edge.a);
+  const Rational along = -dot(edge.a, d);
+  if (along.sign() <= 0) return edge.a;
+  const Rational whole = dot(d, d);
+  if (along >= whole) return edge.b;
+  const Rational t = along / whole;
+  return {edge.a.x + d.x * t, edge.a.y + d.y * t};
+}
+
+/// No more than the distance of the origin from the edge: that from its box, rounded down amply.
+double distance_at_least(const Edge& edge) {
+  const auto gap = [](const Rational& from, const Rational& to) {
+    if (from.sign() * to.sign() <= 0) return 0.0;
+    return std::min(std::abs(from.to_double()), std::abs(to.to_double()));
+  };
+  const double far = std::hypot(gap(edge.a.x, edge.b.x), gap(edge.a.y, edge.b.y));
+  return std::isfinite(far) ? far * (1 - 0x1p-48) : 0;
+}
+
+struct Nearest {
+  Point point;
+  Rational squared;
+  const Edge* edge = nullptr;
+};
+
+Nearest nearest_of(const std::vector<Edge>& edges, Cancellation& cancellation) {
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    cancellation.check(work_of(edges[i].a));
+    order.emplace_back(distance_at_least(edges[i]), i);
+  }
+  std::sort(order.begin(), order.end(), cancellation.counting(std::less<>()));
+  std::optional<Nearest> best;
+  for (const auto& [far, i] : order) {
+    if (best && Rational(far) * Rational(far) > best->squared) break;
+    cancellation.check(16 * work_of(edges[i].a));
+    const Point point = nearest_point(edges[i]);
+    Rational squared = dot(point, point);
+    const bool better =
+        !best || squared < best->squared ||
+        (squared == best->squared &&
+         (point.x < best->point.x || (point.x == best->point.x && point.y < best->point.y)));
+    // Of two that meet in the same point, one of which is known what is in contact there.
+    const bool says_more = best && point == best->point && best->edge->tight && !edges[i].tight;
+    if (better || says_more) best = Nearest{point, std::move(squared), &edges[i]};
+  }
+  return *best;
+}
+
+}  // namespace
+
+std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
+                                       const DepthOptions& options) {
+  const auto around = obstacle(a, b, options);
+  if (!around) return std::nullopt;
+  Cancellation cancellation(options.cancel);
+  const std::vector<Edge> edges = edges_of(*around, cancellation);
+  Nearest nearest = nearest_of(edges, cancellation);
+  Depth depth;
+  depth.overlapping =
+      nearest.squared.sign() != 0 &&
+      PointLocator(around->sum, options.cancel).locate({Rational(0), Rational(0)}) ==
+          Location::kInside;
+  depth.vector = nearest.point;
+  depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
+  depth.squared = std::move(nearest.squared);
+  if (!nearest.edge->tight && around->a.as_given && around->b.as_given) {
+    depth.contact =
+        find_contact(around->a.geometry.region, around->b.geometry.region, nearest.point,
+                     minus(nearest.edge->b, nearest.edge->a), cancellation);
+  }
+  return depth;
+}
+
+std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b,
+                                       const Point& direction, const DepthOptions& options) {
+  if (direction.x.sign() == 0 && direction.y.sign() == 0) {
+    throw Error(ErrorCode::kBadInput, "a direction must not be (0, 0)");
+  }
+  const auto around = obstacle(a, b, options);
+  if (!around) return std::nullopt;
+  if (PointLocator(around->sum, options.cancel).locate({Rational(0), Rational(0)}) !=
+      Location::kOutside) {
+    return Rational(0);
+  }
+  // The first point of the sum on the ray is on an edge: crossed, or ended at if they are parallel.
+  const Rational whole = dot(direction, direction);
+  std::optional<Rational> first;
+  const auto offer = [&first](const Rational& factor) {
+    if (factor.sign() >= 0 && (!first || factor < *first)) first = factor;
+  };
+  Cancellation cancellation(options.cancel);
+  for (const Edge& edge : edges_of(*around, cancellation)) {
+    cancellation.check(16 * work_of(edge.a));
+    const int from = cross(direction, edge.a).sign();
+    const int to = cross(direction, edge.b).sign();
+    if (from == 0) offer(dot(direction, edge.a) / whole);
+    if (to == 0) offer(dot(direction, edge.b) / whole);
+    if (from * to >= 0) continue;
+    const Point along = minus(edge.b, edge.a);
+    offer(cross(edge.a, along) / cross(direction, along));
+  }
+  return first;
+}
+
+}  // namespace minksum

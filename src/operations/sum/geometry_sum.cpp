@@ -1,0 +1,245 @@
+#include "operations/sum/geometry_sum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "minksum/boolean.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/validity.hpp"
+#include "region/point_arithmetic.hpp"
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+/// A resolved geometry stays resolved: all orders are the same after a move.
+Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancellation) {
+  Geometry result;
+  const Region& region = geometry.region;
+  for (const std::size_t polygon : region.polygons()) {
+    result.region.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      result.region.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        const Point at = plus(region.point(v), by);
+        cancellation.check(work_of(at));
+        result.region.add_vertex(at.x, at.y);
+      }
+    }
+  }
+  for (const Polyline& polyline : geometry.polylines) {
+    Polyline& path = result.polylines.emplace_back();
+    for (const Point& at : polyline) {
+      cancellation.check(work_of(at));
+      path.push_back(plus(at, by));
+    }
+  }
+  for (const Point& at : geometry.points) {
+    cancellation.check(work_of(at));
+    result.points.push_back(plus(at, by));
+  }
+  return result;
+}
+
+/// A polyline as walks without repeated or straight vertices, each ending where it turns back.
+void append_walks(const Polyline& given, Cancellation& cancellation, std::vector<Polyline>& walks) {
+  Polyline walk;
+  for (const Point& to : given) {
+    cancellation.check(2 * work_of(to));
+    if (!walk.empty() && walk.back() == to) continue;
+    if (walk.size() > 1) {
+      const Point& from = walk[walk.size() - 2];
+      const Point at = walk.back();
+      const Point in = minus(at, from);
+      const Point out = minus(to, at);
+      if (cross(in, out).sign() == 0) {
+        if (dot(in, out).sign() > 0) {
+          walk.pop_back();
+        } else {
+          walks.push_back(std::exchange(walk, {at}));
+        }
+      }
+    }
+    walk.push_back(to);
+  }
+  if (walk.size() > 1) walks.push_back(std::move(walk));
+}
+
+/// Whether polylines have vertices that others have not.
+bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given,
+                      Cancellation& cancellation) {
+  std::vector<Point> known;
+  for (const Polyline& line : given) known.insert(known.end(), line.begin(), line.end());
+  const auto before = [&](const Point& a, const Point& b) {
+    cancellation.check(work_of(a));
+    return comes_before(a, b);
+  };
+  std::sort(known.begin(), known.end(), before);
+  for (const Polyline& line : polylines) {
+    for (const Point& at : line) {
+      if (!std::binary_search(known.begin(), known.end(), at, before)) return true;
+    }
+  }
+  return false;
+}
+
+/// An operand as given, or as resolved.
+class Reader {
+ public:
+  Reader(int operand, const Geometry& given, const Options& options, PartialSums& partial)
+      : operand_(operand), given_(given), geometry_(&given), options_(options), partial_(partial) {}
+
+  [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
+  [[nodiscard]] bool is_as_given() const { return as_given_; }
+
+  /// Legal polygons without thin parts are used as given, unless a rule says what they mean.
+  void read() {
+    const bool by_rule =
+        options_.fill != FillRule::kAutomatic && options_.fill != FillRule::kStrict;
+    if (!by_rule && !geometry_->has_thin_parts() && partial_.take(operand_, geometry_->region)) {
+      return;
+    }
+    resolve();
+  }
+  /// Polylines need not be cut where they cross: each crossing has a denominator of its own, and
+  /// all sums would have their product. The geometry is the same set then, but not resolved.
+  void leave_crossings() {
+    if (as_given_ || given_.polylines.empty()) return;
+    // What runs along an area is none of the thin parts, whose sums would take tight places.
+    if (options_.tight != nullptr) return;
+    if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
+    if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
+      return;
+    }
+    // Rings that are not legal may add polylines.
+    if (!validate(given_.region, 1, options_.cancel).empty()) return;
+    resolved_.polylines.clear();
+    for (const Polyline& line : given_.polylines) {
+      append_walks(line, partial_.cancellation(), resolved_.polylines);
+    }
+  }
+  void resolve() {
+    if (!as_given_) return;
+    as_given_ = false;
+    resolved_ = minksum::resolve(*geometry_,
+                                 {options_.fill, options_.regularize, options_.cancel, operand_});
+    geometry_ = &resolved_;
+    if (!partial_.take(operand_, resolved_.region)) {
+      throw Error(ErrorCode::kInternal, "a resolved operand is not legal", {}, "operands");
+    }
+  }
+
+ private:
+  int operand_;
+  const Geometry& given_;
+  const Geometry* geometry_;
+  const Options& options_;
+  PartialSums& partial_;
+  bool as_given_ = true;
+  Geometry resolved_;
+};
+
+/// All sums of parts but that of both regions.
+class ThinSums {
+ public:
+  ThinSums(const Geometry& p, const Geometry& q, const Options& options, PartialSums& partial,
+           std::vector<Geometry>& sums)
+      : operands_{&p, &q}, options_(options), partial_(partial), sums_(sums) {}
+
+  void run() {
+    for (const int operand : {0, 1}) {
+      const Geometry& other = of(1 - operand);
+      if (!of(operand).region.empty() && !other.polylines.empty()) {
+        partial_.sweep(operand, other.polylines, sums_.emplace_back().region);
+      }
+    }
+    if (!of(0).polylines.empty() && !of(1).polylines.empty()) {
+      Geometry loose;
+      partial_.add_polylines(of(0).polylines, of(1).polylines, loose);
+      sums_.push_back(resolve(loose, {FillRule::kAutomatic, false, options_.cancel}));
+    }
+    // Two points meet once: with the second operand's points everything of the first is moved.
+    move({of(0).region, of(0).polylines, of(0).points}, of(1).points);
+    move({of(1).region, of(1).polylines, {}}, of(0).points);
+  }
+
+ private:
+  [[nodiscard]] const Geometry& of(int operand) const {
+    return *operands_[static_cast<std::size_t>(operand)];
+  }
+  void move(const Geometry& geometry, const std::vector<Point>& points) {
+    if (geometry.empty() || points.empty()) return;
+    std::uint64_t size = geometry.region.vertex_count() + geometry.points.size();
+    for (const Polyline& polyline : geometry.polylines) size += polyline.size();
+    const std::uint64_t most = options_.limits.max_segments;
+    if (size > most / points.size()) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "an operand moved by the points of the other has more than " +
+                      std::to_string(most) + " vertices (Limits::max_segments)");
+    }
+    for (const Point& by : points) {
+      sums_.push_back(moved(geometry, by, partial_.cancellation()));
+    }
+  }
+
+  std::array<const Geometry*, 2> operands_;
+  const Options& options_;
+  PartialSums& partial_;
+  std::vector<Geometry>& sums_;
+};
+
+/// What the sum's thin operands cover is no tight place any more.
+void uncover(const Geometry& sum, const std::optional<CancelToken>& cancel, Geometry& tight) {
+  if (!tight.has_thin_parts()) return;
+  const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
+  Geometry left = unite(both, cancel);
+  // Where paths were apart because the sum's thin part met them, they go on now.
+  ResolveOptions joining;
+  joining.cancel = cancel;
+  tight = resolve({{}, std::move(left.polylines), std::move(left.points)}, joining);
+}
+
+}  // namespace
+
+void forget_origins(Region& region) {
+  if (region.has_origins()) RegionAccess::clear_origins(region);
+}
+
+void sum_geometries(const Geometry& p, const Geometry& q, const Options& options,
+                    PartialSums& partial, Geometry& result) {
+  result.region.clear();
+  result.polylines.clear();
+  result.points.clear();
+  if (options.tight != nullptr) *options.tight = {};
+  Reader first(0, p, options, partial);
+  Reader second(1, q, options, partial);
+  first.read();
+  second.read();
+  // Moved by a point, a region is a result as it is: in canonical form.
+  if (!second.geometry().points.empty()) first.resolve();
+  if (!first.geometry().points.empty()) second.resolve();
+  if (second.geometry().points.empty()) first.leave_crossings();
+  if (first.geometry().points.empty()) second.leave_crossings();
+  const Geometry& a = first.geometry();
+  const Geometry& b = second.geometry();
+  if (a.empty() || b.empty()) return;
+
+  if (!a.region.empty() && !b.region.empty()) partial.add_regions(result.region);
+  if (!first.is_as_given() || !second.is_as_given()) forget_origins(result.region);
+  if (!a.has_thin_parts() && !b.has_thin_parts()) return;
+  std::vector<Geometry> sums;
+  ThinSums(a, b, options, partial, sums).run();
+  if (options.tight != nullptr) {
+    const Geometry thin = unite(sums, options.cancel);
+    uncover(thin, options.cancel, *options.tight);
+    sums.assign(1, thin);
+  }
+  if (!result.region.empty()) sums.push_back({std::move(result.region), {}, {}});
+  partial.cancellation().look();
+  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums, options.cancel);
+  forget_origins(result.region);
+}
+
+}  // namespace minksum

@@ -1,0 +1,35 @@
+// A region's coordinates on one integer grid, for its measures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "minksum/rational.hpp"
+#include "minksum/region.hpp"
+#include "region/rational_access.hpp"
+
+namespace minksum {
+
+struct ScaledPoint {
+  std::int64_t x;
+  std::int64_t y;
+};
+
+/// Coordinates in units of `unit`, a product of powers of two and ten. One for each vertex.
+struct CommonScale {
+  Rational unit;
+  std::vector<ScaledPoint> points;
+};
+
+/// Whether every coordinate is an integer below 2^61 in absolute value on one such grid; then
+/// `scale` holds them.
+bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale);
+
+/// The smallest positive integer that makes each coordinate that is a double or a finite decimal an
+/// integer.
+BigInt finite_denominator(const Region& region, Cancellation& cancellation);
+/// The same for all coordinates.
+BigInt least_common_denominator(const Region& region, Cancellation& cancellation);
+
+}  // namespace minksum

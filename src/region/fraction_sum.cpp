@@ -1,0 +1,118 @@
+#include "region/fraction_sum.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <span>
+#include <utility>
+
+namespace minksum {
+namespace {
+
+namespace mp = boost::multiprecision;
+
+using Indices = std::vector<std::uint32_t>;
+
+// In a balanced tree, too: then both operands of most products are long, or short.
+BigInt product_of(const std::vector<BigInt>& values, std::size_t first, std::size_t last) {
+  if (first == last) return 1;
+  if (last - first == 1) return values[first];
+  const std::size_t middle = first + (last - first) / 2;
+  return product_of(values, first, middle) * product_of(values, middle, last);
+}
+
+Indices without(const Indices& all, const Indices& others) {
+  Indices rest;
+  std::ranges::set_difference(all, others, std::back_inserter(rest));
+  return rest;
+}
+
+}  // namespace
+
+BigInt remainder_of(const BigInt& value, const BigInt& divisor) {
+  constexpr std::size_t kLimbBits = 64;
+  const std::size_t step = bit_length(divisor) / kLimbBits;
+  std::vector<std::uint64_t> limbs;
+  if (step < 2 || append_limbs(value, limbs) < 3 * step) return mp::abs(value) % divisor;
+  BigInt rest;
+  for (std::size_t end = limbs.size(); end > 0;) {
+    const std::size_t begin = end > step ? end - step : 0;
+    rest <<= kLimbBits * (end - begin);
+    rest += from_limbs(std::span(limbs).subspan(begin, end - begin));
+    rest %= divisor;
+    end = begin;
+  }
+  return rest;
+}
+
+FractionSum::FractionSum(std::vector<BigInt> factors, Cancellation& cancellation)
+    : cancellation_(cancellation), factors_(std::move(factors)) {
+  std::ranges::sort(factors_, cancellation.counting(std::less<>()));
+  factors_.erase(std::unique(factors_.begin(), factors_.end()), factors_.end());
+}
+
+std::uint32_t FractionSum::index_of(const BigInt& factor) const {
+  const auto found = std::ranges::lower_bound(factors_, factor);
+  return static_cast<std::uint32_t>(2 * (found - factors_.begin()));
+}
+
+FractionSum::Term FractionSum::term(BigInt numerator, const BigInt& a, const BigInt& b) const {
+  Term result{std::move(numerator), a * b, {}};
+  if (a != 1) result.factors.push_back(index_of(a));
+  if (b != 1) result.factors.push_back(index_of(b) + (a == b ? 1 : 0));
+  std::ranges::sort(result.factors);
+  return result;
+}
+
+BigInt FractionSum::product(const Indices& factors) const {
+  std::vector<BigInt> values;
+  for (const std::uint32_t factor : factors) values.push_back(factors_[factor / 2]);
+  return product_of(values, 0, values.size());
+}
+
+// Multiplied anew: a long division takes longer.
+BigInt FractionSum::rest(const Term& term, const Indices& kept) const {
+  return kept.size() == term.factors.size() ? term.denominator : product(kept);
+}
+
+FractionSum::Term FractionSum::sum(const Term& a, const Term& b) const {
+  const auto bits = std::max(bit_length(a.denominator), bit_length(b.denominator));
+  cancellation_.check(4 * work_of_product(bits));
+  const BigInt only_a = rest(a, without(a.factors, b.factors));
+  const BigInt only_b = rest(b, without(b.factors, a.factors));
+  Term result{a.numerator * only_b + b.numerator * only_a, a.denominator * only_b, {}};
+  std::ranges::set_union(a.factors, b.factors, std::back_inserter(result.factors));
+  return result;
+}
+
+FractionSum::Term FractionSum::sum(const std::vector<Term>& terms, std::size_t first,
+                                   std::size_t last) const {
+  if (first == last) return {};
+  if (last - first == 1) return terms[first];
+  const std::size_t middle = first + (last - first) / 2;
+  return sum(sum(terms, first, middle), sum(terms, middle, last));
+}
+
+FractionSum::Term FractionSum::sum(const std::vector<Term>& terms) const {
+  return sum(terms, 0, terms.size());
+}
+
+Rational FractionSum::half(Term term) const {
+  std::vector<BigInt> factors{2};
+  for (const std::uint32_t factor : term.factors) factors.push_back(factors_[factor / 2]);
+  if (term.numerator.is_zero()) return {};
+  // What divides neither this factor nor any before it divides none of their product.
+  for (BigInt& factor : factors) {
+    const std::size_t bits = bit_length(factor);
+    cancellation_.check(8 * work_of_product(bits) +
+                        (bit_length(term.numerator) / 64) * (bits / 64 + 1));
+    const BigInt common = mp::gcd(remainder_of(term.numerator, factor), factor);
+    if (common == 1) continue;
+    term.numerator /= common;
+    factor /= common;
+  }
+  return RationalAccess::make_reduced(std::move(term.numerator),
+                                      product_of(factors, 0, factors.size()));
+}
+
+}  // namespace minksum

@@ -1,0 +1,241 @@
+#include "minksum/measure.hpp"
+
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "region/common_scale.hpp"
+#include "region/fraction_sum.hpp"
+#include "region/rational_access.hpp"
+#include "region/region_access.hpp"
+
+namespace minksum {
+
+namespace {
+
+__extension__ using Int128 = __int128;
+__extension__ using Uint128 = unsigned __int128;
+
+// A sum of 128-bit terms that cannot overflow: low and high halves apart.
+class WideSum {
+ public:
+  void add(Int128 term) {
+    low_ += static_cast<std::uint64_t>(term);
+    high_ += static_cast<std::int64_t>(term >> 64);
+  }
+  [[nodiscard]] BigInt value() const { return (BigInt(high_) << 64) + BigInt(low_); }
+
+ private:
+  Uint128 low_ = 0;
+  Int128 high_ = 0;
+};
+
+// Twice the signed area of a ring of integers below 2^61 in absolute value.
+BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
+                    Cancellation& cancellation) {
+  if (ring.size() < 3) return 0;
+  const ScaledPoint origin = points[ring.front()];
+  WideSum sum;
+  std::int64_t last_x = 0;
+  std::int64_t last_y = 0;
+  for (const std::size_t v : ring) {
+    cancellation.check();
+    const std::int64_t x = points[v].x - origin.x;
+    const std::int64_t y = points[v].y - origin.y;
+    sum.add(Int128{last_x} * y - Int128{x} * last_y);
+    last_x = x;
+    last_y = y;
+  }
+  return sum.value();
+}
+
+// A denominator longer than this is not shared by vertices that do without it.
+constexpr std::size_t kLongestShared = 4096;
+
+// A vertex as (x / divisor, y / divisor).
+struct Quotients {
+  BigInt x;
+  BigInt y;
+  BigInt divisor;
+};
+
+Quotients quotients_of(const Point& point, const BigInt* shared) {
+  const BigInt& below_x = RationalAccess::denominator(point.x);
+  const BigInt& below_y = RationalAccess::denominator(point.y);
+  BigInt divisor = shared ? *shared : boost::multiprecision::lcm(below_x, below_y);
+  return {RationalAccess::numerator(point.x) * (divisor / below_x),
+          RationalAccess::numerator(point.y) * (divisor / below_y), std::move(divisor)};
+}
+
+// For coordinates that have no short common denominator.
+Rational area_of_rationals(const Region& region, Cancellation& cancellation) {
+  std::vector<Quotients> vertices;
+  std::vector<BigInt> divisors;
+  // Doubles and decimals have few denominators, of which one is a multiple of all.
+  const BigInt finite = finite_denominator(region, cancellation);
+  const bool is_short = bit_length(finite) <= kLongestShared;
+  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    const bool is_finite = RegionAccess::x(region, v).denominator_limbs == 0 &&
+                           RegionAccess::y(region, v).denominator_limbs == 0;
+    const BigInt* const shared = is_short && is_finite ? &finite : nullptr;
+    const Point point = region.point(v);
+    cancellation.check(4 * work_of(point));
+    divisors.push_back(vertices.emplace_back(quotients_of(point, shared)).divisor);
+  }
+  const FractionSum fractions(std::move(divisors), cancellation);
+  std::vector<FractionSum::Term> rings;
+  std::vector<FractionSum::Term> crosses;
+  for (const std::size_t polygon : region.polygons()) {
+    int sign = 1;
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange range = region.vertices_of(ring);
+      crosses.clear();
+      for (const std::size_t v : range) {
+        const std::size_t before = v == range.front() ? range.front() + range.size() - 1 : v - 1;
+        const Quotients& a = vertices[before];
+        const Quotients& b = vertices[v];
+        cancellation.check(4 * work_of_product(bit_length(b.x)));
+        crosses.push_back(fractions.term(a.x * b.y - b.x * a.y, a.divisor, b.divisor));
+      }
+      rings.push_back(fractions.sum(crosses));
+      rings.back().numerator *= sign * rings.back().numerator.sign();
+      sign = -1;
+    }
+  }
+  return fractions.half(fractions.sum(rings));
+}
+
+// Neumaier's compensated sum.
+class CompensatedSum {
+ public:
+  void add(double term) {
+    const double next = sum_ + term;
+    lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
+    sum_ = next;
+  }
+  [[nodiscard]] double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0;
+  double lost_ = 0;
+};
+
+double approximate_doubled_area(const Region& region, IndexRange ring, Cancellation& cancellation) {
+  if (ring.size() < 3) return 0;
+  const double origin_x = region.x(ring.front());
+  const double origin_y = region.y(ring.front());
+  CompensatedSum sum;
+  double last_x = 0;
+  double last_y = 0;
+  for (const std::size_t v : ring) {
+    cancellation.check(work_of_product(RegionAccess::bits(region, v)));
+    const double x = region.x(v) - origin_x;
+    const double y = region.y(v) - origin_y;
+    sum.add(last_x * y);
+    sum.add(-(x * last_y));
+    last_x = x;
+    last_y = y;
+  }
+  return std::abs(sum.value());
+}
+
+template <typename Better>
+bool better_exactly(const Region& region, const StoredCoordinate& a, const StoredCoordinate& b,
+                    Better better) {
+  const bool same_unit = a.denominator_limbs == 0 && b.denominator_limbs == 0 && a.exp2 == b.exp2 &&
+                         a.exp10 == b.exp10;
+  if (same_unit) return better(a.payload, b.payload);
+  return better(RegionAccess::exact(region, a), RegionAccess::exact(region, b));
+}
+
+// The extreme coordinate by exact comparison; the nearest doubles decide unless they are equal.
+template <typename Get, typename Better>
+Rational extreme(const Region& region, Get get, Better better, Cancellation& cancellation) {
+  std::size_t best = 0;
+  double best_double = RegionAccess::nearest(region, get(region, 0));
+  for (std::size_t v = 1; v < region.vertex_count(); ++v) {
+    cancellation.check(work_of_product(RegionAccess::bits(region, v)));
+    const double candidate = RegionAccess::nearest(region, get(region, v));
+    if (better(best_double, candidate)) continue;
+    if (candidate == best_double &&
+        !better_exactly(region, get(region, v), get(region, best), better)) {
+      continue;
+    }
+    best = v;
+    best_double = candidate;
+  }
+  return RegionAccess::exact(region, get(region, best));
+}
+
+}  // namespace
+
+Rational area(const Region& region, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  CommonScale scale;
+  if (!find_common_scale(region, cancellation, scale)) {
+    return area_of_rationals(region, cancellation);
+  }
+  BigInt doubled;
+  for (const std::size_t polygon : region.polygons()) {
+    bool outer = true;
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const BigInt of_ring =
+          abs(doubled_area(scale.points, region.vertices_of(ring), cancellation));
+      doubled += outer ? of_ring : BigInt(-of_ring);
+      outer = false;
+    }
+  }
+  return RationalAccess::make_reduced(std::move(doubled), 1) * scale.unit * scale.unit /
+         Rational(2);
+}
+
+double approximate_area(const Region& region, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  CompensatedSum doubled;
+  for (const std::size_t polygon : region.polygons()) {
+    bool outer = true;
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const double part = approximate_doubled_area(region, region.vertices_of(ring), cancellation);
+      doubled.add(outer ? part : -part);
+      outer = false;
+    }
+  }
+  const double result = doubled.value() / 2;
+  // Out of the range where the relative error of double arithmetic is what it should be.
+  constexpr double kSmallest = 1e-270;
+  if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) {
+    return area(region, cancel).to_double();
+  }
+  return result;
+}
+
+std::optional<Box> bounding_box(const Region& region, const std::optional<CancelToken>& cancel) {
+  if (region.empty()) return std::nullopt;
+  Cancellation cancellation(cancel);
+  Box box;
+  box.min.x = extreme(region, RegionAccess::x, std::less<>(), cancellation);
+  box.min.y = extreme(region, RegionAccess::y, std::less<>(), cancellation);
+  box.max.x = extreme(region, RegionAccess::x, std::greater<>(), cancellation);
+  box.max.y = extreme(region, RegionAccess::y, std::greater<>(), cancellation);
+  return box;
+}
+
+std::size_t coordinate_bits(const Region& region, const std::optional<CancelToken>& cancel) {
+  const std::optional<Box> box = bounding_box(region, cancel);
+  if (!box) return 0;
+  Cancellation cancellation(cancel);
+  const BigInt scale = least_common_denominator(region, cancellation);
+  // Both sides are integers then. With k as below, 2^(k-1) < a / b < 2^(k+1): no long division.
+  const auto scaled_bits = [&scale](const Rational& side) -> std::size_t {
+    if (side.sign() == 0) return 0;
+    const BigInt above = RationalAccess::numerator(side) * scale;
+    const BigInt& below = RationalAccess::denominator(side);
+    const std::size_t k = bit_length(above) - bit_length(below);
+    return above >= below << k ? k + 1 : k;
+  };
+  return std::max(scaled_bits(box->max.x - box->min.x), scaled_bits(box->max.y - box->min.y));
+}
+
+}  // namespace minksum

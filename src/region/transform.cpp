@@ -1,0 +1,119 @@
+#include "minksum/transform.hpp"
+
+#include <optional>
+
+#include "machine/cancellation.hpp"
+#include "region/turned.hpp"
+
+namespace minksum {
+namespace {
+
+/// By how many right angles a map turns, if that is all it does.
+std::optional<int> quarters_of(const Affine& map) {
+  if (map.dx.sign() != 0 || map.dy.sign() != 0) return std::nullopt;
+  if (map.xx != map.yy || map.yx != -map.xy) return std::nullopt;
+  if (map.yx.sign() == 0 && map.xx == 1) return 0;
+  if (map.xx.sign() == 0 && map.yx == 1) return 1;
+  if (map.yx.sign() == 0 && map.xx == -1) return 2;
+  if (map.xx.sign() == 0 && map.yx == -1) return 3;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Affine Affine::translation(const Rational& dx, const Rational& dy) {
+  Affine map;
+  map.dx = dx;
+  map.dy = dy;
+  return map;
+}
+
+Affine Affine::scaling(const Rational& factor) {
+  Affine map;
+  map.xx = factor;
+  map.yy = factor;
+  return map;
+}
+
+Affine Affine::rotation(const Rational& half) {
+  const Rational square = half * half;
+  const Rational whole = Rational(1) + square;
+  Affine map;
+  map.xx = (Rational(1) - square) / whole;
+  map.yx = Rational(2) * half / whole;
+  map.xy = -map.yx;
+  map.yy = map.xx;
+  return map;
+}
+
+Affine Affine::quarter_turns(int turns) {
+  constexpr int kCosine[] = {1, 0, -1, 0};
+  const int quarter = ((turns % 4) + 4) % 4;
+  Affine map;
+  map.xx = kCosine[quarter];
+  map.yy = map.xx;
+  map.yx = kCosine[(quarter + 3) % 4];
+  map.xy = -map.yx;
+  return map;
+}
+
+Affine Affine::after(const Affine& first) const {
+  Affine map;
+  map.xx = xx * first.xx + xy * first.yx;
+  map.xy = xx * first.xy + xy * first.yy;
+  map.dx = xx * first.dx + xy * first.dy + dx;
+  map.yx = yx * first.xx + yy * first.yx;
+  map.yy = yx * first.xy + yy * first.yy;
+  map.dy = yx * first.dx + yy * first.dy + dy;
+  return map;
+}
+
+Point Affine::operator()(const Point& point) const {
+  return {xx * point.x + xy * point.y + dx, yx * point.x + yy * point.y + dy};
+}
+
+Region transform(const Region& region, const Affine& map,
+                 const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  if (const std::optional<int> quarters = quarters_of(map)) {
+    return turned_in_order(region, *quarters, cancellation);
+  }
+  Region image;
+  for (const std::size_t polygon : region.polygons()) {
+    image.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      image.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        const Point point = map(region.point(v));
+        cancellation.check(4 * work_of(point));
+        image.add_vertex(point.x, point.y);
+      }
+    }
+  }
+  return image;
+}
+
+Geometry transform(const Geometry& geometry, const Affine& map,
+                   const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  const auto mapped = [&](const Point& point) {
+    cancellation.check(4 * work_of(point));
+    return map(point);
+  };
+  Geometry image{transform(geometry.region, map, cancel), {}, {}};
+  for (const Polyline& line : geometry.polylines) {
+    Polyline& its_image = image.polylines.emplace_back();
+    for (const Point& point : line) its_image.push_back(mapped(point));
+  }
+  for (const Point& point : geometry.points) image.points.push_back(mapped(point));
+  return image;
+}
+
+Region reflect(const Region& region, const std::optional<CancelToken>& cancel) {
+  return transform(region, Affine::scaling(Rational(-1)), cancel);
+}
+Geometry reflect(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
+  return transform(geometry, Affine::scaling(Rational(-1)), cancel);
+}
+
+}  // namespace minksum

@@ -1,0 +1,239 @@
+#include "rounding/hot_pixels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "exact/sign.hpp"
+
+namespace minksum {
+namespace {
+
+namespace mp = boost::multiprecision;
+
+BigInt floor_of(const Rational& value) {
+  const BigInt& numerator = RationalAccess::numerator(value);
+  const BigInt& denominator = RationalAccess::denominator(value);
+  BigInt quotient;
+  BigInt rest;
+  mp::divide_qr(numerator, denominator, quotient, rest);
+  if (rest.sign() < 0) --quotient;
+  return quotient;
+}
+
+double to_double(const BigInt& value) {
+  if (bit_length(value) < 64) return static_cast<double>(static_cast<std::int64_t>(value));
+  return nearest_double(value.sign() < 0, mp::abs(value), 1);
+}
+
+bool before(const Vec<BigInt>& a, const Vec<BigInt>& b) {
+  const int by_x = a.x.compare(b.x);
+  return by_x != 0 ? by_x < 0 : a.y.compare(b.y) < 0;
+}
+bool equal(const Vec<BigInt>& a, const Vec<BigInt>& b) { return a.x == b.x && a.y == b.y; }
+
+/// The parameters t at which a + t·d is in [-1/2, 1/2), cut down axis by axis; t in [0, 1] at
+/// first.
+class Parameters {
+ public:
+  void cut(const Rational& a, const Rational& d) {
+    const Rational half(1, 2);
+    const Rational low = -half - a;
+    const Rational high = half - a;
+    const int direction = d.sign();
+    if (direction == 0) {
+      if (low.sign() > 0 || high.sign() <= 0) empty_ = true;
+    } else if (direction > 0) {
+      raise(low / d, true);
+      lower(high / d, false);
+    } else {
+      raise(high / d, false);
+      lower(low / d, true);
+    }
+  }
+  [[nodiscard]] bool empty() const {
+    return empty_ || first_ > last_ || (first_ == last_ && !(first_in_ && last_in_));
+  }
+
+ private:
+  void raise(const Rational& t, bool in) {
+    if (t > first_) {
+      first_ = t;
+      first_in_ = in;
+    } else if (t == first_) {
+      first_in_ = first_in_ && in;
+    }
+  }
+  void lower(const Rational& t, bool in) {
+    if (t < last_) {
+      last_ = t;
+      last_in_ = in;
+    } else if (t == last_) {
+      last_in_ = last_in_ && in;
+    }
+  }
+  Rational first_ = 0;
+  Rational last_ = 1;
+  bool first_in_ = true;
+  bool last_in_ = true;
+  bool empty_ = false;
+};
+
+/// The answer in doubles, if they can tell.
+///
+/// Relative to the pixel's centre both ends are known within m·2^-51, where m ≥ 1 bounds their
+/// coordinates, and so their difference within m·2^-49. The cross product of the two is off by less
+/// than m²·2^-47, and so is half the difference's size in both axes. The segment misses the pixel
+/// if it is beside it along an axis or along its own normal; it meets it if that is true of none,
+/// with borders counted neither way.
+std::optional<bool> meets_by_doubles(const Vec<double>& a, const Vec<double>& b) {
+  const double m = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), 1.0});
+  const double doubt = m * 0x1p-50;
+  const double low_x = std::min(a.x, b.x);
+  const double high_x = std::max(a.x, b.x);
+  const double low_y = std::min(a.y, b.y);
+  const double high_y = std::max(a.y, b.y);
+  const double far = 0.5 + doubt;
+  if (low_x > far || high_x < -far || low_y > far || high_y < -far) return false;
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double distance = std::abs(a.x * dy - a.y * dx);
+  const double reach = 0.5 * (std::abs(dx) + std::abs(dy));
+  const double error = m * m * 0x1p-45;
+  if (distance > reach + error) return false;
+  const double close = 0.5 - doubt;
+  if (low_x < close && high_x > -close && low_y < close && high_y > -close &&
+      distance < reach - error) {
+    return true;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SnapPoint snap_point(const Rational& x, const Rational& y) {
+  const Rational half(1, 2);
+  SnapPoint point;
+  point.centre = {floor_of(x + half), floor_of(y + half)};
+  point.offset = {x - RationalAccess::make(point.centre.x, 1),
+                  y - RationalAccess::make(point.centre.y, 1)};
+  point.near_offset = {point.offset.x.to_double(), point.offset.y.to_double()};
+  return point;
+}
+
+bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInt>& centre) {
+  const Vec<BigInt> to_a{a.centre.x - centre.x, a.centre.y - centre.y};
+  const Vec<BigInt> to_b{b.centre.x - centre.x, b.centre.y - centre.y};
+  const auto answer =
+      meets_by_doubles({to_double(to_a.x) + a.near_offset.x, to_double(to_a.y) + a.near_offset.y},
+                       {to_double(to_b.x) + b.near_offset.x, to_double(to_b.y) + b.near_offset.y});
+  if (answer) return *answer;
+  const auto exact = [](const BigInt& centre_coordinate, const Rational& offset) {
+    return RationalAccess::make(centre_coordinate, 1) + offset;
+  };
+  const Rational ax = exact(to_a.x, a.offset.x);
+  const Rational ay = exact(to_a.y, a.offset.y);
+  Parameters parameters;
+  parameters.cut(ax, exact(to_b.x, b.offset.x) - ax);
+  parameters.cut(ay, exact(to_b.y, b.offset.y) - ay);
+  return !parameters.empty();
+}
+
+HotPixels::HotPixels(std::span<const SnapPoint> points, Cancellation& cancellation) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    cancellation.check(4);
+    return before(points[a].centre, points[b].centre);
+  });
+  pixel_of_.resize(points.size());
+  for (const std::size_t i : order) {
+    if (centres_.empty() || !equal(centres_.back(), points[i].centre)) {
+      centres_.push_back(points[i].centre);
+    }
+    pixel_of_[i] = static_cast<PixelId>(centres_.size() - 1);
+  }
+  stamp_.assign(centres_.size(), 0);
+  if (!centres_.empty()) place_in_cells(cancellation);
+}
+
+/// Cells are measured in units of 2^k steps, with k such that doubles hold all units; so every
+/// pixel's place is known within one unit, which is a step or far less than a cell.
+void HotPixels::place_in_cells(Cancellation& cancellation) {
+  constexpr std::size_t kBits = 50;
+  Vec<BigInt> low = centres_[0];
+  Vec<BigInt> high = centres_[0];
+  for (const auto& c : centres_) {
+    if (c.y < low.y) low.y = c.y;
+    if (c.y > high.y) high.y = c.y;
+  }
+  high.x = centres_.back().x;
+  const std::size_t bits = std::max(bit_length(high.x - low.x), bit_length(high.y - low.y));
+  const auto unit = static_cast<unsigned>(bits > kBits ? bits - kBits : 0);
+  Vec<double> extent{};
+  for (const auto& c : centres_) {
+    cancellation.check(8);
+    near_.push_back(
+        {to_double(BigInt(c.x - low.x) >> unit), to_double(BigInt(c.y - low.y) >> unit)});
+    extent = {std::max(extent.x, near_.back().x), std::max(extent.y, near_.back().y)};
+  }
+  // A pixel that a segment meets is within one step of the line between its ends' pixels' centres,
+  // along both axes; places are off by a unit more.
+  constexpr double kReach = 4;
+  const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(centres_.size()))), 1,
+                              UniformGrid::kMaxSide / 8);
+  const double longer = std::max({extent.x, extent.y, 1.0});
+  // Clamped before the cast: the quotient may be beyond any int.
+  const int fine = static_cast<int>(std::clamp(longer / kReach, 1.0, static_cast<double>(side)));
+  grid_ = UniformGrid::over(std::max(extent.x, 1.0), std::max(extent.y, 1.0), fine);
+  margin_ = kReach <= grid_.cell * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
+  cell_begin_.assign(static_cast<std::size_t>(grid_.size()) + 1, 0);
+  const auto cell_of = [&](PixelId p) {
+    return static_cast<std::size_t>(grid_.row(near_[p].y)) *
+               static_cast<std::size_t>(grid_.columns) +
+           static_cast<std::size_t>(grid_.column(near_[p].x));
+  };
+  cancellation.check(4 * centres_.size());
+  for (PixelId p = 0; p < centres_.size(); ++p) ++cell_begin_[cell_of(p) + 1];
+  std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
+  in_cells_.resize(centres_.size());
+  std::vector<std::uint32_t> end(cell_begin_.begin(), cell_begin_.end() - 1);
+  for (PixelId p = 0; p < centres_.size(); ++p) in_cells_[end[cell_of(p)]++] = p;
+}
+
+void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoint& b,
+                         std::size_t index_b, Cancellation& cancellation,
+                         std::vector<PixelId>& met) {
+  met.clear();
+  ++walk_;
+  const PixelId from = pixel_of_[index_a];
+  const PixelId to = pixel_of_[index_b];
+  const std::uint64_t work =
+      4 * (work_of({a.offset.x, a.offset.y}) + work_of({b.offset.x, b.offset.y}));
+  const auto add = [&](PixelId p) {
+    if (stamp_[p] == walk_) return;
+    cancellation.check(work);
+    stamp_[p] = walk_;
+    if (p == from || p == to || meets_pixel(a, b, centres_[p])) met.push_back(p);
+  };
+  grid_.walk(near_[from], near_[to], margin_, [&](std::int32_t i, std::int32_t j) {
+    const std::size_t cell = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
+                             static_cast<std::size_t>(i);
+    cancellation.check(1 + cell_begin_[cell + 1] - cell_begin_[cell]);
+    for (std::uint32_t k = cell_begin_[cell]; k < cell_begin_[cell + 1]; ++k) add(in_cells_[k]);
+    return true;
+  });
+  // Along a straight line both coordinates of the pixels only grow, or only fall.
+  const bool right = !(centres_[to].x < centres_[from].x);
+  const bool up = !(centres_[to].y < centres_[from].y);
+  std::sort(met.begin(), met.end(), [&](PixelId p, PixelId q) {
+    cancellation.check(4);
+    const int by_x = centres_[p].x.compare(centres_[q].x);
+    if (by_x != 0) return right == (by_x < 0);
+    const int by_y = centres_[p].y.compare(centres_[q].y);
+    return by_y != 0 && up == (by_y < 0);
+  });
+}
+
+}  // namespace minksum

@@ -1,0 +1,184 @@
+#include "rounding/keep_topology.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "region/region_access.hpp"
+#include "rounding/orientation.hpp"
+#include "validation/prepared_operand.hpp"
+
+namespace minksum {
+namespace {
+
+/// Disjoint sets of numbers.
+class Classes {
+ public:
+  explicit Classes(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  [[nodiscard]] std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// False if both were one class before.
+  bool join(std::size_t a, std::size_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[a] = b;
+    return a != b;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+class Settler {
+ public:
+  Settler(const Region& exact, const Region& moved, Cancellation& cancellation)
+      : cancellation_(cancellation),
+        exact_(exact),
+        moved_(moved),
+        keeps_origins_(exact.has_origins() && exact.vertex_count() == moved.vertex_count()) {}
+
+  Settlement run() {
+    if (moved_.empty()) return {Settled::kKept, {}};
+    std::vector<Fault> faults;
+    load_sites(moved_, {}, cancellation_, operand_);
+    clean_rings({}, cancellation_, scratch_, operand_, faults);
+    if (!faults.empty() || turned_over()) return {};
+    find_faults(1, cancellation_, scratch_, operand_, faults);
+    if (!faults.empty()) return {};
+    return {interiors_connected() ? Settled::kKept : Settled::kCut, write()};
+  }
+
+ private:
+  /// Whether some ring has lost its orientation. Cleaning directs rings by their kind; it has
+  /// turned one round if edges carry the names of the vertices at their ends.
+  [[nodiscard]] bool turned_over() const {
+    return std::any_of(operand_.rings.begin(), operand_.rings.end(), [&](const OperandRing& ring) {
+      const bool reversed = operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];
+      const std::size_t source = RegionAccess::ring_of(moved_, operand_.vertex_source[ring.begin]);
+      return reversed != (counter_clockwise(exact_, source, cancellation_) == ring.is_hole());
+    });
+  }
+
+  [[nodiscard]] std::size_t ring_of(SiteId site) const {
+    const auto after =
+        std::upper_bound(operand_.rings.begin(), operand_.rings.end(), site,
+                         [](SiteId s, const OperandRing& ring) { return s < ring.begin; });
+    return static_cast<std::size_t>(after - operand_.rings.begin()) - 1;
+  }
+
+  [[nodiscard]] bool interiors_connected() {
+    Classes points(operand_.size());
+    for (const RingTouch& touch : scratch_.touches) {
+      cancellation_.check();
+      if (touch.at_vertex) points.join(touch.vertex, touch.other);
+    }
+    // Which rings of one polygon are at which point.
+    std::vector<std::pair<std::size_t, std::size_t>> joints;
+    for (const RingTouch& touch : scratch_.touches) {
+      cancellation_.check(4);
+      const std::size_t a = ring_of(touch.vertex);
+      const std::size_t b = ring_of(touch.other);
+      if (operand_.rings[a].polygon != operand_.rings[b].polygon) continue;
+      const std::size_t point = points.find(touch.vertex);
+      joints.emplace_back(a, point);
+      joints.emplace_back(b, point);
+    }
+    std::sort(joints.begin(), joints.end(), cancellation_.counting(std::less<>()));
+    joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+    const std::size_t rings = operand_.rings.size();
+    // One polygon's joints at a point where rings of others meet too are no joints of these.
+    std::vector<std::pair<std::size_t, std::size_t>> nodes;
+    const auto node_of = [&](const std::pair<std::size_t, std::size_t>& joint) {
+      return std::pair{std::size_t{operand_.rings[joint.first].polygon}, joint.second};
+    };
+    for (const auto& joint : joints) nodes.push_back(node_of(joint));
+    std::sort(nodes.begin(), nodes.end(), cancellation_.counting(std::less<>()));
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    Classes parts(rings + nodes.size());
+    return std::all_of(joints.begin(), joints.end(), [&](const auto& joint) {
+      cancellation_.check(4);
+      const auto node = std::lower_bound(nodes.begin(), nodes.end(), node_of(joint));
+      return parts.join(joint.first, rings + static_cast<std::size_t>(node - nodes.begin()));
+    });
+  }
+
+  // -- Canonical form ----------------------------------------------------------------------------
+  [[nodiscard]] bool before(SiteId a, SiteId b) const {
+    cancellation_.check(operand_.kernel->work());
+    const Sign by_x = operand_.kernel->compare(a, b, Axis::kX);
+    return (by_x != kZero ? by_x : operand_.kernel->compare(a, b, Axis::kY)) == kNegative;
+  }
+  /// Rings differ in their first vertex, or at least in the one after it.
+  [[nodiscard]] bool ring_before(std::size_t a, std::size_t b) const {
+    if (before(first_[a], first_[b])) return true;
+    if (before(first_[b], first_[a])) return false;
+    return before(operand_.sites.next[first_[a]], operand_.sites.next[first_[b]]);
+  }
+
+  [[nodiscard]] Region write() {
+    const auto& rings = operand_.rings;
+    for (const OperandRing& ring : rings) {
+      SiteId first = ring.begin;
+      for (SiteId v = ring.begin + 1; v < ring.end; ++v) {
+        if (before(v, first)) first = v;
+      }
+      first_.push_back(first);
+    }
+    std::vector<std::size_t> outer_of(rings.size());
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      outer_of[r] = rings[r].is_hole() ? outer_of[r - 1] : r;
+    }
+    std::vector<std::size_t> order(rings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      if (outer_of[a] != outer_of[b]) return ring_before(outer_of[a], outer_of[b]);
+      if (rings[a].is_hole() != rings[b].is_hole()) return !rings[a].is_hole();
+      return a != b && ring_before(a, b);
+    });
+    Region result;
+    for (const std::size_t r : order) {
+      if (!rings[r].is_hole()) result.begin_polygon();
+      result.begin_ring();
+      SiteId v = first_[r];
+      do {
+        copy_vertex(v, result);
+        v = operand_.sites.next[v];
+      } while (v != first_[r]);
+    }
+    return result;
+  }
+
+  void copy_vertex(SiteId site, Region& result) const {
+    cancellation_.check(2);
+    const std::size_t v = operand_.vertex_source[site];
+    const StoredCoordinate& x = RegionAccess::x(moved_, v);
+    const StoredCoordinate& y = RegionAccess::y(moved_, v);
+    // Coordinates with digits of their own are too long for anybody who asks for origins.
+    if (!keeps_origins_ || x.denominator_limbs != 0 || y.denominator_limbs != 0) {
+      RegionAccess::copy_vertex(result, moved_, v);
+    } else {
+      RegionAccess::add_vertex(result, x, y, exact_.origin(operand_.edge_source[site]));
+    }
+  }
+
+  Cancellation& cancellation_;
+  const Region& exact_;
+  const Region& moved_;
+  bool keeps_origins_;
+  OperandScratch scratch_;
+  PreparedOperand operand_;
+  std::vector<SiteId> first_;  ///< by ring: its smallest vertex
+};
+
+}  // namespace
+
+Settlement settle(const Region& exact, const Region& moved, Cancellation& cancellation) {
+  return Settler(exact, moved, cancellation).run();
+}
+
+}  // namespace minksum

@@ -1,0 +1,46 @@
+#include "rounding/orientation.hpp"
+
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+/// Lexicographic order. Nearest doubles are in the order of the numbers, as far as they differ.
+bool before(const Region& region, std::size_t a, std::size_t b) {
+  const double xa = region.x(a);
+  const double xb = region.x(b);
+  if (xa != xb) return xa < xb;
+  const auto by_x = region.exact_x(a) <=> region.exact_x(b);
+  if (by_x != 0) return by_x < 0;
+  return region.exact_y(a) < region.exact_y(b);
+}
+
+}  // namespace
+
+bool counter_clockwise(const Region& region, std::size_t ring, Cancellation& cancellation) {
+  const IndexRange vertices = region.vertices_of(ring);
+  const std::size_t n = vertices.size();
+  std::size_t lowest = vertices.front();
+  for (const std::size_t v : vertices) {
+    cancellation.check(2 * work_of_product(RegionAccess::bits(region, v)));
+    if (before(region, v, lowest)) lowest = v;
+  }
+  // The nearest different vertices on both sides; the ring turns at its smallest vertex.
+  const Point at = region.point(lowest);
+  const auto neighbour = [&](std::size_t step) {
+    std::size_t i = lowest - vertices.front();
+    for (std::size_t k = 0; k < n; ++k) {
+      i = (i + step) % n;
+      Point other = region.point(vertices.front() + i);
+      if (!(other == at)) return other;
+    }
+    return at;
+  };
+  const Point next = neighbour(1);
+  const Point previous = neighbour(n - 1);
+  const Rational turn =
+      (next.x - at.x) * (previous.y - at.y) - (next.y - at.y) * (previous.x - at.x);
+  return turn.sign() > 0;
+}
+
+}  // namespace minksum

@@ -1,0 +1,228 @@
+#include "rounding/place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+namespace mp = boost::multiprecision;
+
+/// numerator / denominator · 2^exp2, not in lowest terms: finding these would cost more than the
+/// rounding.
+struct Scaled {
+  BigInt numerator;
+  BigInt denominator = 1;
+  int exp2 = 0;
+};
+
+Scaled scaled(const Region& region, const StoredCoordinate& c, int exp10) {
+  Scaled result;
+  result.exp2 = c.exp2;
+  exp10 += c.exp10;
+  if (c.denominator_limbs == 0) {
+    result.numerator = c.payload;
+  } else {
+    const auto limbs = RegionAccess::limbs(region).subspan(static_cast<std::size_t>(c.payload));
+    const std::size_t above = c.numerator_limbs & kLimbCountMask;
+    result.numerator = from_limbs(limbs.first(above));
+    result.denominator = from_limbs(limbs.subspan(above, c.denominator_limbs));
+    if ((c.numerator_limbs & kNegativeLimbs) != 0) result.numerator = -result.numerator;
+  }
+  if (exp10 > 0) result.numerator *= power_of_ten(static_cast<unsigned>(exp10));
+  if (exp10 < 0) result.denominator *= power_of_ten(static_cast<unsigned>(-exp10));
+  return result;
+}
+
+/// numerator / denominator · 2^exp2 in doubles, but never 0 for what is not.
+double signed_double(const BigInt& numerator, const BigInt& denominator, int exp2) {
+  if (numerator.is_zero()) return 0;
+  const bool negative = numerator.sign() < 0;
+  const double size = std::max(nearest_double(false, mp::abs(numerator), denominator, exp2),
+                               std::numeric_limits<double>::denorm_min());
+  return negative ? -size : size;
+}
+
+/// A double as an integer times a power of two.
+std::pair<std::int64_t, int> mantissa_and_exponent(double value) {
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+}
+
+/// Whether a coordinate, stored without a denominator, is the double nearest to it.
+bool is_exactly(const StoredCoordinate& c, double value) {
+  if (c.denominator_limbs != 0) return false;
+  if (c.payload == 0) return true;
+  if (c.exp10 != 0) return false;
+  constexpr std::int64_t kLargest = std::int64_t{1} << 53;
+  return c.payload >= -kLargest && c.payload <= kLargest &&
+         std::ldexp(value, -c.exp2) == static_cast<double>(c.payload);
+}
+
+double off_double(const Region& region, const StoredCoordinate& c, double value) {
+  if (is_exactly(c, value)) return 0;
+  Scaled exact = scaled(region, c, 0);
+  const auto [mantissa, exponent] = mantissa_and_exponent(value);
+  const int low = mantissa == 0 ? exact.exp2 : std::min(exact.exp2, exponent);
+  exact.numerator <<= static_cast<unsigned>(exact.exp2 - low);
+  if (mantissa != 0) {
+    exact.numerator -= (exact.denominator * mantissa) << static_cast<unsigned>(exponent - low);
+  }
+  return signed_double(exact.numerator, exact.denominator, low);
+}
+
+/// The integer nearest to numerator / denominator, ties to even, and the rest of the numerator.
+BigInt nearest_integer(BigInt& numerator, const BigInt& denominator) {
+  const bool negative = numerator.sign() < 0;
+  BigInt quotient;
+  BigInt rest;
+  mp::divide_qr(BigInt(mp::abs(numerator)), denominator, quotient, rest);
+  const int to_half = BigInt(rest << 1U).compare(denominator);
+  if (to_half > 0 || (to_half == 0 && mp::bit_test(quotient, 0))) {
+    ++quotient;
+    rest -= denominator;
+  }
+  numerator = negative ? BigInt(-rest) : rest;
+  return negative ? BigInt(-quotient) : quotient;
+}
+
+Place decimal_place(BigInt integer) {
+  Place place;
+  place.value = bit_length(integer) < 64 ? static_cast<double>(static_cast<std::int64_t>(integer))
+                                         : nearest_double(integer.sign() < 0, mp::abs(integer), 1);
+  place.integer = std::move(integer);
+  return place;
+}
+
+Place round_decimal(const Region& region, const StoredCoordinate& c, int decimals, double& off) {
+  constexpr int kShort = 18;
+  const int tens = c.exp10 + decimals;
+  off = 0;
+  if (c.denominator_limbs == 0 && c.payload == 0) return {};
+  if (c.denominator_limbs == 0 && c.exp2 == 0 && tens >= 0 && tens <= kShort) {
+    return decimal_place(BigInt(c.payload) * power_of_ten(static_cast<unsigned>(tens)));
+  }
+  Scaled exact = scaled(region, c, decimals);
+  if (exact.exp2 > 0) exact.numerator <<= static_cast<unsigned>(exact.exp2);
+  if (exact.exp2 < 0) exact.denominator <<= static_cast<unsigned>(-exact.exp2);
+  Place place = decimal_place(nearest_integer(exact.numerator, exact.denominator));
+  off = signed_double(exact.numerator, exact.denominator, 0);
+  return place;
+}
+
+}  // namespace
+
+Rational Target::unit() const { return decimals ? Rational(Decimal{1, -*decimals}) : Rational(1); }
+
+void fail_beyond_doubles(const Culprit& place) {
+  throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", place);
+}
+
+RoundedVertices round_vertices(const Region& region, const Target& target,
+                               Cancellation& cancellation) {
+  const std::size_t digits =
+      target.is_decimal() ? 4 * static_cast<std::size_t>(*target.decimals) : 64;
+  RoundedVertices result(region.vertex_count());
+  const auto round_one = [&](std::size_t v, const StoredCoordinate& c, Place& place, double& off) {
+    if (target.is_decimal()) {
+      place = round_decimal(region, c, *target.decimals, off);
+      return;
+    }
+    place.value = RegionAccess::nearest(region, c);
+    if (!std::isfinite(place.value)) {
+      fail_beyond_doubles(RegionAccess::culprit(region, v));
+    }
+    off = off_double(region, c, place.value);
+  };
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    cancellation.check(8 + 4 * work_of_product(RegionAccess::bits(region, v) + digits));
+    round_one(v, RegionAccess::x(region, v), result[v].x, result[v].off_x);
+    round_one(v, RegionAccess::y(region, v), result[v].y, result[v].off_y);
+  }
+  return result;
+}
+
+Place nearest_place(const Rational& value, const Target& target) {
+  if (!target.is_decimal()) return {value.to_double(), {}};
+  const Rational steps = value / target.unit();
+  BigInt numerator = RationalAccess::numerator(steps);
+  return decimal_place(nearest_integer(numerator, RationalAccess::denominator(steps)));
+}
+
+Rational value_of(const Place& place, const Target& target) {
+  if (!target.is_decimal()) return Rational(place.value);
+  return RationalAccess::make(place.integer, power_of_ten(static_cast<unsigned>(*target.decimals)));
+}
+
+Place next_place(const Place& place, bool up, const Target& target) {
+  if (target.is_decimal()) return decimal_place(BigInt(place.integer + (up ? 1 : -1)));
+  const double next = std::nextafter(place.value, up ? HUGE_VAL : -HUGE_VAL);
+  return {next == 0 ? 0.0 : next, {}};
+}
+
+Place shifted_place(const Place& place, double steps, double step, const Target& target) {
+  if (target.is_decimal()) {
+    return decimal_place(BigInt(place.integer + static_cast<std::int64_t>(steps)));
+  }
+  return {place.value + steps * step + 0.0, {}};
+}
+
+void add_vertex(Region& region, const Place& x, const Place& y, const Target& target) {
+  if (!target.is_decimal()) {
+    region.add_vertex(x.value, y.value);
+    return;
+  }
+  if (bit_length(x.integer) < 64 && bit_length(y.integer) < 64) {
+    region.add_vertex(Decimal{static_cast<std::int64_t>(x.integer), -*target.decimals},
+                      Decimal{static_cast<std::int64_t>(y.integer), -*target.decimals});
+    return;
+  }
+  region.add_vertex(value_of(x, target), value_of(y, target));
+}
+
+Region with_vertices(const Region& region, const RoundedVertices& vertices, const Target& target,
+                     Cancellation& cancellation) {
+  Region result;
+  for (const std::size_t polygon : region.polygons()) {
+    result.begin_polygon();
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      result.begin_ring();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        cancellation.check(32);
+        add_vertex(result, vertices[v].x, vertices[v].y, target);
+      }
+    }
+  }
+  return result;
+}
+
+double largest_move(const RoundedVertices& vertices) {
+  double largest = 0;
+  for (const RoundedVertex& v : vertices) {
+    if (v.moved()) largest = std::max(largest, rounded_up(length_of(v.off_x, v.off_y)));
+  }
+  return largest;
+}
+
+double length_of(double x, double y) {
+  const double larger = std::max(std::abs(x), std::abs(y));
+  if (larger == 0 || !std::isfinite(larger)) return larger;
+  const double u = x / larger;
+  const double v = y / larger;
+  return larger * std::sqrt(u * u + v * v);
+}
+
+double rounded_up(double length) { return std::nextafter(length * (1 + 0x1p-49), HUGE_VAL); }
+
+double rounded_up(const Rational& value) {
+  const double nearest = value.to_double();
+  if (!std::isfinite(nearest) || Rational(nearest) >= value) return nearest;
+  return std::nextafter(nearest, HUGE_VAL);
+}
+
+}  // namespace minksum

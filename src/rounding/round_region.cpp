@@ -1,0 +1,135 @@
+#include "rounding/round_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "minksum/resolve.hpp"
+#include "rounding/choose_side.hpp"
+#include "rounding/grow.hpp"
+#include "rounding/keep_topology.hpp"
+#include "rounding/snap.hpp"
+#include "validation/fault.hpp"
+
+namespace minksum {
+namespace {
+
+/// A length in the target's unit, rounded up.
+double in_units(double length, const Target& target) {
+  if (length == 0 || !target.is_decimal()) return length;
+  return rounded_up(length * rounded_up(target.unit()));
+}
+
+[[noreturn]] void refuse(const Region& region, const RoundOptions& options) {
+  require_legal(region, -1, options.cancel);
+  throw Error(ErrorCode::kInternal, "a legal region did not settle", {}, "round");
+}
+
+Region resolved(const Region& region, const RoundOptions& options) {
+  ResolveOptions resolving;
+  resolving.cancel = options.cancel;
+  Geometry geometry;
+  geometry.region = region;
+  return resolve(geometry, resolving).region;
+}
+
+/// What is to be snapped so that the result lies on the right side.
+Geometry sided(const Geometry& geometry, const RoundOptions& options, const SnapGrid& grid) {
+  Geometry base{canonical(geometry.region, options), geometry.polylines, geometry.points};
+  const Rational half = grid.step() * Rational(1, 2);
+  switch (options.side) {
+    case RoundingSide::kNearest:
+      break;
+    case RoundingSide::kOutside:
+      if (base.has_thin_parts()) return {grown(base, half, options.cancel), {}, {}};
+      base.region = grown(base.region, half, options.cancel);
+      break;
+    case RoundingSide::kInside:
+      base.region = shrunk(base.region, half, options.cancel);
+      break;
+  }
+  return base;
+}
+
+}  // namespace
+
+double diagonal(double length) { return rounded_up(length * std::sqrt(2.0)); }
+
+double half_place(const RoundedVertices& vertices, const Target& target) {
+  if (target.is_decimal()) return rounded_up(target.unit() * Rational(1, 2));
+  double largest = 0;
+  for (const RoundedVertex& v : vertices) {
+    largest = std::max({largest, std::abs(v.x.value), std::abs(v.y.value)});
+  }
+  constexpr int kLowest = -1074;
+  const int last_place = largest == 0 ? kLowest : std::max(std::ilogb(largest) - 52, kLowest);
+  // Half of the smallest double is none.
+  return std::max(std::ldexp(1.0, last_place - 1), std::ldexp(1.0, kLowest));
+}
+
+Region canonical(const Region& region, const RoundOptions& options) {
+  Cancellation cancellation(options.cancel);
+  Settlement same = settle(region, region, cancellation);
+  if (same.outcome == Settled::kInvalid) refuse(region, options);
+  if (same.outcome == Settled::kCut) return resolved(same.region, options);
+  return std::move(same.region);
+}
+
+std::optional<Region> round_by_vertices(const Region& region, const Target& target,
+                                        const RoundOptions& options, RoundingReport& report) {
+  Cancellation cancellation(options.cancel);
+  const RoundedVertices vertices = round_vertices(region, target, cancellation);
+  report.exact = std::none_of(vertices.begin(), vertices.end(),
+                              [](const RoundedVertex& v) { return v.moved(); });
+  const bool sided = options.side != RoundingSide::kNearest && !report.exact;
+  const double half = half_place(vertices, target);
+  Sided moved;
+  if (sided) {
+    auto chosen = choose_side(region, options.side, target, vertices,
+                              target.is_decimal() ? 1 : 2 * half, cancellation);
+    if (!chosen) return {};
+    moved = std::move(*chosen);
+  } else {
+    moved = {with_vertices(region, vertices, target, cancellation), largest_move(vertices)};
+  }
+  Settlement settled = settle(region, moved.region, cancellation);
+  if (settled.outcome == Settled::kInvalid) return {};
+  if (settled.outcome == Settled::kCut) settled.region = resolved(settled.region, options);
+  report.largest_move = in_units(moved.largest_move, target);
+  report.bound = diagonal(half * (options.side != RoundingSide::kNearest ? 2 : 1));
+  return std::move(settled.region);
+}
+
+Geometry round_by_snapping(const Geometry& geometry, const Target& target,
+                           const RoundOptions& options, RoundingReport& report) {
+  Cancellation cancellation(options.cancel);
+  const SnapGrid grid = snap_grid(geometry, target, cancellation);
+  Geometry base = sided(geometry, options, grid);
+  ResolveOptions resolving;
+  resolving.cancel = options.cancel;
+  if (base.has_thin_parts()) base = resolve(base, resolving);
+  Snapped snapped = snap(base, grid, cancellation);
+  const double step = rounded_up(grid.step());
+  const bool moved_first = options.side != RoundingSide::kNearest;
+  report.snapped = true;
+  report.exact = snapped.exact && !moved_first;
+  report.largest_move =
+      moved_first ? rounded_up(snapped.largest_move + diagonal(step / 2)) : snapped.largest_move;
+  report.bound = diagonal(moved_first ? step : step / 2);
+  return std::move(snapped.geometry);
+}
+
+Region round_region(const Region& region, const Target& target, const RoundOptions& options,
+                    RoundingReport& report) {
+  report = RoundingReport{};
+  if (region.empty()) {
+    report.exact = true;
+    return {};
+  }
+  if (auto rounded = round_by_vertices(region, target, options, report)) return std::move(*rounded);
+  Geometry geometry;
+  geometry.region = region;
+  return round_by_snapping(geometry, target, options, report).region;
+}
+
+}  // namespace minksum

@@ -1,0 +1,276 @@
+#include "rounding/thin_sides.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "minksum/resolve.hpp"
+#include "rounding/cells.hpp"
+#include "rounding/round_region.hpp"
+
+namespace minksum {
+namespace {
+
+Geometry resolved(const Geometry& geometry, const RoundOptions& options) {
+  ResolveOptions resolving;
+  resolving.cancel = options.cancel;
+  return resolve(geometry, resolving);
+}
+
+void add_ring(Region& region, const Ring& ring) {
+  region.begin_polygon();
+  region.begin_ring();
+  for (const Point& p : ring) region.add_vertex(p.x, p.y);
+}
+
+// -- Outside -------------------------------------------------------------------------------------
+
+class OutsideRounder {
+ public:
+  OutsideRounder(const Geometry& exact, const Target& target, const RoundOptions& options)
+      : exact_(exact), target_(target), options_(options), cancellation_(options.cancel) {
+    swollen_.region = canonical(exact.region, options);
+    for (const Polyline& line : exact.polylines) {
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) replace(line[i], line[i + 1]);
+    }
+    for (const Point& p : exact.points) replace(p, p);
+  }
+
+  Geometry run(RoundingReport& report) {
+    constexpr int kMaxAttempts = 4;
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+      Geometry result = kept_;
+      result.region = rounded_area(report);
+      if (result.has_thin_parts()) result = resolved(result, options_);
+      if (is_on_target(result, target_, options_.cancel)) return result;
+      swell_pieces_off_target(result);
+    }
+    report = RoundingReport{};
+    return round_by_snapping(exact_, target_, options_, report);
+  }
+
+ private:
+  /// A segment, or a point if both ends are the same.
+  void replace(const Point& a, const Point& b) {
+    cancellation_.check(64 * (work_of(a) + work_of(b)));
+    const Cell cell_a = cell_around(a, target_);
+    const Cell cell_b = cell_around(b, target_);
+    const Ring hull = hull_of(cell_a, cell_b);
+    const double far = std::max(farthest_corner(cell_a, a), farthest_corner(cell_b, b));
+    if (hull.size() > 2) {
+      swell(a, b, hull, far);
+      return;
+    }
+    if (hull.size() == 2) {
+      kept_.polylines.push_back(hull);
+    } else {
+      kept_.points.push_back(hull[0]);
+    }
+    longest_extension_ = std::max(longest_extension_, far);
+  }
+
+  void swell(const Point& a, const Point& b, const Ring& hull, double far) {
+    if (a == b) {
+      swollen_.points.push_back(a);
+    } else {
+      swollen_.polylines.push_back({a, b});
+    }
+    add_ring(hulls_, hull);
+    farthest_ = std::max(farthest_, far);
+  }
+
+  /// What is left outside of the rounded region of those that were kept, where it has an end or a
+  /// bend that is not of the target.
+  void swell_pieces_off_target(const Geometry& result) {
+    for (const Polyline& line : result.polylines) {
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Point& a = line[i];
+        const Point& b = line[i + 1];
+        cancellation_.check(64 * (work_of(a) + work_of(b)));
+        if (is_on_target(a, target_) && is_on_target(b, target_)) continue;
+        const Cell cell_a = thick_cell(a);
+        const Cell cell_b = thick_cell(b);
+        swell(a, b, hull_of(cell_a, cell_b),
+              std::max(farthest_corner(cell_a, a), farthest_corner(cell_b, b)));
+      }
+    }
+  }
+  /// Around an end that is of the target nothing is needed.
+  [[nodiscard]] Cell thick_cell(const Point& p) const {
+    if (is_on_target(p, target_)) return {p, p};
+    return thickened(cell_around(p, target_), target_);
+  }
+
+  /// The region and all that swells, rounded.
+  Region rounded_area(RoundingReport& report) const {
+    const bool swollen = swollen_.has_thin_parts();
+    report = RoundingReport{};
+    Region result;
+    double far = longest_extension_;
+    const Region area = swollen ? united() : swollen_.region;
+    if (area.empty()) {
+      report.exact = true;
+    } else if (auto rounded = round_by_vertices(area, target_, options_, report)) {
+      result = std::move(*rounded);
+      if (swollen) far = rounded_up(far + farthest_);
+    } else {
+      result = round_by_snapping(swollen_, target_, options_, report).region;
+    }
+    if (swollen) report.exact = false;
+    if (far != 0) {
+      report.exact = false;
+      report.largest_move = rounded_up(report.largest_move + far);
+      report.bound = rounded_up(report.bound + cell_bound(exact_, target_, options_.cancel));
+    }
+    return result;
+  }
+
+  [[nodiscard]] Region united() const {
+    Geometry all;
+    const Region& region = swollen_.region;
+    Cancellation cancellation(options_.cancel);
+    for (const Region* from : {&region, &hulls_}) {
+      for (std::size_t ring = 0; ring < from->ring_count(); ++ring) {
+        // Only winding numbers count: so each ring may be a polygon of its own.
+        all.region.begin_polygon();
+        all.region.begin_ring();
+        cancellation.check(from->vertices_of(ring).size() * 16);
+        for (const std::size_t v : from->vertices_of(ring)) {
+          all.region.add_vertex(from->exact_x(v), from->exact_y(v));
+        }
+      }
+    }
+    ResolveOptions resolving;
+    resolving.cancel = options_.cancel;
+    resolving.fill = FillRule::kPositive;
+    resolving.regularize = true;
+    return resolve(all, resolving).region;
+  }
+
+  const Geometry& exact_;
+  const Target& target_;
+  const RoundOptions& options_;
+  Cancellation cancellation_;
+  Geometry kept_;     ///< thin, of the target
+  Geometry swollen_;  ///< the exact region, and exact thin parts that hulls replace
+  Region hulls_;
+  double farthest_ = 0;           ///< of a hull from what it replaces
+  double longest_extension_ = 0;  ///< of what is kept beyond what it replaces
+};
+
+// -- Inside --------------------------------------------------------------------------------------
+
+class InnerParts {
+ public:
+  InnerParts(const Target& target, const std::optional<CancelToken>& cancel)
+      : target_(target), cancellation_(cancel) {}
+
+  /// Returns whether nothing is lost.
+  bool add(const Geometry& exact, Geometry& result) {
+    bool all = true;
+    for (const Polyline& line : exact.polylines) {
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        cancellation_.check(64 * work_of(line[i]));
+        all = add_segment(line[i], line[i + 1], result) && all;
+      }
+    }
+    for (const Point& p : exact.points) {
+      cancellation_.check(64 * work_of(p));
+      all = add_point(p, result) && all;
+    }
+    return all;
+  }
+
+ private:
+  bool add_point(const Point& p, Geometry& result) const {
+    if (!is_on_target(p, target_)) return false;
+    result.points.push_back(p);
+    return true;
+  }
+
+  bool add_segment(const Point& a, const Point& b, Geometry& result) const {
+    if (is_on_target(a, target_) && is_on_target(b, target_)) {
+      result.polylines.push_back({a, b});
+      return true;
+    }
+    if (!add_part_along_axis(a, b, result)) {
+      add_point(a, result);
+      add_point(b, result);
+    }
+    return false;
+  }
+
+  /// False if the segment is not along an axis.
+  bool add_part_along_axis(const Point& a, const Point& b, Geometry& result) const {
+    if (a.x != b.x && a.y != b.y) return false;
+    const bool forward = a.x < b.x || a.y < b.y;
+    const Cell first = cell_around(forward ? a : b, target_);
+    const Cell last = cell_around(forward ? b : a, target_);
+    // The cells have no width across the segment, or it is on no line of the target.
+    const Point& from = first.high;
+    const Point& to = last.low;
+    const bool across = a.y == b.y ? first.low.y == first.high.y : first.low.x == first.high.x;
+    if (!across || from.x > to.x || from.y > to.y) return true;
+    if (from == to) {
+      result.points.push_back(from);
+    } else {
+      result.polylines.push_back({from, to});
+    }
+    return true;
+  }
+
+  const Target& target_;
+  Cancellation cancellation_;
+};
+
+}  // namespace
+
+bool is_on_target(const Geometry& geometry, const Target& target,
+                  const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  const RoundedVertices vertices = round_vertices(geometry.region, target, cancellation);
+  bool all = std::none_of(vertices.begin(), vertices.end(),
+                          [](const RoundedVertex& v) { return v.moved(); });
+  for_each_thin_point(geometry, [&](const Point& p) {
+    cancellation.check(16 * work_of(p));
+    all = all && is_on_target(p, target);
+  });
+  return all;
+}
+
+double cell_bound(const Geometry& geometry, const Target& target,
+                  const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
+  RoundedVertices corners;
+  for_each_thin_point(geometry, [&](const Point& p) {
+    cancellation.check(64 * work_of(p));
+    const Cell cell = cell_around(p, target);
+    for (const Point* corner : {&cell.low, &cell.high}) {
+      RoundedVertex& place = corners.emplace_back();
+      place.x = nearest_place(corner->x, target);
+      place.y = nearest_place(corner->y, target);
+    }
+  });
+  return diagonal(2 * half_place(corners, target));
+}
+
+Geometry round_outside(const Geometry& geometry, const Target& target, const RoundOptions& options,
+                       RoundingReport& report) {
+  return OutsideRounder(geometry, target, options).run(report);
+}
+
+Geometry round_inside(const Geometry& geometry, const Target& target, const RoundOptions& options,
+                      RoundingReport& report) {
+  Geometry result;
+  result.region = round_region(geometry.region, target, options, report);
+  if (!InnerParts(target, options.cancel).add(geometry, result)) report.exact = false;
+  if (result.has_thin_parts()) result = resolved(result, options);
+  if (!is_on_target(result, target, options.cancel)) {
+    throw Error(ErrorCode::kBadInput,
+                "thin parts cross: a geometry must be resolved to be rounded");
+  }
+  return result;
+}
+
+}  // namespace minksum

@@ -1,0 +1,335 @@
+// The check of a sum: validity, points, and the whole by the second method.
+#include "minksum/check.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "minksum/boolean.hpp"
+#include "minksum/measure.hpp"
+#include "second/check/placement.hpp"
+
+namespace minksum {
+namespace checking {
+namespace {
+
+constexpr std::size_t kExamples = 10;
+constexpr std::size_t kFaults = 100;
+// How far beside the middle of an edge its points are tested, as a part of its length.
+constexpr std::int64_t kBeside = std::int64_t{1} << 20;
+
+/// The square of the points at most `reach` > 0 away from the origin in x and in y.
+Geometry square_around_origin(const Rational& reach) {
+  Geometry square;
+  square.region.begin_polygon();
+  square.region.begin_ring();
+  const Rational less = -reach;
+  for (const auto& [x, y] : {std::pair{less, less}, {reach, less}, {reach, reach}, {less, reach}}) {
+    square.region.add_vertex(x, y);
+  }
+  return square;
+}
+
+/// The set of points at most `options.within` away from `geometry` in x and in y. By the second
+/// method: the one that is checked must not tell what it may be off.
+Geometry grown(const Geometry& geometry, const CheckOptions& options) {
+  Options second;
+  second.method = Method::kSigned;
+  second.cancel = options.cancel;
+  return minkowski_sum(geometry, square_around_origin(options.within), second);
+}
+
+/// Asks for points whether result and sum agree.
+class Witness {
+ public:
+  Witness(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& options,
+          Cancellation& cancellation, SumCheck& check)
+      : cancellation_(cancellation),
+        result_(result, cancellation),
+        sum_(p, q, cancellation),
+        check_(check) {
+    if (options.within.sign() == 0) return;
+    near_result_.emplace(result, square_around_origin(options.within), cancellation);
+    near_sum_.emplace(p, grown(q, options), cancellation);
+  }
+
+  void ask(const Point& x) {
+    ++check_.points;
+    cancellation_.check(work_of(x));
+    const Corner corner(x);
+    const bool in_result = contains(result_, corner, cancellation_);
+    if (in_result == sum_.in_sum(x)) return;
+    if (near_sum_ && (in_result ? near_sum_ : near_result_)->in_sum(x)) return;
+    ++check_.disagreements;
+    if (check_.examples.size() < kExamples) check_.examples.push_back({x, in_result});
+  }
+
+ private:
+  Cancellation& cancellation_;
+  EdgeTree result_;
+  Placement sum_;
+  std::optional<Placement> near_result_;  ///< if the result may be off: whether x is near it
+  std::optional<Placement> near_sum_;     ///< likewise
+  SumCheck& check_;
+};
+
+std::size_t next_in(const IndexRange& ring, std::size_t vertex) {
+  return vertex + 1 < ring.front() + ring.size() ? vertex + 1 : ring.front();
+}
+
+// A lost hole, a shifted vertex, a spurious ring: each shows next to an edge.
+void ask_near_edges(const Region& region, std::uint64_t edges, Witness& witness) {
+  const std::uint64_t count = region.vertex_count();
+  const auto turn = [&](std::uint64_t v) { return v * edges / count; };
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(ring);
+      for (const std::size_t v : vertices) {
+        if (edges < count && turn(v) == turn(v + 1)) continue;
+        const std::size_t next = next_in(vertices, v);
+        const Point a = region.point(v);
+        const Point b = region.point(next);
+        const Rational dx = b.x - a.x;
+        const Rational dy = b.y - a.y;
+        const Point middle{(a.x + b.x) / Rational(2), (a.y + b.y) / Rational(2)};
+        const Rational part(1, kBeside);
+        witness.ask({middle.x + dy * part, middle.y - dx * part});
+        witness.ask({middle.x - dy * part, middle.y + dx * part});
+        witness.ask(a);
+      }
+    }
+  }
+}
+
+void ask_thin_parts(const Geometry& geometry, Witness& witness) {
+  for (const Polyline& line : geometry.polylines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      witness.ask(line[i]);
+      witness.ask({(line[i].x + line[i + 1].x) / Rational(2),
+                   (line[i].y + line[i + 1].y) / Rational(2)});
+    }
+  }
+  for (const Point& point : geometry.points) witness.ask(point);
+}
+
+struct Span {
+  Rational low;
+  Rational high;
+  void add(const Rational& value) {
+    if (value < low) low = value;
+    if (high < value) high = value;
+  }
+};
+
+/// The box of all points of a geometry that is not empty.
+std::pair<Span, Span> spans(const Geometry& geometry, Cancellation& cancellation) {
+  std::vector<Point> points = geometry.points;
+  for (const Polyline& line : geometry.polylines) {
+    points.insert(points.end(), line.begin(), line.end());
+  }
+  if (const auto box = bounding_box(geometry.region, cancellation.token())) {
+    points.push_back(box->min);
+    points.push_back(box->max);
+  }
+  std::pair<Span, Span> result{{points[0].x, points[0].x}, {points[0].y, points[0].y}};
+  for (const Point& point : points) {
+    cancellation.check(work_of(point));
+    result.first.add(point.x);
+    result.second.add(point.y);
+  }
+  return result;
+}
+
+/// A point of a box, on a grid of 2^53 lines.
+Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
+  const auto pick_one = [&random](const Span& span) {
+    const auto at = static_cast<std::int64_t>(random() >> 11);
+    return span.low + (span.high - span.low) * Rational(at, std::int64_t{1} << 53);
+  };
+  Rational at_x = pick_one(x);
+  return {std::move(at_x), pick_one(y)};
+}
+
+// In the box of the sum, a twentieth wider on each side.
+void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& options,
+                   Cancellation& cancellation, Witness& witness) {
+  if (p.empty() || q.empty()) return;
+  std::mt19937_64 random(options.seed);
+  const auto [px, py] = spans(p, cancellation);
+  const auto [qx, qy] = spans(q, cancellation);
+  const auto wider = [](const Span& a, const Span& b) {
+    const Span sum{a.low + b.low, a.high + b.high};
+    const Rational more = (sum.high - sum.low) / Rational(20);
+    return Span{sum.low - more, sum.high + more};
+  };
+  const Span x = wider(px, qx);
+  const Span y = wider(py, qy);
+  for (std::uint64_t i = 0; i < options.samples; ++i) witness.ask(pick(x, y, random));
+}
+
+using Room = std::pair<Span, Span>;
+constexpr std::size_t kMostRooms = 10'000;
+constexpr std::size_t kMostTries = 1'000'000;
+
+/// Boxes of placements at which a part of one operand is within the box of a hole of the other: a
+/// hole of the sum is in one of these, or surrounded by several parts.
+void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& cancellation,
+               std::vector<Room>& rooms) {
+  const auto box_of = [&](const Geometry& part) { return spans(part, cancellation); };
+  std::vector<Room> parts;
+  for (const std::size_t polygon : other.region.polygons()) {
+    parts.push_back(box_of({Region(Polygon{other.region.polygon(polygon).outer, {}}), {}, {}}));
+  }
+  for (const Polyline& line : other.polylines) parts.push_back(box_of({{}, {line}, {}}));
+  for (const Point& point : other.points) parts.push_back(box_of({{}, {}, {point}}));
+  std::size_t tries = 0;
+  for (const std::size_t polygon : with_holes.region.polygons()) {
+    for (const Ring& hole : with_holes.region.polygon(polygon).holes) {
+      const auto [hx, hy] = box_of({Region(Polygon{hole, {}}), {}, {}});
+      for (const auto& [x, y] : parts) {
+        cancellation.check(8 * work_of_product(x.low.bits()));
+        if (rooms.size() == kMostRooms || ++tries > kMostTries) return;
+        const Room room{{hx.low + x.high, hx.high + x.low}, {hy.low + y.high, hy.high + y.low}};
+        if (room.first.low < room.first.high && room.second.low < room.second.high) {
+          rooms.push_back(room);
+        }
+      }
+    }
+  }
+}
+
+// A hole that is small beside the sum is missed by points in its box, and by those near the edges
+// of a result that lacks it.
+void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& options,
+                  Cancellation& cancellation, Witness& witness) {
+  std::vector<Room> rooms;
+  add_rooms(p, q, cancellation, rooms);
+  add_rooms(q, p, cancellation, rooms);
+  if (rooms.empty()) return;
+  std::mt19937_64 random(options.seed);
+  for (std::uint64_t i = 0; i < options.samples; ++i) {
+    const Room& room = rooms[i * rooms.size() / options.samples];
+    witness.ask(pick(room.first, room.second, random));
+  }
+}
+
+/// A point inside the first ring of the polygon with the largest area: of the vertical section
+/// through it the middle of the lowest part.
+Point inner_point(const Region& region, Cancellation& cancellation) {
+  const IndexRange ring = region.vertices_of(region.rings_of(0).front());
+  Rational first = region.exact_x(ring.front());
+  for (const std::size_t v : ring) first = std::min(first, region.exact_x(v));
+  std::optional<Rational> second;
+  for (const std::size_t v : ring) {
+    const Rational x = region.exact_x(v);
+    cancellation.check(2 * work_of_product(x.bits()));
+    if (first < x && (!second || x < *second)) second = x;
+  }
+  const Rational x = (first + *second) / Rational(2);
+  std::vector<Rational> heights;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t r : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(r);
+      for (const std::size_t v : vertices) {
+        const std::size_t next = next_in(vertices, v);
+        const Point a = region.point(v);
+        const Point b = region.point(next);
+        cancellation.check(8 * work_of(a));
+        if ((a.x < x) == (b.x < x)) continue;
+        heights.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+      }
+    }
+  }
+  std::sort(heights.begin(), heights.end());
+  return {x, (heights[0] + heights[1]) / Rational(2)};
+}
+
+Difference difference_of(const Region& part, Cancellation& cancellation) {
+  Difference result;
+  double largest = -1;
+  for (const std::size_t polygon : part.polygons()) {
+    const Region one(part.polygon(polygon));
+    const double its_area = approximate_area(one, cancellation.token());
+    cancellation.check(64);
+    result.area += its_area;
+    if (its_area <= largest) continue;
+    largest = its_area;
+    result.at = inner_point(one, cancellation);
+  }
+  return result;
+}
+
+bool same_thin_parts(const Geometry& a, const Geometry& b) {
+  return a.polylines == b.polylines && a.points == b.points;
+}
+
+void prove(const Geometry& result, const Geometry& p, const Geometry& q,
+           const CheckOptions& options, Cancellation& cancellation, SumCheck& check) {
+  Options second;
+  second.method = Method::kSigned;
+  second.limits = options.limits;
+  second.cancel = options.cancel;
+  Geometry sum;
+  try {
+    sum = minkowski_sum(p, q, second);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kLimitExceeded) return;
+    throw;
+  }
+  check.sum_area = approximate_area(sum.region, options.cancel);
+  check.missing = difference_of(subtract(sum.region, result.region, options.cancel), cancellation);
+  check.surplus = difference_of(subtract(result.region, sum.region, options.cancel), cancellation);
+  if (options.within.sign() == 0) {
+    check.thin_parts_differ = !same_thin_parts(sum, result);
+    const bool equal = sum.region == result.region && !check.thin_parts_differ;
+    check.proof = equal ? Proof::kHolds : Proof::kRefuted;
+    return;
+  }
+  // Thin parts grow to areas as well, so that areas decide for them too.
+  const Geometry wide_sum = grown(sum, options);
+  const Geometry wide_result = grown(result, options);
+  const Geometry both_sums[] = {wide_sum, result};
+  const Geometry both_results[] = {wide_result, sum};
+  const bool near = unite(both_sums, options.cancel) == wide_sum &&
+                    unite(both_results, options.cancel) == wide_result;
+  check.proof = near ? Proof::kHolds : Proof::kRefuted;
+}
+
+}  // namespace
+}  // namespace checking
+
+SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
+                   const CheckOptions& options) {
+  using namespace checking;
+  if (options.within.sign() < 0) {
+    throw Error(ErrorCode::kBadInput, "how far a result may be off must not be negative");
+  }
+  const auto operand = [&options](const Geometry& geometry, int index) {
+    return resolve(geometry, {options.fill, options.regularize, options.cancel, index});
+  };
+  const Geometry first = operand(p, 0);
+  const Geometry second = operand(q, 1);
+
+  SumCheck check;
+  Cancellation cancellation(options.cancel);
+  check.faults = validate(result.region, kFaults, options.cancel);
+  ResolveOptions as_it_is;
+  as_it_is.cancel = options.cancel;
+  const Geometry found = resolve(result, as_it_is);
+  if (check.faults.empty() && found.region.polygon_count() != result.region.polygon_count()) {
+    check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, {}, {}});
+  }
+  check.result_area = approximate_area(found.region, options.cancel);
+  {
+    Witness witness(found, first, second, options, cancellation, check);
+    ask_near_edges(found.region, options.edges, witness);
+    ask_thin_parts(found, witness);
+    ask_at_random(first, second, options, cancellation, witness);
+    ask_in_holes(first, second, options, cancellation, witness);
+  }
+  prove(found, first, second, options, cancellation, check);
+  return check;
+}
+
+}  // namespace minksum

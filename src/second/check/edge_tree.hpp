@@ -1,0 +1,89 @@
+// Edges of a geometry with boxes around runs of them.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "minksum/geometry.hpp"
+
+namespace minksum::checking {
+
+/// A box in doubles that surely holds what it is the box of.
+struct Box {
+  double x0, y0, x1, y1;
+  void add(const Box& other);
+  [[nodiscard]] bool meets(const Box& other) const {
+    return x0 <= other.x1 && other.x0 <= x1 && y0 <= other.y1 && other.y0 <= y1;
+  }
+};
+
+inline constexpr Box kEverything{-std::numeric_limits<double>::infinity(),
+                                 -std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::infinity()};
+
+/// A vertex v of P, or the corner x − v of x − Q: in doubles, and exactly on demand.
+struct Corner {
+  const Point* vertex;
+  const Point* moved_to;  ///< x, or nothing
+  double x;
+  double y;
+  double error;  ///< x and y are off by no more than this each
+
+  /// A vertex by itself.
+  explicit Corner(const Point& point);
+  /// x − vertex.
+  Corner(const Corner& at, const Corner& corner);
+  [[nodiscard]] Rational exact_x() const {
+    return moved_to == nullptr ? vertex->x : moved_to->x - vertex->x;
+  }
+  [[nodiscard]] Rational exact_y() const {
+    return moved_to == nullptr ? vertex->y : moved_to->y - vertex->y;
+  }
+};
+
+/// An edge between two corners; a point has twice the same. Edges of rings count for parity.
+struct Edge {
+  std::size_t from;
+  std::size_t to;
+  bool of_ring;
+};
+
+/// All edges, rings first, and a binary tree of boxes over runs of them.
+class EdgeTree {
+ public:
+  static constexpr std::size_t kLeaf = 4;
+  EdgeTree(const Geometry& geometry, Cancellation& cancellation);
+  EdgeTree(const EdgeTree&) = delete;
+  EdgeTree& operator=(const EdgeTree&) = delete;
+
+  [[nodiscard]] bool empty() const { return edges_.empty(); }
+  /// The units of work (see Cancellation) of a decision about its corners, at most.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
+  [[nodiscard]] const Corner& corner(std::size_t i) const { return corners_[i]; }
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// One corner of each ring, path and point.
+  [[nodiscard]] const std::vector<std::size_t>& heads() const { return heads_; }
+
+  // Node 1 is the root; node i has the children 2i and 2i + 1, if it is no leaf.
+  [[nodiscard]] const Box& box(std::size_t node) const { return boxes_[node]; }
+  [[nodiscard]] bool is_leaf(std::size_t node) const { return node >= leaves_; }
+  [[nodiscard]] std::size_t first_edge(std::size_t leaf) const { return (leaf - leaves_) * kLeaf; }
+  [[nodiscard]] std::size_t last_edge(std::size_t leaf) const;
+
+ private:
+  void add_path(std::size_t first, bool closed, bool of_ring);
+  void build(Cancellation& cancellation);
+
+  std::uint64_t work_ = 0;
+  std::vector<Point> points_;
+  std::vector<Corner> corners_;
+  std::vector<Edge> edges_;
+  std::vector<std::size_t> heads_;
+  std::vector<Box> boxes_;
+  std::size_t leaves_ = 1;
+};
+
+}  // namespace minksum::checking

@@ -1,0 +1,118 @@
+#include "second/check/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "region/point_predicates.hpp"
+
+namespace minksum::checking {
+namespace {
+
+/// Whether c is between a and b, all three being in one line.
+bool between(const Corner& a, const Corner& b, const Corner& c) {
+  return compare_x(a, c) * compare_x(c, b) >= 0 && compare_y(a, c) * compare_y(c, b) >= 0;
+}
+
+bool edges_share_point(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+  const int abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return (abc == 0 && between(a, b, c)) || (abd == 0 && between(a, b, d)) ||
+         (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
+}
+
+/// A box that holds x − v for each v in `box`.
+Box placed(const Corner& x, const Box& box) {
+  const double reach = std::max({std::abs(x.x), std::abs(x.y), std::abs(box.x0), std::abs(box.x1),
+                                 std::abs(box.y0), std::abs(box.y1)});
+  const double slack = 2 * x.error + 0x1p-51 * reach;
+  if (!std::isfinite(slack)) return kEverything;
+  return {x.x - box.x1 - slack, x.y - box.y1 - slack, x.x - box.x0 + slack,
+          x.y - box.y0 + slack};
+}
+
+}  // namespace
+
+bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation) {
+  if (tree.empty()) return false;
+  bool odd = false;
+  std::vector<std::size_t> stack{1};
+  while (!stack.empty()) {
+    cancellation.check(2);
+    const std::size_t node = stack.back();
+    stack.pop_back();
+    const Box& box = tree.box(node);
+    const double slack = 2 * c.error;
+    if (box.y0 > c.y + slack || box.y1 < c.y - slack || box.x1 < c.x - slack) continue;
+    if (!tree.is_leaf(node)) {
+      stack.push_back(2 * node);
+      stack.push_back(2 * node + 1);
+      continue;
+    }
+    for (std::size_t e = tree.first_edge(node); e < tree.last_edge(node); ++e) {
+      cancellation.check(tree.work());
+      const Edge& edge = tree.edges()[e];
+      const Corner& a = tree.corner(edge.from);
+      const Corner& b = tree.corner(edge.to);
+      const int side = turn(a, b, c);
+      if (side == 0 && between(a, b, c)) return true;
+      if (!edge.of_ring) continue;
+      const bool up = compare_y(a, c) <= 0 && compare_y(b, c) > 0;
+      const bool down = compare_y(b, c) <= 0 && compare_y(a, c) > 0;
+      if ((up && side > 0) || (down && side < 0)) odd = !odd;
+    }
+  }
+  return odd;
+}
+
+bool Placement::in_sum(const Point& x) const {
+  if (p_.empty() || q_.empty()) return false;
+  const Corner at(x);
+  if (edges_meet(at)) return true;
+  // No two edges meet: each connected part is inside the other set as a whole, or outside.
+  for (const std::size_t head : q_.heads()) {
+    if (contains(p_, Corner(at, q_.corner(head)), cancellation_)) return true;
+  }
+  for (const std::size_t head : p_.heads()) {
+    if (contains(q_, Corner(at, p_.corner(head)), cancellation_)) return true;  // x − p in Q
+  }
+  return false;
+}
+
+bool Placement::edges_meet(const Corner& x) const {
+  std::vector<std::pair<std::size_t, std::size_t>> stack{{1, 1}};
+  while (!stack.empty()) {
+    cancellation_.check(4);
+    const auto [p, q] = stack.back();
+    stack.pop_back();
+    if (!p_.box(p).meets(placed(x, q_.box(q)))) continue;
+    const bool leaf_p = p_.is_leaf(p);
+    const bool leaf_q = q_.is_leaf(q);
+    if (leaf_p && leaf_q) {
+      if (leaves_meet(x, p, q)) return true;
+    } else if (leaf_q || (!leaf_p && p <= q)) {
+      stack.emplace_back(2 * p, q);
+      stack.emplace_back(2 * p + 1, q);
+    } else {
+      stack.emplace_back(p, 2 * q);
+      stack.emplace_back(p, 2 * q + 1);
+    }
+  }
+  return false;
+}
+
+bool Placement::leaves_meet(const Corner& x, std::size_t leaf_p, std::size_t leaf_q) const {
+  for (std::size_t f = q_.first_edge(leaf_q); f < q_.last_edge(leaf_q); ++f) {
+    const Corner c(x, q_.corner(q_.edges()[f].from));
+    const Corner d(x, q_.corner(q_.edges()[f].to));
+    for (std::size_t e = p_.first_edge(leaf_p); e < p_.last_edge(leaf_p); ++e) {
+      cancellation_.check(2 * (p_.work() + q_.work()));
+      const Edge& edge = p_.edges()[e];
+      if (edges_share_point(p_.corner(edge.from), p_.corner(edge.to), c, d)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace minksum::checking

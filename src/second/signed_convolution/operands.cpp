@@ -1,0 +1,314 @@
+#include "second/signed_convolution/operands.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "minksum/error.hpp"
+#include "region/rational_access.hpp"
+#include "second/signed_convolution/broken.hpp"
+
+namespace minksum::signed_sum {
+namespace {
+
+using ExactRing = std::vector<Point>;
+struct ExactPolygon {
+  bool is_walk = false;
+  std::vector<ExactRing> rings;  // the outer ring first
+};
+
+std::vector<ExactPolygon> read(const GivenOperand& given, Cancellation& cancellation) {
+  std::vector<ExactPolygon> polygons;
+  for (const Polyline& polyline : given.polylines) {
+    ExactRing walk(polyline);
+    walk.insert(walk.end(), polyline.rbegin() + 1, polyline.rend() - 1);
+    polygons.push_back({true, {std::move(walk)}});
+  }
+  if (given.region == nullptr) return polygons;
+  const Region& region = *given.region;
+  for (const std::size_t polygon : region.polygons()) {
+    std::vector<ExactRing>& rings = polygons.emplace_back().rings;
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      ExactRing& points = rings.emplace_back();
+      for (const std::size_t vertex : region.vertices_of(ring)) {
+        cancellation.check(4);
+        points.push_back(region.point(vertex));
+      }
+    }
+  }
+  return polygons;
+}
+
+BigInteger numerator(const Rational& value) { return BigInteger(RationalAccess::numerator(value)); }
+BigInteger denominator(const Rational& value) {
+  return BigInteger(RationalAccess::denominator(value));
+}
+
+unsigned bit_count(const BigInteger& value) {
+  return value == 0 ? 0U : static_cast<unsigned>(msb(value)) + 1U;
+}
+
+void include_denominator(const Rational& value, BigInteger& scale) {
+  const BigInteger d = denominator(value);
+  if (scale % d != 0) scale = lcm(scale, d);
+}
+
+BigInteger common_denominator(const std::vector<ExactPolygon>& p,
+                              const std::vector<ExactPolygon>& q, Cancellation& cancellation) {
+  BigInteger scale = 1;
+  for (const auto* polygons : {&p, &q}) {
+    for (const ExactPolygon& polygon : *polygons) {
+      for (const ExactRing& ring : polygon.rings) {
+        for (const Point& point : ring) {
+          cancellation.check(8 * work_of_product(bit_count(scale)));
+          include_denominator(point.x, scale);
+          include_denominator(point.y, scale);
+        }
+      }
+    }
+  }
+  return scale;
+}
+
+BigInteger scaled(const Rational& value, const BigInteger& scale) {
+  return numerator(value) * (scale / denominator(value));
+}
+
+BigInteger cross(const IntegerPoint& a, const IntegerPoint& b) { return a.x * b.y - a.y * b.x; }
+
+IntegerPoint edge(const IntegerRing& ring, std::size_t i) {
+  const IntegerPoint& a = ring.vertices[i];
+  const IntegerPoint& b = ring.vertices[ring.next(i)];
+  return {b.x - a.x, b.y - a.y};
+}
+
+bool same(const IntegerPoint& a, const IntegerPoint& b) { return a.x == b.x && a.y == b.y; }
+
+void drop_repeated_vertices(std::vector<IntegerPoint>& points) {
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+  while (points.size() > 1 && same(points.front(), points.back())) points.pop_back();
+}
+
+// In a simple ring a straight vertex goes straight on, so that dropping it leaves the directions of
+// its neighbours' edges as they are: one pass is enough.
+void drop_straight_vertices(IntegerRing& ring) {
+  std::vector<IntegerPoint> kept;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (cross(edge(ring, ring.previous(i)), edge(ring, i)) != 0) kept.push_back(ring.vertices[i]);
+  }
+  ring.vertices = std::move(kept);
+}
+
+BigInteger doubled_area(const IntegerRing& ring) {
+  BigInteger sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    sum += cross(ring.vertices[i], ring.vertices[ring.next(i)]);
+  }
+  return sum;
+}
+
+/// The units of work of making a vertex of a ring.
+std::uint64_t work_of_vertex(const BigInteger& scale) {
+  return 16 + 16 * work_of_product(bit_count(scale) + 64);
+}
+
+IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale, Cancellation& cancellation) {
+  IntegerRing ring;
+  for (const Point& point : exact) {
+    cancellation.check(work_of_vertex(scale));
+    ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) >= 0);
+  }
+  return ring;
+}
+
+IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool counter_clockwise,
+                      Cancellation& cancellation) {
+  IntegerRing ring;
+  for (const Point& point : exact) {
+    cancellation.check(work_of_vertex(scale));
+    ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
+  }
+  drop_repeated_vertices(ring.vertices);
+  drop_straight_vertices(ring);
+  const BigInteger area = doubled_area(ring);
+  if (ring.size() < 3 || area == 0) broken("an operand has a ring without area");
+  if ((area > 0) != counter_clockwise) std::reverse(ring.vertices.begin(), ring.vertices.end());
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) > 0);
+  }
+  return ring;
+}
+
+std::vector<IntegerPart> make_parts(const std::vector<ExactPolygon>& polygons,
+                                    const BigInteger& scale, Cancellation& cancellation) {
+  std::vector<IntegerPart> parts;
+  for (const auto& [is_walk, rings] : polygons) {
+    if (rings.empty()) broken("an operand has a polygon without rings");
+    IntegerPart& part = parts.emplace_back();
+    if (is_walk) {
+      part.outer = make_walk(rings.front(), scale, cancellation);
+      continue;
+    }
+    part.outer = make_ring(rings.front(), scale, true, cancellation);
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+      part.holes.push_back(make_ring(rings[i], scale, false, cancellation));
+    }
+  }
+  return parts;
+}
+
+std::vector<IntegerRing*> rings_of(std::vector<IntegerPart>& parts) {
+  std::vector<IntegerRing*> rings;
+  for (IntegerPart& part : parts) {
+    rings.push_back(&part.outer);
+    for (IntegerRing& hole : part.holes) rings.push_back(&hole);
+  }
+  return rings;
+}
+
+// Moves the box of the parts to start at the origin; returns where it started and its larger side.
+std::pair<IntegerPoint, BigInteger> move_to_origin(std::vector<IntegerPart>& parts) {
+  IntegerPoint low = parts.front().outer.vertices.front();
+  IntegerPoint high = low;
+  for (const IntegerPart& part : parts) {
+    for (const IntegerPoint& point : part.outer.vertices) {
+      low.x = std::min(low.x, point.x);
+      low.y = std::min(low.y, point.y);
+      high.x = std::max(high.x, point.x);
+      high.y = std::max(high.y, point.y);
+    }
+  }
+  for (IntegerRing* ring : rings_of(parts)) {
+    for (IntegerPoint& point : ring->vertices) {
+      point.x -= low.x;
+      point.y -= low.y;
+    }
+  }
+  return {low, std::max<BigInteger>(high.x - low.x, high.y - low.y)};
+}
+
+struct DirectedEdge {
+  IntegerPoint direction;
+  const IntegerRing* ring;
+  std::size_t edge;
+};
+
+void collect_edges(const IntegerRing& ring, std::vector<DirectedEdge>& edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({edge(ring, i), &ring, i});
+}
+
+bool in_first_half(const IntegerPoint& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
+
+bool direction_less(const DirectedEdge& a, const DirectedEdge& b) {
+  const bool a_first = in_first_half(a.direction);
+  if (a_first != in_first_half(b.direction)) return a_first;
+  return cross(a.direction, b.direction) > 0;
+}
+
+DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPart>& q,
+                              unsigned bits, Cancellation& cancellation) {
+  std::vector<DirectedEdge> edges;
+  std::vector<IntegerRing*> owners;
+  std::vector<std::size_t> owner_of;
+  for (auto* parts : {&p, &q}) {
+    for (IntegerRing* ring : rings_of(*parts)) {
+      collect_edges(*ring, edges);
+      owners.push_back(ring);
+      owner_of.resize(edges.size(), owners.size() - 1);
+      ring->directions.resize(ring->size());
+    }
+  }
+  std::vector<std::size_t> order(edges.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::uint64_t work = 4 * work_of_product(bits);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    cancellation.check(work);
+    return direction_less(edges[a], edges[b]);
+  });
+  DirectionRank rank = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i > 0 && direction_less(edges[order[i - 1]], edges[order[i]])) ++rank;
+    owners[owner_of[order[i]]]->directions[edges[order[i]].edge] = rank;
+  }
+  return rank + 1;
+}
+
+void sort_edges(IntegerRing& ring, Cancellation& cancellation) {
+  ring.by_direction.resize(ring.size());
+  std::iota(ring.by_direction.begin(), ring.by_direction.end(), 0U);
+  std::sort(
+      ring.by_direction.begin(), ring.by_direction.end(), [&](std::uint32_t a, std::uint32_t b) {
+        cancellation.check();
+        return ring.directions[a] != ring.directions[b] ? ring.directions[a] < ring.directions[b]
+                                                        : a < b;
+      });
+}
+
+void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank count) {
+  const BigInteger area = doubled_area(ring);
+  if (ring.size() < 2 || (area != 0 && (area > 0) != counter_clockwise)) {
+    broken("a ring of an operand has the wrong orientation");
+  }
+  std::size_t ends = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const IntegerPoint in = edge(ring, ring.previous(i));
+    const IntegerPoint out = edge(ring, i);
+    const BigInteger turn = cross(in, out);
+    if (turn == 0 && in.x * out.x + in.y * out.y >= 0) broken("a vertex of an operand is straight");
+    ends += turn == 0 ? 1U : 0U;
+    if ((turn >= 0) != ring.convex[i]) broken("a vertex of an operand is misjudged");
+    if (ring.directions[i] >= count) broken("a direction of an operand has no rank");
+  }
+  if (ends != (area == 0 ? 2U : 0U)) broken("an operand is neither a polygon nor a polyline");
+}
+
+}  // namespace
+
+IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q,
+                              Cancellation& cancellation) {
+  const std::vector<ExactPolygon> exact_p = read(p, cancellation);
+  const std::vector<ExactPolygon> exact_q = read(q, cancellation);
+  IntegerOperands operands;
+  operands.scale = common_denominator(exact_p, exact_q, cancellation);
+  operands.p = make_parts(exact_p, operands.scale, cancellation);
+  operands.q = make_parts(exact_q, operands.scale, cancellation);
+  const auto [p_low, p_side] = move_to_origin(operands.p);
+  const auto [q_low, q_side] = move_to_origin(operands.q);
+  operands.origin = {p_low.x + q_low.x, p_low.y + q_low.y};
+  operands.operand_bits = std::max(bit_count(p_side), bit_count(q_side));
+  operands.bits = bit_count(p_side + q_side);
+  operands.direction_count =
+      rank_directions(operands.p, operands.q, operands.operand_bits, cancellation);
+  for (auto* parts : {&operands.p, &operands.q}) {
+    for (IntegerRing* ring : rings_of(*parts)) sort_edges(*ring, cancellation);
+  }
+  return operands;
+}
+
+void check(const IntegerOperands& operands) {
+  std::vector<DirectedEdge> edges;
+  for (const auto* parts : {&operands.p, &operands.q}) {
+    for (const IntegerPart& part : *parts) {
+      check_ring(part.outer, true, operands.direction_count);
+      collect_edges(part.outer, edges);
+      for (const IntegerRing& hole : part.holes) {
+        check_ring(hole, false, operands.direction_count);
+        collect_edges(hole, edges);
+      }
+    }
+  }
+  const auto rank = [](const DirectedEdge& e) { return e.ring->directions[e.edge]; };
+  std::sort(edges.begin(), edges.end(),
+            [&](const DirectedEdge& a, const DirectedEdge& b) { return rank(a) < rank(b); });
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const bool same_rank = rank(edges[i - 1]) == rank(edges[i]);
+    if (direction_less(edges[i - 1], edges[i]) == same_rank ||
+        direction_less(edges[i], edges[i - 1])) {
+      broken("the directions of the operands are not in order");
+    }
+  }
+}
+
+}  // namespace minksum::signed_sum

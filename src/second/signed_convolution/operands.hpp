@@ -1,0 +1,70 @@
+// Signed method, step 1: both operands as oriented integer rings, with the directions of all edges
+// ranked once and for all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+#include "minksum/geometry.hpp"
+#include "second/signed_convolution/numbers.hpp"
+
+namespace minksum::signed_sum {
+
+/// A direction of an edge: its place among all distinct directions of both operands, in
+/// counter-clockwise order. Equal directions have equal ranks; the order is cyclic.
+using DirectionRank = std::uint32_t;
+
+struct IntegerPoint {
+  BigInteger x;
+  BigInteger y;
+};
+
+/// A simple ring without repeated or straight vertices, material on its left. Edge i runs from
+/// vertex i to vertex i + 1. Or a walk along a polyline and back: the boundary of the polyline made
+/// a little wider, in the limit, which turns left by half a circle at both ends.
+struct IntegerRing {
+  std::vector<IntegerPoint> vertices;
+  std::vector<DirectionRank> directions;    ///< of each edge
+  std::vector<bool> convex;                 ///< of each vertex: a left turn, up to half a circle
+  std::vector<std::uint32_t> by_direction;  ///< the edges, sorted by rank
+
+  [[nodiscard]] std::size_t size() const { return vertices.size(); }
+  [[nodiscard]] std::size_t previous(std::size_t i) const { return (i == 0 ? size() : i) - 1; }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+};
+
+struct IntegerPart {
+  IntegerRing outer;               ///< counter-clockwise, or a walk
+  std::vector<IntegerRing> holes;  ///< clockwise
+};
+
+/// A point (x, y) of the sum's integer plane is ((x + origin.x) / scale, (y + origin.y) / scale).
+struct IntegerOperands {
+  std::vector<IntegerPart> p;
+  std::vector<IntegerPart> q;
+  BigInteger scale;
+  IntegerPoint origin;
+  unsigned operand_bits = 0;  ///< every coordinate of an operand is below 2^operand_bits
+  unsigned bits = 0;          ///< every coordinate of the sum is below 2^bits
+  DirectionRank direction_count = 0;
+};
+
+/// An operand as it is given: a valid region, or polylines as in a resolved Geometry; not empty.
+struct GivenOperand {
+  GivenOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
+  explicit GivenOperand(std::span<const Polyline> given) : polylines(given) {}
+  const Region* region = nullptr;  ///< or
+  std::span<const Polyline> polylines;
+};
+
+[[nodiscard]] IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q,
+                                            Cancellation& cancellation);
+
+/// Throws Error(kInternal) unless the operands are as described above: oriented or walks, no
+/// straight or repeated vertices, ranks in cyclic order of the directions.
+void check(const IntegerOperands& operands);
+
+}  // namespace minksum::signed_sum

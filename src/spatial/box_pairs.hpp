@@ -1,0 +1,178 @@
+// Pairs of boxes that overlap, by a sweep from left to right in vector code.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "machine/cancellation.hpp"
+
+namespace minksum {
+
+/// Memory for it, kept from call to call.
+struct BoxPairScratch {
+  /// Rounded outwards to 15 bits.
+  struct Box {
+    std::int16_t left;
+    std::int16_t bottom;
+    std::int16_t right;
+    std::int16_t top;
+  };
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> column_end;  ///< by column of left sides: where its boxes end below
+  std::vector<std::uint32_t> order;       ///< boxes, column by column
+  std::vector<Box> in_order;
+  std::vector<std::int16_t> bottoms;  ///< the same, each field by itself
+  std::vector<std::int16_t> tops;
+};
+
+/// Boxes in [0, width] × [0, height], each rounded outwards, and all pairs of them that overlap.
+///
+/// The boxes are put in order of columns by their left sides, up to 4,096 of them. What overlaps a
+/// box and is not left of it stands right after it, up to the column where it ends; of that run all
+/// heights are compared, eight at a time. O(n + boxes over each other in x, summed up): for boxes
+/// that are small beside the whole that is far less than what any search structure costs.
+class BoxPairs {
+ public:
+  /// Boxes may be given with errors up to `doubt`.
+  BoxPairs(double width, double height, double doubt, BoxPairScratch& scratch)
+      : scale_x_(kUnits / std::max(width, least_extent(width, height, doubt))),
+        scale_y_(kUnits / std::max(height, least_extent(width, height, doubt))),
+        scratch_(scratch) {
+    scratch.boxes.clear();
+  }
+
+  /// Boxes are numbered from 0 in the order in which they are added.
+  void add(double x0, double y0, double x1, double y1) {
+    scratch_.boxes.push_back({units(x0 * scale_x_ - 0.5), units(y0 * scale_y_ - 0.5),
+                              units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
+  }
+
+  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once.
+  /// If neighbours, boxes added one right after the other, touch anyway, their pairs
+  /// may be left out.
+  template <class Visit>
+  void for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false) {
+    if (scratch_.boxes.size() <= kFew) return for_each_of_few(visit, neighbours_touch ? 2 : 1);
+    sort();
+    cancellation.check(4 * scratch_.boxes.size());
+    const std::size_t count = scratch_.boxes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const BoxPairScratch::Box box = scratch_.in_order[i];
+      const std::size_t end = scratch_.column_end[column(box.right)];
+      for (std::size_t j = i + 1; j < end; j += kLanes) {
+        const Lanes apart = (lanes(&scratch_.bottoms[j]) > box.top) |
+                            (lanes(&scratch_.tops[j]) < box.bottom);
+        for_each_clear(apart, [&](std::size_t lane) {
+          const std::size_t k = j + lane;
+          const BoxPairScratch::Box& other = scratch_.in_order[k];
+          if (k < end && other.left <= box.right && box.left <= other.right) {
+            visit(scratch_.order[i], scratch_.order[k]);
+          }
+        });
+      }
+      cancellation.check(1 + (end - std::min(i, end)) / kLanes);
+    }
+  }
+
+ private:
+  static constexpr double kUnits = 0x1p15 - 4;
+  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kFew = 48;  ///< to compare all costs less than to put them in order
+  /// Compared lane by lane: -1 is true. The compilers that know 128-bit integers know these too.
+  using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
+  using Halves [[gnu::vector_size(2 * kLanes)]] = std::uint64_t;
+
+  /// So that `doubt`, and the rounding of products, is far below half a unit.
+  static double least_extent(double width, double height, double doubt) {
+    return std::max({width * 0x1p-24, height * 0x1p-24, doubt * 0x1p18, 0x1p-900});
+  }
+  static std::int16_t units(double value) {
+    return static_cast<std::int16_t>(
+        std::clamp(static_cast<std::int32_t>(value), 0, static_cast<std::int32_t>(kUnits) + 2));
+  }
+  template <class Visit>
+  void for_each_of_few(Visit visit, std::size_t first_step) {
+    const auto& boxes = scratch_.boxes;
+    const std::size_t count = boxes.size();
+    std::array<std::array<std::int16_t, kFew + kLanes>, 4> sides;
+    auto& [lefts, bottoms, rights, tops] = sides;
+    for (std::size_t i = 0; i < count; ++i) {
+      lefts[i] = boxes[i].left;
+      bottoms[i] = boxes[i].bottom;
+      rights[i] = boxes[i].right;
+      tops[i] = boxes[i].top;
+    }
+    for (std::size_t i = count; i < count + kLanes; ++i) {
+      lefts[i] = std::numeric_limits<std::int16_t>::max();  // overlaps none
+      bottoms[i] = rights[i] = tops[i] = 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const BoxPairScratch::Box box = boxes[i];
+      for (std::size_t j = i + first_step; j < count; j += kLanes) {
+        const Lanes apart = (lanes(&bottoms[j]) > box.top) | (lanes(&tops[j]) < box.bottom) |
+                            (lanes(&lefts[j]) > box.right) | (lanes(&rights[j]) < box.left);
+        for_each_clear(apart, [&](std::size_t k) {
+          visit(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j + k));
+        });
+      }
+    }
+  }
+  static Lanes lanes(const std::int16_t* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+  }
+  template <class Visit>
+  static void for_each_clear(Lanes lanes, Visit visit) {
+    const auto halves = std::bit_cast<Halves>(lanes);
+    const std::array<std::uint64_t, 2> words{halves[0], halves[1]};
+    if ((words[0] & words[1]) == ~std::uint64_t{0}) return;
+    for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+      constexpr std::uint64_t kOnes = 0x0001000100010001;
+      for (std::uint64_t bits = ~words[half] & kOnes; bits != 0; bits &= bits - 1) {
+        visit(half * (kLanes / 2) + static_cast<std::size_t>(std::countr_zero(bits)) / 16);
+      }
+    }
+  }
+  [[nodiscard]] std::size_t column(std::int16_t x) const {
+    return static_cast<std::size_t>(x) >> shift_;
+  }
+
+  void sort() {
+    const auto& boxes = scratch_.boxes;
+    const std::size_t count = boxes.size();
+    const std::size_t columns = std::clamp<std::size_t>(std::bit_ceil(count), 16, 4096);
+    shift_ = 15 - std::countr_zero(columns);
+    auto& end = scratch_.column_end;
+    end.assign(columns, 0);
+    for (const auto& box : boxes) ++end[column(box.left)];
+    std::uint32_t begin = 0;
+    for (std::uint32_t& entry : end) begin += std::exchange(entry, begin);
+    scratch_.order.resize(count);
+    scratch_.in_order.resize(count);
+    scratch_.bottoms.resize(count + kLanes);
+    scratch_.tops.resize(count + kLanes);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t place = end[column(boxes[i].left)]++;
+      scratch_.order[place] = static_cast<std::uint32_t>(i);
+      scratch_.in_order[place] = boxes[i];
+      scratch_.bottoms[place] = boxes[i].bottom;
+      scratch_.tops[place] = boxes[i].top;
+    }
+    // What is past the last box is read, and not used.
+  }
+
+  double scale_x_;
+  double scale_y_;
+  BoxPairScratch& scratch_;
+  int shift_ = 0;
+};
+
+}  // namespace minksum

@@ -1,0 +1,254 @@
+// Which segments touch uncovered cells, and which cells.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "sum/arrangement/place_segments.hpp"
+#include "sum/arrangement/visible_segments.hpp"
+
+namespace minksum {
+namespace {
+
+/// How far segments go, all together.
+class Extent {
+ public:
+  Extent(const Operands& o, const std::vector<KeptSegment>& kept)
+      : width_(o.extent[0].x + o.extent[1].x), height_(o.extent[0].y + o.extent[1].y),
+        count_(static_cast<double>(kept.size())) {
+    for (const KeptSegment& s : kept) {
+      across_ += std::abs(s.d.x);
+      up_ += std::abs(s.d.y);
+    }
+  }
+  [[nodiscard]] Vec<double> size() const { return {width_, height_}; }
+  /// Cells about as wide and as high together as the segments are on average, but not more than
+  /// segments.
+  [[nodiscard]] UniformGrid grid() const {
+    const double most = std::sqrt(count_);
+    const double side = std::max(width_, height_) * count_ / (across_ + up_);
+    const double kept = side >= 1 ? std::min(side, most) : 1;
+    return UniformGrid::over(width_, height_, static_cast<int>(std::min(kept, 0x1p12)));
+  }
+  /// Whether a box overlaps few others, and few stand over each other: if they lie anywhere.
+  [[nodiscard]] bool boxes_are_small() const {
+    constexpr double kMostOverlaps = 8;
+    constexpr double kMostInColumn = 400;
+    return across_ <= kMostInColumn * width_ &&
+           2 * across_ * up_ <= kMostOverlaps * count_ * width_ * height_;
+  }
+
+ private:
+  double width_;
+  double height_;
+  double count_;
+  double across_ = 0;
+  double up_ = 0;
+};
+
+class Binner {
+ public:
+  Binner(const Operands& o, const Cover& cover, ArrangementScratch& scratch,
+         Cancellation& cancellation, Arrangement& arrangement)
+      : cancellation_(cancellation),
+        o_(o),
+        cover_(cover),
+        covers_any_(covers_any(cover)),
+        grid_(scratch.grid),
+        items_(scratch.items),
+        scratch_(scratch),
+        kept_(arrangement.kept) {}
+
+  void run(const Convolution& convolution, const Limits& limits) {
+    kept_.clear();
+    items_.clear();
+    std::span<const Segment> visible =
+        covers_any_
+            ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
+            : convolution.segments;
+    cancellation_.check(visible.size());
+    if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
+    // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
+    const bool joins = lines_are_joined(o_, visible.size());
+    if (joins || o_.bounds.difference != 0 || !list_shared_directions()) {
+      kept_.reserve(visible.size());
+      for (const Segment& segment : visible) {
+        cancellation_.check();
+        kept_.push_back(place_segment(o_, segment));
+      }
+    } else {
+      place_once(visible);
+    }
+    join_lines(o_, joins, cancellation_, scratch_.join, kept_);
+    cancellation_.check(kept_.size());
+    const Extent extent(o_, kept_);
+    grid_ = covers_any_ ? cover_.grid : extent.grid();
+    scratch_.swept = !covers_any_ && extent.boxes_are_small();
+    scratch_.extent = extent.size();
+    if (!scratch_.swept) list_all_cells();
+    scratch_.line_count = static_cast<KeptId>(kept_.size());
+    append_members();
+    if (!scratch_.swept) sort_by_cells();
+  }
+
+ private:
+  static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyhow
+
+  /// Segments in the order of the sites of the operand that has more of them: what is near in the
+  /// plane is near in memory then, all the way to the output.
+  std::span<const Segment> order_along_rings(std::span<const Segment> segments) {
+    const int longer = 2 * o_.split >= o_.size() ? 0 : 1;
+    const auto site = [&](const Segment& s) {
+      return o_.operand_of(s.edge) == longer ? s.edge : s.vertex;
+    };
+    auto& place = scratch_.bin.place;
+    place.assign(o_.size() + 1, 0);
+    cancellation_.check(segments.size());
+    for (const Segment& s : segments) ++place[site(s) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    auto& ordered = scratch_.bin.ordered;
+    ordered.resize(segments.size());
+    for (const Segment& s : segments) {
+      cancellation_.check();
+      ordered[place[site(s)]++] = s;
+    }
+    return ordered;
+  }
+
+  void list_all_cells() {
+    KeptId count = 0;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (list_cells(kept_[i], count)) kept_[count++] = kept_[i];
+    }
+    kept_.resize(count);
+  }
+
+  /// Directions that several edges have: only segments of such can be equal. False if
+  /// there are none.
+  bool list_shared_directions() {
+    if (o_.rank_count == o_.size()) return false;
+    auto& shared = scratch_.bin.shared;
+    shared.assign(o_.rank_count, 0);
+    for (std::size_t i = 1; i < o_.by_direction.size(); ++i) {
+      const DirectionRank rank = o_.rank[o_.by_direction[i]];
+      if (rank == o_.rank[o_.by_direction[i - 1]]) shared[rank] = 1;
+    }
+    return true;
+  }
+  /// Of equal segments one.
+  void place_once(std::span<const Segment> segments) {
+    DuplicateFinder duplicates(scratch_.hash_table, kept_);
+    const auto& shared = scratch_.bin.shared;
+    for (const Segment& segment : segments) {
+      cancellation_.check();
+      kept_.push_back(place_segment(o_, segment));
+      if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
+    }
+  }
+
+  void append_members() {
+    auto& join = scratch_.join;
+    if (kept_.size() + join.members.size() > kMostNumbered) {
+      throw Error(ErrorCode::kLimitExceeded, "more than 2^30 segments are left to arrange");
+    }
+    for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      if (kept_[s].joined == 0) continue;
+      JoinedSegments& joined = join.joined[kept_[s].joined - 1];
+      const auto first = static_cast<KeptId>(kept_.size());
+      kept_.insert(kept_.end(), join.members.begin() + joined.first,
+                   join.members.begin() + joined.end);
+      joined.first = first;
+      joined.end = static_cast<KeptId>(kept_.size());
+    }
+  }
+
+  /// Appends an item for each uncovered cell that a segment is near; whether there is one.
+  bool list_cells(KeptSegment& s, KeptId id) {
+    const std::size_t before = items_.size();
+    const CellLine line(s, grid_.inverse);
+    grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
+      std::uint64_t any_covered = 0;
+      for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
+        const std::int32_t last = std::min(span.right, first | 63);
+        const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - first)) << (first & 63);
+        const std::uint64_t covered = covers_any_ ? cover_.covered.row(span.row)[first >> 6] : 0;
+        any_covered |= covered & wanted;
+        for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
+          add_item(id, line, span, (first & ~63) + std::countr_zero(bits));
+        }
+      }
+      cancellation_.check(2 + static_cast<std::uint64_t>(span.right - span.left));
+      s.meets_cover = s.meets_cover || any_covered != 0;
+      return true;
+    });
+    return items_.size() > before;
+  }
+  void add_item(KeptId id, const CellLine& line, const UniformGrid::RowSpan& span, std::int32_t i) {
+    constexpr double kMargin = UniformGrid::kMargin;
+    const double x0 = std::max(span.x0, i - kMargin);
+    const double x1 = std::min(span.x1, i + 1 + kMargin);
+    double y0 = span.y0;
+    double y1 = span.y1;
+    if (line.rise != 0) {
+      const double at_x0 = line.height_at(x0);
+      const double at_x1 = line.height_at(x1);
+      y0 = std::max(y0, std::min(at_x0, at_x1));
+      y1 = std::min(y1, std::max(at_x0, at_x1));
+    }
+    const auto cell =
+        static_cast<std::uint32_t>(span.row) * static_cast<std::uint32_t>(grid_.columns) +
+        static_cast<std::uint32_t>(i);
+    items_.push_back({CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell, id});
+  }
+
+  /// A counting sort that looks at no cells but those that have items.
+  void sort_by_cells() {
+    if (items_.size() > std::numeric_limits<std::uint32_t>::max()) {
+      throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a grid or more");
+    }
+    auto& cells = scratch_.cells;
+    auto& end = scratch_.cell_end;
+    for (const std::uint32_t cell : cells) end[cell] = 0;
+    cells.clear();
+    const auto cell_count = static_cast<std::size_t>(grid_.size());
+    if (end.size() < cell_count) end.resize(cell_count, 0);
+    cancellation_.check(items_.size());
+    for (const CellItem& item : items_) {
+      if (end[item.cell] == 0) cells.push_back(item.cell);
+      ++end[item.cell];
+    }
+    std::uint32_t begin = 0;
+    for (const std::uint32_t cell : cells) begin += std::exchange(end[cell], begin);
+    scratch_.in_cells.resize(items_.size());
+    constexpr std::size_t kBlock = 4096;  // items are too many to count each
+    for (std::size_t i = 0; i < items_.size();) {
+      const std::size_t last = std::min(items_.size(), i + kBlock);
+      cancellation_.check(last - i);
+      for (; i < last; ++i) scratch_.in_cells[end[items_[i].cell]++] = items_[i];
+    }
+  }
+
+  Cancellation& cancellation_;
+  const Operands& o_;
+  const Cover& cover_;
+  bool covers_any_;
+  UniformGrid& grid_;
+  std::vector<CellItem>& items_;
+  ArrangementScratch& scratch_;
+  std::vector<KeptSegment>& kept_;
+};
+
+}  // namespace
+
+void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
+                  const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
+                  Arrangement& arrangement) {
+  if (cover.divided) {
+    return bin_leaves(operands, convolution, cover, cancellation, scratch, arrangement);
+  }
+  Binner(operands, cover, scratch, cancellation, arrangement).run(convolution, limits);
+}
+
+}  // namespace minksum

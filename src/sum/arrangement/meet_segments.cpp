@@ -1,0 +1,204 @@
+#include "sum/arrangement/meet_segments.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "machine/make_room.hpp"
+
+namespace minksum {
+namespace {
+
+double reach(const KeptSegment& s) { return std::max(std::abs(s.d.x), std::abs(s.d.y)); }
+Vec<double> along(const KeptSegment& s, double lambda) {
+  return {s.a.x + lambda * s.d.x, s.a.y + lambda * s.d.y};
+}
+
+}  // namespace
+
+SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const Options& options,
+                             Predicates& predicates, ArrangementScratch& scratch,
+                             const std::vector<KeptSegment>& kept)
+    : predicates_(predicates),
+      scratch_(scratch),
+      kept_(kept),
+      bounds_(predicates.bounds()),
+      slack_(grid.cell * 0x1p-10),
+      exact_(bounds_.product == 0 && bounds_.difference == 0 && bounds_.direction == 0),
+      trust_(!std::isinf(bounds_.direction)) {
+  most_crossings_ = std::min(options.limits.max_crossings, kMostNumbered);
+}
+
+void SegmentMeeter::meet(KeptId s, KeptId t) {
+  if (kept_[s].line == kept_[t].line) return meet_parallel(s, t);
+  if (meet_at_ends(s, t)) return;
+  const Sides of_t = sides(s, t);
+  if (of_t.apart()) return;
+  const Sides of_s = sides(t, s);
+  if (of_s.apart()) return;
+  if (of_t.start == kZero) return touch(s, of_s, 2 * t);
+  if (of_t.end == kZero) return touch(s, of_s, 2 * t + 1);
+  if (of_s.start == kZero) return touch(t, of_t, 2 * s);
+  if (of_s.end == kZero) return touch(t, of_t, 2 * s + 1);
+  cross_at(s, of_s, t, of_t);
+}
+
+/// Unites an end that both of two segments have, if it is seen at once: the common case of
+/// neighbours in the convolution. Not parallel, they have no other point in common.
+bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
+  const KeptSegment& ks = kept_[s];
+  const KeptSegment& kt = kept_[t];
+  // Bits are compared, without branches: which ends meet is hard to foresee.
+  const auto apart = [](const Vec<double>& p, const Vec<double>& q) {
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    return (bits(p.x) ^ bits(q.x)) | (bits(p.y) ^ bits(q.y));
+  };
+  const std::uint32_t common =
+      (apart(ks.a, kt.a) == 0 ? 1U : 0U) | (apart(ks.a, kt.b) == 0 ? 2U : 0U) |
+      (apart(ks.b, kt.a) == 0 ? 4U : 0U) | (apart(ks.b, kt.b) == 0 ? 8U : 0U);
+  if (common == 0) return false;
+  const auto first = static_cast<std::uint32_t>(std::countr_zero(common));
+  const std::uint32_t of_s = 2 * s + (first >> 1);
+  const std::uint32_t of_t = 2 * t + (first & 1);
+  if (bounds_.difference != 0 && vertex(of_s) != vertex(of_t)) return false;
+  unite(scratch_.parent, of_s, of_t);
+  return true;
+}
+
+/// Where the ends of t lie relative to s.
+SegmentMeeter::Sides SegmentMeeter::sides(KeptId s, KeptId t) {
+  Sides result{0, 0, 0, kZero, kZero};
+  if (exact_) {
+    const KeptSegment& ks = kept_[s];
+    const KeptSegment& kt = kept_[t];
+    result.start_value = cross(ks.d, {kt.a.x - ks.a.x, kt.a.y - ks.a.y});
+    result.end_value = cross(ks.d, {kt.b.x - ks.a.x, kt.b.y - ks.a.y});
+    result.start = sign_of(result.start_value);
+    result.end = sign_of(result.end_value);
+    predicates_.count_filtered(2);
+    return result;
+  }
+  result.start = side(s, 2 * t, result.start_value, result.bound);
+  result.end = side(s, 2 * t + 1, result.end_value, result.bound);
+  return result;
+}
+
+Sign SegmentMeeter::side(KeptId s, std::uint32_t point, double& value, double& greatest_bound) {
+  const KeptSegment& ks = kept_[s];
+  const Vec<double>& p = place(point);
+  const Vec<double> v{p.x - ks.a.x, p.y - ks.a.y};
+  const double left = ks.d.x * v.y;
+  const double right = ks.d.y * v.x;
+  value = left - right;
+  const double bound = predicates_.cross_bound(ks.d, v, left, right, bounds_.difference);
+  greatest_bound = std::max(greatest_bound, bound);
+  if (value > bound || value < -bound || bound == 0) {
+    predicates_.count_filtered(1);
+    return sign_of(value);
+  }
+  greatest_bound = HUGE_VAL;
+  if (coincide(point, 2 * s) || coincide(point, 2 * s + 1)) return kZero;
+  predicates_.count_kernel();
+  return predicates_.kernel().orientation(ks.segment, vertex(point));
+}
+
+/// Whether two ends are certainly equal: the common case of neighbours in the convolution.
+bool SegmentMeeter::coincide(std::uint32_t a, std::uint32_t b) const {
+  const Vec<double>& p = place(a);
+  const Vec<double>& q = place(b);
+  return p.x == q.x && p.y == q.y && (bounds_.difference == 0 || vertex(a) == vertex(b));
+}
+
+/// An end of another segment lies on the line of s; `of_s` are the ends of s to that segment, so
+/// it lies on s unless both are strictly on one side.
+void SegmentMeeter::touch(KeptId s, const Sides& of_s, std::uint32_t point) {
+  if (of_s.start == kZero) return unite(scratch_.parent, point, 2 * s);
+  if (of_s.end == kZero) return unite(scratch_.parent, point, 2 * s + 1);
+  add_vertex_event(s, point);
+}
+
+void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
+  double value = 0;
+  double bound = 0;
+  if (side(s, 2 * t, value, bound) != kZero) return;
+  unite(scratch_.line_parent, s, t);
+  scratch_.lines_shared = true;
+  for (const std::uint32_t point : {2 * t, 2 * t + 1}) meet_on_line(s, point);
+  for (const std::uint32_t point : {2 * s, 2 * s + 1}) meet_on_line(t, point);
+}
+
+/// The end of a segment on the same line.
+void SegmentMeeter::meet_on_line(KeptId s, std::uint32_t point) {
+  if (!mine(place(point), bounds_.position)) return;
+  const SumVertex v = vertex(point);
+  const SumVertex a = start(s);
+  const SumVertex b = end(s);
+  const bool vertical = predicates_.component(kept_[s].segment.edge, Axis::kX) == kZero;
+  const Axis axis = vertical ? Axis::kY : Axis::kX;
+  const Sign from_a = predicates_.compare(a, v, axis);
+  if (from_a == kZero) return unite(scratch_.parent, point, 2 * s);
+  const Sign to_b = predicates_.compare(v, b, axis);
+  if (to_b == kZero) return unite(scratch_.parent, point, 2 * s + 1);
+  if (from_a == to_b) add_vertex_event(s, point);
+}
+
+/// From the ends' cross products with the other segment: they have opposite signs, so their
+/// difference does not cancel.
+SegmentMeeter::Parameter SegmentMeeter::crossing_parameter(KeptId s, const Sides& of_s, KeptId t) {
+  constexpr double kRounding = 0x1p-51;
+  const double width = std::abs(of_s.start_value) + std::abs(of_s.end_value);
+  const double lambda = std::abs(of_s.start_value) / width;
+  const double error = 2 * of_s.bound / width + kRounding;
+  if (error * reach(kept_[s]) < slack_ / 4) return {lambda, error};
+  const PointOnSegment point{true, kept_[t].segment, {}};
+  return from_kernel(s, point);
+}
+
+SegmentMeeter::Parameter SegmentMeeter::from_kernel(KeptId s, const PointOnSegment& point) {
+  constexpr double kKernelError = 0x1p-47;
+  predicates_.count_kernel();
+  const KeptSegment& ks = kept_[s];
+  const double lambda = predicates_.kernel().parameter(ks.segment, point);
+  if (ks.joined == 0) return {lambda, kKernelError};
+  // The kernel knows the first member only, which begins where the whole begins.
+  const Vec<double> d = kept_[scratch_.join.joined[ks.joined - 1].first].d;
+  const bool by_x = std::abs(ks.d.x) >= std::abs(ks.d.y);
+  return {lambda * (by_x ? d.x / ks.d.x : d.y / ks.d.y), kKernelError};
+}
+
+void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides& of_t) {
+  const Parameter on_s = crossing_parameter(s, of_s, t);
+  const Vec<double> p = along(kept_[s], on_s.lambda);
+  if (!mine(p, on_s.error * reach(kept_[s]) + bounds_.position)) return;
+  const Parameter on_t = crossing_parameter(t, of_t, s);
+  const auto point = static_cast<std::uint32_t>(scratch_.parent.size());
+  if (scratch_.crossings.size() >= most_crossings_) {
+    throw Error(ErrorCode::kLimitExceeded, "more than " + std::to_string(most_crossings_) +
+                                               " crossings (Limits::max_crossings)");
+  }
+  Cancellation& cancellation = predicates_.cancellation();
+  make_room(scratch_.parent, 1, cancellation);
+  make_room(scratch_.crossings, 1, cancellation);
+  make_room(scratch_.events, 2, cancellation);
+  scratch_.parent.push_back(point);
+  if (of_s.start == kPositive) {
+    scratch_.crossings.push_back({s, t, on_s.lambda, doubted(on_s.error)});
+  } else {
+    scratch_.crossings.push_back({t, s, on_t.lambda, doubted(on_t.error)});
+  }
+  scratch_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
+  scratch_.events.push_back({on_t.lambda, doubted(on_t.error), t, point});
+}
+
+void SegmentMeeter::add_vertex_event(KeptId s, std::uint32_t point) {
+  const KeptSegment& ks = kept_[s];
+  const Vec<double>& p = place(point);
+  if (!mine(p, bounds_.position)) return;
+  const bool by_x = std::abs(ks.d.x) >= std::abs(ks.d.y);
+  const double length = by_x ? ks.d.x : ks.d.y;
+  Parameter on_s{(by_x ? p.x - ks.a.x : p.y - ks.a.y) / length, 0};
+  on_s.error = (bounds_.difference + 2 * bounds_.direction) / std::abs(length) + 0x1p-50;
+  if (!(on_s.error * reach(ks) < slack_ / 4)) on_s = from_kernel(s, {false, {}, vertex(point)});
+  scratch_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
+}
+
+}  // namespace minksum

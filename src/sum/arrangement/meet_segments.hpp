@@ -1,0 +1,98 @@
+// Where two kept segments meet.
+#pragma once
+
+#include <cmath>
+
+#include "sum/arrangement/arrangement.hpp"
+
+namespace minksum {
+
+/// A part of the plane. Those of a grid tile it half-open: each point is in exactly one of them.
+struct Part {
+  double x0 = -HUGE_VAL;
+  double y0 = -HUGE_VAL;
+  double x1 = HUGE_VAL;
+  double y1 = HUGE_VAL;
+  [[nodiscard]] bool contains(const Vec<double>& p) const {
+    return p.x >= x0 && p.x < x1 && p.y >= y0 && p.y < y1;
+  }
+};
+
+/// Finds the points that pairs of segments share in one part after the other.
+///
+/// Pairs may share several parts; each point is taken in its own part, where both segments are
+/// listed. A point that is only roughly known (beyond the slack that segments were listed with) is
+/// taken in each, which costs repeated events and nothing else.
+class SegmentMeeter {
+ public:
+  SegmentMeeter(const UniformGrid& grid, const Options& options, Predicates& predicates,
+                ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
+
+  /// From here on, points in this part are wanted.
+  void enter(const Part& part) { part_ = part; }
+  /// Unites ends that coincide, adds crossings and events. s < t. O(1): four orientations at most.
+  void meet(KeptId s, KeptId t);
+  /// Segments are listed in every part within this distance.
+  [[nodiscard]] double slack() const { return slack_; }
+  /// A bound on the error of a segment's place.
+  [[nodiscard]] double doubt() const { return bounds_.position; }
+
+ private:
+  /// Where the ends of a segment lie relative to another one's line.
+  struct Sides {
+    double start_value;  ///< approximate cross products,
+    double end_value;
+    double bound;  ///< and a bound on the error of each; infinite if the kernel was asked
+    Sign start;
+    Sign end;
+    [[nodiscard]] bool apart() const { return start == end && start != kZero; }
+  };
+  struct Parameter {
+    double lambda;
+    double error;
+  };
+
+  [[nodiscard]] SumVertex start(KeptId s) const {
+    return Predicates::start_vertex(kept_[s].segment);
+  }
+  [[nodiscard]] SumVertex end(KeptId s) const {
+    return predicates_.end_vertex(last_segment(kept_[s], scratch_.join));
+  }
+  /// Ends of segments by their numbers as points: 2s and 2s + 1.
+  [[nodiscard]] SumVertex vertex(std::uint32_t point) const {
+    return point % 2 == 0 ? start(point / 2) : end(point / 2);
+  }
+  [[nodiscard]] const Vec<double>& place(std::uint32_t point) const {
+    const KeptSegment& s = kept_[point / 2];
+    return point % 2 == 0 ? s.a : s.b;
+  }
+
+  [[nodiscard]] Sides sides(KeptId s, KeptId t);
+  [[nodiscard]] Sign side(KeptId s, std::uint32_t point, double& value, double& bound);
+  [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool meet_at_ends(KeptId s, KeptId t);
+  void touch(KeptId s, const Sides& of_s, std::uint32_t point);
+  void meet_parallel(KeptId s, KeptId t);
+  void meet_on_line(KeptId s, std::uint32_t point);
+  void cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides& of_t);
+  void add_vertex_event(KeptId s, std::uint32_t point);
+  [[nodiscard]] Parameter crossing_parameter(KeptId s, const Sides& of_s, KeptId t);
+  [[nodiscard]] Parameter from_kernel(KeptId s, const PointOnSegment& point);
+  [[nodiscard]] bool mine(const Vec<double>& p, double error) const {
+    return !(error < slack_ / 2) || part_.contains(p);
+  }
+  /// Without trust in doubles every order is decided by the kernel.
+  [[nodiscard]] double doubted(double error) const { return trust_ ? error : HUGE_VAL; }
+
+  Predicates& predicates_;
+  ArrangementScratch& scratch_;
+  const std::vector<KeptSegment>& kept_;
+  const RoundingBounds bounds_;
+  std::uint64_t most_crossings_;
+  double slack_;
+  bool exact_;  ///< cross products have no rounding
+  bool trust_;
+  Part part_;
+};
+
+}  // namespace minksum

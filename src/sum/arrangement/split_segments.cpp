@@ -1,0 +1,344 @@
+// Events along segments to nodes and pieces.
+#include <algorithm>
+#include <cmath>
+
+#include "sum/arrangement/arrangement.hpp"
+
+namespace minksum {
+namespace {
+
+constexpr NodeId kNoNode = 0xFFFFFFFFU;
+
+class Splitter {
+ public:
+  Splitter(const Operands& operands, const Cover& cover, bool tight_wanted, Predicates& predicates,
+           ArrangementScratch& scratch, Arrangement& arrangement)
+      : operands_(operands),
+        cover_(cover),
+        tight_wanted_(tight_wanted),
+        predicates_(predicates),
+        cancellation_(predicates.cancellation()),
+        scratch_(scratch),
+        result_(arrangement),
+        ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())),
+        may_coincide_(!scratch.swept || scratch.lines_shared) {}
+
+  void run() {
+    group_events();
+    for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      cancellation_.check(1 + 4 * events_of(s).size());
+      order_events(s);
+    }
+    result_.nodes.clear();
+    result_.pieces.clear();
+    if (may_coincide_) scratch_.first_piece.assign(scratch_.parent.size(), kNoPiece);
+    scratch_.next_piece.clear();
+    scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
+    for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
+    result_.slits.clear();
+    result_.crowded.clear();
+    if (tight_wanted_) {
+      list_slits();
+      list_crowded();
+    }
+    drop_cancelled();
+  }
+
+ private:
+  /// A piece ends at an event, or where its line does: this bounds their number, too.
+  void limit_events() const {
+    if (scratch_.events.size() + scratch_.line_count < kNoPiece) return;
+    throw Error(ErrorCode::kLimitExceeded, "segments meet at 2^32 places or more");
+  }
+  void group_events() {
+    limit_events();
+    auto& begin = scratch_.event_begin;
+    begin.assign(result_.kept.size() + 2, 0);
+    cancellation_.check(scratch_.events.size() + scratch_.parent.size());
+    for (const Event& event : scratch_.events) ++begin[event.segment + 2];
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    scratch_.sorted_events.resize(scratch_.events.size());
+    for (const Event& event : scratch_.events) {
+      cancellation_.check();
+      scratch_.sorted_events[begin[event.segment + 1]++] = event;
+    }
+    begin.pop_back();
+  }
+
+  [[nodiscard]] std::span<Event> events_of(KeptId s) {
+    return std::span(scratch_.sorted_events)
+        .subspan(scratch_.event_begin[s], scratch_.event_begin[s + 1] - scratch_.event_begin[s]);
+  }
+
+  [[nodiscard]] SumVertex vertex_of(std::uint32_t end_point) const {
+    const KeptSegment& s = result_.kept[end_point / 2];
+    return end_point % 2 == 0 ? Predicates::start_vertex(s.segment)
+                              : predicates_.end_vertex(last_segment(s, scratch_.join));
+  }
+  [[nodiscard]] PointOnSegment point_on(KeptId s, std::uint32_t point) const {
+    if (point < ends_) return {false, {}, vertex_of(point)};
+    return {true, result_.kept[other_of(s, point)].segment, {}};
+  }
+  [[nodiscard]] KeptId other_of(KeptId s, std::uint32_t crossing_point) const {
+    const Crossing& crossing = scratch_.crossings[crossing_point - ends_];
+    return crossing.first == s ? crossing.second : crossing.first;
+  }
+
+  /// Whether two points are certainly one on s: known to be equal, or crossings with one line.
+  bool same(KeptId s, std::uint32_t a, std::uint32_t b) {
+    if (find_root(scratch_.parent, a) == find_root(scratch_.parent, b)) return true;
+    if (a < ends_ || b < ends_) return false;
+    return find_root(scratch_.line_parent, other_of(s, a)) ==
+           find_root(scratch_.line_parent, other_of(s, b));
+  }
+  Sign compare(KeptId s, const Event& a, const Event& b) {
+    if (std::abs(a.lambda - b.lambda) > a.error + b.error) return sign_of(a.lambda - b.lambda);
+    if (same(s, a.point, b.point)) return kZero;
+    return predicates_.compare_along(result_.kept[s].segment, a.lambda, a.error,
+                                     point_on(s, a.point), b.lambda, b.error, point_on(s, b.point));
+  }
+
+  /// Rounded positions bring events almost into their order; insertion then costs about one exact
+  /// comparison each, and meets all equal neighbours.
+  void order_events(KeptId s) {
+    const std::span<Event> events = events_of(s);
+    if (events.size() < 2) return;
+    constexpr std::size_t kFew = 12;
+    constexpr std::size_t kMany = 4096;
+    const auto before = [](const Event& a, const Event& b) { return a.lambda < b.lambda; };
+    if (events.size() > kMany) {
+      std::sort(events.begin(), events.end(), cancellation_.counting(before));
+    } else if (events.size() > kFew) {
+      std::sort(events.begin(), events.end(), before);
+    }
+    for (std::size_t i = 1; i < events.size(); ++i) {
+      const Event event = events[i];
+      std::size_t j = i;
+      Sign order = kNegative;
+      while (j > 0 && (order = compare(s, events[j - 1], event)) == kPositive) {
+        events[j] = events[j - 1];
+        --j;
+      }
+      events[j] = event;
+      if (order == kZero) unite(scratch_.parent, events[j - 1].point, event.point);
+    }
+  }
+
+  NodeId node_of(std::uint32_t root) {
+    NodeId& id = scratch_.node_of_point[root];
+    if (id == kNoNode) {
+      id = static_cast<NodeId>(result_.nodes.size());
+      make_node(root, result_.nodes.emplace_back());
+    }
+    return id;
+  }
+  /// In its place: a copy of what was just written in parts would have to wait for them.
+  void make_node(std::uint32_t root, Node& node) const {
+    node.point.is_crossing = root >= ends_;
+    if (root < ends_) {
+      const KeptSegment& s = result_.kept[root / 2];
+      node.point.vertex = vertex_of(root);
+      node.at = root % 2 == 0 ? s.a : s.b;
+      node.error = predicates_.bounds().difference;
+      return;
+    }
+    const Crossing& c = scratch_.crossings[root - ends_];
+    const KeptSegment& s = result_.kept[c.first];
+    const double reach = std::max(std::abs(s.d.x), std::abs(s.d.y));
+    node.point.first = s.segment;
+    node.point.second = result_.kept[c.second].segment;
+    node.at = {s.a.x + c.lambda * s.d.x, s.a.y + c.lambda * s.d.y};
+    // An unknown place stays unknown on a segment whose vector doubles do not tell from 0.
+    node.error = std::isinf(c.error) ? c.error : c.error * reach + predicates_.bounds().position;
+  }
+
+  /// Pieces of one segment, but for those that run through covered cells: they are not boundary.
+  void cut(KeptId s) {
+    const KeptSegment& k = result_.kept[s];
+    Event last{0, 0, s, 2 * s};
+    std::uint32_t from = find_root(scratch_.parent, last.point);
+    if (!k.meets_cover && k.joined == 0 && events_of(s).empty()) {
+      const std::uint32_t to = find_root(scratch_.parent, 2 * s + 1);
+      if (to == from) return;
+      const NodeId from_node = node_of(from);
+      return add_piece(from_node, node_of(to), s);
+    }
+    Vec<double> from_at = k.a;
+    KeptId maker = k.joined == 0 ? s : scratch_.join.joined[k.joined - 1].first;
+    const auto add = [&](const Event& event, const Vec<double>& to_at) {
+      cancellation_.check();
+      const std::uint32_t to = find_root(scratch_.parent, event.point);
+      if (to == from) return;
+      if (!is_inside(s, last.point, event.point) &&
+          (!k.meets_cover || !is_covered(from_at, to_at))) {
+        if (k.joined != 0) maker = member_after(s, last, maker);
+        const NodeId from_node = node_of(from);
+        add_piece(from_node, node_of(to), maker);
+      }
+      last = event;
+      from = to;
+      from_at = to_at;
+    };
+    for (const Event& event : events_of(s)) {
+      add(event, {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
+    }
+    add({1, 0, s, 2 * s + 1}, k.b);
+  }
+  /// The first member of a joined segment, from `member` on, that goes on after a point. (It starts
+  /// before, or there: members overlap.)
+  KeptId member_after(KeptId s, const Event& from, KeptId member) {
+    const KeptSegment& k = result_.kept[s];
+    const KeptId end = scratch_.join.joined[k.joined - 1].end;
+    const bool by_x = std::abs(k.d.x) >= std::abs(k.d.y);
+    for (; member + 1 < end; ++member) {
+      cancellation_.check();
+      const KeptSegment& m = result_.kept[member];
+      const double lambda = by_x ? (m.b.x - k.a.x) / k.d.x : (m.b.y - k.a.y) / k.d.y;
+      const PointOnSegment point{false, {}, predicates_.end_vertex(m.segment)};
+      if (predicates_.compare_along(k.segment, lambda, 0x1p-50, point, from.lambda, from.error,
+                                    point_on(s, from.point)) == kPositive) {
+        break;
+      }
+    }
+    return member;
+  }
+
+  /// Whether a piece of s begins, or ends, with a crossing to or from the left of another segment:
+  /// the sum's interior is there, all along that segment. (Of joined segments that is not known
+  /// where one ends and the next begins.)
+  [[nodiscard]] bool is_inside(KeptId s, std::uint32_t begin, std::uint32_t end) const {
+    if (tight_wanted_) return false;  // tight places are inside
+    const auto is_left_of = [&](KeptId other) { return result_.kept[other].joined == 0; };
+    if (begin >= ends_) {
+      const Crossing& c = scratch_.crossings[begin - ends_];
+      if (c.second == s && is_left_of(c.first)) return true;
+    }
+    if (end < ends_) return false;
+    const Crossing& c = scratch_.crossings[end - ends_];
+    return c.first == s && is_left_of(c.second);
+  }
+  [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {
+    if (!cover_.active) return false;
+    bool covered = false;
+    cancellation_.check(1 + static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) *
+                                                       cover_.grid.inverse));
+    // Cells within kMargin of the piece are covered with three times that margin, so a walk that
+    // meets one has met a point of the piece inside the sum (up to rounding, which is far less).
+    cover_.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {
+      covered = cover_.is_covered(i, j);
+      return !covered;
+    });
+    return covered;
+  }
+
+  /// Adds a piece. Of pieces with the same ends one is kept; of opposite ones none.
+  void add_piece(NodeId from, NodeId to, KeptId s) {
+    if (!may_coincide_) {
+      result_.pieces.push_back({from, to, s});
+      return;
+    }
+    PieceId& list = scratch_.first_piece[std::min(from, to)];
+    for (PieceId p = list; p != kNoPiece; p = scratch_.next_piece[p].next) {
+      cancellation_.check();
+      const Piece& other = result_.pieces[p];
+      if (other.from == from && other.to == to) return;
+      if (other.from == to && other.to == from) {
+        scratch_.next_piece[p].cancelled = true;
+        return;
+      }
+    }
+    scratch_.next_piece.push_back({list, false});
+    list = static_cast<PieceId>(result_.pieces.size());
+    result_.pieces.push_back({from, to, s});
+  }
+  void drop_cancelled() {
+    if (!may_coincide_) return;
+    auto& pieces = result_.pieces;
+    std::size_t kept = 0;
+    for (PieceId p = 0; p < pieces.size(); ++p) {
+      if (!scratch_.next_piece[p].cancelled) pieces[kept++] = pieces[p];
+    }
+    pieces.resize(kept);
+  }
+
+  void list_slits() {
+    if (!may_coincide_) return;
+    for (PieceId p = 0; p < result_.pieces.size(); ++p) {
+      if (scratch_.next_piece[p].cancelled) result_.slits.push_back(result_.pieces[p]);
+    }
+  }
+
+  void list_crowded() {
+    auto& incidents = scratch_.incidents;
+    incidents.clear();
+    for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      const DirectionRank rank = operands_.rank[result_.kept[s].segment.edge];
+      const auto add = [&](std::uint32_t point) {
+        cancellation_.check();
+        incidents.push_back({find_root(scratch_.parent, point), rank});
+      };
+      add(2 * s);
+      add(2 * s + 1);
+      for (const Event& event : events_of(s)) add(event.point);
+    }
+    std::sort(incidents.begin(), incidents.end(),
+              cancellation_.counting([](const Incident& a, const Incident& b) {
+                return a.point != b.point ? a.point < b.point : a.rank < b.rank;
+              }));
+    for (std::size_t first = 0, last = 0; first < incidents.size(); first = last) {
+      while (last < incidents.size() && incidents[last].point == incidents[first].point) ++last;
+      cancellation_.check(last - first);
+      const std::uint32_t root = incidents[first].point;
+      if (!turns_are_small(std::span(incidents).subspan(first, last - first))) continue;
+      Node node;
+      make_node(root, node);
+      if (!is_covered(node)) result_.crowded.push_back(node_of(root));
+    }
+  }
+  /// Whether each of these directions, sorted, is followed by another within half a circle.
+  [[nodiscard]] bool turns_are_small(std::span<const Incident> around) const {
+    const std::uint32_t size = operands_.place_count;
+    const auto turn = [size](std::uint32_t from, std::uint32_t to) {
+      return to >= from ? to - from : to + size - from;
+    };
+    DirectionRank last = around.back().rank;
+    if (last == around.front().rank) return false;
+    for (const Incident& incident : around) {
+      if (incident.rank == last) continue;
+      const std::uint32_t from = operands_.place[last];
+      if (turn(from, operands_.place[incident.rank]) >=
+          turn(from, operands_.reverse_place[last])) {
+        return false;
+      }
+      last = incident.rank;
+    }
+    return true;
+  }
+  /// Whether a node is certainly in a covered cell (up to a rounding far below the cover's margin).
+  [[nodiscard]] bool is_covered(const Node& node) const {
+    const UniformGrid& grid = cover_.grid;
+    return cover_.active && node.error * grid.inverse < UniformGrid::kMargin &&
+           cover_.is_covered(grid.column(node.at.x), grid.row(node.at.y));
+  }
+
+  const Operands& operands_;
+  const Cover& cover_;
+  bool tight_wanted_;
+  Predicates& predicates_;
+  Cancellation& cancellation_;
+  ArrangementScratch& scratch_;
+  Arrangement& result_;
+  std::uint32_t ends_;  ///< points below are ends of segments
+  /// Whether pieces may have the same ends: those of segments that overlap on one line. Where all
+  /// segments meet all others it is known whether there are such.
+  bool may_coincide_;
+};
+
+}  // namespace
+
+void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
+  Splitter(operands, cover, tight_wanted, predicates, scratch, arrangement).run();
+}
+
+}  // namespace minksum

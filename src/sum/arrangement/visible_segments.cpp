@@ -1,0 +1,384 @@
+#include "sum/arrangement/visible_segments.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <string>
+
+#include "spatial/uniform_grid.hpp"
+
+namespace minksum {
+namespace {
+
+// Boxes are sums of two, in cells, in single precision: cells are below 2^13, so that is off by at
+// most three times 2^-12, and covered cells are inside the sum with a margin of 3 ·
+// kMargin around them.
+static_assert(UniformGrid::kMaxSide <= 1 << 13);
+
+/// Tells most boxes that lie wholly in covered cells, with one look at a bitmap.
+///
+/// A box of up to 2^k by 2^k cells lies in the covered ones if the block of so many cells that
+/// starts at its lower left cell does.
+class CoveredBlocks {
+ public:
+  CoveredBlocks(const Cover& cover, std::array<Bitmap, VisibleScratch::kLevels + 1>& blocks)
+      : words_(cover.covered.words_per_row()), last_row_(cover.grid.rows - 1) {
+    const Bitmap* smaller = &cover.covered;
+    bits_[0] = smaller->row(0);
+    for (std::size_t k = 1; k <= VisibleScratch::kLevels; ++k) {
+      unite_blocks(*smaller, 1 << (k - 1), blocks[k - 1]);
+      smaller = &blocks[k - 1];
+      bits_[k] = smaller->row(0);
+    }
+    blocks.back().reset(cover.grid.columns, cover.grid.rows, words_);
+    bits_.back() = blocks.back().row(0);  // what is too long
+  }
+  [[nodiscard]] bool hides(const CellSite& edge, const CellSite& vertex) const {
+    const auto i0 = static_cast<std::int32_t>(edge.box.x0 + vertex.x);
+    const auto j0 = static_cast<std::int32_t>(edge.box.y0 + vertex.y);
+    const auto i1 = static_cast<std::int32_t>(edge.box.x1 + vertex.x);
+    const auto j1 = static_cast<std::int32_t>(edge.box.y1 + vertex.y);
+    const auto spread = static_cast<std::uint32_t>((i1 - i0) | (j1 - j0));
+    const auto level =
+        std::min(static_cast<std::size_t>(std::bit_width(spread)), bits_.size() - 1);
+    // Rows have room for a column more than the grid has.
+    const auto word = static_cast<std::size_t>(std::min(j0, last_row_)) * words_ +
+                      static_cast<std::size_t>(i0 >> 6);
+    return ((bits_[level][word] >> (i0 & 63)) & 1) != 0;
+  }
+
+ private:
+  /// Blocks of twice the side: four blocks of `side` each.
+  static void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater) {
+    const std::size_t words = blocks.words_per_row();
+    greater.reset(blocks.columns(), blocks.rows(), words);
+    const auto across = [&](const std::uint64_t* row, std::size_t w) {
+      const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
+      return row[w] & ((row[w] >> side) | (next << (64 - side)));
+    };
+    for (std::int32_t j = 0; j + side < blocks.rows(); ++j) {
+      for (std::size_t w = 0; w < words; ++w) {
+        greater.row(j)[w] = across(blocks.row(j), w) & across(blocks.row(j + side), w);
+      }
+    }
+  }
+
+  std::size_t words_;
+  std::int32_t last_row_;
+  std::array<const std::uint64_t*, VisibleScratch::kLevels + 2> bits_{};
+};
+
+/// Tells all of them: the uncovered cells of a box are a sum of four counts.
+class UncoveredCounts {
+ public:
+  UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts)
+      : last_column_(cover.grid.columns - 1), last_row_(cover.grid.rows - 1),
+        stride_(static_cast<std::size_t>(cover.grid.columns) + 1) {
+    counts.resize(stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1));
+    std::fill_n(counts.begin(), stride_, 0);
+    for (std::int32_t j = 0; j <= last_row_; ++j) {
+      const std::uint32_t* below = counts.data() + stride_ * static_cast<std::size_t>(j);
+      std::uint32_t* above = counts.data() + stride_ * static_cast<std::size_t>(j + 1);
+      const std::uint64_t* covered = cover.covered.row(j);
+      std::uint32_t in_row = 0;
+      above[0] = 0;
+      for (std::int32_t i = 0; i <= last_column_; ++i) {
+        in_row += static_cast<std::uint32_t>(~covered[i >> 6] >> (i & 63)) & 1U;
+        above[i + 1] = below[i + 1] + in_row;
+      }
+    }
+    counts_ = counts.data();
+  }
+  [[nodiscard]] bool hides(const CellBounds& a, const CellBounds& b) const {
+    const auto column = [&](float x) {
+      return static_cast<std::size_t>(std::min(static_cast<std::int32_t>(x), last_column_));
+    };
+    const auto row = [&](float y) {
+      return static_cast<std::size_t>(std::min(static_cast<std::int32_t>(y), last_row_));
+    };
+    const std::size_t left = column(a.x0 + b.x0);
+    const std::size_t right = column(a.x1 + b.x1) + 1;
+    const std::uint32_t* below = counts_ + stride_ * row(a.y0 + b.y0);
+    const std::uint32_t* above = counts_ + stride_ * (row(a.y1 + b.y1) + 1);
+    return above[right] - above[left] == below[right] - below[left];
+  }
+
+ private:
+  std::int32_t last_column_;
+  std::int32_t last_row_;
+  std::size_t stride_;
+  const std::uint32_t* counts_ = nullptr;
+};
+
+void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sites) {
+  const auto& [x, y, dx, dy, next] = o.sites;
+  const auto cells = [&](double value) { return static_cast<float>(value * inverse); };
+  sites.resize(o.size());
+  for (SiteId v = 0; v < o.size(); ++v) {
+    const float ax = cells(x[v]);
+    const float ay = cells(y[v]);
+    const float bx = cells(x[next[v]]);
+    const float by = cells(y[next[v]]);
+    sites[v] = {ax, ay, {std::min(ax, bx), std::min(ay, by), std::max(ax, bx), std::max(ay, by)}};
+  }
+}
+
+CellBounds point_box(const CellSite& site) { return {site.x, site.y, site.x, site.y}; }
+
+/// Ranks on their circle.
+class RankCircle {
+ public:
+  explicit RankCircle(DirectionRank count) : count_(count) {}
+  /// How far it is counter-clockwise.
+  [[nodiscard]] DirectionRank way(DirectionRank from, DirectionRank to) const {
+    return to >= from ? to - from : to + count_ - from;
+  }
+  [[nodiscard]] bool meet(const RankRange& a, const RankRange& b) const {
+    const int in_a = way(a.from, b.from) < a.length ? 1 : 0;
+    const int in_b = way(b.from, a.from) < b.length ? 1 : 0;
+    return std::min(a.length, b.length) != 0 && (in_a | in_b) != 0;
+  }
+  /// The shorter of the ranges that begin as one of these does and have both.
+  [[nodiscard]] RankRange unite(const RankRange& a, const RankRange& b) const {
+    const DirectionRank from_a = std::max(a.length, way(a.from, b.from) + b.length);
+    const DirectionRank from_b = std::max(b.length, way(b.from, a.from) + a.length);
+    return from_a <= from_b ? RankRange{a.from, std::min(from_a, count_)}
+                            : RankRange{b.from, std::min(from_b, count_)};
+  }
+
+ private:
+  DirectionRank count_;
+};
+
+class TreeBuilder {
+ public:
+  TreeBuilder(const Operands& o, const RankCircle& circle, VisibleScratch& scratch)
+      : o_(o), circle_(circle), scratch_(scratch) {}
+
+  void edges_of(int operand) {
+    build(operand, scratch_.edges, [&](SiteId e) {
+      return SiteRun{scratch_.sites[e].box, {o_.rank[e], 1}};
+    });
+  }
+  void vertices_of(int operand) {
+    build(operand, scratch_.vertices, [&](SiteId v) {
+      return SiteRun{point_box(scratch_.sites[v]), scratch_.ranges[v]};
+    });
+  }
+
+ private:
+  static constexpr SiteRun kNothing{{0, 0, 0, 0}, {0, 0}};
+
+  template <class RunOf>
+  void build(int operand, RunTree& tree, RunOf run_of) const {
+    tree.begin = operand == 0 ? 0 : o_.split;
+    tree.end = operand == 0 ? o_.split : o_.size();
+    auto& runs = tree.runs;
+    runs.clear();
+    tree.level_begin.assign(1, 0);
+    for (SiteId first = tree.begin; first < tree.end; first += RunTree::kLeaf) {
+      SiteRun leaf = kNothing;
+      const SiteId last = std::min(first + RunTree::kLeaf, tree.end);
+      for (SiteId v = first; v < last; ++v) leaf = unite(leaf, run_of(v));
+      runs.push_back(leaf);
+    }
+    for (std::size_t first = 0; runs.size() - first > 1;) {
+      if ((runs.size() - first) % 2 != 0) runs.push_back(kNothing);
+      const std::size_t last = runs.size();
+      tree.level_begin.push_back(static_cast<std::uint32_t>(last));
+      for (std::size_t i = first; i < last; i += 2) runs.push_back(unite(runs[i], runs[i + 1]));
+      first = last;
+    }
+  }
+  [[nodiscard]] SiteRun unite(const SiteRun& a, const SiteRun& b) const {
+    if (a.directions.length == 0) return b;
+    if (b.directions.length == 0) return a;
+    return {{std::min(a.box.x0, b.box.x0), std::min(a.box.y0, b.box.y0),
+             std::max(a.box.x1, b.box.x1), std::max(a.box.y1, b.box.y1)},
+            circle_.unite(a.directions, b.directions)};
+  }
+
+  const Operands& o_;
+  const RankCircle& circle_;
+  VisibleScratch& scratch_;
+};
+
+/// Edges of one operand at vertices of the other, pairs of runs at a time.
+class RunSearch {
+ public:
+  RunSearch(const Operands& o, const RankCircle& circle, const UncoveredCounts& uncovered,
+            std::uint64_t most, VisibleScratch& scratch)
+      : o_(o),
+        circle_(circle),
+        uncovered_(uncovered),
+        most_(most),
+        trees_{&scratch.edges, &scratch.vertices},
+        scratch_(scratch) {}
+
+  void run(Cancellation& cancellation) {
+    auto& pairs = scratch_.pairs;
+    std::size_t count = 1;
+    pairs.resize(std::max<std::size_t>(pairs.size(), 1));
+    for (const std::size_t i : {0U, 1U}) {
+      pairs[0].level[i] = static_cast<std::uint32_t>(trees_[i]->level_begin.size()) - 1;
+      pairs[0].run[i] = trees_[i]->level_begin.back();
+    }
+    while (count > 0) {
+      cancellation.check(16);
+      const RunPair pair = pairs[--count];
+      if ((pair.level[0] | pair.level[1]) == 0) {
+        list(pair.run[0], pair.run[1]);
+        continue;
+      }
+      const std::size_t larger = choose(pair);
+      const std::size_t other = 1 - larger;
+      const RunTree& tree = *trees_[larger];
+      const std::uint32_t level = pair.level[larger] - 1;
+      const std::uint32_t first =
+          tree.level_begin[level] + 2 * (pair.run[larger] - tree.level_begin[level + 1]);
+      const SiteRun& fixed = trees_[other]->runs[pair.run[other]];
+      if (pairs.size() < count + 2) pairs.resize(2 * (count + 2));
+      // Without branches on which of them stay: that is hard to foresee.
+      for (const std::uint32_t part : {first, first + 1}) {
+        pairs[count] = pair;
+        pairs[count].run[larger] = part;
+        pairs[count].level[larger] = level;
+        count += may_be_visible(tree.runs[part], fixed) ? 1U : 0U;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] bool may_be_visible(const SiteRun& a, const SiteRun& b) const {
+    const int meet = circle_.meet(a.directions, b.directions) ? 1 : 0;
+    const int hidden = uncovered_.hides(a.box, b.box) ? 1 : 0;
+    return (meet & ~hidden) != 0;
+  }
+  [[nodiscard]] std::size_t choose(const RunPair& pair) const {
+    const auto extent = [&](std::size_t i) {
+      const CellBounds& box = trees_[i]->runs[pair.run[i]].box;
+      return pair.level[i] == 0 ? -1.0F : std::max(box.x1 - box.x0, box.y1 - box.y0);
+    };
+    return extent(0) >= extent(1) ? 0 : 1;
+  }
+  void list(std::uint32_t edge_leaf, std::uint32_t vertex_leaf) {
+    const SiteId first_edge = scratch_.edges.begin + edge_leaf * RunTree::kLeaf;
+    const SiteId edges = std::min(RunTree::kLeaf, scratch_.edges.end - first_edge);
+    const SiteId first_vertex = scratch_.vertices.begin + vertex_leaf * RunTree::kLeaf;
+    const SiteId last_vertex = std::min(first_vertex + RunTree::kLeaf, scratch_.vertices.end);
+    std::array<DirectionRank, RunTree::kLeaf> rank{};
+    std::copy_n(o_.rank.begin() + first_edge, edges, rank.begin());
+    const std::uint32_t all = (1U << edges) - 1;
+    for (SiteId v = first_vertex; v < last_vertex; ++v) {
+      const RankRange range = scratch_.ranges[v];
+      std::uint32_t met = 0;
+      for (SiteId i = 0; i < RunTree::kLeaf; ++i) {
+        met |= (circle_.way(range.from, rank[i]) < range.length ? 1U : 0U) << i;
+      }
+      const CellBounds vertex = point_box(scratch_.sites[v]);
+      for (met &= all; met != 0; met &= met - 1) {
+        const SiteId e = first_edge + static_cast<SiteId>(std::countr_zero(met));
+        if (uncovered_.hides(scratch_.sites[e].box, vertex)) continue;
+        if (o_.on_hole[e] != 0 && o_.on_hole[v] != 0) continue;
+        scratch_.found.push_back({e, v});
+      }
+    }
+    if (scratch_.found.size() > most_) {
+      throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
+                                                 std::to_string(most_) +
+                                                 " visible segments (Limits::max_segments)");
+    }
+  }
+
+  const Operands& o_;
+  const RankCircle& circle_;
+  const UncoveredCounts& uncovered_;
+  std::uint64_t most_;
+  std::array<const RunTree*, 2> trees_;
+  VisibleScratch& scratch_;
+};
+
+/// Vertex by vertex, each one's edges from the first direction that it meets.
+void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& cancellation,
+                     VisibleScratch& scratch) {
+  auto& place = scratch.place;
+  place.assign(o.size() + 1, 0);
+  for (const Segment& s : scratch.found) ++place[s.vertex + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  auto& ordered = scratch.visible;
+  ordered.resize(scratch.found.size());
+  for (const Segment& s : scratch.found) ordered[place[s.vertex]++] = s;
+  for (std::size_t i = 0; i < ordered.size();) {
+    const SiteId v = ordered[i].vertex;
+    const std::size_t end = place[v];
+    const auto before = cancellation.counting([&](const Segment& a, const Segment& b) {
+      const DirectionRank way_a = circle.way(scratch.ranges[v].from, o.rank[a.edge]);
+      const DirectionRank way_b = circle.way(scratch.ranges[v].from, o.rank[b.edge]);
+      return way_a != way_b ? way_a < way_b : a.edge < b.edge;
+    });
+    std::sort(ordered.begin() + static_cast<std::ptrdiff_t>(i),
+              ordered.begin() + static_cast<std::ptrdiff_t>(end), before);
+    i = end;
+  }
+}
+
+std::span<const Segment> list_visible(std::span<const Segment> segments, const Cover& cover,
+                                      Cancellation& cancellation, VisibleScratch& scratch) {
+  const auto& sites = scratch.sites;
+  auto& visible = scratch.visible;
+  visible.resize(segments.size());
+  std::size_t count = 0;
+  const CoveredBlocks covered(cover, scratch.blocks);
+  // Without branches: which are hidden is hard to foresee.
+  for (const Segment& segment : segments) {
+    cancellation.check();
+    visible[count] = segment;
+    count += covered.hides(sites[segment.edge], sites[segment.vertex]) ? 0U : 1U;
+  }
+  visible.resize(count);
+  // Many may be too long for blocks.
+  if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
+    const UncoveredCounts uncovered(cover, scratch.uncovered);
+    std::erase_if(visible, [&](const Segment& segment) {
+      cancellation.check();
+      return uncovered.hides(sites[segment.edge].box, point_box(sites[segment.vertex]));
+    });
+  }
+  return visible;
+}
+
+}  // namespace
+
+bool covers_any(const Cover& cover) {
+  const auto words = cover.covered.words();
+  return cover.active &&
+         std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
+}
+
+std::span<const Segment> visible_segments(const Operands& operands, const Convolution& convolution,
+                                          const Cover& cover, const Limits& limits,
+                                          Cancellation& cancellation, VisibleScratch& scratch) {
+  cancellation.check(operands.size());
+  measure_sites(operands, cover.grid.inverse, scratch.sites);
+  if (convolution.listed()) return list_visible(convolution.segments, cover, cancellation, scratch);
+  scratch.ranges.resize(operands.size());
+  for (SiteId v = 0; v < operands.size(); ++v) {
+    scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
+  }
+  // Points of segments and crossings are numbered in 32 bits.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+  const RankCircle circle(operands.rank_count);
+  const UncoveredCounts uncovered(cover, scratch.uncovered);
+  TreeBuilder builder(operands, circle, scratch);
+  scratch.found.clear();
+  for (const int operand : {0, 1}) {
+    builder.edges_of(1 - operand);
+    builder.vertices_of(operand);
+    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMost), scratch)
+        .run(cancellation);
+  }
+  order_as_listed(operands, circle, cancellation, scratch);
+  return scratch.visible;
+}
+
+}  // namespace minksum

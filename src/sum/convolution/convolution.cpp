@@ -1,0 +1,214 @@
+#include "sum/convolution/convolution.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+namespace minksum {
+namespace {
+
+void list_by_rank(const Operands& o, int operand, bool with_holes, EdgesByRank& by_rank) {
+  by_rank.edges.clear();
+  by_rank.first.resize(o.rank_count + 1);
+  std::uint32_t count = 0;
+  DirectionRank next = 0;
+  for (const SiteId edge : o.by_direction) {
+    for (; next <= o.rank[edge]; ++next) by_rank.first[next] = count;
+    if (o.operand_of(edge) != operand || (!with_holes && o.on_hole[edge] != 0)) continue;
+    by_rank.edges.push_back(edge);
+    ++count;
+  }
+  for (; next <= o.rank_count; ++next) by_rank.first[next] = count;
+}
+
+bool has_holes(const Operands& o) {
+  return std::any_of(o.rings.begin(), o.rings.end(),
+                     [](const OperandRing& ring) { return ring.is_hole(); });
+}
+
+enum class Vertices { kConvex, kAll, kReflexBackwards };
+
+/// [in, out) for the first operand, (in, out] for the second; between thin operands [in, out], at
+/// ends (in, out).
+RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank out) {
+  const bool first = o.operand_of(v) == 0;
+  const bool thin = o.both_thin();
+  const bool with_in = thin ? !o.turns_back(v) : first;
+  const bool with_out = thin ? with_in : !first;
+  const DirectionRank from = with_in ? in : in + 1;
+  const DirectionRank to = (with_out ? out + 1 : out) + (in < out ? 0 : o.rank_count);
+  return {from < o.rank_count ? from : 0, to - from};
+}
+
+/// Calls visit(edges, v) for runs of edges of the other operand that meet each vertex
+/// v of this one.
+template <class Visit>
+void visit_runs(const Operands& o, Vertices which, int vertex_operand, ConvolutionScratch& scratch,
+                Visit visit) {
+  const bool first = vertex_operand == 0;
+  const bool holes = has_holes(o);
+  list_by_rank(o, first ? 1 : 0, true, scratch.all);
+  if (holes) list_by_rank(o, first ? 1 : 0, false, scratch.outer);
+  const SiteId begin = first ? 0 : o.split;
+  const SiteId end = first ? o.split : o.size();
+  for (SiteId v = begin; v < end; ++v) {
+    const bool convex = o.convex[v] != 0;
+    if (which != Vertices::kAll && convex != (which == Vertices::kConvex)) continue;
+    DirectionRank in = o.rank[o.previous[v]];
+    DirectionRank out = o.rank[v];
+    if (which == Vertices::kReflexBackwards) std::swap(in, out);
+    const EdgesByRank& by_rank = holes && o.on_hole[v] != 0 ? scratch.outer : scratch.all;
+    const auto visit_ranks = [&](DirectionRank from, DirectionRank to) {
+      const std::uint32_t run = by_rank.first[from];
+      visit(std::span(by_rank.edges).subspan(run, by_rank.first[to] - run), v);
+    };
+    const auto [from, length] = range_at(o, v, in, out);
+    const DirectionRank to = from + length;
+    visit_ranks(from, std::min(to, o.rank_count));
+    if (to > o.rank_count) visit_ranks(0, to - o.rank_count);
+  }
+}
+
+/// Appends runs of segments; of more than `many` it keeps one of every two, four, eight, ...
+class Lister {
+ public:
+  Lister(const Limits& limits, std::uint64_t many, Convolution& convolution)
+      : most_(std::min(limits.max_segments, kMost)), many_(many), c_(convolution) {
+    c_.segments.clear();
+    c_.size = 0;
+    c_.step = 1;
+  }
+  void append(std::span<const SiteId> edges, SiteId v) {
+    if (c_.step == 1 && c_.size + edges.size() > many_) thin_out();
+    if (c_.step > 1) return pick(edges, v);
+    if (c_.size + edges.size() > most_) {
+      throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
+                                                 std::to_string(most_) +
+                                                 " segments (Limits::max_segments)");
+    }
+    c_.segments.resize(c_.size + edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) c_.segments[c_.size + i] = {edges[i], v};
+    c_.size += edges.size();
+  }
+
+ private:
+  /// Points of segments and crossings are numbered in 32 bits.
+  static constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
+
+  /// Any number, always the same.
+  [[nodiscard]] std::uint64_t scramble(std::uint64_t i) const {
+    const std::uint64_t h = (i ^ (c_.step << 32)) * 0x9E3779B97F4A7C15U;
+    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9U >> 32;
+  }
+  /// Of the i-th `step` segments one, not the same each time: shapes have their periods.
+  [[nodiscard]] std::uint64_t sampled(std::uint64_t i) const {
+    return i * c_.step + (scramble(i) & (c_.step - 1));
+  }
+  void thin_out() {
+    c_.step = std::max<std::uint64_t>(std::bit_floor(c_.size / kSample), 2);
+    std::uint64_t kept = 0;
+    for (; sampled(kept) < c_.size; ++kept) c_.segments[kept] = c_.segments[sampled(kept)];
+    c_.segments.resize(kept);
+  }
+  void pick(std::span<const SiteId> edges, SiteId v) {
+    for (std::uint64_t next = sampled(c_.segments.size()); next < c_.size + edges.size();
+         next = sampled(c_.segments.size())) {
+      c_.segments.push_back({edges[next - c_.size], v});
+      if (c_.segments.size() < 2 * kSample) continue;
+      for (std::size_t i = 0; i < kSample; ++i) {
+        c_.segments[i] = c_.segments[2 * i + (scramble(i) & 1)];
+      }
+      c_.segments.resize(kSample);
+      c_.step *= 2;
+    }
+    c_.size += edges.size();
+  }
+
+  std::uint64_t most_;
+  std::uint64_t many_;
+  Convolution& c_;
+};
+
+void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t many,
+          Cancellation& cancellation, ConvolutionScratch& scratch, Convolution& convolution) {
+  Lister lister(limits, many, convolution);
+  cancellation.check(2 * o.size());
+  const auto append = [&](std::span<const SiteId> edges, SiteId v) {
+    cancellation.check(1 + edges.size() / 4);
+    lister.append(edges, v);
+  };
+  for (const int operand : {0, 1}) visit_runs(o, which, operand, scratch, append);
+}
+
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
+
+/// Counter-clockwise from `in`, is `d` in [in, out), (in, out], or what else the rule says?
+bool in_range(const Operands& o, SiteId v, SiteId edge) {
+  const DirectionRank in = o.rank[o.previous[v]];
+  const DirectionRank out = o.rank[v];
+  const DirectionRank d = o.rank[edge];
+  if (o.both_thin() && (d == in || d == out)) return !o.turns_back(v);
+  if (o.operand_of(v) == 0 ? d == out : d == in) return false;
+  if (o.operand_of(v) == 0 ? d == in : d == out) return true;
+  return in < out ? in < d && d < out : d > in || d < out;
+}
+
+}  // namespace
+
+RankRange reduced_range(const Operands& operands, SiteId vertex) {
+  return range_at(operands, vertex, operands.rank[operands.previous[vertex]],
+                  operands.rank[vertex]);
+}
+
+void reduced_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
+                         ConvolutionScratch& scratch, Convolution& convolution) {
+  list(operands, Vertices::kConvex, limits, kAll, cancellation, scratch, convolution);
+}
+
+void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
+                                   std::uint64_t many, Cancellation& cancellation,
+                                   ConvolutionScratch& scratch, Convolution& convolution) {
+  list(operands, Vertices::kConvex, limits, many, cancellation, scratch, convolution);
+}
+
+void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
+                      ConvolutionScratch& scratch, Convolution& convolution) {
+  list(operands, Vertices::kAll, limits, kAll, cancellation, scratch, convolution);
+}
+
+void reflex_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
+                        ConvolutionScratch& scratch, Convolution& convolution) {
+  list(operands, Vertices::kReflexBackwards, limits, kAll, cancellation, scratch, convolution);
+}
+
+std::optional<std::string> check(const Convolution& convolution, const Operands& o, bool full) {
+  std::vector<Segment> sorted = convolution.segments;
+  const auto less = [](const Segment& a, const Segment& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
+  };
+  std::sort(sorted.begin(), sorted.end(), less);
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+    return "a segment is listed twice";
+  }
+  std::size_t expected = 0;
+  for (SiteId v = 0; v < o.size(); ++v) {
+    if (o.convex[v] == 0 && !full) continue;
+    for (SiteId e = 0; e < o.size(); ++e) {
+      if (o.operand_of(e) == o.operand_of(v) || (o.on_hole[e] != 0 && o.on_hole[v] != 0)) continue;
+      if (!in_range(o, v, e)) continue;
+      ++expected;
+      if (!convolution.listed()) continue;
+      if (!std::binary_search(sorted.begin(), sorted.end(), Segment{e, v}, less)) {
+        return "a segment is missing";
+      }
+    }
+  }
+  if (!convolution.listed()) {
+    if (expected != convolution.size) return "the number of segments is wrong";
+  } else if (expected != sorted.size()) {
+    return "a segment does not belong";
+  }
+  return std::nullopt;
+}
+
+}  // namespace minksum

@@ -1,0 +1,278 @@
+#include "sum/cover/cover.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+
+namespace minksum {
+namespace {
+
+/// Below this many segments a cover costs more than it saves.
+constexpr std::size_t kSegmentsWorthACover = 850;
+constexpr std::size_t kSegmentsWorthDividing = 100;
+constexpr int kMaxSide = 2048;
+static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
+
+/// Cells along the longer side without a cover: about a third as many cells as segments.
+int choose_plain_side(std::uint64_t segments) {
+  const double side = 0.6 * std::sqrt(static_cast<double>(segments));
+  return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
+}
+/// To begin with, with one. Moving bitmaps of s cells a side costs as s^3, the segments that stay
+/// visible are as 1 / s of all: the sum is least where s^4 is as their number.
+int choose_side(std::uint64_t segments, const Options& options) {
+  if (options.grid > 0) return std::min(options.grid, kMaxSide);
+  const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
+  return std::min(static_cast<int>(side), kMaxSide);
+}
+
+/// Lays a grid, and marks what translates cover.
+void cover_on_grid(const Operands& operands, int side, Cancellation& cancellation,
+                   CoverScratch& scratch, Cover& cover) {
+  const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
+                           operands.extent[0].y + operands.extent[1].y};
+  cover.grid = UniformGrid::over(extent.x, extent.y, side);
+  if (!cover.active) return;
+  // An operand's raster may have one column more than the sum's grid; rows must be equally long.
+  cover.covered.reset(cover.grid.columns, cover.grid.rows,
+                      (static_cast<std::size_t>(cover.grid.columns) + 1 + 63) / 64);
+  cover_by_translates(operands, cancellation, scratch, cover);
+}
+
+Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
+
+/// A few of the segments; each stands for `step` of them.
+struct Sample {
+  std::span<const Segment> segments;
+  std::uint64_t step;
+};
+Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
+  if (!convolution.listed()) return {convolution.segments, convolution.step};
+  const std::uint64_t step = convolution.size / kSample + 1;
+  auto& sample = scratch.sample;
+  sample.clear();
+  for (std::uint64_t i = 0; i < convolution.size; i += step) {
+    sample.push_back(convolution.segments[i]);
+  }
+  return {sample, step};
+}
+
+Visibility look(const Operands& o, const Sample& sample, const Cover& cover) {
+  std::size_t visible = 0;
+  std::size_t cells = 0;
+  for (const auto& [e, v] : sample.segments) {
+    const Vec<double> a = at(o, e);
+    const Vec<double> b = at(o, o.sites.next[e]);
+    const Vec<double> q = at(o, v);
+    const std::size_t before = cells;
+    cover.grid.walk({a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}, UniformGrid::kMargin,
+                    [&](std::int32_t column, std::int32_t row) {
+                      cells += cover.is_covered(column, row) ? 0U : 1U;
+                      return true;
+                    });
+    visible += cells > before ? 1U : 0U;
+  }
+  const double uncovered = static_cast<double>(static_cast<std::uint64_t>(cover.grid.size()) -
+                                               cover.covered_count());
+  const double crowding = static_cast<double>(cells * sample.step) / std::max(uncovered, 1.0);
+  // About two of five pairs of lines through a cell cross in it.
+  return {static_cast<double>(visible) / static_cast<double>(sample.segments.size()), crowding,
+          0.2 * crowding * crowding * uncovered};
+}
+
+/// About how many words a cover of this many cells along a side moves, per segment.
+double words_per_segment(int side, std::uint64_t segments) {
+  const double words_per_move = static_cast<double>(side) * side / 128;
+  const double moves = 6.0 * side;
+  return words_per_move * moves / static_cast<double>(segments);
+}
+
+// Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
+// segments would otherwise stay, or crowd in few cells, as long as it does uncover less; and it may
+// cost more where many crossings are left that no division takes away.
+Visibility refine(const Operands& operands, std::uint64_t segments, const Sample& sample,
+                  double crossings_to_divide, Cancellation& cancellation, int& side,
+                  CoverScratch& scratch, Cover& cover) {
+  constexpr double kTooManyVisible = 0.25;
+  constexpr double kFewVisible = 0.1;
+  constexpr double kCrowded = 4;
+  constexpr double kWorthIt = 0.8;
+  constexpr double kMaxWordsPerSegment = 100;
+  constexpr double kWordsPerCrossing = 500;
+  Visibility now = look(operands, sample, cover);
+  const auto may_cost = [&](double words) {
+    if (words <= kMaxWordsPerSegment) return true;
+    return now.crossings <= crossings_to_divide &&
+           words * static_cast<double>(segments) <= kWordsPerCrossing * now.crossings;
+  };
+  while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
+         side * 2 <= kMaxSide && may_cost(words_per_segment(side * 2, segments))) {
+    side *= 2;
+    cover_on_grid(operands, side, cancellation, scratch, cover);
+    const Visibility finer = look(operands, sample, cover);
+    // A cover that hides nothing yet may hide much on the next grid.
+    const bool enough = finer.share > kWorthIt * now.share && now.share < 0.9;
+    now = finer;
+    if (enough) break;
+  }
+  return now;
+}
+
+/// Cells along the side of the finest level: a power of two. Few cells come to that level.
+std::int32_t choose_division(std::uint64_t segments, const Options& options) {
+  constexpr std::uint32_t kMostCells = 4096;
+  const auto k = static_cast<double>(segments);
+  const double wanted = options.grid > 0 ? options.grid : std::min(6.0 * std::sqrt(k), k / 8);
+  return static_cast<std::int32_t>(
+      std::min(std::bit_ceil(static_cast<std::uint32_t>(wanted)), kMostCells));
+}
+
+bool has_holes(const Operands& operands) {
+  return std::any_of(operands.rings.begin(), operands.rings.end(),
+                     [](const OperandRing& ring) { return ring.is_hole(); });
+}
+
+/// About how many crossings the segments have, from how far they go in x and y: exactly what is to
+/// be expected if half of them were horizontal, half of them vertical, and all anywhere in the box.
+double expected_crossings(const Operands& o, std::span<const Segment> segments) {
+  double across = 0;
+  double up = 0;
+  for (const Segment& segment : segments) {
+    across += std::abs(o.sites.dx[segment.edge]);
+    up += std::abs(o.sites.dy[segment.edge]);
+  }
+  const double area = (o.extent[0].x + o.extent[1].x) * (o.extent[0].y + o.extent[1].y);
+  return area > 0 ? across * up / area : 0;
+}
+
+/// Whether a cover has nothing to save: a segment or two for each edge, which hardly meet others.
+/// So it is where one operand is small beside the other's features. `list()` lists the segments.
+template <class List>
+bool is_sparse(const Operands& operands, std::uint64_t size, List list) {
+  constexpr double kFewCrossings = 0.1;
+  return size <= std::uint64_t{4} * operands.size() &&
+         expected_crossings(operands, list()) <= kFewCrossings * static_cast<double>(size);
+}
+
+}  // namespace
+
+void cover_interior(const Operands& operands, const Options& options, Cancellation& cancellation,
+                    CoverScratch& scratch, Convolution& convolution, Cover& cover) {
+  const std::uint64_t size = convolution.size;
+  const auto list = [&]() -> std::span<const Segment> {
+    if (!convolution.listed()) {
+      reduced_convolution(operands, options.limits, cancellation, scratch.convolution, convolution);
+    }
+    return convolution.segments;
+  };
+  const bool free_side = options.grid == 0;
+  // The full convolution is there to be compared: its whole arrangement is built.
+  // Of thin operands no translate has cells inside, and their segments are not closed.
+  const bool wanted = options.cover && options.method != Method::kFull &&
+                      !operands.both_convex && !operands.both_thin() && size != 0;
+  cover.divided = false;
+  cover.by_translates = true;
+  cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
+                                           !is_sparse(operands, size, list)));
+  if (!cover.active) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
+  // A division costs about as much for a segment as a few crossings. It can do nothing with holes.
+  const double crossings_to_divide = 3.5 * static_cast<double>(size);
+  const bool divisible = !has_holes(operands);
+  bool crowded = false;
+  if (cover.active) {
+    const Sample sample = take_sample(convolution, scratch);
+    int side = choose_side(size, options);
+    cover_on_grid(operands, side, cancellation, scratch, cover);
+    const Visibility seen =
+        free_side ? refine(operands, size, sample, divisible ? crossings_to_divide : HUGE_VAL,
+                           cancellation, side, scratch, cover)
+                  : look(operands, sample, cover);
+    crowded = seen.crossings > crossings_to_divide;
+    if (crowded) {
+      // So it is with narrow shapes. Of those a coarse grid tells whether parallelograms will do.
+      constexpr double kFewLeft = 0.2;
+      if (divisible && side != choose_side(size, options)) {
+        side = choose_side(size, options);
+        cover_on_grid(operands, side, cancellation, scratch, cover);
+      }
+      cover_by_parallelograms(operands, cancellation, scratch, cover);
+      cover.by_translates = false;
+      crowded = look(operands, sample, cover).crossings > kFewLeft * static_cast<double>(size);
+    }
+    crowded = crowded && divisible;
+  }
+  cancellation.check(convolution.segments.size());
+  if (cover.covered_count() == 0 || crowded) list();
+  if (wanted && free_side && cover.covered_count() == 0) {
+    crowded = divisible && size >= kSegmentsWorthDividing &&
+              expected_crossings(operands, convolution.segments) > crossings_to_divide;
+    // A fine grid is of no use by itself.
+    cover.active = false;
+    if (!crowded) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
+  }
+  if (!crowded) return;
+  cover.by_translates = false;
+  divide_by_winding(operands, convolution, options.limits, choose_division(size, options),
+                    cancellation, scratch, cover);
+}
+
+Visibility look_at_sample(const Operands& operands, const Convolution& convolution,
+                          const Cover& cover, CoverScratch& scratch) {
+  return look(operands, take_sample(convolution, scratch), cover);
+}
+
+std::uint64_t Cover::covered_count() const {
+  std::uint64_t count = 0;
+  if (active) {
+    for (const std::uint64_t word : covered.words()) {
+      count += static_cast<std::uint64_t>(std::popcount(word));
+    }
+  }
+  return count;
+}
+
+namespace {
+
+std::optional<std::string> check_leaves(const Cover& cover) {
+  std::uint32_t end = 0;
+  for (const CoverLeaf& leaf : cover.leaves) {
+    if (leaf.column < 0 || leaf.row < 0 || leaf.column >= cover.grid.columns ||
+        leaf.row >= cover.grid.rows || cover.is_covered(leaf.column, leaf.row)) {
+      return "a leaf is where none can be";
+    }
+    if (leaf.end < end) return "the leaves' lists overlap";
+    end = leaf.end;
+  }
+  if (end != cover.leaf_segments.size()) return "the leaves do not use up their lists";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> check(const Cover& cover, const Operands& operands) {
+  const UniformGrid& grid = cover.grid;
+  const double width = operands.extent[0].x + operands.extent[1].x;
+  const double height = operands.extent[0].y + operands.extent[1].y;
+  if (grid.columns * grid.cell < width || grid.rows * grid.cell < height) {
+    return "the grid does not span the sum's box";
+  }
+  if (!cover.active) return std::nullopt;
+  if (cover.divided) {
+    if (const auto fault = check_leaves(cover)) return fault;
+  }
+  if (cover.covered.columns() != grid.columns || cover.covered.rows() != grid.rows) {
+    return "the cover is not of the grid's size";
+  }
+  const std::int32_t right = grid.column(width);
+  const std::int32_t top = grid.row(height);
+  for (std::int32_t j = 0; j < grid.rows; ++j) {
+    for (std::int32_t i = 0; i < grid.columns; ++i) {
+      const bool at_border = i == 0 || j == 0 || i >= right || j >= top;
+      if (at_border && cover.is_covered(i, j)) return "a cell at the border of the sum is covered";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace minksum

@@ -1,0 +1,125 @@
+// Covered cells by edges of one operand moved along edges of the other.
+#include <algorithm>
+#include <cmath>
+
+#include "sum/cover/cover.hpp"
+
+namespace minksum {
+namespace {
+
+/// Sets columns [first, last] of a row.
+void set_run(std::uint64_t* row, std::int32_t first, std::int32_t last) {
+  for (std::int32_t i = first; i <= last; i = (i | 63) + 1) {
+    const std::int32_t end = std::min(last, i | 63);
+    row[i >> 6] |= ~std::uint64_t{0} >> (63 - (end - i)) << (i & 63);
+  }
+}
+
+/// The points between two parallel lines, by height: at height y those with x from `slope` · y +
+/// `low` to `slope` · y + `high`. All points if the lines are level.
+struct Strip {
+  double slope = 0;
+  double low = -HUGE_VAL;
+  double high = HUGE_VAL;
+};
+
+/// The strip that an edge with start `from` and vector `d` sweeps if it goes on in both directions
+/// and is moved by another one; `area` = d × that one's vector. False if it is too flat to divide
+/// by its height, and not level.
+bool make_strip(const Vec<double>& from, const Vec<double>& d, double area, Strip& strip) {
+  if (d.y == 0) return true;
+  if (std::abs(d.y) <= UniformGrid::kMargin) return false;
+  strip.slope = d.x / d.y;
+  const double at = from.x - strip.slope * from.y;
+  const double width = -area / d.y;
+  strip.low = at + std::min(width, 0.0);
+  strip.high = at + std::max(width, 0.0);
+  return true;
+}
+
+class ParallelogramRasteriser {
+ public:
+  ParallelogramRasteriser(const Operands& o, Cover& cover) : o_(o), cover_(cover) {}
+
+  /// The longest edge in each of `count` stretches of an operand's sites.
+  void choose(int operand, std::size_t count, std::vector<CellEdge>& edges) const {
+    const SiteId begin = operand == 0 ? 0 : o_.split;
+    const SiteId size = operand == 0 ? o_.split : o_.size() - o_.split;
+    const auto& sites = o_.sites;
+    const double inverse = cover_.grid.inverse;
+    const auto length = [&](SiteId e) { return std::abs(sites.dx[e]) + std::abs(sites.dy[e]); };
+    edges.clear();
+    count = std::min<std::size_t>(count, size);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto first = begin + static_cast<SiteId>(i * size / count);
+      const auto last = begin + static_cast<SiteId>((i + 1) * size / count);
+      SiteId longest = first;
+      for (SiteId e = first + 1; e < last; ++e) {
+        if (length(e) > length(longest)) longest = e;
+      }
+      if (length(longest) * inverse < kShortest) continue;
+      edges.push_back({{sites.x[longest] * inverse, sites.y[longest] * inverse},
+                       {sites.dx[longest] * inverse, sites.dy[longest] * inverse}});
+    }
+  }
+
+  /// Marks the cells that lie, with their margin, in e ⊕ f.
+  void mark(const CellEdge& e, const CellEdge& f) {
+    constexpr double kMargin = 4 * UniformGrid::kMargin;
+    const double area = cross(e.d, f.d);
+    // As wide as that it is about nowhere.
+    if (std::abs(area) <= kShortest * std::max(std::abs(e.d.x) + std::abs(e.d.y),
+                                               std::abs(f.d.x) + std::abs(f.d.y))) {
+      return;
+    }
+    const Vec<double> from{e.start.x + f.start.x, e.start.y + f.start.y};
+    Strip along_e;
+    Strip along_f;
+    if (!make_strip(from, e.d, area, along_e) || !make_strip(from, f.d, -area, along_f)) return;
+    const double bottom = from.y + std::min(e.d.y, 0.0) + std::min(f.d.y, 0.0) + kMargin;
+    const double top = from.y + std::max(e.d.y, 0.0) + std::max(f.d.y, 0.0) - kMargin;
+    const auto first = static_cast<std::int32_t>(std::ceil(bottom));
+    const auto last = std::min(static_cast<std::int32_t>(std::floor(top)), cover_.grid.rows) - 1;
+    // Of a convex shape and a box, the shape has all the box if it has its corners.
+    for (std::int32_t j = first; j <= last; ++j) {
+      const double y0 = j - kMargin;
+      const double y1 = j + 1 + kMargin;
+      const auto left = [&](const Strip& s) {
+        return std::max(s.slope * y0, s.slope * y1) + s.low;
+      };
+      const auto right = [&](const Strip& s) {
+        return std::min(s.slope * y0, s.slope * y1) + s.high;
+      };
+      const double x0 = std::max(left(along_e), left(along_f)) + kMargin;
+      const double x1 = std::min(right(along_e), right(along_f)) - kMargin;
+      if (x1 - x0 < 1) continue;
+      set_run(cover_.covered.row(j), static_cast<std::int32_t>(std::ceil(x0)),
+              static_cast<std::int32_t>(std::floor(x1)) - 1);
+    }
+  }
+
+ private:
+  static constexpr double kShortest = 2;  ///< in cells
+
+  const Operands& o_;
+  Cover& cover_;
+};
+
+}  // namespace
+
+void cover_by_parallelograms(const Operands& operands, Cancellation& cancellation,
+                             CoverScratch& scratch, Cover& cover) {
+  cancellation.check(operands.size());
+  ParallelogramRasteriser rasteriser(operands, cover);
+  const std::int32_t side = std::max(cover.grid.columns, cover.grid.rows);
+  const auto count = static_cast<std::size_t>(4 * std::sqrt(side));
+  for (const int operand : {0, 1}) rasteriser.choose(operand, count, scratch.long_edges[operand]);
+  for (const CellEdge& e : scratch.long_edges[0]) {
+    for (const CellEdge& f : scratch.long_edges[1]) {
+      cancellation.check(1 + static_cast<std::uint64_t>(std::abs(e.d.y) + std::abs(f.d.y)));
+      rasteriser.mark(e, f);
+    }
+  }
+}
+
+}  // namespace minksum

@@ -1,0 +1,371 @@
+// Covered cells by moving the inside of one operand by points of the other.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "sum/cover/cover.hpp"
+
+namespace minksum {
+namespace {
+
+/// A site's place in its operand's own raster.
+Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
+
+/// The sites of an operand.
+struct SiteRange {
+  SiteId begin;
+  SiteId end;
+  SiteRange(const Operands& o, int operand)
+      : begin(operand == 0 ? 0 : o.split), end(operand == 0 ? o.split : o.size()) {}
+};
+
+/// Turns toggles along rows into the parity to their right: even-odd filling.
+void fill_between_toggles(Bitmap& bitmap) {
+  for (std::int32_t j = 0; j < bitmap.rows(); ++j) {
+    std::uint64_t carry = 0;
+    std::uint64_t* row = bitmap.row(j);
+    for (std::size_t w = 0; w < bitmap.words_per_row(); ++w) {
+      std::uint64_t parity = row[w];
+      for (int shift = 1; shift < 64; shift *= 2) parity ^= parity << shift;
+      row[w] = parity ^ carry;
+      carry = (row[w] >> 63) != 0 ? ~std::uint64_t{0} : 0;
+    }
+  }
+}
+
+/// The cells of one operand that are inside it, margin and all.
+///
+/// Cells within 4 · kMargin of an edge are out. Any other cell lies with its margin on one side of
+/// the boundary, and the parity at its centre tells which: rounding moves edges by far less.
+class Rasteriser {
+ public:
+  Rasteriser(const Operands& o, int operand, const Cover& cover, Bitmap& boundary,
+             Cancellation& cancellation, OperandRaster& raster)
+      : cancellation_(cancellation),
+        o_(o),
+        sites_(o, operand),
+        raster_(raster),
+        inside_(raster.inside),
+        boundary_(boundary) {
+    const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
+    grid_.cell = cover.grid.cell;
+    grid_.inverse = cover.grid.inverse;
+    grid_.columns = static_cast<std::int32_t>(extent.x * grid_.inverse) + 2;
+    grid_.rows = static_cast<std::int32_t>(extent.y * grid_.inverse) + 2;
+    words_ = cover.covered.words_per_row();
+  }
+
+  void run() {
+    inside_.reset(grid_.columns, grid_.rows, words_);
+    boundary_.reset(grid_.columns, grid_.rows, words_);
+    for (SiteId e = sites_.begin; e < sites_.end; ++e) {
+      const Vec<double> a = at(o_, e);
+      const Vec<double> b = at(o_, o_.sites.next[e]);
+      cancellation_.check(2 + work_of_walk(e));
+      grid_.walk(a, b, 4 * UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
+        boundary_.set(i, j);
+        return true;
+      });
+      toggle(a, b);
+    }
+    fill_between_toggles(inside_);
+    for (std::size_t w = 0; w < inside_.words().size(); ++w) {
+      inside_.words()[w] &= ~boundary_.words()[w];
+    }
+    make_blocks(inside_, raster_.blocks);
+  }
+  void sample_boundary() {
+    Bitmap& sampled = raster_.sampled;
+    sampled.reset(grid_.columns, grid_.rows, words_);
+    const double inverse = grid_.inverse;
+    for (SiteId e = sites_.begin; e < sites_.end; ++e) {
+      const Vec<double> a = at(o_, e);
+      const Vec<double> b = at(o_, o_.sites.next[e]);
+      const double cells = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * inverse;
+      const int steps = static_cast<int>(cells) + 1;
+      const Vec<double> step{(b.x - a.x) * inverse / steps, (b.y - a.y) * inverse / steps};
+      for (int k = 0; k < steps; ++k) {
+        const auto i = static_cast<std::int32_t>(a.x * inverse + k * step.x);
+        const auto j = static_cast<std::int32_t>(a.y * inverse + k * step.y);
+        if (i >= 0 && j >= 0 && i < sampled.columns() && j < sampled.rows()) sampled.set(i, j);
+      }
+    }
+  }
+
+ private:
+  /// Flips the cell where the edge crosses the centre line of each row. That cell is near the edge,
+  /// so what it is itself does not matter.
+  void toggle(Vec<double> a, Vec<double> b) {
+    if (a.y > b.y) std::swap(a, b);
+    const double y0 = a.y * grid_.inverse;
+    const double y1 = b.y * grid_.inverse;
+    // Rows j with y0 < j + 1/2 <= y1.
+    const auto first = static_cast<std::int32_t>(y0 + 0.5);
+    const auto last = std::min(static_cast<std::int32_t>(y1 + 0.5), grid_.rows);
+    if (first >= last) return;
+    const double slope = (b.x - a.x) / (y1 - y0);
+    for (std::int32_t j = first; j < last; ++j) {
+      const double x = a.x + (j + 0.5 - y0) * slope;
+      const std::int32_t i = grid_.column(std::clamp(x, std::min(a.x, b.x), std::max(a.x, b.x)));
+      inside_.row(j)[i >> 6] ^= std::uint64_t{1} << (i & 63);
+    }
+  }
+
+  /// The units of work of a walk along an edge: about the cells that it passes.
+  [[nodiscard]] std::uint64_t work_of_walk(SiteId e) const {
+    return static_cast<std::uint64_t>((std::abs(o_.sites.dx[e]) + std::abs(o_.sites.dy[e])) *
+                                      grid_.inverse);
+  }
+
+  Cancellation& cancellation_;
+  const Operands& o_;
+  SiteRange sites_;
+  UniformGrid grid_;
+  std::size_t words_;
+  OperandRaster& raster_;
+  Bitmap& inside_;
+  Bitmap& boundary_;
+};
+
+/// The rows in which a bitmap has anything.
+struct RowRange {
+  std::int32_t first = 0;
+  std::int32_t last = 0;
+};
+RowRange occupied_rows(const Bitmap& bitmap) {
+  const auto empty = [&](std::int32_t j) {
+    return std::all_of(bitmap.row(j), bitmap.row(j) + bitmap.words_per_row(),
+                       [](std::uint64_t word) { return word == 0; });
+  };
+  RowRange rows{0, bitmap.rows()};
+  while (rows.first < rows.last && empty(rows.first)) ++rows.first;
+  while (rows.first < rows.last && empty(rows.last - 1)) --rows.last;
+  return rows;
+}
+
+/// target |= source moved by `bits` < 64 columns, through rows as if they were one: what is set
+/// stays within its row. The target is as long as the source, and may have one word more.
+[[gnu::always_inline]] inline void unite_moved(const std::uint64_t* __restrict from,
+                                               std::size_t count, int bits,
+                                               std::uint64_t* __restrict to, bool one_more) {
+  if (bits == 0) {
+    for (std::size_t w = 0; w < count; ++w) to[w] |= from[w];
+    return;
+  }
+  to[0] |= from[0] << bits;
+  for (std::size_t w = 1; w < count; ++w) to[w] |= (from[w] << bits) | (from[w - 1] >> (64 - bits));
+  if (one_more) to[count] |= from[count - 1] >> (64 - bits);
+}
+
+/// Unites a bitmap, moved along whole runs of columns at a time, with another whose rows are as
+/// long. Bitmaps that are united with themselves moved by 1, 2, 4, ... columns make two
+/// moves of a run.
+class RunSpreader {
+ public:
+  RunSpreader(const Bitmap& source, Vectors vectors, std::vector<std::uint64_t>& widened,
+              Bitmap& target)
+      : rows_(occupied_rows(source)), words_(source.words_per_row()), vectors_(vectors),
+        widened_(widened), target_(target) {
+    if (words_ != target.words_per_row()) {
+      throw Error(ErrorCode::kInternal, "rows of different lengths", {}, "cover");
+    }
+    first_ = static_cast<std::size_t>(rows_.first) * words_;
+    count_ = static_cast<std::size_t>(rows_.last - rows_.first) * words_;
+    const auto words = source.words().subspan(first_, count_);
+    widened_.assign(words.begin(), words.end());
+  }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+
+  /// The units of work of moving by so many columns: words are united eight or so at a time.
+  [[nodiscard]] std::uint64_t work(std::int32_t columns) const {
+    constexpr std::uint64_t kWordsPerUnit = 16;
+    const auto moves = static_cast<std::uint64_t>((columns >> kMostLevels) + 2);
+    return moves * (count_ / kWordsPerUnit + 1);
+  }
+  /// Moves by (first, row) to (last, row), none negative.
+  void spread(std::int32_t first, std::int32_t last, std::int32_t row) {
+    const std::int32_t length = last + 1 - first;
+    const int level = std::min(
+        static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))) - 1, kMostLevels);
+    while (levels_ < level) widen();
+    const std::int32_t width = 1 << level;
+    for (std::int32_t i = first; i + width <= last + 1; i += width) place(level, i, row);
+    if (length % width != 0) place(level, last + 1 - width, row);
+  }
+
+ private:
+  static constexpr int kMostLevels = 6;
+
+  void widen() {
+    const std::size_t from = static_cast<std::size_t>(levels_) * count_;
+    widened_.resize(from + 2 * count_);
+    std::uint64_t* source = widened_.data() + from;
+    std::copy(source, source + count_, source + count_);
+    unite(source, count_, 1 << levels_, source + count_, false);
+    ++levels_;
+  }
+  void place(int level, std::int32_t column, std::int32_t row) {
+    const std::size_t offset = first_ + static_cast<std::size_t>(row) * words_ +
+                               static_cast<std::size_t>(column >> 6);
+    const std::size_t size = target_.words().size();
+    if (offset >= size) return;
+    unite(widened_.data() + static_cast<std::size_t>(level) * count_,
+          std::min(count_, size - offset), column & 63, target_.words().data() + offset,
+          offset + count_ < size);
+  }
+  void unite(const std::uint64_t* from, std::size_t count, int bits, std::uint64_t* to,
+             bool one_more) const {
+    with_vectors(vectors_, [&]() __attribute__((always_inline)) {
+      unite_moved(from, count, bits, to, one_more);
+    });
+  }
+
+  RowRange rows_;
+  std::size_t words_;
+  Vectors vectors_;
+  std::size_t first_ = 0;  ///< of the source's words
+  std::size_t count_ = 0;
+  int levels_ = 0;
+  std::vector<std::uint64_t>& widened_;
+  Bitmap& target_;
+};
+
+/// The first bit at or after `from` that differs from `unwanted`; 64 · words if there is none.
+std::size_t next_bit(const std::uint64_t* row, std::size_t words, std::size_t from,
+                     std::uint64_t unwanted) {
+  std::size_t w = from >> 6;
+  if (w >= words) return words * 64;
+  std::uint64_t word = (row[w] ^ unwanted) & (~std::uint64_t{0} << (from & 63));
+  while (word == 0) {
+    if (++w == words) return words * 64;
+    word = row[w] ^ unwanted;
+  }
+  return w * 64 + static_cast<std::size_t>(std::countr_zero(word));
+}
+template <class Visit>
+void for_each_run(const std::vector<std::uint64_t>& row, Visit visit) {
+  for (std::size_t i = next_bit(row.data(), row.size(), 0, 0); i < row.size() * 64;) {
+    const std::size_t end = next_bit(row.data(), row.size(), i, ~std::uint64_t{0});
+    visit(static_cast<std::int32_t>(i), static_cast<std::int32_t>(end - 1));
+    i = next_bit(row.data(), row.size(), end, 0);
+  }
+}
+
+/// Marks what the interior of `moved` covers when it is moved by points of the other operand.
+class Spreader {
+ public:
+  Spreader(const OperandRaster& moved, const OperandRaster& other, Cancellation& cancellation,
+           CoverScratch& scratch, Cover& cover)
+      : moved_(moved),
+        other_(other),
+        cancellation_(cancellation),
+        scratch_(scratch),
+        cover_(cover) {}
+
+  void run() {
+    by_lattice_points();
+    by_boundary_points();
+  }
+
+ private:
+  /// Corners of cells inside the other operand are points of it, and moves by them keep the raster
+  /// aligned.
+  void by_lattice_points() {
+    RunSpreader spreader(moved_.inside, scratch_.vectors, scratch_.widened, cover_.covered);
+    if (spreader.empty()) return;
+    const Bitmap& inside = other_.inside;
+    const std::size_t words = inside.words_per_row();
+    auto& corners = scratch_.row;
+    corners.resize(words);
+    for (std::int32_t j = 0; j <= inside.rows(); ++j) {
+      std::uint64_t carry = 0;
+      for (std::size_t w = 0; w < words; ++w) {
+        const std::uint64_t cells = (j > 0 ? inside.row(j - 1)[w] : 0) |
+                                    (j < inside.rows() ? inside.row(j)[w] : 0);
+        corners[w] = cells | (cells << 1) | carry;
+        carry = cells >> 63;
+      }
+      for_each_run(corners, [&](std::int32_t first, std::int32_t last) {
+        cancellation_.check(spreader.work(last + 1 - first));
+        spreader.spread(first, last, j);
+      });
+    }
+  }
+
+  /// One point of the other for each cell that has one. A cell moved back by such a point lies in a
+  /// block of four cells.
+  void by_boundary_points() {
+    RunSpreader spreader(moved_.blocks, scratch_.vectors, scratch_.widened, cover_.covered);
+    if (spreader.empty()) return;
+    const std::size_t words = other_.inside.words_per_row();
+    auto& cells = scratch_.row;
+    cells.resize(words);
+    for (std::int32_t j = 0; j < other_.inside.rows(); ++j) {
+      // Cells inside join runs, and add nothing by themselves.
+      for (std::size_t w = 0; w < words; ++w) {
+        cells[w] = other_.sampled.row(j)[w] | other_.inside.row(j)[w];
+      }
+      for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
+        cancellation_.check(spreader.work(last + 1 - first));
+        spreader.spread(first + 1, last + 1, j + 1);
+      });
+    }
+  }
+
+  const OperandRaster& moved_;
+  const OperandRaster& other_;
+  Cancellation& cancellation_;
+  CoverScratch& scratch_;
+  Cover& cover_;
+};
+
+void spread(const OperandRaster& first, const OperandRaster& second, Cancellation& cancellation,
+            CoverScratch& scratch, Cover& cover) {
+  Spreader(first, second, cancellation, scratch, cover).run();
+  Spreader(second, first, cancellation, scratch, cover).run();
+}
+
+}  // namespace
+
+void cover_by_translates(const Operands& operands, Cancellation& cancellation,
+                         CoverScratch& scratch, Cover& cover) {
+  auto& [first, second] = scratch.raster;
+  Rasteriser one(operands, 0, cover, scratch.boundary, cancellation, first);
+  Rasteriser other(operands, 1, cover, scratch.boundary, cancellation, second);
+  one.run();
+  other.run();
+  if (second.blocks.has_any()) one.sample_boundary();
+  if (first.blocks.has_any()) other.sample_boundary();
+  spread(first, second, cancellation, scratch, cover);
+}
+
+void cover_by_translates(const Operands& operands, const OperandRaster& first,
+                         Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
+  OperandRaster& second = scratch.raster[1];
+  Rasteriser other(operands, 1, cover, scratch.boundary, cancellation, second);
+  other.run();
+  if (first.blocks.has_any()) other.sample_boundary();
+  spread(first, second, cancellation, scratch, cover);
+}
+
+void rasterise_first(const Operands& operands, const Cover& cover, Cancellation& cancellation,
+                     Bitmap& boundary, OperandRaster& raster) {
+  Rasteriser rasteriser(operands, 0, cover, boundary, cancellation, raster);
+  rasteriser.run();
+  rasteriser.sample_boundary();
+}
+
+void make_blocks(const Bitmap& bitmap, Bitmap& block) {
+  block.reset(bitmap.columns(), bitmap.rows(), bitmap.words_per_row());
+  const std::size_t words = bitmap.words_per_row();
+  const auto across = [&](std::int32_t j, std::size_t w) {
+    const std::uint64_t* row = bitmap.row(j);
+    const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
+    return row[w] & ((row[w] >> 1) | (next << 63));
+  };
+  for (std::int32_t j = 0; j + 1 < bitmap.rows(); ++j) {
+    for (std::size_t w = 0; w < words; ++w) block.row(j)[w] = across(j, w) & across(j + 1, w);
+  }
+}
+
+}  // namespace minksum

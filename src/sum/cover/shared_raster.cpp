@@ -1,0 +1,77 @@
+#include "sum/cover/shared_raster.hpp"
+
+#include <algorithm>
+
+namespace minksum {
+namespace {
+
+/// Cells of this side in the regions' unit of length, over the sum's box.
+UniformGrid grid_over(const Operands& o, double cell) {
+  UniformGrid grid;
+  grid.cell = cell / o.trace_unit;
+  grid.inverse = o.trace_unit / cell;
+  const auto count = [&](double extent) {
+    return static_cast<std::int32_t>(std::min(extent * grid.inverse, 2.0 * UniformGrid::kMaxSide)) +
+           1;
+  };
+  grid.columns = count(o.extent[0].x + o.extent[1].x);
+  grid.rows = count(o.extent[0].y + o.extent[1].y);
+  return grid;
+}
+
+/// Whether scaling by it is exact up to rounding.
+bool is_usable(double factor) { return factor > 0x1p-900 && factor < 0x1p900; }
+
+/// An operand's raster may have a column more than the grid.
+std::size_t words_for(std::int32_t columns) {
+  return (static_cast<std::size_t>(columns) + 1 + 63) / 64;
+}
+
+}  // namespace
+
+std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
+                                         const Options& options, Cancellation& cancellation,
+                                         CoverScratch& scratch, Convolution& convolution) {
+  Cover cover;
+  cover_interior(operands, options, cancellation, scratch, convolution, cover);
+  if (!cover.by_translates || cover.covered_count() == 0) return std::nullopt;
+  SharedRaster shared;
+  shared.cell = cover.grid.cell * operands.trace_unit;
+  if (!is_usable(shared.cell) || !is_usable(operands.trace_unit)) return std::nullopt;
+  const double columns = operands.extent[0].x * cover.grid.inverse + widest / shared.cell + 1;
+  if (!(columns < UniformGrid::kMaxSide)) return std::nullopt;
+  const Visibility typical = look_at_sample(operands, convolution, cover, scratch);
+  shared.visible = typical.share * static_cast<double>(convolution.size);
+  shared.crossings = typical.crossings;
+  cover.covered.reset(cover.grid.columns, cover.grid.rows,
+                      words_for(static_cast<std::int32_t>(columns)));
+  rasterise_first(operands, cover, cancellation, scratch.boundary, shared.first);
+  return shared;
+}
+
+void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
+                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
+                    Cover& cover) {
+  const auto cover_without = [&] {
+    cover_interior(operands, options, cancellation, scratch, convolution, cover);
+  };
+  if (convolution.size == 0 || !is_usable(operands.trace_unit)) return cover_without();
+  cover.grid = grid_over(operands, shared.cell);
+  const std::size_t words = shared.first.inside.words_per_row();
+  if (words_for(cover.grid.columns) > words || cover.grid.rows > UniformGrid::kMaxSide) {
+    return cover_without();
+  }
+  cover.active = true;
+  cover.divided = false;
+  cover.by_translates = true;
+  cover.covered.reset(cover.grid.columns, cover.grid.rows, words);
+  cover_by_translates(operands, shared.first, cancellation, scratch, cover);
+  const auto size = static_cast<double>(convolution.size);
+  const Visibility seen = look_at_sample(operands, convolution, cover, scratch);
+  if (!cover.covered.has_any() || seen.share * size > 1.5 * shared.visible + 0.1 * size ||
+      seen.crossings > 2 * shared.crossings + 0.5 * size) {
+    cover_without();
+  }
+}
+
+}  // namespace minksum

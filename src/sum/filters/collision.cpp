@@ -1,0 +1,177 @@
+#include "sum/filters/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace minksum {
+
+void BoxTree::build(const Operands& o, int operand) {
+  begin_ = operand == 0 ? 0 : o.split;
+  end_ = operand == 0 ? o.split : o.size();
+  boxes_.clear();
+  first_.assign(1, 0);
+  const auto& [x, y, dx, dy, next] = o.sites;
+  for (SiteId e = begin_; e < end_; e += std::min(kLeafEdges, end_ - e)) {
+    Box box{x[e], y[e], x[e], y[e]};
+    for (SiteId i = e; i < std::min(end_, e + kLeafEdges); ++i) {
+      for (const SiteId v : {i, next[i]}) {
+        box = {std::min(box.x0, x[v]), std::min(box.y0, y[v]), std::max(box.x1, x[v]),
+               std::max(box.y1, y[v])};
+      }
+    }
+    boxes_.push_back(box);
+  }
+  first_.push_back(boxes_.size());
+  for (levels_ = 1; first_[levels_] - first_[levels_ - 1] > 1; ++levels_) {
+    for (std::size_t i = first_[levels_ - 1]; i < first_[levels_]; i += 2) {
+      Box box = boxes_[i];
+      if (i + 1 < first_[levels_]) {
+        const Box& b = boxes_[i + 1];
+        box = {std::min(box.x0, b.x0), std::min(box.y0, b.y0), std::max(box.x1, b.x1),
+               std::max(box.y1, b.y1)};
+      }
+      boxes_.push_back(box);
+    }
+    first_.push_back(boxes_.size());
+  }
+}
+
+void BoxTrees::build(const Operands& o, Cancellation& cancellation) {
+  cancellation.check(2 * o.size());
+  for (const int operand : {0, 1}) tree[operand].build(o, operand);
+  ring_boxes.clear();
+  outer_rings.clear();
+  for (const OperandRing& ring : o.rings) {
+    if (!ring.is_hole()) outer_rings.push_back(ring_boxes.size());
+    const auto& [x, y, dx, dy, next] = o.sites;
+    const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
+    const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
+    ring_boxes.push_back({*x0, *y0, *x1, *y1});
+  }
+}
+
+bool CollisionTest::meets(const Probe& probe) {
+  probe_ = probe;
+  at_ = predicates_.position(probe);
+  const RoundingBounds& bounds = predicates_.bounds();
+  doubt_ = 4 * (bounds.position + bounds.magnitude * 0x1p-49);
+  const auto cross = [this](std::size_t p, std::size_t q) { return leaves_cross(p, q); };
+  return trees_.any_near(at_, doubt_, predicates_.cancellation(), cross) || one_inside_other();
+}
+
+bool CollisionTest::leaves_cross(std::size_t leaf_p, std::size_t leaf_q) {
+  const BoxTree& p = trees_.tree[0];
+  const BoxTree& q = trees_.tree[1];
+  predicates_.cancellation().check(BoxTree::kLeafEdges * BoxTree::kLeafEdges);
+  for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
+    for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
+      if (edges_cross(e, f)) return true;
+    }
+  }
+  return false;
+}
+
+/// x in the open parallelogram e ⊕ f: between the two lines along e, and between those along f.
+bool CollisionTest::edges_cross(SiteId e, SiteId f) {
+  const auto& next = o_.sites.next;
+  const auto side = [&](SiteId edge, SiteId a, SiteId b) {
+    return predicates_.orientation(edge, sum_vertex(a, b), probe_, at_);
+  };
+  return side(e, e, f) != side(e, e, next[f]) && side(f, e, f) != side(f, next[e], f);
+}
+
+bool CollisionTest::one_inside_other() {
+  const std::size_t middle = o_.first_rings;
+  return std::any_of(trees_.outer_rings.begin(), trees_.outer_rings.end(), [&](std::size_t r) {
+    const SiteId site = o_.rings[r].begin;
+    return r < middle ? inside_operand(site, middle, o_.rings.size())
+                      : inside_operand(site, 0, middle);
+  });
+}
+
+/// Whether x − `other` certainly lies outside a ring of the other operand.
+bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
+  const BoxTree::Box& box = trees_.ring_boxes[ring];
+  const double x = at_.x - o_.sites.x[other];
+  const double y = at_.y - o_.sites.y[other];
+  return x < box.x0 - doubt_ || x > box.x1 + doubt_ || y < box.y0 - doubt_ || y > box.y1 + doubt_;
+}
+
+/// Whether a ray from x − `other` to the right passes an odd number of these edges, which are whole
+/// rings. O(log n) for each that it comes near.
+bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
+  const BoxTree& tree = trees_.tree[o_.operand_of(begin)];
+  const Vec<double> at{at_.x - o_.sites.x[other], at_.y - o_.sites.y[other]};
+  const auto misses = [&](const BoxTree::Box& box) {
+    predicates_.cancellation().check();
+    return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
+  };
+  const auto above = [&](SiteId v) {
+    return predicates_.compare_y(probe_, at_, sum_vertex(v, other)) == kNegative;
+  };
+  bool odd = false;
+  for (SiteId e = tree.skip_edges(begin, end, misses); e < end;
+       e = tree.skip_edges(e, end, misses)) {
+    const SiteId leaf_end = std::min(end, tree.last_edge(tree.leaf_of(e)));
+    for (; e < leaf_end; ++e) {
+      predicates_.cancellation().check();
+      const SiteId f = o_.sites.next[e];
+      const double y0 = o_.sites.y[e];
+      const double y1 = o_.sites.y[f];
+      if (std::max(y0, y1) < at.y - doubt_ || std::min(y0, y1) > at.y + doubt_) continue;
+      // An edge going up has the point on its left if it passes right of it.
+      const bool f_above = above(f);
+      if (above(e) != f_above &&
+          (predicates_.orientation(e, sum_vertex(e, other), probe_, at_) == kPositive) == f_above) {
+        odd = !odd;
+      }
+    }
+  }
+  return odd;
+}
+
+/// Whether x − `other` lies in the other operand, whose rings these are: parity along a ray to the
+/// right.
+bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring) {
+  if (!o_.holes_filled || o_.connected) {
+    return passes_odd_times(other, o_.rings[first_ring].begin, o_.rings[last_ring - 1].end);
+  }
+  // Polygon by polygon: filled holes may contain further polygons.
+  bool inside = false;
+  for (std::size_t r = first_ring; r < last_ring; ++r) {
+    predicates_.cancellation().check();
+    const OperandRing& ring = o_.rings[r];
+    if (!ring.is_hole() && inside) return true;
+    if (!outside_box(other, r)) inside ^= passes_odd_times(other, ring.begin, ring.end);
+  }
+  return inside;
+}
+
+Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<double>& from_at,
+                    double from_error, const NodePoint& to, const Vec<double>& to_at,
+                    double to_error, const Predicates& predicates, BigRational& exact) {
+  const Vec<double> a = predicates.start(segment);
+  const Vec<double> d = predicates.direction(segment.edge);
+  const bool by_x = std::abs(d.x) >= std::abs(d.y);
+  const auto lambda = [&](const Vec<double>& p) {
+    return by_x ? (p.x - a.x) / d.x : (p.y - a.y) / d.y;
+  };
+  const double length = std::abs(by_x ? d.x : d.y);
+  const RoundingBounds& bounds = predicates.bounds();
+  const double doubt = (bounds.position + 4 * bounds.direction) / length + 0x1p-50;
+  const double low = std::max(0.0, lambda(from_at)) + from_error / length + doubt;
+  const double high = std::min(1.0, lambda(to_at)) - to_error / length - doubt;
+  // The fewest bits that put a point well between.
+  if (high - low > 0x1p-50) {
+    const double middle = low + (high - low) / 2;
+    const int shift = std::max(1, 2 - std::ilogb(high - low));
+    const auto numerator = static_cast<std::int64_t>(std::ldexp(middle, shift));
+    const double rounded = std::ldexp(static_cast<double>(numerator), -shift);
+    if (rounded > low && rounded < high) return {segment, numerator, shift};
+  }
+  const ExactKernel& kernel = predicates.kernel();
+  exact = (kernel.exact_parameter(segment, from) + kernel.exact_parameter(segment, to)) / 2;
+  return {segment, 0, 0, &exact};
+}
+
+}  // namespace minksum

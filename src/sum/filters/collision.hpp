@@ -1,0 +1,154 @@
+// The exact collision test: does P meet x − Q?
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "exact/predicates.hpp"
+#include "sum/operands/operands.hpp"
+
+namespace minksum {
+
+/// A binary tree of boxes over one operand's edges in ring order, level by level from the leaves.
+class BoxTree {
+ public:
+  struct Box {
+    double x0, y0, x1, y1;
+  };
+  static constexpr SiteId kLeafEdges = 4;
+
+  void build(const Operands& operands, int operand);
+  [[nodiscard]] std::size_t levels() const { return levels_; }
+  [[nodiscard]] std::size_t nodes(std::size_t level) const {
+    return first_[level + 1] - first_[level];
+  }
+  [[nodiscard]] const Box& box(std::size_t level, std::size_t node) const {
+    return boxes_[first_[level] + node];
+  }
+  /// The edges of a leaf (level 0).
+  [[nodiscard]] SiteId first_edge(std::size_t leaf) const {
+    return begin_ + static_cast<SiteId>(leaf) * kLeafEdges;
+  }
+  [[nodiscard]] SiteId last_edge(std::size_t leaf) const {
+    return std::min(end_, first_edge(leaf) + kLeafEdges);
+  }
+  [[nodiscard]] std::size_t leaf_of(SiteId edge) const { return (edge - begin_) / kLeafEdges; }
+  /// The first edge from `e` on, or `end`, whose leaf is not certainly of no interest: all edges
+  /// before it are in boxes for which `skip(box)` holds. O(log n) for a long way.
+  template <class Skip>
+  [[nodiscard]] SiteId skip_edges(SiteId e, SiteId end, Skip skip) const {
+    while (e < end) {
+      std::size_t node = leaf_of(e);
+      if (!skip(box(0, node))) return e;
+      std::size_t level = 0;
+      while (node % 2 == 0 && level + 1 < levels_ && skip(box(level + 1, node / 2))) {
+        node /= 2;
+        ++level;
+      }
+      e = begin_ + static_cast<SiteId>((node + 1) << level) * kLeafEdges;
+    }
+    return end;
+  }
+
+ private:
+  std::vector<Box> boxes_;
+  std::vector<std::size_t> first_;
+  std::size_t levels_ = 0;
+  SiteId begin_ = 0;
+  SiteId end_ = 0;
+};
+
+/// A node of the first operand's tree and one of the second's.
+struct BoxPair {
+  std::uint32_t level_p, node_p, level_q, node_q;
+};
+
+/// Both operands' trees, and the memory to go through pairs of their nodes.
+struct BoxTrees {
+  BoxTree tree[2];
+  std::vector<BoxTree::Box> ring_boxes;  ///< by ring of both operands
+  std::vector<std::size_t> outer_rings;  ///< both operands'
+
+  void build(const Operands& operands, Cancellation& cancellation);
+  /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet,
+  /// x being `at`, give or take `doubt`. O(log n) for each pair of leaves that come near.
+  template <class Visit>
+  [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
+                              Visit visit);
+
+  std::vector<BoxPair> stack;
+};
+
+/// Whether a box of P and one of x − Q may meet, x being `at`, give or take `doubt`.
+[[nodiscard]] inline bool may_meet(const BoxTree::Box& p, const BoxTree::Box& q,
+                                   const Vec<double>& at, double doubt) {
+  return p.x1 + doubt >= at.x - q.x1 && at.x - q.x0 + doubt >= p.x0 &&
+         p.y1 + doubt >= at.y - q.y1 && at.y - q.y0 + doubt >= p.y0;
+}
+
+template <class Visit>
+bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
+                        Visit visit) {
+  const auto& [p, q] = tree;
+  const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
+  stack.assign(1, {top(p), 0, top(q), 0});
+  while (!stack.empty()) {
+    cancellation.check();
+    const BoxPair pair = stack.back();
+    stack.pop_back();
+    if (!may_meet(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q), at, doubt)) {
+      continue;
+    }
+    if (pair.level_p == 0 && pair.level_q == 0) {
+      if (visit(pair.node_p, pair.node_q)) return true;
+      continue;
+    }
+    const bool split_p = pair.level_p >= pair.level_q;
+    const BoxTree& split = split_p ? p : q;
+    const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
+    const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
+    for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, split.nodes(level));
+         ++node) {
+      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
+                              : BoxPair{pair.level_p, pair.node_p, level, node});
+    }
+  }
+  return false;
+}
+
+/// Decides for probes x whether P meets x − Q, exactly.
+///
+/// A probe is in general position, so the two sets meet if and only if two edges cross, or a
+/// polygon of one lies inside the other. Edge e of P crosses edge f of x − Q if and only if x lies
+/// in the parallelogram e ⊕ f: four sides of convolution lines to x.
+class CollisionTest {
+ public:
+  CollisionTest(const Operands& operands, BoxTrees& trees, Predicates& predicates)
+      : o_(operands), trees_(trees), predicates_(predicates) {}
+  [[nodiscard]] bool meets(const Probe& probe);
+
+ private:
+  [[nodiscard]] bool leaves_cross(std::size_t leaf_p, std::size_t leaf_q);
+  [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
+  [[nodiscard]] bool one_inside_other();
+  [[nodiscard]] bool outside_box(SiteId other, std::size_t ring) const;
+  [[nodiscard]] bool passes_odd_times(SiteId other, SiteId begin, SiteId end);
+  [[nodiscard]] bool inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring);
+
+  const Operands& o_;
+  BoxTrees& trees_;
+  Predicates& predicates_;
+  Probe probe_{};
+  Vec<double> at_{};
+  double doubt_ = 0;
+};
+
+/// A probe just right of the middle of the part of `segment` between two nodes on it. `exact` is
+/// where its position is kept if it needs more bits than a Probe has.
+[[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from,
+                                  const Vec<double>& from_at, double from_error,
+                                  const NodePoint& to, const Vec<double>& to_at, double to_error,
+                                  const Predicates& predicates, BigRational& exact);
+
+}  // namespace minksum

@@ -1,0 +1,142 @@
+#include "sum/filters/filters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace minksum {
+namespace {
+
+class LoopFilter {
+ public:
+  LoopFilter(const Arrangement& arrangement, const Loops& loops, Predicates& predicates)
+      : arrangement_(arrangement), loops_(loops), predicates_(predicates) {}
+
+  /// The loop that is the sum's outer boundary if the operands are connected: the positive loop
+  /// that has the lexicographically smallest node.
+  [[nodiscard]] std::size_t outermost() {
+    std::size_t best = loops_.size();
+    NodeId best_node = 0;
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      if (loops_.positive[i] == 0) continue;
+      const NodeId node = smallest_node(i);
+      if (best == loops_.size() || less(node, best_node)) {
+        best = i;
+        best_node = node;
+      }
+    }
+    return best;
+  }
+
+  /// A probe at the loop's longest piece: there the fewest bits tell its place.
+  [[nodiscard]] Probe probe(std::size_t loop, BigRational& exact) const {
+    PieceId longest = loops_.loop(loop)[0];
+    double best = -1;
+    predicates_.cancellation().check(1 + loops_.loop(loop).size());
+    for (const PieceId p : loops_.loop(loop)) {
+      const Vec<double>& a = node(arrangement_.pieces[p].from).at;
+      const Vec<double>& b = node(arrangement_.pieces[p].to).at;
+      const double length = std::abs(b.x - a.x) + std::abs(b.y - a.y);
+      if (length > best) {
+        best = length;
+        longest = p;
+      }
+    }
+    return probe_at(longest, exact);
+  }
+  [[nodiscard]] Probe probe_at(PieceId p, BigRational& exact) const {
+    const Piece& piece = arrangement_.pieces[p];
+    const Node& from = node(piece.from);
+    const Node& to = node(piece.to);
+    return probe_between(arrangement_.kept[piece.segment].segment, from.point, from.at, from.error,
+                         to.point, to.at, to.error, predicates_, exact);
+  }
+
+ private:
+  [[nodiscard]] const Node& node(NodeId id) const { return arrangement_.nodes[id]; }
+  bool less(NodeId a, NodeId b) {
+    if (a == b) return false;
+    for (const Axis axis : {Axis::kX, Axis::kY}) {
+      const Sign order = predicates_.compare(node(a).point, node(a).at, node(a).error,
+                                             node(b).point, node(b).at, node(b).error, axis);
+      if (order != kZero) return order == kNegative;
+    }
+    return false;
+  }
+  NodeId smallest_node(std::size_t loop) {
+    NodeId best = arrangement_.pieces[loops_.loop(loop)[0]].from;
+    for (const PieceId p : loops_.loop(loop)) {
+      predicates_.cancellation().check();
+      if (less(arrangement_.pieces[p].from, best)) best = arrangement_.pieces[p].from;
+    }
+    return best;
+  }
+
+  const Arrangement& arrangement_;
+  const Loops& loops_;
+  Predicates& predicates_;
+};
+
+}  // namespace
+
+void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
+                  Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered) {
+  filtered.state.assign(loops.size(), LoopState::kAccepted);
+  filtered.rejected_by_nesting = 0;
+  filtered.rejected_by_collision = 0;
+  LoopFilter filter(arrangement, loops, predicates);
+  const std::size_t outermost = operands.connected ? filter.outermost() : loops.size();
+  if (operands.connected && outermost == loops.size()) {
+    throw Error(ErrorCode::kInternal, "no loop is the outer boundary", {}, "filters");
+  }
+  if (loops.size() > 1 || !operands.connected) {
+    trees.build(operands, predicates.cancellation());
+  }
+  CollisionTest collision(operands, trees, predicates);
+  BigRational exact;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (i == outermost) continue;
+    if (operands.connected && loops.positive[i] != 0) {
+      filtered.state[i] = LoopState::kRejectedByNesting;
+      ++filtered.rejected_by_nesting;
+      continue;
+    }
+    if (collision.meets(filter.probe(i, exact))) {
+      filtered.state[i] = LoopState::kRejectedByCollision;
+      ++filtered.rejected_by_collision;
+    }
+  }
+  // The outer boundary of a sum that is not empty is always there.
+  if (std::find(filtered.state.begin(), filtered.state.end(), LoopState::kAccepted) ==
+      filtered.state.end()) {
+    throw Error(ErrorCode::kInternal, "no loop is left", {}, "filters");
+  }
+}
+
+std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loops,
+                                 const Arrangement& arrangement, const Operands& operands) {
+  if (filtered.state.size() != loops.size()) return "an array has the wrong size";
+  const auto count = [&](LoopState state) {
+    return static_cast<std::uint64_t>(
+        std::count(filtered.state.begin(), filtered.state.end(), state));
+  };
+  if (count(LoopState::kRejectedByNesting) != filtered.rejected_by_nesting ||
+      count(LoopState::kRejectedByCollision) != filtered.rejected_by_collision) {
+    return "a count is wrong";
+  }
+  Cancellation never;
+  Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
+  LoopFilter filter(arrangement, loops, predicates);
+  BoxTrees trees;
+  trees.build(operands, never);
+  CollisionTest collision(operands, trees, predicates);
+  BigRational exact;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (const PieceId p : loops.loop(i)) {
+      const bool inside = collision.meets(filter.probe_at(p, exact));
+      if (inside == (filtered.state[i] == LoopState::kAccepted)) return "a loop was misjudged";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace minksum

@@ -1,0 +1,127 @@
+// Stage 5: orientable loops: the only closed chains that can bound a free face.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sum/arrangement/arrangement.hpp"
+
+namespace minksum {
+
+/// Closed chains of pieces, each with one and the same face of the arrangement on its right.
+///
+/// A face is free only if it lies on the right of all its edges; so a chain that meets an edge from
+/// the wrong side ends there and is no loop (Behar and Lien, section IV-C; Lemma 4.5 makes each
+/// loop wholly boundary of the sum or wholly not).
+struct Loops {
+  std::vector<PieceId> pieces;         ///< loop after loop, in order
+  std::vector<std::uint32_t> begin;    ///< by loop, and one more
+  std::vector<std::uint8_t> positive;  ///< by loop: it runs counter-clockwise around its inside
+
+  [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
+  [[nodiscard]] std::span<const PieceId> loop(std::size_t i) const {
+    return std::span(pieces).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
+/// Directions by rank, all integers.
+class DirectionCircle {
+ public:
+  explicit DirectionCircle(const Operands& operands, const Arrangement& arrangement)
+      : operands_(&operands), arrangement_(&arrangement) {}
+  [[nodiscard]] DirectionRank rank(PieceId piece) const {
+    return arrangement_->kept[arrangement_->pieces[piece].segment].rank;
+  }
+  /// Place of a direction, or of its reverse, on a circle of `size()` places.
+  [[nodiscard]] std::uint32_t place(DirectionRank rank) const { return operands_->place[rank]; }
+  [[nodiscard]] std::uint32_t reverse(DirectionRank rank) const {
+    return operands_->reverse_place[rank];
+  }
+  [[nodiscard]] std::uint32_t size() const { return operands_->place_count; }
+  /// Steps counter-clockwise from one place to another.
+  [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
+    return to >= from ? to - from : to + size() - from;
+  }
+  /// How often a turn by less than half a circle passes the positive x axis, where places begin:
+  /// -1, 0 or 1. To the left it does if the turn's end comes before the reverse of its begin, and
+  /// that before the begin itself; to the right the other way round.
+  [[nodiscard]] int wraps(DirectionRank from, DirectionRank to) const {
+    const std::uint32_t begin = place(from);
+    const std::uint32_t back = reverse(from);
+    const std::uint32_t end = place(to);
+    return static_cast<int>((end < back) & (back < begin)) -
+           static_cast<int>((begin < back) & (back < end));
+  }
+
+ private:
+  const Operands* operands_;
+  const Arrangement* arrangement_;
+};
+
+/// A piece that ends at a node: where it stands on the circle of directions, seen from there.
+struct Spoke {
+  std::uint32_t place;
+  std::uint32_t item;  ///< 2·piece for an outgoing, 2·piece + 1 for an incoming piece
+  [[nodiscard]] PieceId piece() const { return item / 2; }
+  [[nodiscard]] bool incoming() const { return item % 2 != 0; }
+};
+
+/// Pieces around nodes: lists of spokes by node.
+struct Incidence {
+  std::vector<std::uint32_t> begin;
+  std::vector<Spoke> spokes;
+  [[nodiscard]] std::span<const Spoke> at(NodeId node) const {
+    return std::span(spokes).subspan(begin[node], begin[node + 1] - begin[node]);
+  }
+};
+/// Lists the pieces for which `take(piece, node)` holds at their nodes.
+template <class Take>
+void list_incidence(const Arrangement& arrangement, const DirectionCircle& circle, Take take,
+                    Cancellation& cancellation, Incidence& incidence) {
+  auto& begin = incidence.begin;
+  const auto& pieces = arrangement.pieces;
+  cancellation.check(pieces.size() + arrangement.nodes.size());
+  begin.assign(arrangement.nodes.size() + 2, 0);
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    if (take(p, pieces[p].from)) ++begin[pieces[p].from + 2];
+    if (take(p, pieces[p].to)) ++begin[pieces[p].to + 2];
+  }
+  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  incidence.spokes.resize(begin.back());
+  for (PieceId p = 0; p < pieces.size(); ++p) {
+    cancellation.check();
+    if (take(p, pieces[p].from)) {
+      incidence.spokes[begin[pieces[p].from + 1]++] = {circle.place(circle.rank(p)), 2 * p};
+    }
+    if (take(p, pieces[p].to)) {
+      incidence.spokes[begin[pieces[p].to + 1]++] = {circle.reverse(circle.rank(p)), 2 * p + 1};
+    }
+  }
+  begin.pop_back();
+}
+
+/// What ends at a node.
+struct NodeEnds {
+  PieceId out = kNoPiece;  ///< the last that was seen
+  std::uint32_t degree = 0;
+};
+
+struct LoopScratch {
+  std::vector<NodeEnds> ends;  ///< by node
+  Incidence incidence;         ///< of nodes where more than two pieces end
+  std::vector<PieceId> next;
+  std::vector<PieceId> walk;  ///< by piece: where the walk began that came to it first
+};
+
+/// Finds all orientable loops. At each node the chain turns clockwise as far as it can; O(pieces ·
+/// degree).
+void find_loops(const Operands& operands, const Arrangement& arrangement,
+                Cancellation& cancellation, LoopScratch& scratch, Loops& loops);
+
+/// Whether loops close and no piece is in two; what is wrong, if not.
+[[nodiscard]] std::optional<std::string> check(const Loops& loops, const Arrangement& arrangement);
+
+}  // namespace minksum

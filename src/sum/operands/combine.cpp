@@ -1,0 +1,279 @@
+// Two prepared operands to one set of arrays.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+
+#include "sum/operands/operands.hpp"
+#include "validation/rational_sites.hpp"
+
+namespace minksum {
+namespace {
+
+/// 2^exp2 · 10^exp10; the caller knows that it fits.
+Int128 power(int exp2, int exp10) {
+  Int128 value = 1;
+  for (int i = 0; i < exp10; ++i) value *= 10;
+  return value * (Int128{1} << exp2);
+}
+
+/// What makes the operands' grids one.
+struct CommonGrid {
+  bool fits = false;  ///< fixed-width arithmetic holds it
+  GridUnit unit;
+  std::array<Int128, 2> factor{1, 1};
+  int bits = 0;
+};
+
+CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q, const Options& options) {
+  CommonGrid common;
+  if (p.rational || q.rational || options.arithmetic == Arithmetic::kArbitrary) return common;
+  const std::int64_t common_part = std::gcd(p.grid.unit.divisor, q.grid.unit.divisor);
+  const Int128 divisor = Int128{p.grid.unit.divisor} * (q.grid.unit.divisor / common_part);
+  if (bit_width(divisor) > GridUnit::kDivisorBits) return common;
+  common.unit = {std::min(p.grid.unit.exp2, q.grid.unit.exp2),
+                 std::min(p.grid.unit.exp10, q.grid.unit.exp10),
+                 static_cast<std::int64_t>(divisor)};
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const GridCoordinates& grid = i == 0 ? p.grid : q.grid;
+    const int up2 = grid.unit.exp2 - common.unit.exp2;
+    const int up10 = grid.unit.exp10 - common.unit.exp10;
+    const std::int64_t times = common.unit.divisor / grid.unit.divisor;
+    const int factor_bits =
+        up2 + bits_of_ten_to(up10) + (times == 1 ? 0 : bit_width(Int128{times}));
+    const int offset_bits = std::max(bit_width(grid.offset.x), bit_width(grid.offset.y));
+    if (factor_bits + std::max(grid.bits, offset_bits) > kMaxGridBits) return common;
+    common.factor[i] = power(up2, up10) * times;
+    common.bits = std::max({common.bits, bit_width(grid.extent.x * common.factor[i]),
+                            bit_width(grid.extent.y * common.factor[i])});
+  }
+  common.fits = true;
+  return common;
+}
+
+void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const CommonGrid& common,
+                  const Options& options, Operands& o) {
+  const GridPart parts[2] = {{&p.grid, common.factor[0], o.scratch.kept[0]},
+                             {&q.grid, common.factor[1], o.scratch.kept[1]}};
+  make_grid_kernel(rung_for(common.bits, options.arithmetic), parts, common.unit, o.kernel);
+  o.bits = static_cast<std::uint64_t>(common.bits);
+  o.bounds = RoundingBounds::of(std::ldexp(1.0, common.bits), common.bits <= kExactSumBits,
+                                common.bits <= kExactProductBits);
+  const auto extent = [](const GridCoordinates& grid, Int128 factor) {
+    return Vec<double>{static_cast<double>(grid.extent.x * factor),
+                       static_cast<double>(grid.extent.y * factor)};
+  };
+  o.extent = {extent(p.grid, common.factor[0]), extent(q.grid, common.factor[1])};
+  o.trace_unit = std::ldexp(1.0, common.unit.exp2) / static_cast<double>(common.unit.divisor);
+  if (common.unit.exp10 != 0) o.trace_unit *= std::pow(10.0, common.unit.exp10);
+  const auto origin = [&](Int128 first, Int128 second) {
+    return static_cast<double>(first * common.factor[0] + second * common.factor[1]) * o.trace_unit;
+  };
+  o.trace_origin = {origin(p.grid.offset.x, q.grid.offset.x),
+                    origin(p.grid.offset.y, q.grid.offset.y)};
+}
+
+void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
+                    Operands& o) {
+  RationalCoordinates first = rationals_of(p, o.scratch.kept[0], cancellation);
+  RationalCoordinates second = rationals_of(q, o.scratch.kept[1], cancellation);
+  const Vec<BigRational> extents[2] = {first.extent, second.extent};
+  const int exponent = rational_exponent(extents);
+  std::move(second.sites.begin(), second.sites.end(), std::back_inserter(first.sites));
+  o.bits = std::max(first.bits, second.bits);
+  make_rational_kernel(std::move(first.sites), o.split, first.low, second.low, o.bits, exponent,
+                       o.kernel);
+  o.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
+  o.trace_unit = std::ldexp(1.0, -exponent);
+  o.trace_origin = {BigRational(first.low.x + second.low.x).convert_to<double>(),
+                    BigRational(first.low.y + second.low.y).convert_to<double>()};
+}
+
+void measure_extent(Operands& o) {
+  o.extent = {};
+  for (SiteId i = 0; i < o.sites.x.size(); ++i) {
+    Vec<double>& extent = o.extent[static_cast<std::size_t>(o.operand_of(i))];
+    extent = {std::max(extent.x, o.sites.x[i]), std::max(extent.y, o.sites.y[i])};
+  }
+}
+
+/// Appends `from`'s values of the kept sites.
+template <class Value>
+void append_kept(const std::vector<Value>& from, std::span<const SiteId> kept,
+                 std::vector<Value>& to) {
+  if (kept.size() == from.size()) {
+    to.insert(to.end(), from.begin(), from.end());
+    return;
+  }
+  for (const SiteId site : kept) to.push_back(from[site]);
+}
+
+void connect(Cancellation& cancellation, Operands& o) {
+  const SiteId n = o.size();
+  o.sites.next.resize(n);
+  o.previous.resize(n);
+  o.on_hole.resize(n);
+  for (const OperandRing& ring : o.rings) {
+    for (SiteId i = ring.begin; i < ring.end; ++i) {
+      o.sites.next[i] = i + 1;
+      o.previous[i] = i - 1;
+      o.on_hole[i] = ring.is_hole() ? 1 : 0;
+    }
+    o.sites.next[ring.end - 1] = ring.begin;
+    o.previous[ring.begin] = ring.end - 1;
+  }
+  o.kernel->connect(o.sites.next);
+  o.sites.dx.resize(n);
+  o.sites.dy.resize(n);
+  o.kernel->approximate_edges(o.sites.dx, o.sites.dy, cancellation);
+}
+
+Vec<double> size_of(const PreparedOperand& operand, const OperandRing& ring) {
+  const auto& x = operand.sites.x;
+  const auto& y = operand.sites.y;
+  const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
+  const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
+  return {*x1 - *x0, *y1 - *y0};
+}
+
+bool has_holes(const PreparedOperand& operand) {
+  return std::any_of(operand.rings.begin(), operand.rings.end(),
+                     [](const OperandRing& ring) { return ring.is_hole(); });
+}
+
+/// Tells the holes of one operand that no polygon of the other, `unit` times as large, fits into.
+class HoleFiller {
+ public:
+  HoleFiller(const PreparedOperand& operand, const PreparedOperand& other, bool tight_wanted,
+             std::vector<Vec<double>>& sizes)
+      : operand_(operand), sizes_(sizes), tight_wanted_(tight_wanted) {
+    const double unit =
+        std::ldexp(1.0, other.unit.exp2 - operand.unit.exp2) *
+        std::pow(10.0, other.unit.exp10 - operand.unit.exp10) *
+        static_cast<double>(operand.unit.divisor) / static_cast<double>(other.unit.divisor);
+    // A hole is open and the other operand closed: equal width does not fit. Where rounding leaves
+    // a doubt the hole stays, which costs time and nothing else.
+    const bool exact = operand.unit == other.unit && operand.bounds.difference == 0 &&
+                       other.bounds.difference == 0;
+    larger_ = exact ? 1 : 1 + 0x1p-40;
+    doubt_ = exact ? 0 : 2 * (operand.bounds.difference + other.bounds.difference * unit);
+    sizes_.clear();
+    tells_ = unit > 0x1p-900 && unit < 0x1p900 &&
+             !(tight_wanted && (operand.region->polygon_count() > 1 || has_holes(other)));
+    if (!tells_) return;
+    for (const OperandRing& ring : other.rings) {
+      if (ring.is_hole()) continue;
+      const Vec<double> size = size_of(other, ring);
+      sizes_.push_back({size.x * unit, size.y * unit});
+    }
+  }
+  /// The units of work of `fills`.
+  [[nodiscard]] std::uint64_t work(const OperandRing& ring) const {
+    return ring.is_hole() ? sizes_.size() : 0;
+  }
+  [[nodiscard]] bool fills(const OperandRing& ring) const {
+    if (!ring.is_hole() || !tells_) return false;
+    const Vec<double> hole = size_of(operand_, ring);
+    return std::all_of(sizes_.begin(), sizes_.end(), [&](const Vec<double>& other) {
+      return wider(other.x, hole.x) || wider(other.y, hole.y);
+    });
+  }
+
+ private:
+  [[nodiscard]] bool wider(double other, double hole) const {
+    const double bound = hole * larger_ + doubt_;
+    return tight_wanted_ ? other > bound : other >= bound;
+  }
+
+  const PreparedOperand& operand_;
+  std::vector<Vec<double>>& sizes_;
+  bool tight_wanted_;
+  double larger_ = 1;
+  double doubt_ = 0;
+  bool tells_ = true;
+};
+
+}  // namespace
+
+void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles narrow,
+                bool tight_wanted, Cancellation& cancellation, Operands& o) {
+  auto& renumbered = o.scratch.renumbered;
+  o.rings.clear();
+  renumbered.clear();
+  bool all_stay = true;
+  SiteId count = 0;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const PreparedOperand& operand = i == 0 ? p : q;
+    auto& kept = o.scratch.kept[i];
+    kept.clear();
+    std::optional<HoleFiller> filler;
+    if (narrow == NarrowHoles::kFill && has_holes(operand)) {
+      filler.emplace(operand, i == 0 ? q : p, tight_wanted, o.scratch.sizes[i]);
+    }
+    for (const OperandRing& ring : operand.rings) {
+      cancellation.check(ring.end - ring.begin);
+      if (filler) cancellation.check(filler->work(ring));
+      if (filler && filler->fills(ring)) {
+        all_stay = false;
+        continue;
+      }
+      const SiteId size = ring.end - ring.begin;
+      o.rings.push_back({count, count + size, ring.polygon, ring.ring});
+      kept.resize(kept.size() + size);
+      std::iota(kept.end() - size, kept.end(), ring.begin);
+      count += size;
+    }
+    if (i == 0) {
+      o.split = count;
+      o.first_rings = o.rings.size();
+    }
+  }
+  o.holes_filled = !all_stay;
+  if (all_stay) return;
+  renumbered.assign(p.size() + q.size(), kNoSite);
+  SiteId id = 0;
+  for (const SiteId site : o.scratch.kept[0]) renumbered[site] = id++;
+  for (const SiteId site : o.scratch.kept[1]) renumbered[site + p.size()] = id++;
+}
+
+void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+                Cancellation& cancellation, Operands& o) {
+  const CommonGrid common = common_grid(p, q, options);
+  if (common.fits) {
+    join_on_grid(p, q, common, options, o);
+  } else {
+    join_rationals(p, q, cancellation, o);
+  }
+  if (!options.filter) o.bounds = RoundingBounds::distrustful(o.bounds.magnitude);
+  const std::size_t n = o.scratch.kept[0].size() + o.scratch.kept[1].size();
+  o.sites.x.resize(n);
+  o.sites.y.resize(n);
+  o.kernel->approximate_sites(o.sites.x, o.sites.y, cancellation);
+  if (!common.fits) measure_extent(o);
+  connect(cancellation, o);
+}
+
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+                      NarrowHoles narrow, Cancellation& cancellation, Operands& o) {
+  fill_holes(p, q, narrow, options.tight != nullptr, cancellation, o);
+  join_sites(p, q, options, cancellation, o);
+  o.convex.clear();
+  o.vertex_source.clear();
+  o.edge_source.clear();
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const PreparedOperand& operand = i == 0 ? p : q;
+    const auto& kept = o.scratch.kept[i];
+    append_kept(operand.convex, kept, o.convex);
+    append_kept(operand.vertex_source, kept, o.vertex_source);
+    append_kept(operand.edge_source, kept, o.edge_source);
+  }
+  rank_directions(p, q, cancellation, o);
+  o.thin = {p.thin, q.thin};
+  // A sum of polylines may be regions that segments without area connect.
+  o.connected =
+      p.region->polygon_count() == 1 && q.region->polygon_count() == 1 && !o.both_thin();
+  o.both_convex = o.rings.size() == 2 &&
+                  std::find(o.convex.begin(), o.convex.end(), 0) == o.convex.end();
+}
+
+}  // namespace minksum

@@ -1,0 +1,136 @@
+// Edges sorted by direction: by rounded keys, and exactly where those cannot tell.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "sum/operands/directions.hpp"
+
+namespace minksum {
+namespace {
+
+/// Monotone in the angle, in [0, 4). Both components are off by at most 2^-53 of themselves, so it
+/// is off by less than kKeyError.
+double angle_key(double dx, double dy) {
+  const double t = dx / (std::abs(dx) + std::abs(dy));
+  return dy >= 0 ? 1 - t : 3 + t;
+}
+
+/// Whether keys are good: no edge vector lost digits to underflow, and the filter may be trusted.
+/// A direction near the positive x axis may have its key at either end of the range.
+bool keys_are_safe(const PreparedOperand& o) {
+  if (std::isinf(o.bounds.direction)) return false;
+  if (o.bounds.direction == 0) return true;  // integers
+  for (SiteId e = 0; e < o.size(); ++e) {
+    const double dx = std::abs(o.sites.dx[e]);
+    const double dy = std::abs(o.sites.dy[e]);
+    if (std::max(dx, dy) < 0x1p-900 || (dy != 0 && dy < 0x1p-900)) return false;
+    // A height that vanished in doubles: its sign tells one end of the circle from the other.
+    if (dy == 0 && o.kernel->compare(o.sites.next[e], e, Axis::kY) != kZero) return false;
+  }
+  return true;
+}
+
+bool by_key(const KeyedEdge& a, const KeyedEdge& b) {
+  return a.key != b.key ? a.key < b.key : a.edge < b.edge;
+}
+
+/// Sorts by key, then id; the input is in order of ids.
+class RadixSort {
+ public:
+  explicit RadixSort(OperandScratch& scratch) : scratch_(scratch) {}
+
+  void run(std::vector<KeyedEdge>& edges) {
+    if (edges.size() < kWorthIt) return sort_few(edges);
+    scratch_.keyed.resize(edges.size());
+    for (int pass = 0; pass < kPasses; ++pass) {
+      distribute(edges, scratch_.keyed, pass);
+      std::swap(edges, scratch_.keyed);
+    }
+    // What these digits cannot tell apart.
+    for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+      for (j = i + 1; j < edges.size() && digits(edges[j]) == digits(edges[i]); ++j) {
+      }
+      if (j - i > 1) sort_run(std::span(edges).subspan(i, j - i));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kWorthIt = 200;
+  static constexpr int kDigitBits = 11;
+  static constexpr int kPasses = 2;
+  static std::uint32_t digits(const KeyedEdge& e) {
+    return static_cast<std::uint32_t>(e.key * (1 << (kDigitBits * kPasses - 2)));
+  }
+  /// Roughly in order by one digit, then each put where it belongs.
+  void sort_few(std::vector<KeyedEdge>& edges) {
+    const std::size_t ranges = std::bit_ceil(std::max<std::size_t>(edges.size(), 8));
+    const auto range = [scale = static_cast<double>(ranges) / 4](const KeyedEdge& e) {
+      return static_cast<std::size_t>(static_cast<std::int32_t>(e.key * scale));
+    };
+    auto& place = scratch_.counts;
+    place.assign(ranges + 2, 0);  // a key may be 4 after rounding
+    for (const KeyedEdge& e : edges) ++place[range(e) + 1];
+    for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
+    auto& sorted = scratch_.keyed;
+    sorted.resize(edges.size());
+    for (const KeyedEdge& e : edges) sorted[place[range(e)]++] = e;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      const KeyedEdge edge = sorted[i];
+      std::size_t j = i;
+      for (; j > 0 && by_key(edge, sorted[j - 1]); --j) sorted[j] = sorted[j - 1];
+      sorted[j] = edge;
+    }
+    std::swap(edges, sorted);
+  }
+  static void sort_run(std::span<KeyedEdge> run) {
+    if (!std::is_sorted(run.begin(), run.end(), by_key)) std::sort(run.begin(), run.end(), by_key);
+  }
+  void distribute(const std::vector<KeyedEdge>& from, std::vector<KeyedEdge>& to, int pass) {
+    const auto digit = [&](const KeyedEdge& e) {
+      return (digits(e) >> (pass * kDigitBits)) & ((1U << kDigitBits) - 1);
+    };
+    auto& counts = scratch_.counts;
+    counts.assign((std::size_t{1} << kDigitBits) + 1, 0);
+    for (const KeyedEdge& e : from) ++counts[digit(e) + 1];
+    for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
+    for (const KeyedEdge& e : from) to[counts[digit(e)]++] = e;
+  }
+  OperandScratch& scratch_;
+};
+
+/// Mends the order within each chain of keys too close to tell.
+void mend(std::vector<KeyedEdge>& edges, bool keys_tell, Predicates& predicates) {
+  const auto before = [&](const KeyedEdge& a, const KeyedEdge& b) {
+    const Sign order = compare_directions(predicates, keys_tell, a, b);
+    return order == kNegative || (order == kZero && a.edge < b.edge);
+  };
+  for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+    for (j = i + 1; j < edges.size() && edges[j].key - edges[j - 1].key <= 2 * kKeyError; ++j) {
+    }
+    const auto chain = std::span(edges).subspan(i, j - i);
+    if (chain.size() > 1 && !std::is_sorted(chain.begin(), chain.end(), before)) {
+      std::sort(chain.begin(), chain.end(), before);
+    }
+  }
+}
+
+}  // namespace
+
+void sort_directions(Cancellation& cancellation, OperandScratch& scratch,
+                     PreparedOperand& operand) {
+  cancellation.check(4 * operand.size());
+  Predicates predicates(operand.sites, *operand.kernel, operand.bounds, cancellation);
+  auto& edges = operand.by_direction;
+  operand.keys_tell = keys_are_safe(operand);
+  edges.resize(operand.size());
+  for (SiteId e = 0; e < operand.size(); ++e) {
+    // Where keys do not tell, all are alike.
+    const double key =
+        operand.keys_tell ? angle_key(operand.sites.dx[e], operand.sites.dy[e]) : 0;
+    edges[e] = {key, e};
+  }
+  RadixSort(scratch).run(edges);
+  mend(edges, operand.keys_tell, predicates);
+}
+
+}  // namespace minksum

@@ -1,0 +1,85 @@
+// Polylines as an operand: walked there and back, they are rings without area.
+#include "sum/operands/operands.hpp"
+
+namespace minksum {
+
+void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
+                         Region& walks) {
+  walks.clear();
+  for (const Polyline& polyline : polylines) {
+    walks.begin_polygon();
+    walks.begin_ring();
+    const std::size_t last = polyline.size() - 1;
+    const auto add = [&](const Point& at) {
+      cancellation.check(work_of(at));
+      walks.add_vertex(at.x, at.y);
+    };
+    for (std::size_t i = 0; i <= last; ++i) add(polyline[i]);
+    for (std::size_t i = last; i-- > 1;) add(polyline[i]);
+  }
+}
+
+void prepare_thin_operand(const Region& walks, const Options& options, Cancellation& cancellation,
+                          OperandScratch& scratch, PreparedOperand& operand) {
+  load_sites(walks, options, cancellation, operand);
+  operand.thin = true;
+  const auto n = static_cast<SiteId>(walks.vertex_count());
+  approximate_sites(n, options, cancellation, scratch, operand);
+  operand.rings.clear();
+  for (const std::size_t ring : walks.polygons()) {
+    const IndexRange vertices = walks.vertices_of(ring);
+    const auto begin = static_cast<SiteId>(vertices.front());
+    operand.rings.push_back({begin, begin + static_cast<SiteId>(vertices.size()),
+                             static_cast<std::uint32_t>(ring), 0});
+  }
+  connect_rings(cancellation, operand);
+  Predicates predicates(operand.sites, *operand.kernel, operand.bounds, cancellation);
+  operand.convex.resize(n);
+  operand.vertex_source.resize(n);
+  for (SiteId i = 0; i < n; ++i) {
+    // Ends, where the walk turns round, are the only vertices in line with their neighbours.
+    operand.convex[i] =
+        predicates.orientation(operand.previous[i], i, operand.sites.next[i]) != kNegative ? 1 : 0;
+    operand.vertex_source[i] = i;
+  }
+  operand.edge_source = operand.vertex_source;
+  sort_directions(cancellation, scratch, operand);
+}
+
+void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, const Limits& limits,
+                        Cancellation& cancellation, std::vector<Polyline>& sums) {
+  sums.clear();
+  const std::uint64_t work = 4 * o.kernel->work();
+  const auto point = [&](SiteId site) {
+    return walks[static_cast<std::size_t>(o.operand_of(site))].point(o.vertex_source[site]);
+  };
+  const auto sum = [&](SiteId a, SiteId b) {
+    const Point p = point(a);
+    const Point q = point(b);
+    return Point{p.x + q.x, p.y + q.y};
+  };
+  for (std::size_t i = 0, j = 0; i < o.by_direction.size(); i = j) {
+    const DirectionRank rank = o.rank[o.by_direction[i]];
+    while (j < o.by_direction.size() && o.rank[o.by_direction[j]] == rank) ++j;
+    // Each edge is there in both directions: one of them is enough.
+    if (o.place[rank] > o.reverse_place[rank]) continue;
+    for (std::size_t k = i; k < j; ++k) {
+      const SiteId e = o.by_direction[k];
+      if (o.operand_of(e) != 0) continue;
+      for (std::size_t l = i; l < j; ++l) {
+        const SiteId f = o.by_direction[l];
+        cancellation.check();
+        if (o.operand_of(f) != 1) continue;
+        cancellation.check(work);
+        if (sums.size() >= limits.max_segments) {
+          throw Error(ErrorCode::kLimitExceeded,
+                      "polylines have more than " + std::to_string(limits.max_segments) +
+                          " pairs of parallel edges (Limits::max_segments)");
+        }
+        sums.push_back({sum(e, f), sum(o.sites.next[e], o.sites.next[f])});
+      }
+    }
+  }
+}
+
+}  // namespace minksum

@@ -1,0 +1,67 @@
+// The driver: operands → convolution → cover → arrangement → loops → filters → output.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "minksum/prepared_region.hpp"
+#include "sum/cover/shared_raster.hpp"
+#include "sum/output/output.hpp"
+#include "sum/small/small_sum.hpp"
+#include "sum/stage_runner.hpp"
+#include "sum/tight/tight.hpp"
+
+namespace minksum {
+
+/// Every stage's result and scratch memory, and that of sums without stages.
+struct Workspace::State {
+  SmallScratch small_scratch;
+  OperandScratch operand_scratch;
+  std::array<PreparedOperand, 2> prepared;
+  std::array<Region, 2> walks;          ///< along polylines, see thin operands
+  std::array<PreparedOperand, 2> thin;  ///< of `walks`
+  Operands operands;
+  ConvolutionScratch convolution_scratch;
+  Convolution convolution;
+  CoverScratch cover_scratch;
+  Cover cover;
+  ArrangementScratch arrangement_scratch;
+  Arrangement arrangement;
+  LoopScratch loop_scratch;
+  Loops loops;
+  BoxTrees trees;
+  FilteredLoops filtered;
+  OutputScratch output_scratch;
+  Boundary boundary;
+  TightScratch tight_scratch;
+  TightPlaces tight;
+};
+
+struct PreparedRegion::State {
+  Region region;
+  PreparedOperand operand;  ///< of `region`; nothing if that is empty
+  std::unique_ptr<const SmallOperand> small;  ///< the same, if it is one
+};
+
+/// One of the two that are to be summed: prepared before, or now.
+struct Given {
+  const Region& region;
+  const PreparedOperand* operand = nullptr;
+  const SmallOperand* small = nullptr;  ///< if it is known to be one
+};
+
+/// The sum of two that are not empty, by Method::kReduced or kFull.
+void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
+                  Region& result);
+
+// -- Parts of it --------------------------------------------------------------------------------
+/// Combines a prepared operand with one that is legal.
+void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
+                   const Options& options, Cancellation& cancellation, Workspace::State& w);
+/// Lists the convolution, or where there is much of it a sample.
+void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation);
+/// The stages after the operands'. With a raster for these operands, or null.
+void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
+                Workspace::State& w, Region& result);
+
+}  // namespace minksum

@@ -1,0 +1,67 @@
+// Boxes of runs of segments: most of them are not near a given one.
+#pragma once
+
+#include <algorithm>
+
+#include "sum/small/lanes.hpp"
+
+namespace minksum {
+
+/// The boxes of up to `kMaxBlocks` blocks of eight segments each, in order.
+template <std::size_t kMaxBlocks>
+struct SmallBlocks {
+  static_assert(kMaxBlocks % kLanes == 0);
+  std::size_t size = 0;
+  alignas(64) std::array<double, kMaxBlocks> low_x;
+  alignas(64) std::array<double, kMaxBlocks> low_y;
+  alignas(64) std::array<double, kMaxBlocks> high_x;
+  alignas(64) std::array<double, kMaxBlocks> high_y;
+
+  struct Box {
+    double low_x;
+    double low_y;
+    double high_x;
+    double high_y;
+  };
+  [[nodiscard, gnu::always_inline]] static Box box(double x, double y, double dx, double dy) {
+    return {x + std::min(dx, 0.0), y + std::min(dy, 0.0), x + std::max(dx, 0.0),
+            y + std::max(dy, 0.0)};
+  }
+  [[nodiscard]] Box box_of(std::size_t block) const {
+    return {low_x[block], low_y[block], high_x[block], high_y[block]};
+  }
+
+  /// Of `count` segments, which are filled up with any.
+  [[gnu::always_inline]] void set(const double* x, const double* y, const double* dx,
+                                  const double* dy, std::size_t count) {
+    size = filled_up(count) / kLanes;
+    for (std::size_t b = 0; b < size; ++b) {
+      Box all = box(x[b * kLanes], y[b * kLanes], dx[b * kLanes], dy[b * kLanes]);
+      for (std::size_t i = b * kLanes + 1; i < std::min((b + 1) * kLanes, count); ++i) {
+        const Box one = box(x[i], y[i], dx[i], dy[i]);
+        all = {std::min(all.low_x, one.low_x), std::min(all.low_y, one.low_y),
+               std::max(all.high_x, one.high_x), std::max(all.high_y, one.high_y)};
+      }
+      low_x[b] = all.low_x;
+      low_y[b] = all.low_y;
+      high_x[b] = all.high_x;
+      high_y[b] = all.high_y;
+    }
+    for (std::size_t b = size; b < filled_up(size); ++b) {
+      low_x[b] = low_y[b] = high_x[b] = high_y[b] = 0;
+    }
+  }
+  /// Of up to 64 blocks from `first` on (a multiple of 8), those whose boxes meet this one.
+  [[nodiscard, gnu::always_inline]] LaneBits near(const Box& box, std::size_t first) const {
+    LaneBits bits = 0;
+    const std::size_t n = filled_up(std::min<std::size_t>(size - first, 64));
+    for (std::size_t b = 0; b < n; ++b) {
+      const bool meets = (low_x[first + b] <= box.high_x) & (high_x[first + b] >= box.low_x) &
+                         (low_y[first + b] <= box.high_y) & (high_y[first + b] >= box.low_y);
+      bits |= meets ? kBitOf[b] : 0;
+    }
+    return bits & first_bits(size - first);
+  }
+};
+
+}  // namespace minksum

@@ -1,0 +1,237 @@
+// The walk along the outer boundary of a small convolution.
+#pragma once
+
+#include <cmath>
+
+#include "exact/wide_int.hpp"
+#include "sum/small/small_meetings.hpp"
+
+namespace minksum {
+
+/// A vertex of the boundary, and the segment that starts the edge there: at along / whole of it.
+struct SmallCorner {
+  std::uint32_t segment;
+  std::int64_t along;
+  std::int64_t whole;
+};
+
+struct SmallBoundary {
+  static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
+  std::uint32_t size;
+  std::uint32_t between;  ///< corners that are not the start of a segment
+  std::array<SmallCorner, kMax> corners;
+};
+
+/// A fraction of a segment's way.
+struct SmallFraction {
+  std::int64_t above;
+  std::int64_t below;  ///< positive
+};
+
+[[nodiscard]] inline bool less(const SmallFraction& a, const SmallFraction& b) {
+  return Int128{a.above} * b.below < Int128{b.above} * a.below;
+}
+
+/// By meeting on the right, which walk turned there, and as its how manieth turn.
+struct SmallTurns {
+  struct Turn {
+    std::uint16_t walk;  ///< 0: none
+    std::uint16_t number;
+  };
+  std::array<Turn, std::max(SmallMeetingSets::kMax, SmallMeetingLists::kMax)> of;
+};
+
+/// Walks along the boundary of the unbounded face, the sum on its left. One use.
+template <class Number, class Meetings>
+class OuterWalk {
+ public:
+  OuterWalk(const SmallSegments& segments, const Meetings& meetings, SmallTurns& turns,
+            SmallBoundary& boundary)
+      : s_(segments), m_(meetings), turns_(turns), boundary_(boundary) {
+    m_.for_each_number(s_.size, [&](std::size_t meeting) { turns_.of[meeting] = {0, 0}; });
+  }
+
+  /// From the smallest point. False if the walk does not come back, or might not be all of the
+  /// sum's boundary.
+  bool run(double start_x, double start_y) {
+    boundary_.size = 0;
+    boundary_.between = 0;
+    const std::uint32_t first = first_segment(start_x, start_y);
+    if (first == kNone) return false;
+    Place place{first, {0, 1}};
+    std::uint32_t taken = 0;
+    do {
+      corner(place);
+      Next next;
+      do {
+        next = next_after(place);
+        if (next.place.segment == kNone) return false;
+        place = next.place;
+      } while (next.turn == 0);
+      if (next.turn < 0) {
+        turns_.of[next.meeting] = {1, 0};
+        ++taken;
+      }
+      if (boundary_.size == SmallBoundary::kMax) return false;
+    } while (place.passed.above != 0 || s_.x[place.segment] != start_x ||
+             s_.y[place.segment] != start_y);
+    return taken + 3 > m_.right_count || no_holes(taken);
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  /// A segment, and how much of its way has been passed.
+  struct Place {
+    std::uint32_t segment = kNone;
+    SmallFraction passed{0, 1};
+  };
+  /// Where the walk goes on.
+  struct Next {
+    Place place;
+    Number turn = 0;  ///< negative: to the right
+    std::size_t meeting = 0;
+  };
+
+  [[nodiscard]] Number turn(std::uint32_t a, std::uint32_t b) const {
+    return cross(way(a), way(b));
+  }
+  /// How far on the left of a segment another one starts.
+  [[nodiscard]] Number start_of(std::uint32_t t, std::uint32_t of) const {
+    return cross(way(of), between(of, t));
+  }
+  [[nodiscard]] Vec<Number> way(std::uint32_t t) const {
+    return {static_cast<Number>(s_.dx[t]), static_cast<Number>(s_.dy[t])};
+  }
+  [[nodiscard]] Vec<Number> between(std::uint32_t from, std::uint32_t to) const {
+    return {static_cast<Number>(s_.x[to] - s_.x[from]), static_cast<Number>(s_.y[to] - s_.y[from])};
+  }
+  [[nodiscard]] static SmallFraction fraction(Number above, Number below) {
+    return {static_cast<std::int64_t>(above), static_cast<std::int64_t>(below)};
+  }
+  void corner(const Place& place) {
+    boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
+    if (place.passed.above != 0) ++boundary_.between;
+  }
+  /// Of those that start at the smallest point, the one that is farthest clockwise.
+  [[nodiscard]] std::uint32_t first_segment(double x, double y) const {
+    std::uint32_t first = kNone;
+    for (std::uint32_t t = 0; t < s_.size; ++t) {
+      if (s_.x[t] != x || s_.y[t] != y) continue;
+      if (first == kNone || is_preferred(t, first)) first = t;
+    }
+    return first;
+  }
+
+  /// The first ray counter-clockwise from where the walk came: to the right at the first place that
+  /// offers it, else at the end, as far to the right as may be.
+  [[nodiscard, gnu::always_inline]] Next next_after(const Place& place) {
+    const std::uint32_t at = place.segment;
+    Next next;
+    SmallFraction best{0, 0};
+    m_.for_each_right(at, [&](std::uint32_t t, std::size_t meeting) {
+      const Number c = turn(at, t);
+      const SmallFraction here = fraction(-cross(between(at, t), way(t)), -c);
+      if (place.passed.above != 0 && !less(place.passed, here)) return;
+      if (next.place.segment != kNone) {
+        if (less(best, here)) return;
+        if (!less(here, best) && !is_preferred(t, next.place.segment)) return;
+      }
+      best = here;
+      next.place.segment = t;
+      next.turn = c;
+      next.meeting = meeting;
+    });
+    if (next.place.segment == kNone) return next_at_end(at);
+    next.place.passed = fraction(start_of(next.place.segment, at), -next.turn);
+    return next;
+  }
+  [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) {
+    Next next;
+    std::uint32_t looks = 0;
+    m_.for_each_at_end(at, [&](std::uint32_t t) {
+      ++looks;
+      const Number c = turn(at, t);
+      if (c == 0) {
+        // What goes on straight is before all that turns to the left.
+        const Place along = straight_on(at, t);
+        if (along.segment == kNone) return;
+        const bool is_straight = next.turn == 0 && next.place.segment != kNone;
+        if (!is_straight || s_.is_before(next.place.segment, t)) next = {along, 0, 0};
+        return;
+      }
+      const Number start = start_of(t, at);
+      if (start + c == 0) return;  // it ends there
+      const bool first = next.place.segment == kNone;
+      if (first || (next.turn != 0 && is_preferred(t, next.place.segment))) {
+        next = {{t, fraction(-start, c)}, c, 0};
+      }
+    });
+    looks_ += looks;
+    return next;
+  }
+  /// Of two rays from a place: the one on the right, or what was listed first of the same.
+  [[nodiscard, gnu::always_inline]] bool is_preferred(std::uint32_t t, std::uint32_t other) const {
+    const Number c = turn(other, t);
+    return c < 0 || (c == 0 && s_.is_before(t, other));
+  }
+  /// Of a segment on the same line: where the end of `at` is on it, if it leads on from there.
+  [[nodiscard, gnu::noinline]] Place straight_on(std::uint32_t at, std::uint32_t t) const {
+    // Seen along the axis that the line is closer to.
+    const bool by_x = std::abs(s_.dx[t]) >= std::abs(s_.dy[t]);
+    const double whole = by_x ? s_.dx[t] : s_.dy[t];
+    const double along = by_x ? s_.x[at] + s_.dx[at] - s_.x[t] : s_.y[at] + s_.dy[at] - s_.y[t];
+    const double sense = whole < 0 ? -1 : 1;
+    const bool same_sense = sense * (by_x ? s_.dx[at] : s_.dy[at]) > 0;
+    if (!same_sense || sense * along < 0 || sense * along >= sense * whole) return {};
+    return {t,
+            {static_cast<std::int64_t>(sense * along), static_cast<std::int64_t>(sense * whole)}};
+  }
+
+  /// A hole is walked with the sum on the left, too, and has three corners where it turns right,
+  /// none of them one of the outer boundary. Where a walk from what looks like such a corner ends,
+  /// there is none.
+  [[nodiscard]] bool no_holes(std::uint32_t taken) {
+    looks_ = 0;
+    std::uint16_t walk = 1;
+    bool none = true;
+    for (std::uint32_t from = 0; from < s_.size && none && taken + 3 <= m_.right_count; ++from) {
+      m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
+        if (turns_.of[meeting].walk == 0) none = none && ends(from, to, meeting, ++walk, taken);
+      });
+    }
+    return none;
+  }
+  /// Whether no hole is on the walk from this corner: it ends, or leads to a corner of an earlier
+  /// one, or goes round with too few right turns.
+  bool ends(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint16_t walk,
+            std::uint32_t& taken) {
+    std::uint16_t count = 0;
+    turns_.of[meeting] = {walk, count++};
+    ++taken;
+    Place place{to, fraction(start_of(to, from), -turn(from, to))};
+    for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
+      if (++looks_ > 6 * s_.size + 400) return false;  // the stages are faster then
+      const Next next = next_after(place);
+      if (next.place.segment == kNone) return true;
+      if (next.turn < 0) {
+        SmallTurns::Turn& turn = turns_.of[next.meeting];
+        if (turn.walk != 0) return turn.walk != walk || count - turn.number < 3;
+        turn = {walk, count++};
+        ++taken;
+        lefts = 0;
+      }
+      place = next.place;
+    }
+    // Where a segment is left at its end depends on nothing else: it goes round without right
+    // turns.
+    return true;
+  }
+
+  const SmallSegments& s_;
+  const Meetings& m_;
+  SmallTurns& turns_;
+  SmallBoundary& boundary_;
+  std::uint32_t looks_ = 0;  ///< at places and at ends, by walks that look for holes
+};
+
+}  // namespace minksum

@@ -1,0 +1,99 @@
+// Operands of a few vertices with short coordinates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "exact/formulas.hpp"
+#include "machine/vectors.hpp"
+#include "minksum/region.hpp"
+#include "sum/small/lanes.hpp"
+
+namespace minksum {
+
+/// An operand of one polygon of a few vertices, whose coordinates are short integers: its outer
+/// ring, counter-clockwise, in arrays that vectors are loaded from, and how wide its holes are.
+/// Edge i starts at vertex i.
+class SmallOperand {
+ public:
+  static constexpr std::size_t kMaxVertices = 256;
+  static constexpr std::size_t kMaxHoles = 32;
+  /// Of any box.
+  static constexpr double kWidest = 0x1p36;
+
+  /// What is known of each vertex, one array each, filled up with zeros.
+  enum Row : std::uint8_t {
+    kX,
+    kY,
+    kDx,
+    kDy,
+    // The edges before and after a convex vertex; zeros for a reflex one.
+    kInX,
+    kInY,
+    kOutX,
+    kOutY,
+    // Indices in the region.
+    kVertexSource,
+    kEdgeSource,
+    kRows
+  };
+
+  std::uint32_t size = 0;
+  std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
+  bool convex = false;
+  /// How many convex vertices meet an edge of another operand, on average of eight directions.
+  double turning = 1;
+  Vec<double> extent{};            ///< of the box, which is at (0, 0)
+  std::vector<Vec<double>> holes;  ///< the extents of their boxes
+  double longest = 0;              ///< of the edges' extents along the axes
+  Vec<std::int64_t> offset{};      ///< where the box is
+  Vec<std::int64_t> first{};       ///< the first vertex of the region that it was read from
+  int exp2 = 0;                    ///< a step of the grid: 2^exp2 · 10^exp10
+  int exp10 = 0;
+
+  /// Makes room for rows of so many vertices, not to be relied on before they are set.
+  void make_rows(std::size_t vertices) {
+    stride_ = filled_up(vertices);
+    rows_.resize(kRows * stride_);
+  }
+  /// Of a vertex, or of the edge that starts there.
+  [[nodiscard]] std::uint32_t source(Row row, std::uint32_t vertex) const {
+    return static_cast<std::uint32_t>((*this)[row][vertex]);
+  }
+  [[nodiscard]] double* operator[](Row row) { return rows_.data() + row * stride_; }
+  [[nodiscard]] const double* operator[](Row row) const { return rows_.data() + row * stride_; }
+
+ private:
+  std::size_t stride_ = 0;
+  std::vector<double> rows_;
+};
+
+/// The numbers that hold all cross products of edges up to so long and of them with differences
+/// of points of a box so wide.
+enum class SmallNumbers : std::uint8_t { kDoubles, kIntegers, kNone };
+
+[[nodiscard]] inline SmallNumbers small_numbers(double longest, double width) {
+  // A cross product is at most twice this. Integers take vectors that not all machines have.
+  const double product = longest * width;
+  if (product <= 0x1p52) return SmallNumbers::kDoubles;
+  const bool fits = product < 0x1p62 && width <= SmallOperand::kWidest;
+  return fits && widest_vectors() == Vectors::kAvx512 ? SmallNumbers::kIntegers
+                                                      : SmallNumbers::kNone;
+}
+
+/// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages:
+/// it is worth it for operands that are used again.
+enum class SmallHoles : std::uint8_t { kNone, kSome };
+
+/// Whether a region is such an operand, and legal; fills `small` if so. What is not clearly one is
+/// not: faults are left to `validate`. O(n²) for n vertices, with a small constant.
+bool read_small(const Region& region, SmallHoles may_have, SmallOperand& small);
+
+/// The operand turned counter-clockwise by so many times 90 degrees, about the origin.
+void turn(const SmallOperand& from, int quarters, SmallOperand& to);
+
+/// The operand on the finer grid of these exponents; false if it does not fit.
+bool refine(int exp2, int exp10, SmallOperand& operand);
+
+}  // namespace minksum

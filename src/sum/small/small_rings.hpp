@@ -1,0 +1,131 @@
+// How the edges of small rings meet.
+#pragma once
+
+#include <cmath>
+
+#include "sum/small/blocks.hpp"
+#include "sum/small/small_operand.hpp"
+
+namespace minksum {
+
+/// The edges, of up to 64 from `first` on, that edge i of a ring meets.
+template <class Number>
+[[gnu::always_inline]] inline LaneBits edges_meeting(const SmallOperand& ring, std::uint32_t i,
+                                                     const SmallOperand& s, std::size_t first,
+                                                     std::size_t count) {
+  const auto x = static_cast<Number>(ring[SmallOperand::kX][i]);
+  const auto y = static_cast<Number>(ring[SmallOperand::kY][i]);
+  const auto dx = static_cast<Number>(ring[SmallOperand::kDx][i]);
+  const auto dy = static_cast<Number>(ring[SmallOperand::kDy][i]);
+  const double* const other_x = s[SmallOperand::kX] + first;
+  const double* const other_y = s[SmallOperand::kY] + first;
+  const double* const other_dx = s[SmallOperand::kDx] + first;
+  const double* const other_dy = s[SmallOperand::kDy] + first;
+  LaneBits met = 0;
+  for (std::size_t t = 0; t < count / kLanes * kLanes; ++t) {
+    const Number ax = static_cast<Number>(other_x[t]) - x;
+    const Number ay = static_cast<Number>(other_y[t]) - y;
+    const auto tx = static_cast<Number>(other_dx[t]);
+    const auto ty = static_cast<Number>(other_dy[t]);
+    const Number turn = dx * ty - dy * tx;
+    const Number start = dx * ay - dy * ax;
+    const Number end = start + turn;
+    const Number along = ax * ty - ay * tx;
+    const Number left = along - turn;
+    // Neither lies on one side of the other's line, and their boxes meet.
+    const bool meets = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
+                       !((along > 0) & (left > 0)) & !((along < 0) & (left < 0)) &
+                       (std::abs(2 * ax + tx - dx) <= std::abs(dx) + std::abs(tx)) &
+                       (std::abs(2 * ay + ty - dy) <= std::abs(dy) + std::abs(ty));
+    met |= meets ? kBitOf[t] : 0;
+  }
+  return met;
+}
+
+/// Whether no edge has a point in common with another one, but for the vertex between neighbours.
+template <class Number>
+[[gnu::always_inline]] inline bool is_simple(const SmallOperand& s) {
+  const std::uint32_t n = s.size;
+  const bool few = n <= 64;
+  SmallBlocks<SmallOperand::kMaxVertices / kLanes> blocks;
+  if (!few) {
+    blocks.set(s[SmallOperand::kX], s[SmallOperand::kY], s[SmallOperand::kDx], s[SmallOperand::kDy],
+               n);
+  }
+  bool simple = true;
+  const auto count_beyond = [&](std::uint32_t i, std::size_t first, LaneBits met) {
+    const auto bit = [&](std::uint32_t edge) {
+      return edge - first < 64 ? kBitOf[edge - first] : LaneBits{0};
+    };
+    met &= first_bits(n - first);
+    met &= ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
+    simple &= met == 0;
+  };
+  for (std::uint32_t i = 0; i < n && simple; ++i) {
+    if (few) {
+      count_beyond(i, 0, edges_meeting<Number>(s, i, s, 0, filled_up(n)));
+      continue;
+    }
+    const LaneBits near = blocks.near(blocks.box(s[SmallOperand::kX][i], s[SmallOperand::kY][i],
+                                                 s[SmallOperand::kDx][i], s[SmallOperand::kDy][i]),
+                                      0);
+    for_each_bit(near, [&](std::uint32_t block) {
+      count_beyond(i, block * kLanes, edges_meeting<Number>(s, i, s, block * kLanes, kLanes));
+    });
+  }
+  return simple;
+}
+
+/// Whether two rings have a point of their boundaries in common. Doubles must hold all cross
+/// products.
+[[nodiscard]] inline bool do_meet(const SmallOperand& a, const SmallOperand& b) {
+  LaneBits met = 0;
+  for (std::uint32_t i = 0; i < a.size; ++i) {
+    for (std::size_t first = 0; first < b.size; first += 64) {
+      const std::size_t count = std::min<std::size_t>(filled_up(b.size) - first, 64);
+      met |= edges_meeting<double>(a, i, b, first, count) & first_bits(b.size - first);
+    }
+  }
+  return met != 0;
+}
+
+/// Whether a ring, of any orientation, holds the first vertex of another one that it does not meet.
+[[nodiscard]] inline bool holds(const SmallOperand& a, const SmallOperand& b) {
+  const Vec<double> at{b[SmallOperand::kX][0], b[SmallOperand::kY][0]};
+  bool inside = false;
+  for (std::uint32_t i = 0; i < a.size; ++i) {
+    const Vec<double> d{a[SmallOperand::kDx][i], a[SmallOperand::kDy][i]};
+    const Vec<double> to{at.x - a[SmallOperand::kX][i], at.y - a[SmallOperand::kY][i]};
+    // Edges that pass the height of the point, on its right.
+    const bool up = to.y >= 0 && to.y < d.y;
+    const bool down = to.y < 0 && to.y >= d.y;
+    const double side = d.x * to.y - d.y * to.x;
+    if ((up && side > 0) || (down && side < 0)) inside = !inside;
+  }
+  return inside;
+}
+
+struct SmallBox {
+  Vec<double> low;
+  Vec<double> high;
+
+  explicit SmallBox(const SmallOperand& s)
+      : low{s[SmallOperand::kX][0], s[SmallOperand::kY][0]}, high(low) {
+    for (std::uint32_t i = 1; i < s.size; ++i) {
+      const double x = s[SmallOperand::kX][i];
+      const double y = s[SmallOperand::kY][i];
+      low = {std::min(low.x, x), std::min(low.y, y)};
+      high = {std::max(high.x, x), std::max(high.y, y)};
+    }
+  }
+  /// Whether it is in a box of this size at the origin.
+  [[nodiscard]] bool is_in(const Vec<double>& extent) const {
+    return low.x >= 0 && low.y >= 0 && high.x <= extent.x && high.y <= extent.y;
+  }
+  [[nodiscard]] bool meets(const SmallBox& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y;
+  }
+};
+
+}  // namespace minksum

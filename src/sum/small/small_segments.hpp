@@ -1,0 +1,201 @@
+// The reduced convolution of two small operands.
+#pragma once
+
+#include <tuple>
+#include <utility>
+
+#include "sum/small/blocks.hpp"
+#include "sum/small/small_operand.hpp"
+
+namespace minksum {
+
+/// All numbers are integers. `Number`, below, holds all cross products of their differences.
+struct SmallSegments {
+  static constexpr std::size_t kMaxBlocks = 192;
+  static constexpr std::size_t kMax = kLanes * kMaxBlocks;
+  using Blocks = SmallBlocks<kMaxBlocks>;
+  /// Entries of the same index lie in different places of a page: so a store to one row does not
+  /// hold up loads from another one.
+  using Row = std::array<double, kMax + 128>;
+  /// An edge of one operand, moved by a vertex of the other.
+  struct Origin {
+    std::uint16_t edge;
+    std::uint16_t vertex;
+    bool of_first;  ///< whose edge it is
+  };
+
+  std::uint32_t size;
+  alignas(64) Row x;
+  alignas(64) Row y;
+  alignas(64) Row dx;
+  alignas(64) Row dy;
+  std::array<Origin, kMax> origin;
+
+  /// Those of a block's eight that there are.
+  [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
+    return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
+  }
+  /// Of two, whether the first was listed before: by vertices of the first ring.
+  [[nodiscard]] bool is_before(std::uint32_t i, std::uint32_t j) const {
+    const auto place = [this](std::uint32_t k) {
+      const Origin& o = origin[k];
+      return o.of_first ? std::tuple(o.edge, true, o.vertex) : std::tuple(o.vertex, false, o.edge);
+    };
+    return place(i) < place(j);
+  }
+  /// To be read eight at a time.
+  void fill_up() {
+    for (std::size_t i = size; i < filled_up(size); ++i) x[i] = y[i] = dx[i] = dy[i] = 0;
+  }
+};
+
+/// Where so many segments turn right into one another more often, most corners lie inside, and the
+/// stages are faster.
+[[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
+  return 2 * segments + 16;
+}
+
+/// Of up to 64 vertices, those that meet an edge of this direction: in (in, out].
+template <class Number>
+[[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallOperand& o, std::size_t first,
+                                                        std::size_t count, Number dx, Number dy) {
+  const double* const in_x = o[SmallOperand::kInX] + first;
+  const double* const in_y = o[SmallOperand::kInY] + first;
+  const double* const out_x = o[SmallOperand::kOutX] + first;
+  const double* const out_y = o[SmallOperand::kOutY] + first;
+  LaneBits bits = 0;
+  const auto number = [](double d) { return static_cast<Number>(d); };
+  for (std::size_t v = 0; v < count / kLanes * kLanes; ++v) {
+    const bool meets = (number(in_x[v]) * dy - number(in_y[v]) * dx > 0) &
+                       (dx * number(out_y[v]) - dy * number(out_x[v]) >= 0);
+    bits |= meets ? kBitOf[v] : 0;
+  }
+  return bits;
+}
+/// Of up to 64 edges, those whose direction is in [in, out).
+template <class Number>
+[[gnu::always_inline]] inline LaneBits edges_between(const SmallOperand& o, std::size_t first,
+                                                     std::size_t count, const Vec<Number>& in,
+                                                     const Vec<Number>& out) {
+  const double* const dx = o[SmallOperand::kDx] + first;
+  const double* const dy = o[SmallOperand::kDy] + first;
+  LaneBits bits = 0;
+  for (std::size_t e = 0; e < count / kLanes * kLanes; ++e) {
+    const auto ex = static_cast<Number>(dx[e]);
+    const auto ey = static_cast<Number>(dy[e]);
+    const bool between = (in.x * ey - in.y * ex >= 0) & (ex * out.y - ey * out.x > 0);
+    bits |= between ? kBitOf[e] : 0;
+  }
+  return bits;
+}
+
+/// The reduced convolution, in the order of the first operand's ring: what is near in the plane is
+/// mostly near in the list. False if there are too many.
+template <class Number>
+[[gnu::always_inline]] inline bool list_segments(const SmallOperand& p, const SmallOperand& q,
+                                                 SmallSegments& s) {
+  const std::size_t n = filled_up(q.size);
+  std::uint32_t size = 0;
+  struct Rows {
+    const double* x;
+    const double* y;
+    const double* dx;
+    const double* dy;
+    explicit Rows(const SmallOperand& o)
+        : x(o[SmallOperand::kX]),
+          y(o[SmallOperand::kY]),
+          dx(o[SmallOperand::kDx]),
+          dy(o[SmallOperand::kDy]) {}
+  };
+  const Rows of_p(p);
+  const Rows of_q(q);
+  const auto append = [&](const Rows& edges, std::size_t e, const Rows& vertices, std::size_t v,
+                          bool of_first) __attribute__((always_inline)) {
+    s.x[size] = edges.x[e] + vertices.x[v];
+    s.y[size] = edges.y[e] + vertices.y[v];
+    s.dx[size] = edges.dx[e];
+    s.dy[size] = edges.dy[e];
+    s.origin[size] = {static_cast<std::uint16_t>(e), static_cast<std::uint16_t>(v), of_first};
+    ++size;
+  };
+  const auto fit = [&](LaneBits bits) {
+    return size + static_cast<std::uint32_t>(std::popcount(bits)) <= SmallSegments::kMax;
+  };
+  for (std::uint32_t i = 0; i < p.size; ++i) {
+    const auto number = [&](SmallOperand::Row row) { return static_cast<Number>(p[row][i]); };
+    const Vec<Number> in{number(SmallOperand::kInX), number(SmallOperand::kInY)};
+    const Vec<Number> out{number(SmallOperand::kOutX), number(SmallOperand::kOutY)};
+    const Number dx = number(SmallOperand::kDx);
+    const Number dy = number(SmallOperand::kDy);
+    for (std::size_t first = 0; first < n; first += 64) {
+      const std::size_t count = std::min<std::size_t>(n - first, 64);
+      const LaneBits at_vertex =
+          in.x == 0 && in.y == 0 ? 0 : edges_between(q, first, count, in, out);
+      if (!fit(at_vertex)) return false;
+      for_each_bit(at_vertex, [&](std::uint32_t e) { append(of_q, first + e, of_p, i, false); });
+      const LaneBits of_edge = vertices_meeting(q, first, count, dx, dy);
+      if (!fit(of_edge)) return false;
+      for_each_bit(of_edge, [&](std::uint32_t v) { append(of_p, i, of_q, first + v, true); });
+    }
+  }
+  s.size = size;
+  s.fill_up();
+  return true;
+}
+
+/// Puts segments that are near one another in the plane together: by squares of a 32nd of the sum's
+/// width, in the order of Hilbert's curve. O(s).
+class SmallOrder {
+ public:
+  void apply(const SmallSegments& from, double width, SmallSegments& to) {
+    const double scale = kSide / (width + 1);
+    place_.fill(0);
+    for (std::uint32_t i = 0; i < from.size; ++i) {
+      const auto column = static_cast<std::uint32_t>((from.x[i] + from.dx[i] / 2) * scale);
+      const auto row = static_cast<std::uint32_t>((from.y[i] + from.dy[i] / 2) * scale);
+      square_[i] = kCurve[row * kSide + column];
+      ++place_[square_[i] + std::size_t{1}];
+    }
+    for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
+    to.size = from.size;
+    for (std::uint32_t i = 0; i < from.size; ++i) {
+      const std::uint32_t at = place_[square_[i]]++;
+      to.x[at] = from.x[i];
+      to.y[at] = from.y[i];
+      to.dx[at] = from.dx[i];
+      to.dy[at] = from.dy[i];
+      to.origin[at] = from.origin[i];
+    }
+    to.fill_up();
+  }
+
+ private:
+  static constexpr std::uint32_t kSide = 32;
+  /// By row and column, a square's place on the curve.
+  static constexpr auto kCurve = [] {
+    std::array<std::uint16_t, kSide * kSide> curve{};
+    for (std::uint32_t square = 0; square < curve.size(); ++square) {
+      std::uint32_t x = square % kSide;
+      std::uint32_t y = square / kSide;
+      std::uint32_t place = 0;
+      for (std::uint32_t half = kSide / 2; half > 0; half /= 2) {
+        const bool right = (x & half) != 0;
+        const bool upper = (y & half) != 0;
+        place += half * half * (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
+        // The curve enters each quarter turned its own way.
+        if (upper) continue;
+        if (right) {
+          x = kSide - 1 - x;
+          y = kSide - 1 - y;
+        }
+        std::swap(x, y);
+      }
+      curve[square] = static_cast<std::uint16_t>(place);
+    }
+    return curve;
+  }();
+  std::array<std::uint16_t, kSide * kSide + 1> place_;
+  std::array<std::uint16_t, SmallSegments::kMax> square_;
+};
+
+}  // namespace minksum

@@ -1,0 +1,240 @@
+#include "sum/small/small_sum.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "exact/wide_int.hpp"
+#include "machine/vectors.hpp"
+#include "region/region_access.hpp"
+#include "sum/small/outer_walk.hpp"
+
+namespace minksum {
+
+struct SmallScratch::State {
+  SmallSegments segments;
+  SmallSegments ordered;
+  SmallOrder order;
+  SmallMeetingSets sets;
+  SmallMeetingLists lists;
+  SmallTurns turns;
+  SmallBoundary boundary;
+};
+
+namespace {
+
+/// Corners of the sum to vertices of a region.
+class SmallWriter {
+ public:
+  /// `corners` may be too many, and so few between the ends of segments.
+  SmallWriter(const SmallOperand& p, const SmallOperand& q, std::size_t corners,
+              std::size_t between, Region& region)
+      : p_(p),
+        q_(q),
+        offset_{p.offset.x + q.offset.x, p.offset.y + q.offset.y},
+        exp2_(static_cast<std::int16_t>(p.exp2)),
+        exp10_(static_cast<std::int16_t>(p.exp10)),
+        region_(region) {
+    region.clear();
+    constexpr std::size_t kLimbs = 4;  // most numerators and denominators are one
+    RegionAccess::make_ring(region, {corners, corners, 1, 1, kLimbs * between});
+  }
+  void add(double x, double y, const SmallSegments::Origin& origin) {
+    set(compact(static_cast<std::int64_t>(x) + offset_.x),
+        compact(static_cast<std::int64_t>(y) + offset_.y), origin);
+  }
+  void add(const SmallSegments& s, const SmallCorner& corner) {
+    const std::uint32_t i = corner.segment;
+    if (corner.along == 0) return add(s.x[i], s.y[i], s.origin[i]);
+    const StoredCoordinate x = store(s.x[i], s.dx[i], corner, offset_.x);
+    const StoredCoordinate y = store(s.y[i], s.dy[i], corner, offset_.y);
+    set(x, y, s.origin[i]);
+  }
+  /// When all corners are there: they may be fewer.
+  void finish() { RegionAccess::keep_vertices(region_, size_); }
+
+ private:
+  [[nodiscard]] StoredCoordinate compact(std::int64_t value) const {
+    return value == 0 ? StoredCoordinate{} : StoredCoordinate{value, exp2_, exp10_, 0, 0};
+  }
+  StoredCoordinate store(double start, double way, const SmallCorner& corner, std::int64_t offset) {
+    const std::int64_t whole = corner.whole;
+    const Int128 moved = Int128{static_cast<std::int64_t>(way)} * corner.along;
+    const std::int64_t base = static_cast<std::int64_t>(start) + offset;
+    const Int128 part = moved / whole;
+    if (part * whole == moved) return compact(base + static_cast<std::int64_t>(part));
+    const Int128 above = moved + Int128{base} * whole;
+    const auto magnitude = static_cast<Uint128>(above < 0 ? -above : above);
+    const auto low = static_cast<std::uint64_t>(magnitude);
+    const auto high = static_cast<std::uint64_t>(magnitude >> 64);
+    const auto place = static_cast<std::int64_t>(RegionAccess::limbs(region_).size());
+    const auto below = static_cast<std::uint64_t>(whole);
+    std::uint16_t count = high != 0 ? 2 : 1;
+    if (high != 0) {
+      RegionAccess::append_limbs(region_, std::array{low, high, below});
+    } else {
+      RegionAccess::append_limbs(region_, std::array{low, below});
+    }
+    if (above < 0) count |= kNegativeLimbs;
+    return {place, exp2_, exp10_, count, 1};
+  }
+  void set(const StoredCoordinate& x, const StoredCoordinate& y,
+           const SmallSegments::Origin& origin) {
+    const SmallOperand& edges = origin.of_first ? p_ : q_;
+    const SmallOperand& vertices = origin.of_first ? q_ : p_;
+    RegionAccess::set_vertex(region_, size_, x, y);
+    RegionAccess::set_origin(region_, size_++,
+                             {origin.of_first ? Operand::kFirst : Operand::kSecond,
+                              edges.source(SmallOperand::kEdgeSource, origin.edge),
+                              vertices.source(SmallOperand::kVertexSource, origin.vertex)});
+  }
+
+  const SmallOperand& p_;
+  const SmallOperand& q_;
+  Vec<std::int64_t> offset_;
+  std::int16_t exp2_;
+  std::int16_t exp10_;
+  Region& region_;
+  std::size_t size_ = 0;
+};
+
+/// Whether the other operand fits into none of the holes, as its box does not: a hole is open, so
+/// equal width is too wide.
+bool are_filled(const std::vector<Vec<double>>& holes, const SmallOperand& other) {
+  return std::ranges::all_of(holes, [&](const Vec<double>& hole) {
+    return other.extent.x >= hole.x || other.extent.y >= hole.y;
+  });
+}
+
+/// Where the smallest points of both operands come to lie.
+Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
+  return {p[SmallOperand::kX][p.smallest] + q[SmallOperand::kX][q.smallest],
+          p[SmallOperand::kY][p.smallest] + q[SmallOperand::kY][q.smallest]};
+}
+
+/// Edges of both in the order of their directions: all of the boundary.
+template <class Number>
+void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) {
+  /// Goes round a ring from its smallest vertex.
+  struct Round {
+    const double* x;
+    const double* y;
+    const double* dx;
+    const double* dy;
+    std::uint32_t size;
+    std::uint32_t at;
+    std::uint32_t left;
+    explicit Round(const SmallOperand& o)
+        : x(o[SmallOperand::kX]),
+          y(o[SmallOperand::kY]),
+          dx(o[SmallOperand::kDx]),
+          dy(o[SmallOperand::kDy]),
+          size(o.size),
+          at(o.smallest),
+          left(o.size) {}
+    [[nodiscard]] Vec<Number> way() const {
+      return {static_cast<Number>(dx[at]), static_cast<Number>(dy[at])};
+    }
+    void go_on() {
+      at = at + 1 == size ? 0 : at + 1;
+      --left;
+    }
+  };
+  using Origin = SmallSegments::Origin;
+  SmallWriter writer(p, q, p.size + q.size, 0, result);
+  Round a(p);
+  Round b(q);
+  while (a.left + b.left > 0) {
+    // Neither is half a circle behind the other one: edges of a convex ring turn by less.
+    const Number turn = a.left == 0 ? -1 : b.left == 0 ? 1 : cross(a.way(), b.way());
+    const auto i = static_cast<std::uint16_t>(a.at);
+    const auto j = static_cast<std::uint16_t>(b.at);
+    writer.add(a.x[a.at] + b.x[b.at], a.y[a.at] + b.y[b.at],
+               turn >= 0 ? Origin{i, j, true} : Origin{j, i, false});
+    if (turn >= 0) a.go_on();
+    if (turn <= 0) b.go_on();
+  }
+  writer.finish();
+}
+
+template <class Number, class Meetings>
+bool walk(const SmallOperand& p, const SmallOperand& q, const SmallSegments& segments,
+          Meetings& meetings, SmallScratch::State& scratch, Region& result) {
+  if (!find_meetings_by<Number>(widest_vectors(), segments, meetings)) return false;
+  const Vec<double> start = smallest_point(p, q);
+  OuterWalk<Number, Meetings> walk(segments, meetings, scratch.turns, scratch.boundary);
+  if (!walk.run(start.x, start.y)) return false;
+  SmallWriter writer(p, q, scratch.boundary.size, scratch.boundary.between, result);
+  for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
+    writer.add(segments, scratch.boundary.corners[k]);
+  }
+  return true;
+}
+
+template <class Number>
+bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScratch::State& scratch,
+          Region& result) {
+  const auto list = [&]() __attribute__((always_inline)) {
+    return list_segments<Number>(p, q, scratch.segments);
+  };
+  if (!with_vectors(widest_vectors(), list)) return false;
+  if (scratch.segments.size <= SmallMeetingSets::kMaxSegments) {
+    return walk<Number>(p, q, scratch.segments, scratch.sets, scratch, result);
+  }
+  // Of these, most pairs of blocks are near one another anyway.
+  constexpr std::uint32_t kMostInRingOrder = 300;
+  if (scratch.segments.size <= kMostInRingOrder) {
+    return walk<Number>(p, q, scratch.segments, scratch.lists, scratch, result);
+  }
+  scratch.order.apply(scratch.segments, width, scratch.ordered);
+  return walk<Number>(p, q, scratch.ordered, scratch.lists, scratch, result);
+}
+
+}  // namespace
+
+SmallScratch::SmallScratch() = default;
+SmallScratch::~SmallScratch() = default;
+SmallScratch::SmallScratch(SmallScratch&&) noexcept = default;
+SmallScratch& SmallScratch::operator=(SmallScratch&&) noexcept = default;
+
+SmallScratch::State& SmallScratch::state() {
+  if (!state_) state_ = std::make_unique_for_overwrite<State>();
+  return *state_;
+}
+
+bool allow_small(const Limits& limits) {
+  constexpr std::uint64_t kMost = SmallSegments::kMax;
+  return limits.max_segments >= kMost && limits.max_crossings >= kMost * kMost;
+}
+
+bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,
+               Region& result) {
+  if (p.exp2 != q.exp2 || p.exp10 != q.exp10) {
+    const int exp2 = std::min(p.exp2, q.exp2);
+    const int exp10 = std::min(p.exp10, q.exp10);
+    SmallOperand fine_p = p;
+    SmallOperand fine_q = q;
+    return refine(exp2, exp10, fine_p) && refine(exp2, exp10, fine_q) &&
+           sum_small(fine_p, fine_q, scratch, result);
+  }
+  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
+  const SmallNumbers numbers = small_numbers(std::max(p.longest, q.longest), width);
+  if (numbers == SmallNumbers::kNone || !are_filled(p.holes, q) || !are_filled(q.holes, p)) {
+    return false;
+  }
+  const bool wide = numbers == SmallNumbers::kIntegers;
+  if (p.convex && q.convex) {
+    if (wide) {
+      merge_convex<std::int64_t>(p, q, result);
+    } else {
+      merge_convex<double>(p, q, result);
+    }
+    return true;
+  }
+  // Of more segments, looking at each pair of blocks takes longer than the stages.
+  constexpr double kMostSegments = 1400;
+  if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
+  return wide ? walk<std::int64_t>(p, q, width, scratch.state(), result)
+              : walk<double>(p, q, width, scratch.state(), result);
+}
+
+}  // namespace minksum

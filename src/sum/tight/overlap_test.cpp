@@ -1,0 +1,215 @@
+#include "sum/tight/overlap_test.hpp"
+
+#include <algorithm>
+
+namespace minksum {
+
+OverlapTest::OverlapTest(const Operands& operands, BoxTrees& trees, Predicates& predicates,
+                         TightScratch& scratch)
+    : o_(operands), trees_(trees), predicates_(predicates), scratch_(scratch) {
+  scratch_.ring_of.resize(o_.size());
+  for (std::uint32_t r = 0; r < o_.rings.size(); ++r) {
+    for (SiteId v = o_.rings[r].begin; v < o_.rings[r].end; ++v) scratch_.ring_of[v] = r;
+  }
+  scratch_.met.assign(o_.rings.size(), 0);
+}
+
+bool OverlapTest::overlaps(const Placement& x) {
+  x_ = x;
+  ++number_;
+  const RoundingBounds& bounds = predicates_.bounds();
+  doubt_ = x.error + 4 * (bounds.position + bounds.magnitude * 0x1p-49);
+  const auto overlap = [this](std::size_t p, std::size_t q) { return leaves_overlap(p, q); };
+  return trees_.any_near(x_.at, doubt_, predicates_.cancellation(), overlap) ||
+         a_ring_is_inside(0) || a_ring_is_inside(1);
+}
+
+bool OverlapTest::near(const BoxTree::Box& p, const BoxTree::Box& q) const {
+  return may_meet(p, q, x_.at, doubt_);
+}
+
+template <class Visit>
+bool OverlapTest::any_part(SiteId edge, int operand, Visit visit) const {
+  const TouchingRings& touching = scratch_.touching[operand];
+  Part part{edge, edge, o_.sites.next[edge],
+            touching.last_edge.empty() ? o_.previous[edge] : touching.last_edge[edge]};
+  auto cut = std::lower_bound(touching.cuts.begin(), touching.cuts.end(), edge,
+                              [](const EdgeCut& c, SiteId e) { return c.edge < e; });
+  for (; cut != touching.cuts.end() && cut->edge == edge; ++cut) {
+    if (visit(Part{edge, part.from, cut->at, part.last})) return true;
+    part.from = cut->at;
+    part.last = cut->last;
+  }
+  return visit(part);
+}
+
+bool OverlapTest::leaves_overlap(std::size_t leaf_p, std::size_t leaf_q) {
+  const BoxTree& p = trees_.tree[0];
+  const BoxTree& q = trees_.tree[1];
+  predicates_.cancellation().check(2 * BoxTree::kLeafEdges * BoxTree::kLeafEdges);
+  for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
+    for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
+      const bool overlap = any_part(e, 0, [&](const Part& of_p) {
+        return any_part(f, 1, [&](const Part& of_q) { return parts_overlap(of_p, of_q); });
+      });
+      if (overlap) return true;
+    }
+  }
+  return false;
+}
+
+bool OverlapTest::parts_overlap(const Part& e, const Part& f) {
+  const Sign f_from = side(e.edge, f.from);
+  const Sign f_to = side(e.edge, f.to);
+  if (f_from == f_to && f_from != kZero) return false;
+  const Sign e_from = side(f.edge, e.from);
+  const Sign e_to = side(f.edge, e.to);
+  if (e_from == e_to && e_from != kZero) return false;
+  if (f_from == kZero && f_to == kZero) return overlap_on_line(e, f);
+  if (f_from != kZero && f_to != kZero && e_from != kZero && e_to != kZero) return true;
+  touch(e, f);
+  // A corner belongs to the part that starts with it: what ends here is left to what goes on.
+  if (f_from == kZero) {
+    if (e_to == kZero) return false;
+    return meet(e_from == kZero ? corner(e) : half_plane(e), corner(f));
+  }
+  return e_from == kZero && f_to != kZero && meet(corner(e), half_plane(f));
+}
+
+bool OverlapTest::overlap_on_line(const Part& e, const Part& f) {
+  const Axis axis = predicates_.component(e.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
+  const Sign forward = predicates_.component(e.edge, axis);
+  // Where the ends of f are, seen from those of e, along e.
+  const Sign from_from = forward * compare(e.from, f.from, axis);
+  const Sign from_to = forward * compare(e.from, f.to, axis);
+  const Sign to_from = forward * compare(e.to, f.from, axis);
+  const Sign to_to = forward * compare(e.to, f.to, axis);
+  if ((from_from == kNegative && from_to == kNegative) ||
+      (to_from == kPositive && to_to == kPositive)) {
+    return false;
+  }
+  touch(e, f);
+  if (from_from == kZero) return meet(corner(e), corner(f));
+  if (from_from == kPositive && to_from == kNegative && meet(half_plane(e), corner(f))) return true;
+  return from_from == -from_to && meet(corner(e), half_plane(f));
+}
+
+OverlapTest::Arc OverlapTest::corner(const Part& part) const {
+  const DirectionRank out = o_.rank[part.edge];
+  const DirectionRank in = o_.rank[part.last];
+  return o_.operand_of(part.edge) == 0 ? Arc{o_.place[out], o_.reverse_place[in]}
+                                       : Arc{o_.reverse_place[out], o_.place[in]};
+}
+OverlapTest::Arc OverlapTest::half_plane(const Part& part) const {
+  const DirectionRank rank = o_.rank[part.edge];
+  return o_.operand_of(part.edge) == 0 ? Arc{o_.place[rank], o_.reverse_place[rank]}
+                                       : Arc{o_.reverse_place[rank], o_.place[rank]};
+}
+bool OverlapTest::meet(const Arc& a, const Arc& b) const {
+  const auto turn = [this](std::uint32_t from, std::uint32_t to) {
+    return to >= from ? to - from : to + o_.place_count - from;
+  };
+  return turn(a.begin, b.begin) < turn(a.begin, a.end) ||
+         turn(b.begin, a.begin) < turn(b.begin, b.end);
+}
+
+Sign OverlapTest::side(SiteId edge, SiteId vertex) {
+  if (x_.node != nullptr) {
+    return predicates_.orientation({edge, vertex}, x_.node->point, x_.at, x_.error);
+  }
+  const Vec<double> d = predicates_.direction(edge);
+  const Vec<double> p = predicates_.position(sum_vertex(edge, vertex));
+  const Vec<double> w{x_.at.x - p.x, x_.at.y - p.y};
+  const double left = d.x * w.y;
+  const double right = d.y * w.x;
+  const double bound =
+      predicates_.cross_bound(d, w, left, right, x_.error + predicates_.bounds().difference);
+  if (left - right > bound || left - right < -bound) {
+    predicates_.count_filtered(1);
+    return sign_of(left - right);
+  }
+  predicates_.count_kernel();
+  return predicates_.kernel().probe_orientation(edge, sum_vertex(edge, vertex), x_.probe);
+}
+
+Sign OverlapTest::compare(SiteId a, SiteId b, Axis axis) {
+  const SumVertex v = sum_vertex(a, b);
+  const Vec<double> p = predicates_.position(v);
+  const double difference = axis == Axis::kX ? x_.at.x - p.x : x_.at.y - p.y;
+  const double bound = x_.error + predicates_.bounds().difference;
+  if (difference > bound || difference < -bound) {
+    predicates_.count_filtered(1);
+    return sign_of(difference);
+  }
+  predicates_.count_kernel();
+  if (x_.node == nullptr) return predicates_.kernel().probe_compare(x_.probe, v, axis);
+  return predicates_.kernel().compare(x_.node->point, {false, {}, {}, v}, axis);
+}
+
+bool OverlapTest::a_ring_is_inside(int operand) {
+  const std::size_t first = operand == 0 ? 0 : o_.first_rings;
+  const std::size_t last = operand == 0 ? o_.first_rings : o_.rings.size();
+  constexpr std::size_t kFew = 8;
+  if (last - first <= kFew) {
+    for (std::size_t r = first; r < last; ++r) {
+      if (is_inside(r, 1 - operand)) return true;
+    }
+    return false;
+  }
+  // What is inside has all its edges in the other one's box.
+  const BoxTree& other = trees_.tree[1 - operand];
+  const BoxTree::Box& all = other.box(other.levels() - 1, 0);
+  const auto misses = [&](const BoxTree::Box& box) {
+    predicates_.cancellation().check();
+    return operand == 0 ? !near(box, all) : !near(all, box);
+  };
+  const BoxTree& tree = trees_.tree[operand];
+  const SiteId end = o_.rings[last - 1].end;
+  for (SiteId e = tree.skip_edges(o_.rings[first].begin, end, misses); e < end;
+       e = tree.skip_edges(e, end, misses)) {
+    const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
+    for (; e < leaf_end; ++e) {
+      predicates_.cancellation().check();
+      const std::uint32_t r = scratch_.ring_of[e];
+      if (e == o_.rings[r].begin && is_inside(r, 1 - operand)) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a ring touches nothing and is inside the other operand.
+bool OverlapTest::is_inside(std::size_t ring, int operand) {
+  if (scratch_.met[ring] == number_) return false;
+  const BoxTree& tree = trees_.tree[operand];
+  const BoxTree::Box& all = tree.box(tree.levels() - 1, 0);
+  const BoxTree::Box& box = trees_.ring_boxes[ring];
+  return (operand == 0 ? near(all, box) : near(box, all)) &&
+         has_inside(operand, o_.rings[ring].begin);
+}
+
+/// Whether x − `vertex`, which is on no edge of an operand, is inside it: parity along a ray to the
+/// right. (Polygons do not overlap, see `fill_holes`.)
+bool OverlapTest::has_inside(int operand, SiteId vertex) {
+  const BoxTree& tree = trees_.tree[operand];
+  const Vec<double> at{x_.at.x - o_.sites.x[vertex], x_.at.y - o_.sites.y[vertex]};
+  const auto misses = [&](const BoxTree::Box& box) {
+    predicates_.cancellation().check();
+    return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
+  };
+  const auto above = [&](SiteId v) { return compare(v, vertex, Axis::kY) == kNegative; };
+  const SiteId end = operand == 0 ? o_.split : o_.size();
+  bool odd = false;
+  for (SiteId e = tree.skip_edges(operand == 0 ? 0 : o_.split, end, misses); e < end;
+       e = tree.skip_edges(e, end, misses)) {
+    const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
+    for (; e < leaf_end; ++e) {
+      predicates_.cancellation().check();
+      const bool goes_up = above(o_.sites.next[e]);
+      // An edge going up has the point on its left if it passes right of it.
+      if (above(e) != goes_up && (side(e, vertex) == kPositive) == goes_up) odd = !odd;
+    }
+  }
+  return odd;
+}
+
+}  // namespace minksum

@@ -1,0 +1,188 @@
+// Where rings of one polygon touch.
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "sum/tight/tight.hpp"
+
+namespace minksum {
+namespace {
+
+class TouchFinder {
+ public:
+  TouchFinder(const Operands& operands, int operand, const BoxTree& tree, Predicates& predicates,
+              TouchingRings& touching)
+      : o_(operands),
+        begin_(operand == 0 ? 0 : operands.split),
+        end_(operand == 0 ? operands.split : operands.size()),
+        tree_(tree),
+        predicates_(predicates),
+        cancellation_(predicates.cancellation()),
+        result_(touching) {}
+
+  void run(int operand) {
+    const std::size_t first = operand == 0 ? 0 : o_.first_rings;
+    const std::size_t last = operand == 0 ? o_.first_rings : o_.rings.size();
+    for (std::size_t r = first; r < last; ++r) {
+      const bool alone = (r == first || o_.rings[r - 1].polygon != o_.rings[r].polygon) &&
+                         (r + 1 == last || o_.rings[r + 1].polygon != o_.rings[r].polygon);
+      if (alone) continue;
+      for (SiteId v = o_.rings[r].begin; v < o_.rings[r].end; ++v) list_touches(v, o_.rings[r]);
+    }
+    if (touches_.empty()) return;
+    unite_points();
+    result_.last_edge = o_.previous;
+    ring_parent_.resize(o_.rings.size());
+    std::iota(ring_parent_.begin(), ring_parent_.end(), 0U);
+    for (std::size_t i = 0; i < members_.size();) {
+      std::size_t j = i;
+      while (j < members_.size() && members_[j].point == members_[i].point) ++j;
+      link(std::span(members_).subspan(i, j - i));
+      i = j;
+    }
+    sort_cuts();
+  }
+
+ private:
+  /// A vertex on an edge of another ring: at its start, or on its inside.
+  struct Touch {
+    SiteId at;
+    SiteId edge;
+    bool at_start;
+  };
+  /// An edge that starts at a touching point (named by one of its vertices), or passes it.
+  struct Member {
+    SiteId point;
+    SiteId edge;
+    bool starts;
+    friend auto operator<=>(const Member&, const Member&) = default;
+  };
+
+  void list_touches(SiteId v, const OperandRing& ring) {
+    const double x = o_.sites.x[v];
+    const double y = o_.sites.y[v];
+    const double doubt = predicates_.bounds().magnitude * 0x1p-49;
+    const auto misses = [&](const BoxTree::Box& box) {
+      cancellation_.check();
+      return x < box.x0 - doubt || x > box.x1 + doubt || y < box.y0 - doubt || y > box.y1 + doubt;
+    };
+    for (SiteId e = tree_.skip_edges(begin_, end_, misses); e < end_;
+         e = tree_.skip_edges(e, end_, misses)) {
+      const SiteId leaf_end = tree_.last_edge(tree_.leaf_of(e));
+      for (; e < leaf_end; ++e) {
+        cancellation_.check();
+        if (e >= ring.begin && e < ring.end) continue;
+        if (ring_of(e).polygon == ring.polygon) add_touch(v, e);
+      }
+    }
+  }
+  void add_touch(SiteId v, SiteId e) {
+    const SiteId f = o_.sites.next[e];
+    if (predicates_.orientation(e, f, v) != kZero) return;
+    const Axis axis = predicates_.component(e, Axis::kX) == kZero ? Axis::kY : Axis::kX;
+    const Sign from_start = predicates_.compare(v, e, axis);
+    if (from_start == kZero) {
+      touches_.push_back({v, e, true});
+    } else if (from_start == predicates_.compare(f, v, axis)) {
+      touches_.push_back({v, e, false});
+    }
+  }
+  [[nodiscard]] const OperandRing& ring_of(SiteId site) const { return o_.rings[ring_index(site)]; }
+  [[nodiscard]] std::uint32_t ring_index(SiteId site) const {
+    const auto after =
+        std::upper_bound(o_.rings.begin(), o_.rings.end(), site,
+                         [](SiteId s, const OperandRing& ring) { return s < ring.begin; });
+    return static_cast<std::uint32_t>(after - o_.rings.begin()) - 1;
+  }
+
+  static std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  }
+  void unite_points() {
+    std::vector<std::uint32_t> parent(o_.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    for (const Touch& t : touches_) {
+      if (t.at_start) parent[root(parent, t.at)] = root(parent, t.edge);
+    }
+    for (const Touch& t : touches_) {
+      const SiteId point = root(parent, t.at);
+      members_.push_back({point, t.at, true});
+      members_.push_back({point, t.edge, t.at_start});
+    }
+    std::sort(members_.begin(), members_.end(), cancellation_.counting(std::less<>()));
+    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+  }
+
+  /// Each edge out of a point bounds a corner up to the first edge into it, counter-clockwise.
+  void link(std::span<const Member> around) {
+    const SiteId point = around.front().point;
+    for (const Member& out : around) {
+      const std::uint32_t from = o_.place[o_.rank[out.edge]];
+      SiteId last = kNoSite;
+      std::uint32_t least = o_.place_count;
+      cancellation_.check(around.size());
+      for (const Member& other : around) {
+        const SiteId in = other.starts ? o_.previous[other.edge] : other.edge;
+        const std::uint32_t to = o_.reverse_place[o_.rank[in]];
+        const std::uint32_t turn = to >= from ? to - from : to + o_.place_count - from;
+        if (turn < least) {
+          least = turn;
+          last = in;
+        }
+      }
+      result_.corners.push_back({out.edge, last});
+      if (out.starts) {
+        result_.last_edge[out.edge] = last;
+      } else {
+        result_.cuts.push_back({out.edge, point, last});
+      }
+    }
+    result_.point.push_back(point);
+    result_.end.push_back(static_cast<std::uint32_t>(result_.corners.size()));
+    join_rings(around);
+  }
+  /// Rings that are joined already, by way of other points, enclose something together.
+  void join_rings(std::span<const Member> around) {
+    const std::uint32_t first = root(ring_parent_, ring_index(around.front().edge));
+    for (const Member& member : around.subspan(1)) {
+      const std::uint32_t ring = root(ring_parent_, ring_index(member.edge));
+      if (ring == root(ring_parent_, first)) result_.parts_inside = true;
+      ring_parent_[ring] = first;
+    }
+  }
+  void sort_cuts() {
+    const auto before = [&](const EdgeCut& a, const EdgeCut& b) {
+      if (a.edge != b.edge) return a.edge < b.edge;
+      const Axis axis = predicates_.component(a.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
+      return predicates_.compare(a.at, b.at, axis) == -predicates_.component(a.edge, axis);
+    };
+    std::sort(result_.cuts.begin(), result_.cuts.end(), cancellation_.counting(before));
+  }
+
+  const Operands& o_;
+  SiteId begin_;
+  SiteId end_;
+  const BoxTree& tree_;
+  Predicates& predicates_;
+  Cancellation& cancellation_;
+  TouchingRings& result_;
+  std::vector<Touch> touches_;
+  std::vector<Member> members_;
+  std::vector<std::uint32_t> ring_parent_;
+};
+
+}  // namespace
+
+void find_touching_rings(const Operands& operands, int operand, const BoxTree& tree,
+                         Predicates& predicates, TouchingRings& touching) {
+  touching.last_edge.clear();
+  touching.cuts.clear();
+  touching.corners.clear();
+  touching.point.clear();
+  touching.end.clear();
+  touching.parts_inside = false;
+  TouchFinder(operands, operand, tree, predicates, touching).run(operand);
+}
+
+}  // namespace minksum

@@ -1,0 +1,48 @@
+#include "validation/fault.hpp"
+
+#include <charconv>
+
+#include "minksum/error.hpp"
+
+namespace minksum {
+namespace {
+
+/// A number for people to read; exactly, if that is short.
+struct Readable {
+  std::string text;
+  bool exact = true;
+};
+Readable readable(const Rational& value) {
+  constexpr std::size_t kDecimalBits = 50;   // about 15 digits
+  constexpr std::size_t kFractionBits = 17;  // about 5 digits each
+  for (int digits = 0; value.bits() <= kDecimalBits && digits <= 9; ++digits) {
+    std::string text = value.to_decimal(digits);
+    if (Rational::parse(text) == value) return {text};
+  }
+  if (value.bits() <= kFractionBits) return {value.to_string()};
+  char buffer[32];
+  return {{buffer, std::to_chars(buffer, buffer + sizeof buffer, value.to_double()).ptr}, false};
+}
+
+}  // namespace
+
+std::string to_string(const Fault& fault) {
+  if (!fault.at) return fault.message;
+  const Readable x = readable(fault.at->x);
+  const Readable y = readable(fault.at->y);
+  const char* const where = x.exact && y.exact ? " at (" : " near (";
+  return fault.message + where + x.text + ", " + y.text + ")";
+}
+
+void reject(const Fault& fault, int operand) {
+  Culprit culprit = fault.place;
+  culprit.operand = operand;
+  throw Error(ErrorCode::kBadInput, to_string(fault), culprit);
+}
+
+void require_legal(const Region& region, int operand, const std::optional<CancelToken>& cancel) {
+  const std::vector<Fault> faults = validate(region, 1, cancel);
+  if (!faults.empty()) reject(faults.front(), operand);
+}
+
+}  // namespace minksum

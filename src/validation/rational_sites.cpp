@@ -1,0 +1,127 @@
+#include "validation/rational_sites.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "region/region_access.hpp"
+
+namespace minksum {
+namespace {
+
+namespace mp = boost::multiprecision;
+
+BigInteger power(int base, int exponent) {
+  return mp::pow(BigInteger(base), static_cast<unsigned>(exponent));
+}
+
+/// numerator / denominator · 2^exp2 · 10^exp10
+BigRational scaled(BigInteger numerator, BigInteger denominator, int exp2, int exp10) {
+  (exp2 >= 0 ? numerator : denominator) *= power(2, std::abs(exp2));
+  (exp10 >= 0 ? numerator : denominator) *= power(10, std::abs(exp10));
+  return BigRational(numerator, denominator);
+}
+
+BigRational as_rational(const Region& region, const StoredCoordinate& c) {
+  BigInteger numerator(c.payload);
+  BigInteger denominator(1);
+  if (c.denominator_limbs != 0) {
+    const auto limbs = RegionAccess::limbs(region).subspan(static_cast<std::size_t>(c.payload));
+    const std::size_t n = c.numerator_limbs & kLimbCountMask;
+    numerator = 0;
+    const auto digits = limbs.first(n);
+    if (n != 0) mp::import_bits(numerator, digits.begin(), digits.end(), 64, false);
+    if ((c.numerator_limbs & kNegativeLimbs) != 0) numerator = -numerator;
+    const auto rest = limbs.subspan(n, c.denominator_limbs);
+    mp::import_bits(denominator, rest.begin(), rest.end(), 64, false);
+  }
+  return scaled(std::move(numerator), std::move(denominator), c.exp2, c.exp10);
+}
+
+BigInteger as_big(Int128 value) {
+  const auto low = static_cast<std::uint64_t>(value);
+  const auto high = static_cast<std::int64_t>(value >> 64);
+  return BigInteger((BigInteger(high) << 64) + low);
+}
+BigRational grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& grid) {
+  return scaled(BigInteger(as_big(integer) + as_big(offset)), BigInteger(grid.unit.divisor),
+                grid.unit.exp2, grid.unit.exp10);
+}
+
+std::size_t bit_width(const BigInteger& value) {
+  return value == 0 ? 0 : mp::msb(BigInteger(abs(value))) + 1;
+}
+std::size_t numerator_bits(const BigRational& r) {
+  return bit_width(BigInteger(mp::numerator(r)));
+}
+std::size_t denominator_bits(const BigRational& r) {
+  return bit_width(BigInteger(mp::denominator(r)));
+}
+
+}  // namespace
+
+void load_rationals(const Region& region, Cancellation& cancellation,
+                    RationalCoordinates& rationals) {
+  rationals.sites.clear();
+  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    cancellation.check(work_of_decision(RegionAccess::bits(region, v)));
+    rationals.sites.push_back({as_rational(region, RegionAccess::x(region, v)),
+                               as_rational(region, RegionAccess::y(region, v))});
+  }
+  measure_rationals(cancellation, rationals);
+}
+
+void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals) {
+  rationals.bits = 0;
+  if (rationals.sites.empty()) return;
+  Vec<BigRational> low = rationals.sites[0];
+  Vec<BigRational> high = low;
+  for (const auto& s : rationals.sites) {
+    low = {std::min(low.x, s.x), std::min(low.y, s.y)};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y)};
+    cancellation.check(work_of_decision(rationals.bits));
+    for (const BigRational& c : {s.x, s.y}) {
+      rationals.bits = std::max({rationals.bits, numerator_bits(c), denominator_bits(c)});
+    }
+  }
+  rationals.low = low;
+  rationals.extent = {BigRational(high.x - low.x), BigRational(high.y - low.y)};
+}
+
+RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const SiteId> sites,
+                                 Cancellation& cancellation) {
+  RationalCoordinates result;
+  const GridCoordinates& grid = operand.grid;
+  const std::uint64_t work =
+      work_of_product(operand.rational ? operand.rationals.bits : std::size_t{256});
+  for (const SiteId site : sites) {
+    cancellation.check(work);
+    if (operand.rational) {
+      result.sites.push_back(operand.rationals.sites[site]);
+      continue;
+    }
+    const Vec<Int128> at = grid.small
+                               ? Vec<Int128>{grid.small_sites[site].x, grid.small_sites[site].y}
+                               : grid.large_sites[site];
+    result.sites.push_back({grid_coordinate(at.x, grid.offset.x, grid),
+                            grid_coordinate(at.y, grid.offset.y, grid)});
+  }
+  measure_rationals(cancellation, result);
+  return result;
+}
+
+int rational_exponent(std::span<const Vec<BigRational>> extents) {
+  int log2_extent = std::numeric_limits<int>::min();
+  for (const auto& extent : extents) {
+    for (const BigRational& side : {extent.x, extent.y}) {
+      if (side == 0) continue;
+      const int log2_above =
+          static_cast<int>(numerator_bits(side)) - static_cast<int>(denominator_bits(side)) + 1;
+      log2_extent = std::max(log2_extent, log2_above);
+    }
+  }
+  const bool empty = log2_extent == std::numeric_limits<int>::min();
+  return empty ? 0 : kRationalExtentBits - log2_extent;
+}
+
+}  // namespace minksum

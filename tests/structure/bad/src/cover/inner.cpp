@@ -1,2 +1,0 @@
-#include "operands/operands.hpp"
-#include "operands/inner.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "sum/cover/cover.hpp"

@@ -1,1 +1,0 @@
-// A folder that nobody has placed.

@@ -1,0 +1,1 @@
+#include "operations/sum/fixed_sum.hpp"

@@ -1,0 +1,1 @@
+#include "region/up.hpp"

@@ -1,1 +1,0 @@
-#include "predicate/formulas.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "machine/clock.hpp"

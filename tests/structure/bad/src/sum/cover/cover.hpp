@@ -1,0 +1,2 @@
+#pragma once
+#include "sum/operands/operands.hpp"

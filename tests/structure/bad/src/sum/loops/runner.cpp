@@ -1,0 +1,1 @@
+#include "sum/pipeline.hpp"

@@ -1,0 +1,1 @@
+#include "sum/cover/cover.hpp"

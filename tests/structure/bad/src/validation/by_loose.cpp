@@ -1,0 +1,1 @@
+#include "loose.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "region/point.hpp"

@@ -1,0 +1,11 @@
+"""The check of the floors rejects a tree that breaks every rule, for the reasons in its list."""
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).parent
+expected = (HERE / "bad" / "faults.txt").read_text(encoding="utf-8")
+check = subprocess.run([sys.executable, HERE / "floors.py", "check", HERE / "bad"],
+                       capture_output=True, text=True, check=False)
+if check.returncode != 1 or check.stdout != expected:
+    sys.exit(f"exit code {check.returncode}, expected 1; the faults:\n{check.stdout}{check.stderr}")

@@ -1,0 +1,164 @@
+// Overlapping segments of one direction are joined, and nothing of the union is lost or added.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "minksum/minkowski_sum.hpp"
+#include "minksum/resolve.hpp"
+#include "sum/arrangement/arrangement.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/shapes.hpp"
+#include "unit/sum/prepare_operands.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+/// By line and direction: what is covered of it, as maximal intervals along x + 1000 y (all
+/// segments of the tests run along an axis).
+using Union = std::map<std::tuple<double, double, double>, std::vector<std::pair<double, double>>>;
+Union union_of(const std::vector<KeptSegment>& segments) {
+  Union result;
+  for (const KeptSegment& s : segments) {
+    const bool across = s.d.y == 0;
+    const double sense = across ? (s.d.x > 0 ? 1 : -1) : (s.d.y > 0 ? 2 : -2);
+    auto [a, b] = across ? std::minmax(s.a.x, s.b.x) : std::minmax(s.a.y, s.b.y);
+    result[{sense, across ? s.a.y : s.a.x, 0}].emplace_back(a, b);
+  }
+  for (auto& [line, intervals] : result) {
+    std::sort(intervals.begin(), intervals.end());
+    std::vector<std::pair<double, double>> merged;
+    for (const auto& [a, b] : intervals) {
+      if (!merged.empty() && a <= merged.back().second) {
+        merged.back().second = std::max(merged.back().second, b);
+      } else {
+        merged.emplace_back(a, b);
+      }
+    }
+    intervals = merged;
+  }
+  return result;
+}
+
+std::vector<KeptSegment> segments_of(const Operands& o, const Convolution& convolution) {
+  std::vector<KeptSegment> kept;
+  const auto& [x, y, dx, dy, next] = o.sites;
+  for (const Segment& s : convolution.segments) {
+    const SiteId f = next[s.edge];
+    kept.push_back({{x[s.edge] + x[s.vertex], y[s.edge] + y[s.vertex]},
+                    {x[f] + x[s.vertex], y[f] + y[s.vertex]},
+                    {dx[s.edge], dy[s.edge]},
+                    s,
+                    0,
+                    o.place[o.rank[s.edge]],
+                    o.rank[s.edge],
+                    false});
+  }
+  return kept;
+}
+
+/// A comb of this many teeth, with both widths two: the sum of two has many coinciding edges.
+Region comb(int teeth) {
+  std::vector<std::pair<int, int>> points{{0, 0}, {4 * teeth, 0}};
+  for (int i = teeth - 1; i >= 0; --i) {
+    for (const auto& p : {std::pair{4 * i + 4, 9}, {4 * i + 2, 9}, {4 * i + 2, 2}, {4 * i, 2}}) {
+      if (i > 0 || p.first > 0) points.push_back(p);
+    }
+  }
+  points.emplace_back(0, 2);
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  for (const auto& [x, y] : points) region.add_vertex(x, y);
+  return region;
+}
+
+TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
+  const Options options;
+  Operands o;
+  ConvolutionScratch convolution_scratch;
+  Convolution convolution;
+  prepare_operands(comb(9), comb(7), options, o);
+  Cancellation never;
+  reduced_convolution(o, options.limits, never, convolution_scratch, convolution);
+  const std::vector<KeptSegment> before = segments_of(o, convolution);
+  std::vector<KeptSegment> after = before;
+  JoinScratch scratch;
+  join_lines(o, lines_are_joined(o, after.size()), never, scratch, after);
+  EXPECT_LT(2 * after.size(), before.size());
+  EXPECT_EQ(union_of(after), union_of(before));
+  EXPECT_GE(scratch.joined.size(), 2U);
+  for (const KeptSegment& s : after) {
+    if (s.joined == 0) continue;
+    const JoinedSegments& joined = scratch.joined[s.joined - 1];
+    ASSERT_GE(joined.end - joined.first, 2U);
+    const std::vector<KeptSegment> members(scratch.members.begin() + joined.first,
+                                           scratch.members.begin() + joined.end);
+    EXPECT_EQ(union_of(members), union_of({s}));
+    EXPECT_EQ(members.front().segment, s.segment);
+    EXPECT_EQ(members.back().segment, joined.last);
+  }
+}
+
+/// Determinant 1, and vectors of few bits become long and nearly parallel: doubles decide little.
+Point sheared(const Point& p) {
+  const Rational big(433494437);   // Fibonacci's, F(43)
+  const Rational more(267914296);  // F(42)
+  const Rational less(165580141);  // F(41)
+  return {big * p.x + more * p.y, more * p.x + less * p.y};
+}
+
+TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
+  Random random(7);
+  int joined_sums = 0;
+  for (int i = 0; i < 60; ++i) {
+    const bool halves = i % 2 == 1;
+    const Region p = random_cells(random, 5, 4, halves, false);
+    const Region q = i % 3 == 0 ? comb(4) : random_cells(random, 3, 4, halves, false);
+    const Region sum = minkowski_sum(p, q);
+    for (const std::function<Point(const Point&)>& map :
+         {std::function<Point(const Point&)>(sheared),
+          std::function<Point(const Point&)>([](const Point& a) {
+            const Rational factor(std::int64_t{1} << 40);
+            return Point{a.x * factor, a.y * (factor - Rational(1))};
+          })}) {
+      const Region image_p = transformed(p, map);
+      const Region image_q = transformed(q, map);
+      Operands o;
+      prepare_operands(image_p, image_q, {}, o);
+      ConvolutionScratch scratch;
+      Convolution convolution;
+      Cancellation never;
+      reduced_convolution(o, {}, never, scratch, convolution);
+      ASSERT_GT(o.bits, 25);
+      if (lines_are_joined(o, convolution.segments.size())) ++joined_sums;
+      Options options;
+      options.check = true;
+      EXPECT_EQ(minkowski_sum(image_p, image_q, options),
+                resolve({transformed(sum, map), {}, {}}).region)
+          << "case " << i;
+    }
+  }
+  EXPECT_GT(joined_sums, 60);
+}
+
+TEST(JoinLines, LeavesSegmentsOfManyDirections) {
+  const Options options;
+  Operands o;
+  ConvolutionScratch convolution_scratch;
+  Convolution convolution;
+  Random random(1);
+  prepare_operands(random_two_opt(random, 40, 1000), random_two_opt(random, 40, 1000), options, o);
+  Cancellation never;
+  reduced_convolution(o, options.limits, never, convolution_scratch, convolution);
+  std::vector<KeptSegment> kept = segments_of(o, convolution);
+  JoinScratch scratch;
+  join_lines(o, lines_are_joined(o, kept.size()), never, scratch, kept);
+  EXPECT_TRUE(scratch.joined.empty());
+  EXPECT_EQ(kept.size(), convolution.segments.size());
+}
+
+}  // namespace

@@ -1,0 +1,260 @@
+// Small operands: which regions are, and sums by a walk along the outer boundary.
+#include "sum/small/small_sum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "minksum/transform.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/shapes.hpp"
+
+namespace minksum {
+namespace {
+
+using test::make_polygon;
+using test::rectangle;
+
+bool is_small(const Region& region) {
+  SmallOperand small;
+  return read_small(region, SmallHoles::kSome, small);
+}
+
+TEST(SmallOperand, IsOneSimplePolygon) {
+  EXPECT_TRUE(is_small(rectangle(0, 0, 3, 2)));
+  EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // whose teeth end on one line
+  EXPECT_TRUE(is_small(test::round_polygon(256, 100'000)));
+  EXPECT_FALSE(is_small({}));
+  EXPECT_FALSE(is_small(test::round_polygon(257, 100'000)));
+  EXPECT_TRUE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
+  EXPECT_FALSE(is_small(test::together(rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1))));
+}
+
+TEST(SmallOperand, LeavesFaultsToTheStages) {
+  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));          // crosses
+  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})));  // touches
+  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}})));  // spike
+  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {4, 0}, {4, 4}})));          // repeated
+  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {1, 0}, {2, 0}})));                  // flat
+  EXPECT_FALSE(
+      is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}, {4, 0}})));  // overlaps
+}
+
+/// A square of width 9 at the origin with such holes.
+Region with_holes(const std::vector<test::Outline>& holes) {
+  return make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, holes);
+}
+
+TEST(SmallOperand, HasHolesApart) {
+  const test::Outline hole{{1, 1}, {4, 1}, {4, 4}, {1, 4}};
+  EXPECT_TRUE(is_small(with_holes({hole})));
+  EXPECT_TRUE(is_small(with_holes({hole, {{5, 1}, {6, 3}, {8, 8}, {5, 5}}})));
+  EXPECT_TRUE(is_small(with_holes({{{1, 1}, {1, 2}, {1, 4}, {4, 4}, {4, 1}}})));
+  EXPECT_FALSE(is_small(with_holes({hole, hole})));
+  EXPECT_FALSE(is_small(with_holes({hole, {{2, 2}, {3, 2}, {3, 3}}})));          // in one
+  EXPECT_FALSE(is_small(with_holes({{{2, 2}, {3, 2}, {3, 3}}, hole})));          // around one
+  EXPECT_FALSE(is_small(with_holes({hole, {{4, 4}, {6, 4}, {6, 6}}})));          // touches one
+  EXPECT_FALSE(is_small(with_holes({hole, {{3, 2}, {6, 2}, {6, 3}, {3, 3}}})));  // crosses one
+  EXPECT_FALSE(is_small(with_holes({{{0, 3}, {3, 2}, {3, 3}}})));                // touches the ring
+  EXPECT_FALSE(is_small(with_holes({{{8, 3}, {11, 3}, {8, 5}}})));               // crosses it
+  EXPECT_FALSE(is_small(with_holes({{{12, 3}, {13, 3}, {12, 5}}})));             // outside
+  EXPECT_FALSE(is_small(with_holes({{{2, 2}, {4, 2}, {2, 2}, {2, 4}}})));        // a spike
+  EXPECT_FALSE(is_small(with_holes({{{1, 1}, {4, 4}, {4, 1}, {1, 4}}})));        // crosses itself
+  EXPECT_FALSE(is_small(with_holes({{{1, 1}, {2, 2}, {3, 3}}})));                // flat
+  // In the box of the outer ring, but not in the ring.
+  const test::Outline l{{0, 0}, {9, 0}, {9, 2}, {2, 2}, {2, 9}, {0, 9}};
+  EXPECT_FALSE(is_small(make_polygon(l, {{{5, 5}, {6, 5}, {6, 6}}})));
+}
+
+TEST(SmallOperand, HasNoManyHoles) {
+  const auto plate = [](int holes) {
+    std::vector<test::Outline> all;
+    for (int k = 0; k < holes; ++k) {
+      all.push_back({{4 * k + 1, 1}, {4 * k + 2, 1}, {4 * k + 2, 2}});
+    }
+    return make_polygon({{0, 0}, {400, 0}, {400, 3}, {0, 3}}, all);
+  };
+  EXPECT_TRUE(is_small(plate(SmallOperand::kMaxHoles)));
+  EXPECT_FALSE(is_small(plate(SmallOperand::kMaxHoles + 1)));
+  SmallOperand small;
+  EXPECT_FALSE(read_small(plate(1), SmallHoles::kNone, small));
+}
+
+TEST(SmallOperand, HasShortIntegers) {
+  Region quotients;
+  quotients.begin_polygon();
+  quotients.begin_ring();
+  quotients.add_vertex(Rational(1, 3), Rational(0));
+  quotients.add_vertex(1, 0);
+  quotients.add_vertex(1, 1);
+  EXPECT_FALSE(is_small(quotients));
+  const std::int64_t far = std::int64_t{1} << 60;
+  EXPECT_TRUE(is_small(rectangle(far - 5, 0, far, 1)));
+  EXPECT_FALSE(is_small(rectangle(far, 0, far + 5, 1)));
+  EXPECT_FALSE(is_small(rectangle(0, 0, far / 2, 1)));
+  // As far apart as no difference tells.
+  EXPECT_FALSE(is_small(rectangle(-7 * far, 0, 7 * far, 1)));
+}
+
+TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
+  // Clockwise, with a vertex in the middle of an edge.
+  const Region region = make_polygon({{5, 7}, {5, 9}, {8, 9}, {8, 7}, {6, 7}});
+  SmallOperand small;
+  ASSERT_TRUE(read_small(region, SmallHoles::kSome, small));
+  ASSERT_EQ(small.size, 4U);
+  EXPECT_TRUE(small.convex);
+  EXPECT_EQ(small.first.x, 5);
+  EXPECT_EQ(small.first.y, 7);
+  for (std::uint32_t v = 0; v < small.size; ++v) {
+    const std::uint32_t from = small.source(SmallOperand::kVertexSource, v);
+    EXPECT_EQ(region.x(from), small[SmallOperand::kX][v] + static_cast<double>(small.offset.x));
+    EXPECT_EQ(region.y(from), small[SmallOperand::kY][v] + static_cast<double>(small.offset.y));
+    // The edge to the next vertex is, the other way round, the one that ends here.
+    const std::uint32_t next = small.source(SmallOperand::kVertexSource, (v + 1) % 4);
+    EXPECT_EQ(small.source(SmallOperand::kEdgeSource, v), next);
+  }
+}
+
+TEST(SmallOperand, TurnsAsItsRegionDoes) {
+  const Region region = make_polygon({{1, 2}, {9, 3}, {4, 4}, {5, 9}, {0, 7}});
+  SmallOperand given;
+  ASSERT_TRUE(read_small(region, SmallHoles::kSome, given));
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    SmallOperand turned;
+    turn(given, quarters, turned);
+    SmallOperand expected;
+    ASSERT_TRUE(read_small(transform(region, Affine::quarter_turns(quarters)), SmallHoles::kSome,
+                           expected));
+    EXPECT_EQ(turned.size, expected.size);
+    EXPECT_EQ(turned.smallest, expected.smallest);
+    EXPECT_EQ(turned.offset.x, expected.offset.x);
+    EXPECT_EQ(turned.offset.y, expected.offset.y);
+    EXPECT_EQ(turned.extent.x, expected.extent.x);
+    EXPECT_EQ(turned.extent.y, expected.extent.y);
+    EXPECT_EQ(turned.longest, expected.longest);
+    for (int row = 0; row < SmallOperand::kRows; ++row) {
+      for (std::uint32_t v = 0; v < turned.size; ++v) {
+        const auto at = static_cast<SmallOperand::Row>(row);
+        EXPECT_EQ(turned[at][v], expected[at][v]) << quarters << ", row " << row << ", " << v;
+      }
+    }
+  }
+}
+
+/// False if the stages are to make it.
+bool sum(const Region& p, const Region& q, Region& result) {
+  SmallOperand small_p;
+  SmallOperand small_q;
+  SmallScratch scratch;
+  EXPECT_TRUE(read_small(p, SmallHoles::kSome, small_p));
+  EXPECT_TRUE(read_small(q, SmallHoles::kSome, small_q));
+  return sum_small(small_p, small_q, scratch, result);
+}
+
+TEST(SmallSum, IsMadeWhereThereIsNoHole) {
+  const Region l = make_polygon({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 5}, {0, 5}});
+  Region result;
+  ASSERT_TRUE(sum(l, l, result));
+  EXPECT_EQ(result,
+            make_polygon({{0, 0}, {8, 0}, {8, 2}, {5, 2}, {5, 6}, {2, 6}, {2, 10}, {0, 10}}));
+  EXPECT_TRUE(result.has_origins());
+  ASSERT_TRUE(sum(rectangle(0, 0, 2, 1), test::round_polygon(8, 10), result));
+  EXPECT_EQ(result.vertex_count(), 12U);  // no edges of theirs are parallel
+}
+
+TEST(SmallSum, IsLeftToTheStagesWhereThereMayBeAHole) {
+  const Region c = make_polygon({{0, 0},
+                                 {9, 0},
+                                 {9, 3},
+                                 {7, 3},
+                                 {7, 2},
+                                 {2, 2},
+                                 {2, 7},
+                                 {7, 7},
+                                 {7, 5},
+                                 {9, 5},
+                                 {9, 9},
+                                 {0, 9}});
+  const Region before = rectangle(0, 0, 1, 1);
+  Region result = before;
+  EXPECT_FALSE(sum(c, rectangle(0, 0, 2, 2), result));
+  EXPECT_EQ(result, before);
+  ASSERT_TRUE(sum(c, rectangle(0, 0, 2, 1), result));  // leaves the opening open
+  EXPECT_EQ(result.hole_count(), 0U);
+}
+
+TEST(SmallSum, FillsHolesThatNothingFitsInto) {
+  const Region p = with_holes({{{1, 1}, {4, 1}, {4, 3}, {1, 3}}, {{5, 5}, {6, 5}, {6, 6}}});
+  Region result;
+  ASSERT_TRUE(sum(p, rectangle(0, 0, 3, 1), result));  // as wide as the hole
+  EXPECT_EQ(result, rectangle(0, 0, 12, 10));
+  EXPECT_EQ(result.origin(1).edge_operand, Operand::kFirst);
+  ASSERT_TRUE(sum(rectangle(0, 0, 1, 2), p, result));  // as high
+  EXPECT_EQ(result, rectangle(0, 0, 10, 11));
+  EXPECT_FALSE(sum(p, rectangle(0, 0, 2, 1), result));
+  EXPECT_FALSE(sum(rectangle(0, 0, 2, 1), p, result));
+  ASSERT_TRUE(sum(p, p, result));
+  EXPECT_EQ(result, rectangle(0, 0, 18, 18));
+  // Turned and on another grid.
+  const Region turned = transform(p, Affine::quarter_turns(1));
+  SmallOperand small;
+  SmallOperand small_turned;
+  ASSERT_TRUE(read_small(p, SmallHoles::kSome, small));
+  turn(small, 1, small_turned);
+  SmallOperand bar;
+  ASSERT_TRUE(read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))),
+                         SmallHoles::kSome, bar));
+  SmallScratch scratch;
+  EXPECT_FALSE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
+  EXPECT_TRUE(sum_small(small, bar, scratch, result));          // but not into 3 and 2
+  EXPECT_EQ(result, transform(rectangle(0, 0, 50, 57), Affine::scaling(Rational(1, 5))));
+}
+
+TEST(SmallSum, IsMadeOfManySegments) {
+  test::Outline waves;
+  for (int k = 0; k < 60; ++k) {
+    const double radius = k % 2 == 0 ? 5000 : 4950 - 3 * k;
+    const double angle = k * std::numbers::pi / 30;
+    waves.emplace_back(std::lround(radius * std::cos(angle)),
+                       std::lround(radius * std::sin(angle)));
+  }
+  const Region p = make_polygon(waves);
+  const Region q = transform(p, Affine::quarter_turns(1));
+  Region result;
+  ASSERT_TRUE(sum(p, q, result));
+  Options options;
+  Statistics statistics;
+  options.statistics = &statistics;  // by the stages
+  EXPECT_EQ(result, minkowski_sum(p, q, options));
+  EXPECT_GT(statistics.convolution_segments, 300U);
+}
+
+TEST(SmallSum, IsLeftToTheStagesWhereMuchLiesOnFewLines) {
+  const Region comb = test::comb(12, 1, 15);
+  Region result;
+  EXPECT_FALSE(sum(comb, comb, result));
+}
+
+TEST(SmallSum, TakesUnlikeGrids) {
+  Region fine;
+  fine.begin_polygon();
+  fine.begin_ring();
+  fine.add_vertex(Decimal{5, -1}, Decimal{0, 0});
+  fine.add_vertex(Decimal{15, -1}, Decimal{0, 0});
+  fine.add_vertex(Decimal{1, 0}, Decimal{25, -2});
+  Region result;
+  ASSERT_TRUE(sum(fine, rectangle(0, 0, 1, 1), result));
+  EXPECT_EQ(test::to_text(result),
+            "MULTIPOLYGON (((1/2 0, 5/2 0, 5/2 1, 2 5/4, 1 5/4, 1/2 1, 1/2 0)))");
+}
+
+TEST(SmallSum, IsNotMadeWhereLimitsAreLow) {
+  EXPECT_TRUE(allow_small({}));
+  Limits low;
+  low.max_segments = 1000;
+  EXPECT_FALSE(allow_small(low));
+}
+
+}  // namespace
+}  // namespace minksum

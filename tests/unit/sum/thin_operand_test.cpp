@@ -1,0 +1,157 @@
+// Polylines as operands: walks there and back, by both methods; and checkers that reject.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "second/signed_convolution/segments.hpp"
+#include "sum/convolution/convolution.hpp"
+#include "support/geometries.hpp"
+
+namespace {
+
+using namespace minksum;
+using namespace minksum::test;
+
+/// A region or polylines, prepared, and what they are made of.
+struct Made {
+  Region region;
+  PreparedOperand operand;
+  explicit Made(const Region& area) : region(area) {
+    Cancellation never;
+    OperandScratch scratch;
+    std::vector<Fault> faults;
+    prepare_operand(region, {}, 1, never, scratch, operand, faults);
+    EXPECT_TRUE(faults.empty());
+  }
+  explicit Made(const std::vector<Outline>& polylines) {
+    Cancellation never;
+    OperandScratch scratch;
+    walk_there_and_back(make_lines(polylines).polylines, never, region);
+    prepare_thin_operand(region, {}, never, scratch, operand);
+  }
+};
+
+const Region kTriangle = make_polygon({{0, 0}, {3, 0}, {1, 2}});
+const std::vector<Outline> kHook{{{0, 0}, {4, 0}, {4, 3}, {2, 3}}, {{5, 5}, {6, 7}}};
+
+TEST(ThinOperand, IsWalkedThereAndBack) {
+  const Made hook(kHook);
+  EXPECT_EQ(to_text(hook.region),
+            to_text(make_region({{{{0, 0}, {4, 0}, {4, 3}, {2, 3}, {4, 3}, {4, 0}}},
+                                 {{{5, 5}, {6, 7}}}})));
+  // It turns left at its ends, and at each vertex within once.
+  EXPECT_EQ(hook.operand.convex, (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 1, 1}));
+  ASSERT_EQ(hook.operand.rings.size(), 2U);
+  EXPECT_EQ(hook.operand.rings[1].begin, 6U);
+  EXPECT_EQ(hook.operand.rings[1].end, 8U);
+}
+
+TEST(ThinOperand, AClosedPolylineIsCutAtItsFirstVertex) {
+  const Made square({{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}});
+  EXPECT_EQ(square.region.vertex_count(), 8U);
+  EXPECT_EQ(square.operand.convex, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 0, 0, 0}));
+}
+
+TEST(ThinOperand, TheCheckerKnowsEndsFromSpikes) {
+  const Made triangle(kTriangle);
+  const Made hook(kHook);
+  const auto combined = [&] {
+    Operands operands;
+    Cancellation never;
+    combine_operands(triangle.operand, hook.operand, {}, NarrowHoles::kFill, never, operands);
+    return operands;
+  };
+  EXPECT_EQ(check(combined()), std::nullopt);
+  const auto rejects = [&](auto damage) {
+    Operands operands = combined();
+    damage(operands);
+    return check(operands).has_value();
+  };
+  EXPECT_TRUE(rejects([](Operands& o) { o.convex[o.split] = 0; }));
+  EXPECT_TRUE(rejects([](Operands& o) { o.convex[o.split + 4] = 1; }));
+  EXPECT_TRUE(rejects([](Operands& o) { o.thin[1] = false; }));
+}
+
+TEST(ThinOperand, EndsTakeHalfACircleOfDirections) {
+  const Made triangle(kTriangle);
+  const Made segment({{{0, 0}, {5, 1}}});
+  Operands operands;
+  Cancellation never;
+  combine_operands(triangle.operand, segment.operand, {}, NarrowHoles::kFill, never, operands);
+  EXPECT_TRUE(operands.both_convex);
+  ConvolutionScratch scratch;
+  Convolution convolution;
+  reduced_convolution(operands, {}, never, scratch, convolution);
+  EXPECT_EQ(check(convolution, operands, false), std::nullopt);
+  // Both edges of the walk and all of the triangle: each once.
+  EXPECT_EQ(convolution.segments.size(), 5U);
+  convolution.segments.pop_back();
+  EXPECT_TRUE(check(convolution, operands, false).has_value());
+}
+
+TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
+  const auto segments_of = [](const std::vector<Outline>& p, const std::vector<Outline>& q) {
+    const Made a(p);
+    const Made b(q);
+    Operands operands;
+    Cancellation never;
+    combine_operands(a.operand, b.operand, {}, NarrowHoles::kFill, never, operands);
+    ConvolutionScratch scratch;
+    Convolution convolution;
+    reduced_convolution(operands, {}, never, scratch, convolution);
+    EXPECT_EQ(check(operands), std::nullopt);
+    EXPECT_EQ(check(convolution, operands, false), std::nullopt);
+    return convolution.segments.size();
+  };
+  const std::vector<Outline> across{{{0, 0}, {3, 0}}};
+  EXPECT_EQ(segments_of(across, {{{0, 0}, {0, 2}}}), 4U);
+  EXPECT_EQ(segments_of(across, {{{0, 0}, {7, 0}}}), 0U);
+  // An L: the corner takes the edge that is parallel to one of its own, its far end does not.
+  EXPECT_EQ(segments_of(across, {{{0, 0}, {7, 0}, {7, 4}}}), 4U);
+}
+
+TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
+  const Made p({{{0, 0}, {3, 0}, {3, 2}}});
+  const Made q({{{0, 0}, {-7, 0}}, {{5, 5}, {6, 5}}, {{0, 0}, {1, 1}}});
+  Operands operands;
+  Cancellation never;
+  combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, never, operands);
+  const std::array<Region, 2> walks{p.region, q.region};
+  std::vector<Polyline> sums;
+  list_parallel_sums(operands, walks, {}, never, sums);
+  EXPECT_EQ(to_text(Geometry{{}, sums, {}}),
+            to_text(make_lines({{{-7, 0}, {3, 0}}, {{5, 5}, {9, 5}}})));
+  Limits limits;
+  limits.max_segments = 1;
+  EXPECT_THROW(list_parallel_sums(operands, walks, limits, never, sums), Error);
+}
+
+TEST(SignedThinOperand, IsClosedAndChecked) {
+  using namespace minksum::signed_sum;
+  const Geometry hook = make_lines(kHook);
+  Cancellation never;
+  const IntegerOperands operands = make_operands(kTriangle, GivenOperand(hook.polylines), never);
+  EXPECT_NO_THROW(check(operands));
+  const std::vector<Layer> layers = make_layers(operands, never);
+  ASSERT_EQ(layers.size(), 2U);
+  const std::vector<SignedSegment> segments = signed_segments(operands, layers, {}, never);
+  EXPECT_TRUE(is_closed(layers, segments, never));
+  const auto rejects = [&](auto damage) {
+    IntegerOperands damaged = make_operands(kTriangle, GivenOperand(hook.polylines), never);
+    damage(damaged.q[0].outer);
+    try {
+      check(damaged);
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.convex[0] = false; }));
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.convex[4] = true; }));
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.vertices[4].x += 1; }));
+  EXPECT_TRUE(rejects([](IntegerRing& walk) { std::reverse(walk.vertices.begin(),
+                                                           walk.vertices.end()); }));
+}
+
+}  // namespace

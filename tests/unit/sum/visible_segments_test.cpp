@@ -1,0 +1,250 @@
+// Few segments listed, many hidden: the same sum as from all of them.
+#include "sum/arrangement/visible_segments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "sum/filters/filters.hpp"
+#include "sum/output/output.hpp"
+#include "support/generators.hpp"
+#include "support/geometries.hpp"
+#include "support/polygon_kinds.hpp"
+#include "unit/sum/prepare_operands.hpp"
+
+namespace minksum {
+namespace {
+
+using test::Random;
+
+/// The stages up to the cover, from all segments or a sample.
+struct Covered {
+  Options options;
+  Operands operands;
+  ConvolutionScratch convolution_scratch;
+  Convolution all;
+  Convolution sample;
+  CoverScratch scratch;
+  Cover cover;
+
+  Covered() = default;
+  Covered(const Region& p, const Region& q, int grid) {
+    options.grid = grid;
+    test::prepare_operands(p, q, options, operands);
+    find_cover();
+  }
+  void find_cover() {
+    Cancellation never;
+    reduced_convolution(operands, options.limits, never, convolution_scratch, all);
+    reduced_convolution_or_sample(operands, options.limits, 0, never, convolution_scratch, sample);
+    cover_interior(operands, options, never, scratch, sample, cover);
+  }
+};
+
+/// The pipeline after the cover.
+Region sum_of(const Covered& c, const Convolution& convolution) {
+  Cancellation never;
+  Predicates predicates(c.operands.sites, *c.operands.kernel, c.operands.bounds, never);
+  ArrangementScratch arrangement_scratch;
+  Arrangement arrangement;
+  arrange(c.operands, convolution, c.cover, c.options, predicates, arrangement_scratch,
+          arrangement);
+  LoopScratch loop_scratch;
+  Loops loops;
+  find_loops(c.operands, arrangement, never, loop_scratch, loops);
+  BoxTrees trees;
+  FilteredLoops filtered;
+  filter_loops(c.operands, arrangement, loops, predicates, trees, filtered);
+  OutputScratch output_scratch;
+  Boundary boundary;
+  extract_rings(c.operands, arrangement, loops, filtered, predicates, output_scratch, boundary);
+  Region sum;
+  write_region(c.operands, arrangement, boundary, never, output_scratch, sum);
+  return sum;
+}
+
+/// Whether all cells of a segment's box, up to rounding, are covered.
+bool is_hidden(const Covered& c, const Segment& s) {
+  const auto& [x, y, dx, dy, next] = c.operands.sites;
+  const UniformGrid& grid = c.cover.grid;
+  const auto range = [&](double a, double b) {
+    const double dust = std::min(0x1p-10 * grid.cell, std::abs(b - a) / 2);
+    return std::pair(std::min(a, b) + dust, std::max(a, b) - dust);
+  };
+  const SiteId f = next[s.edge];
+  const auto [left, right] = range(x[s.edge] + x[s.vertex], x[f] + x[s.vertex]);
+  const auto [low, high] = range(y[s.edge] + y[s.vertex], y[f] + y[s.vertex]);
+  for (std::int32_t j = grid.row(low); j <= grid.row(high); ++j) {
+    for (std::int32_t i = grid.column(left); i <= grid.column(right); ++i) {
+      if (!c.cover.is_covered(i, j)) return false;
+    }
+  }
+  return true;
+}
+
+/// Compares the visible ones with all; how many are hidden.
+std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) {
+  VisibleScratch scratch;
+  Cancellation never;
+  const auto visible = visible_segments(c.operands, c.sample, c.cover, {}, never, scratch);
+  std::size_t seen = 0;
+  for (const Segment& segment : c.all.segments) {
+    if (seen < visible.size() && visible[seen] == segment) {
+      ++seen;
+    } else {
+      EXPECT_TRUE(is_hidden(c, segment)) << what << ": edge " << segment.edge << " at vertex "
+                                         << segment.vertex;
+    }
+  }
+  EXPECT_EQ(seen, visible.size()) << what << ": one does not belong, or is out of order";
+  return c.all.segments.size() - visible.size();
+}
+
+/// A cover with cells, for which not all segments were listed.
+bool compare(const Covered& c, const std::string& what, std::size_t& hidden) {
+  EXPECT_EQ(check(c.sample, c.operands, false), std::nullopt) << what;
+  if (c.sample.listed()) {
+    EXPECT_EQ(c.sample.segments, c.all.segments) << what;
+    return false;
+  }
+  hidden += expect_others_are_hidden(c, what);
+  EXPECT_TRUE(sum_of(c, c.sample) == sum_of(c, c.all)) << what;
+  return true;
+}
+
+TEST(VisibleSegments, AreAllThatAreNotHidden) {
+  Random random(test::seed_from_environment(11));
+  std::size_t hidden = 0;
+  int covers = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Region p = i % 2 == 0 ? test::random_two_opt(random, 20 + 4 * i, 1000)
+                                : test::random_with_holes(random, 24, 3);
+    const Region q = i % 3 == 0 ? test::random_with_holes(random, 20, 2)
+                                : test::random_two_opt(random, 10 + 4 * i, 300 + 10 * i);
+    for (const int grid : {16, 50, 200}) {
+      const std::string what = std::to_string(i) + " on grid " + std::to_string(grid);
+      covers += compare(Covered(p, q, grid), what, hidden) ? 1 : 0;
+    }
+  }
+  EXPECT_GE(covers, 60);
+  EXPECT_GE(hidden, 20000U);
+}
+
+TEST(VisibleSegments, OfSmallDegeneratePairs) {
+  Random random(test::seed_from_environment(12));
+  std::size_t hidden = 0;
+  int covers = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const test::Pair pair = test::random_pair(random);
+    if (pair.p.empty() || pair.q.empty()) continue;
+    covers += compare(Covered(pair.p, pair.q, 30), pair.kind, hidden) ? 1 : 0;
+  }
+  EXPECT_GE(covers, 500);
+  EXPECT_GE(hidden, 1000U);
+}
+
+/// Each operand's square fits into the other's hole, so both holes stay; a hole never meets a hole.
+TEST(VisibleSegments, OfTwoWithHoles) {
+  const Region p = test::make_region(
+      {{{{0, 0}, {60, 0}, {61, 62}, {1, 60}}, {{2, 2}, {3, 12}, {4, 4}, {12, 3}}},
+       {{{70, 0}, {71, 1}, {70, 2}}}});
+  const Region q = test::make_region(
+      {{{{0, 0}, {50, 1}, {51, 50}, {1, 49}}, {{2, 3}, {2, 13}, {4, 5}, {13, 3}}},
+       {{{60, 0}, {61, 1}, {60, 2}}}});
+  std::size_t hidden = 0;
+  const Covered c(p, q, 20);
+  ASSERT_EQ(c.operands.rings.size(), 6U);
+  EXPECT_TRUE(compare(c, "two with holes", hidden));
+  EXPECT_GE(hidden, 1U);
+}
+
+TEST(VisibleSegments, AlongAPolyline) {
+  Random random(test::seed_from_environment(13));
+  std::size_t hidden = 0;
+  int covers = 0;
+  for (int i = 0; i < 20; ++i) {
+    Covered c;
+    c.options.grid = 40;
+    OperandScratch scratch;
+    std::array<PreparedOperand, 2> prepared;
+    std::vector<Fault> faults;
+    const Region area = test::random_two_opt(random, 60, 400);
+    Cancellation never;
+    prepare_operand(area, c.options, 1, never, scratch, prepared[0], faults);
+    ASSERT_TRUE(faults.empty());
+    test::Outline line;
+    for (int k = 0; k < 30; ++k) {
+      line.push_back({static_cast<std::int64_t>(random.below(400)), 14 * k});
+    }
+    Region walk;
+    walk_there_and_back(test::make_lines({line}).polylines, never, walk);
+    prepare_thin_operand(walk, c.options, never, scratch, prepared[1]);
+    combine_operands(prepared[0], prepared[1], c.options, NarrowHoles::kFill, never, c.operands);
+    c.find_cover();
+    covers += compare(c, "polyline " + std::to_string(i), hidden) ? 1 : 0;
+  }
+  EXPECT_GE(covers, 10);
+  EXPECT_GE(hidden, 1000U);
+}
+
+TEST(VisibleSegments, SamplesHaveOneOfEachStep) {
+  Random random(14);
+  for (const int size : {3, 5, 20, 100, 300}) {
+    const Region p = test::random_two_opt(random, size, 2000);
+    const Region q = test::random_two_opt(random, size + 7, 2000);
+    const Covered c(p, q, 16);
+    for (const std::uint64_t many : {0U, 1U, 7U, 1000U, 5000U}) {
+      ConvolutionScratch scratch;
+      Convolution sample;
+      Cancellation never;
+      reduced_convolution_or_sample(c.operands, {}, many, never, scratch, sample);
+      EXPECT_EQ(sample.listed(), many >= c.all.segments.size());
+      EXPECT_EQ(sample.size, c.all.segments.size());
+      EXPECT_GE(sample.segments.size(), sample.size / sample.step);
+      EXPECT_LE(sample.segments.size(), sample.size / sample.step + 1);
+      for (std::size_t i = 0; i < sample.segments.size(); ++i) {
+        const std::span turn = std::span(c.all.segments).subspan(i * sample.step);
+        const std::span first = turn.first(std::min<std::size_t>(sample.step, turn.size()));
+        EXPECT_NE(std::ranges::find(first, sample.segments[i]), first.end()) << many << ": " << i;
+      }
+      EXPECT_TRUE(sample.step <= 2 || (sample.segments.size() >= kSample &&
+                                       sample.segments.size() < 2 * kSample));
+    }
+  }
+}
+
+TEST(VisibleSegments, TooManyAreAnError) {
+  Random random(15);
+  const Covered c(test::random_two_opt(random, 100, 1000), test::random_two_opt(random, 100, 1000),
+                  50);
+  ASSERT_FALSE(c.sample.listed());
+  VisibleScratch scratch;
+  Limits limits;
+  limits.max_segments = 20;
+  Cancellation never;
+  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, limits, never, scratch),
+               Error);
+}
+
+TEST(VisibleSegments, CanBeStopped) {
+  Random random(16);
+  const Covered c(test::random_two_opt(random, 400, 3000),
+                  test::random_star_shaped(random, 3000, 9000), 400);
+  ASSERT_FALSE(c.sample.listed());
+  VisibleScratch scratch;
+  int asked = 0;
+  const std::optional<CancelToken> token = CancelToken::polling([&] {
+    ++asked;
+    return true;
+  });
+  Cancellation cancellation(token);
+  EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, {}, cancellation, scratch),
+               Error);
+  EXPECT_EQ(asked, 1);
+}
+
+}  // namespace
+}  // namespace minksum
