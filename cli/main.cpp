@@ -6,20 +6,20 @@
 #include <string>
 #include <utility>
 
-#include "batch.hpp"
-#include "commands.hpp"
-#include "cspace.hpp"
-#include "draw.hpp"
-#include "failure.hpp"
-#include "limits.hpp"
+#include "commands/batch.hpp"
+#include "commands/commands.hpp"
+#include "commands/cspace.hpp"
+#include "commands/draw.hpp"
+#include "commands/offset.hpp"
+#include "commands/reach.hpp"
 #include "minksum/version.hpp"
-#include "offset.hpp"
-#include "output_file.hpp"
-#include "process.hpp"
-#include "reach.hpp"
-#include "sum_options.hpp"
-#include "typed_numbers.hpp"
-#include "uses_options.hpp"
+#include "options/limits.hpp"
+#include "options/sum_options.hpp"
+#include "options/typed_numbers.hpp"
+#include "options/uses_options.hpp"
+#include "output/output_file.hpp"
+#include "process/failure.hpp"
+#include "process/process.hpp"
 
 namespace minksum::cli {
 namespace {

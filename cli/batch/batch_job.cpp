@@ -1,0 +1,327 @@
+#include "batch/batch_job.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+
+#include "minksum/version.hpp"
+#include "output/json_members.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+// What a line asks for; values are JSON as it stands there.
+struct Job {
+  std::string_view id;  ///< empty = none
+  std::string operation;
+  std::string_view a;
+  std::string_view b;
+  std::string_view options;
+};
+
+Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
+
+// The code of an error; docs/batch.md has the table.
+const char* name_of(ExitCode code) {
+  switch (code) {
+    case kWrongUsage:
+      return "bad-job";
+    case kBadInput:
+      return "bad-input";
+    case kLimitExceeded:
+      return "limit";
+    default:
+      return "internal";
+  }
+}
+
+Job parse_job(std::string_view text, std::string_view& id) {
+  const auto members = json_members(text);
+  if (!members) throw usage("a job is a JSON object, which this line is not");
+  Job job;
+  bool known[5] = {};
+  const auto take = [&](int key, const JsonMember& member, auto&& place, auto&& convert) {
+    if (known[key]) throw usage("'" + member.key + "' is there twice");
+    known[key] = true;
+    place = convert(member.value);
+  };
+  const auto as_it_stands = [](std::string_view value) { return value; };
+  for (const JsonMember& member : *members) {
+    if (member.key == "id") {
+      take(0, member, id, as_it_stands);
+    } else if (member.key == "operation") {
+      take(1, member, job.operation, [](std::string_view value) {
+        auto name = json_string(value);
+        if (!name) throw usage("'operation' is a string");
+        return *name;
+      });
+    } else if (member.key == "a") {
+      take(2, member, job.a, as_it_stands);
+    } else if (member.key == "b") {
+      take(3, member, job.b, as_it_stands);
+    } else if (member.key == "options") {
+      take(4, member, job.options, as_it_stands);
+    } else {
+      throw usage("a job has no member '" + member.key + "'");
+    }
+  }
+  for (const auto& [key, name] : {std::pair{1, "operation"}, {2, "a"}}) {
+    if (!known[key]) throw usage(std::string("the job has no '") + name + "'");
+  }
+  return job;
+}
+
+// A value as it would be typed: [1, 2] as 1,2.
+std::string typed_value(const std::string& name, std::string_view value) {
+  if (auto text = json_string(value)) return "--" + name + "=" + *text;
+  if (const auto elements = json_elements(value)) {
+    if (elements->size() != 2) throw usage("--" + name + " takes two numbers, as [1, -2.5]");
+    const auto number = [](std::string_view element) {
+      return json_string(element).value_or(std::string(element));
+    };
+    return "--" + name + "=" + number(elements->front()) + "," + number(elements->back());
+  }
+  if (value.front() == '{' || value == "null") throw usage("--" + name + " takes no such value");
+  return "--" + name + "=" + std::string(value);
+}
+
+// Whether it is a list of placements, not one: [x, y], where numbers may be strings, is one.
+bool is_list(std::string_view value) {
+  const auto elements = json_elements(value);
+  if (!elements) return false;
+  return std::ranges::any_of(*elements, [](std::string_view element) {
+    return element.front() == '[' ||
+           json_string(element).value_or("").find(',') != std::string::npos;
+  });
+}
+
+std::vector<TypedOption> parse_options(std::string_view text) {
+  std::vector<TypedOption> options;
+  if (text.empty()) return options;
+  const auto members = json_members(text);
+  if (!members) throw usage("'options' is an object");
+  for (const auto& [name, value] : *members) {
+    if (std::ranges::find(options, name, &TypedOption::name) != options.end()) {
+      throw usage("the option '" + name + "' is there twice");
+    }
+    TypedOption option{name, {}};
+    if (value == "false") {
+      option.is_off = true;
+    } else if (value == "true") {
+      option.words.push_back("--" + name);
+    } else if (is_list(value)) {
+      const auto elements = json_elements(value);
+      for (const std::string_view element : *elements) {
+        option.words.push_back(typed_value(name, element));
+      }
+    } else {
+      option.words.push_back(typed_value(name, value));
+    }
+    options.push_back(std::move(option));
+  }
+  return options;
+}
+
+// An operand, and what messages call it.
+struct NamedOperand {
+  Geometry geometry;
+  std::string name;
+};
+
+NamedOperand read(std::string_view value, const char* name, const std::string& folder,
+                  const io::ReadLimits& limits) {
+  const auto read_text = [&](std::string_view text) -> NamedOperand {
+    try {
+      return {io::read_geometry(text, limits), name};
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
+      throw failure_of(error, name);
+    }
+  };
+  if (const auto path = json_string(value)) {
+    if (path->empty() || *path == "-") throw usage(std::string("'") + name + "' names no file");
+    const std::string file = (std::filesystem::path(folder) / *path).string();
+    // Reading those may never end, and the time limit does not reach it.
+    if (is_special(file)) {
+      throw Failure(kBadInput, *path + ": is no file; jobs read no pipes, devices, and folders");
+    }
+    try {
+      return {io::read_geometry_file(file, limits), *path};
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
+      throw failure_of(error, *path);
+    }
+  }
+  if (value.front() != '{') {
+    throw usage(std::string("'") + name +
+                R"(' is the path of a file, {"wkt": "..."}, or a GeoJSON object)");
+  }
+  const auto members = json_members(value);
+  if (members && members->size() == 1 && members->front().key == "wkt") {
+    const auto text = json_string(members->front().value);
+    if (!text) throw usage(std::string("'wkt' of '") + name + "' is a string");
+    return read_text(*text);
+  }
+  return read_text(value);
+}
+
+const ReadyOperation& ready(const Job& job, const BatchArguments& arguments, Worker& worker) {
+  constexpr std::size_t kMost = 64;  // of different ones that a thread remembers
+  const std::string key = job.operation + ' ' + std::string(job.options);
+  if (const auto found = worker.ready.find(key); found != worker.ready.end()) {
+    return *found->second;
+  }
+  auto made = std::make_shared<const ReadyOperation>(ready_operation(
+      job.operation, parse_options(job.options), arguments.defaults, arguments.limits));
+  if (worker.ready.size() >= kMost) worker.ready.clear();
+  return *worker.ready.emplace(key, std::move(made)).first->second;
+}
+
+}  // namespace
+
+Digest& Digest::add(std::string_view text) {
+  const auto byte = [this](std::uint64_t value) { value_ = (value_ ^ value) * 0x100000001b3; };
+  for (const char c : text) byte(static_cast<unsigned char>(c));
+  for (int shift = 0; shift < 64; shift += 8) byte((std::uint64_t{text.size()} >> shift) & 0xff);
+  return *this;
+}
+
+std::string Digest::text() const {
+  std::string digits;
+  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(value_ >> shift) & 15];
+  return digits;
+}
+
+Digest digest_of_settings(const BatchArguments& arguments) {
+  const ProcessLimits& limits = arguments.limits;
+  Digest digest;
+  digest.add(MINKSUM_VERSION);
+  for (const TypedOption& option : arguments.defaults) {
+    for (const std::string& word : option.words) digest.add(word);
+  }
+  for (const std::uint64_t limit :
+       {std::uint64_t{limits.read.max_bytes}, std::uint64_t{limits.read.max_vertices},
+        limits.sum.max_segments, limits.sum.max_crossings}) {
+    digest.add(std::to_string(limit));
+  }
+  digest.add(std::to_string(limits.seconds));
+  return digest;
+}
+
+std::string result_head(std::uint64_t job, const std::string& digest) {
+  return "{\"job\":" + std::to_string(job) + ",\"digest\":\"" + digest + '"';
+}
+
+bool is_result(std::string_view line, const std::string& head, bool& failed) {
+  if (!line.starts_with(head)) return false;
+  const auto members = json_members(line);
+  if (!members) return false;
+  failed = members->back().key == "error";
+  return true;
+}
+
+bool is_any_result(std::string_view line) {
+  const auto passes = [&line](std::string_view part) {
+    const bool fits = line.starts_with(part) || part.starts_with(line);
+    line.remove_prefix(std::min(line.size(), part.size()));
+    return fits;
+  };
+  if (!passes("{\"job\":")) return false;
+  const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());
+  if (digits == 0 && !line.empty()) return false;
+  line.remove_prefix(digits);
+  return passes(",\"digest\":\"");
+}
+
+bool may_begin(std::string_view line, const std::string& head) {
+  return line.starts_with(head) || head.starts_with(line);
+}
+
+std::string error_json(double seconds) {
+  const auto json = [](const char* code, const std::string& message) {
+    return std::string(R"("error":{"code":")") + code + R"(","message":)" + to_json(message) + '}';
+  };
+  const auto of = [&](const Failure& failure) {
+    return json(name_of(failure.code()), failure.what());
+  };
+  try {
+    throw;
+  } catch (const Failure& failure) {
+    return of(failure);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kCancelled) {
+      std::string limit = std::to_string(seconds);
+      limit.erase(limit.find_last_not_of('0') + 1);
+      if (limit.back() == '.') limit.pop_back();
+      return json("timeout", "the time limit of " + limit + " seconds is exceeded (--timeout)");
+    }
+    return of(failure_of(error, ""));
+  } catch (const std::bad_alloc&) {
+    return json("limit", "out of memory (--max-memory)");
+  } catch (const std::length_error&) {
+    return json("limit", "out of memory (--max-memory)");
+  } catch (const std::exception& error) {
+    return json("internal", std::string("internal error: ") + error.what());
+  }
+}
+
+JobRunner::JobRunner(const BatchArguments& arguments)
+    : arguments_(arguments),
+      folder_(arguments.jobs == "-" ? ""
+                                    : std::filesystem::path(arguments.jobs).parent_path().string()),
+      settings_(digest_of_settings(arguments)) {}
+
+std::string JobRunner::head(const JobLine& line) const {
+  Digest digest = settings_;
+  if (line.dropped > 0) digest.add(std::to_string(line.dropped));
+  return result_head(line.number, digest.add(line.text).text());
+}
+
+Done JobRunner::run(const JobLine& line, Worker& worker) {
+  std::string result;
+  std::string notes;
+  std::string_view id;
+  double seconds = 0;
+  bool failed = false;
+  try {
+    if (line.dropped > 0) {
+      throw Failure(kLimitExceeded, "the line is longer than " +
+                                        std::to_string(arguments_.limits.read.max_bytes) +
+                                        " bytes (--max-bytes)");
+    }
+    const Job job = parse_job(line.text, id);
+    const ReadyOperation& operation = ready(job, arguments_, worker);
+    seconds = operation.seconds;
+    const Watchdog::Watch watch(watchdog_, seconds);
+    io::ReadLimits limits = operation.limits;
+    limits.cancel = watch.token();
+    const NamedOperand a = read(job.a, "a", folder_, limits);
+    if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");
+    if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
+    const NamedOperand b = job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
+    for (const NamedOperand* const operand : {&a, &b}) {
+      const auto reading =
+          reading_of_faults(operand->geometry.region, operation.fill, watch.token());
+      if (!reading) continue;
+      notes += (notes.empty() ? "" : ",") + to_json(operand->name + ": " + *reading);
+    }
+    try {
+      result = operation.run(a.geometry, b.geometry, watch.token(), worker);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::kCancelled) throw;
+      fail_about(error, {a.name, b.name});
+    }
+  } catch (...) {
+    result = error_json(seconds);
+    failed = true;
+  }
+  std::string text = head(line);
+  if (!id.empty()) text.append(",\"id\":").append(id);
+  if (!notes.empty()) text.append(",\"notes\":[").append(notes).append("]");
+  text.append(",").append(result).append("}\n");
+  return {std::move(text), 1, failed ? 1u : 0u};
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,137 @@
+#include "batch/in_order.hpp"
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "process/failure.hpp"
+#include "process/process.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr std::size_t kTasksPerThread = 64;
+constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+
+// A task on its way; its address stays.
+struct Slot {
+  Task task;
+  Done result;
+  std::exception_ptr failure;
+  bool done = false;
+};
+
+class Pool {
+ public:
+  explicit Pool(int threads) {
+    threads_.reserve(static_cast<std::size_t>(threads));
+    start(threads);
+    if (threads_.empty()) throw Failure(kLimitExceeded, "the system gives no thread to work on");
+  }
+  ~Pool() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    wake_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  [[nodiscard]] std::size_t threads() const { return threads_.size(); }
+  [[nodiscard]] bool idle() const { return slots_.empty(); }
+  [[nodiscard]] bool has_room() const {
+    return slots_.empty() || (slots_.size() < kTasksPerThread * threads() && bytes_ < kMaxBytes);
+  }
+  void add(Task task) {
+    bytes_ += task.bytes;
+    {
+      const std::lock_guard lock(mutex_);
+      slots_.push_back(std::make_unique<Slot>());
+      slots_.back()->task = std::move(task);
+      waiting_.push_back(slots_.back().get());
+    }
+    wake_.notify_one();
+  }
+  [[nodiscard]] bool first_is_done() {
+    const std::lock_guard lock(mutex_);
+    return slots_.front()->done;
+  }
+  // The result of the oldest task.
+  Done take() {
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return slots_.front()->done; });
+    const std::unique_ptr<Slot> slot = std::move(slots_.front());
+    slots_.pop_front();
+    lock.unlock();
+    bytes_ -= slot->task.bytes;
+    if (slot->failure) std::rethrow_exception(slot->failure);
+    return std::move(slot->result);
+  }
+
+ private:
+  // Fewer threads do the same, if there is no memory, or the system gives no more.
+  void start(int threads) {
+    // Signals end the process by the thread that they would have ended without this pool.
+    const SignalsBlocked blocked;
+    try {
+      for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+    } catch (const std::bad_alloc&) {
+    }
+  }
+  void work() {
+    std::optional<Worker> worker;  // made where its failure is one of a task
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+      if (ending_) return;
+      Slot& slot = *waiting_.front();
+      waiting_.pop_front();
+      lock.unlock();
+      try {
+        if (!worker) worker.emplace();
+        slot.result = slot.task.run(*worker);
+      } catch (...) {
+        slot.failure = std::current_exception();
+      }
+      slot.task.run = nullptr;  // and what it holds
+      lock.lock();
+      slot.done = true;
+      if (&slot == slots_.front().get()) done_.notify_one();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::condition_variable done_;
+  std::deque<std::unique_ptr<Slot>> slots_;  // taken and not consumed; changed by one thread only
+  std::deque<Slot*> waiting_;                // of these, those that nobody works on
+  bool ending_ = false;
+  std::size_t bytes_ = 0;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace
+
+void run_in_order(int threads, const Work& work) {
+  Pool pool(threads);
+  bool more = true;
+  while (more || !pool.idle()) {
+    while (more && pool.has_room() && (pool.idle() || work.is_at_hand())) {
+      std::optional<Task> task = work.next();
+      more = task.has_value();
+      if (task) pool.add(std::move(*task));
+      if (!pool.idle() && pool.first_is_done()) break;
+    }
+    if (!pool.idle()) work.consume(pool.take());
+  }
+}
+
+}  // namespace minksum::cli

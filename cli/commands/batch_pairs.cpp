@@ -1,0 +1,235 @@
+// minksum batch --pairs: all ordered pairs of parts, at all multiples of an angle.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+
+#include "batch/batch_job.hpp"
+#include "batch/batch_run.hpp"
+#include "commands/batch.hpp"
+#include "commands/commands.hpp"
+#include "commands/uses.hpp"
+#include "minksum/prepared_region.hpp"
+#include "options/turns.hpp"
+#include "output/json_members.hpp"
+#include "output/result_file.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Tasks of fewer pairs would be dominated by handing them over.
+constexpr std::size_t kPairsPerTask = 64;
+
+// A part, prepared once for all of its pairs.
+struct Part {
+  std::string name;
+  PreparedRegion fixed;
+  /// For each rotation what is added to a fixed part: for no-fit polygons the part turned round its
+  /// reference point, so that sums need not be moved.
+  std::vector<PreparedRegion> moving;
+};
+
+struct Parts {
+  std::vector<Part> parts;
+  std::vector<Turn> turns;
+  Digest digest;
+
+  [[nodiscard]] std::uint64_t pairs() const { return parts.size() * parts.size() * turns.size(); }
+};
+
+std::vector<fs::path> files_in(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string ending = at->path().extension().string();
+    const bool readable = ending == ".wkt" || ending == ".geojson" || ending == ".json" ||
+                          ending == ".poly" || ending == ".dat";
+    std::error_code ignored;
+    if (readable && at->is_regular_file(ignored)) files.push_back(at->path());
+  }
+  if (error) throw Failure(kBadInput, folder + ": cannot be read: " + error.message());
+  if (files.empty()) {
+    throw Failure(kBadInput,
+                  folder + ": no parts: files that end in .wkt, .geojson, .json, .poly or .dat");
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+// The second operand of a pair, turned.
+Region moving_region(const BatchArguments& arguments, const Geometry& given, const Region& resolved,
+                     const Turn& turn) {
+  Region turned = transform(resolved, turn.map);
+  if (arguments.operation == "sum") return turned;
+  const Point reference = turn.map(given.region.point(0));
+  return transform(
+      turned, Affine::translation(reference.x, reference.y).after(Affine::scaling(Rational(-1))));
+}
+
+Part prepare(const BatchArguments& arguments, const fs::path& file, const Geometry& given,
+             const std::vector<Turn>& turns) {
+  if (const auto reading = reading_of_faults(given.region, arguments.fill)) {
+    tell(file.string() + ": " + *reading);
+  }
+  const Geometry resolved = resolve(given, {arguments.fill, true, {}});
+  if (resolved.region.empty()) {
+    throw Failure(kBadInput, file.string() + ": a part without area cannot be paired");
+  }
+  Part part{file.filename().string(), PreparedRegion(resolved.region), {}};
+  for (const Turn& turn : turns) {
+    part.moving.emplace_back(moving_region(arguments, given, resolved.region, turn));
+  }
+  return part;
+}
+
+Parts load(const BatchArguments& arguments) {
+  Parts parts;
+  parts.digest = digest_of_settings(arguments);
+  parts.digest.add(arguments.operation)
+      .add(std::to_string(arguments.rotations))
+      .add(arguments.tight ? "tight" : "");
+  for (int k = 0; k < arguments.rotations; ++k) {
+    parts.turns.push_back(turn_by(k, arguments.rotations));
+  }
+  for (const fs::path& file : files_in(arguments.pairs)) {
+    try {
+      const std::string text = io::load_text(file.string(), arguments.limits.read);
+      parts.digest.add(file.filename().string()).add(text);
+      parts.parts.push_back(
+          prepare(arguments, file, io::read_geometry(text, arguments.limits.read), parts.turns));
+    } catch (const Error& error) {
+      throw failure_of(error, file.string());
+    }
+  }
+  return parts;
+}
+
+std::string degrees(int k, int rotations) {
+  // In lowest terms of whole degrees where there are such; else as a double.
+  if (360 * k % rotations == 0) return std::to_string(360 * k / rotations);
+  return nlohmann::json(360.0 * k / rotations).dump();
+}
+
+class PairRunner {
+ public:
+  PairRunner(const BatchArguments& arguments, const Parts& parts)
+      : arguments_(arguments), parts_(parts), digest_(parts.digest.text()) {
+    nesting_.coordinates = arguments.coordinates;
+    nesting_.rounding = arguments.rounding;
+    for (const Part& part : parts.parts) names_.push_back(to_json(part.name));
+    for (int k = 0; k < arguments.rotations; ++k) {
+      std::string text = degrees(k, arguments.rotations);
+      const auto& half = parts.turns[static_cast<std::size_t>(k)].half;
+      if (half) text += ",\"half_tangent\":\"" + half->to_string() + '"';
+      turns_.push_back(std::move(text));
+    }
+  }
+  [[nodiscard]] std::string head(std::uint64_t pair) const {
+    return result_head(pair + 1, digest_);
+  }
+  // Pairs are numbered by the fixed part, then the moving one, then the turn.
+  Done run(std::uint64_t first, std::uint64_t last, Worker& worker) {
+    Done done;
+    for (std::uint64_t pair = first; pair < last; ++pair) run(pair, worker, done);
+    return done;
+  }
+
+ private:
+  void run(std::uint64_t pair, Worker& worker, Done& done) {
+    const std::uint64_t turns = parts_.turns.size();
+    const std::uint64_t turn = pair % turns;
+    const std::uint64_t moving = pair / turns % parts_.parts.size();
+    const std::uint64_t fixed = pair / turns / parts_.parts.size();
+    ++done.jobs;
+    const double seconds = arguments_.limits.seconds;
+    if (arguments_.no_output) {
+      try {
+        const Watchdog::Watch watch(watchdog_, seconds);
+        Geometry places;
+        sum(fixed, moving, turn, watch.token(), worker, places);
+      } catch (const Error&) {
+        ++done.failed;
+      }
+      return;
+    }
+    std::string& text = done.lines;
+    text.append(head(pair)).append(",\"fixed\":").append(names_[fixed]);
+    text.append(",\"moving\":").append(names_[moving]).append(",\"turn\":").append(turns_[turn]);
+    text += ',';
+    try {
+      const Watchdog::Watch watch(watchdog_, seconds);
+      text += result(fixed, moving, turn, watch.token(), worker);
+    } catch (...) {
+      text += error_json(seconds);
+      ++done.failed;
+    }
+    text += "}\n";
+  }
+
+  // The sum goes to the worker's; tight places, if they are wanted, to `places`.
+  void sum(std::uint64_t fixed, std::uint64_t moving, std::uint64_t turn,
+           const std::optional<CancelToken>& cancel, Worker& worker, Geometry& places) {
+    Options options;
+    options.limits = arguments_.limits.sum;
+    options.cancel = cancel;
+    if (arguments_.tight) options.tight = &places;
+    const Outcome outcome =
+        minkowski_sum(parts_.parts[fixed].fixed, parts_.parts[moving].moving[turn], options,
+                      worker.workspace, worker.sum);
+    if (!outcome.ok()) throw *outcome.error;
+  }
+  std::string result(std::uint64_t fixed, std::uint64_t moving, std::uint64_t turn,
+                     const std::optional<CancelToken>& cancel, Worker& worker) {
+    Geometry polygon;
+    sum(fixed, moving, turn, cancel, worker, polygon);
+    polygon.region = std::move(worker.sum);
+    NestingArguments nesting = nesting_;
+    nesting.cancel = cancel;
+    const Geometry shown = rounded_fit_polygon(nesting, polygon);
+    worker.sum = std::move(polygon.region);
+    return "\"result\":" + geometry_json(shown, arguments_.format, arguments_.coordinates);
+  }
+
+  const BatchArguments& arguments_;
+  const Parts& parts_;
+  std::string digest_;
+  NestingArguments nesting_;
+  std::vector<std::string> names_;  // as JSON
+  std::vector<std::string> turns_;
+  Watchdog watchdog_;
+};
+
+}  // namespace
+
+int run_pairs(const BatchArguments& arguments) {
+  OutputFiles files;
+  expect_files(arguments, files);
+  const auto start = std::chrono::steady_clock::now();
+  const Parts parts = load(arguments);
+  const double preparing =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  PairRunner runner(arguments, parts);
+  const std::uint64_t count = parts.pairs();
+  std::uint64_t at = 0;
+  BatchRun run(arguments);
+  run.go_on({[&]() -> std::optional<std::string> {
+               return at < count ? std::optional(runner.head(at)) : std::nullopt;
+             },
+             [&] { ++at; }});
+  Work work;
+  work.next = [&]() -> std::optional<Task> {
+    if (at == count) return {};
+    const std::uint64_t first = at;
+    at = std::min<std::uint64_t>(count, at + kPairsPerTask);
+    return Task{
+        [&runner, first, last = at](Worker& worker) { return runner.run(first, last, worker); }};
+  };
+  run.run(std::move(work),
+          [&] { return static_cast<double>(run.jobs()) / static_cast<double>(count); });
+  return run.finish({{"parts", parts.parts.size()}, {"preparing_seconds", preparing}}, files);
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,33 @@
+// minksum cspace: configuration-space obstacles and free space of a robot that moves and turns.
+#pragma once
+
+#include "options/result_options.hpp"
+#include "options/robot_options.hpp"
+
+namespace minksum::cli {
+
+/// `minksum cspace ROBOT OBSTACLES ...`
+struct CspaceArguments : RobotArguments {
+  ResultArguments result;
+  std::vector<Turn> turns;
+  bool free = false;
+  std::string picture;  ///< empty = none
+  std::string slices;   ///< a folder; empty = none
+  std::string stats;    ///< empty = none
+  ConfigurationOptions options;
+};
+
+struct TypedCspace : TypedRobot {
+  TypedResult result;
+  std::string angles;
+  std::string theta;
+  double tolerance = 1e-3;
+};
+
+CLI::App* add_cspace(CLI::App& app, CspaceArguments& arguments, TypedCspace& typed,
+                     ProcessLimits& limits);
+/// What no option can see by itself. Throws a Failure for wrong usage.
+void settle(CspaceArguments& arguments, const TypedCspace& typed);
+int run_cspace(const CspaceArguments& arguments);
+
+}  // namespace minksum::cli

@@ -1,0 +1,171 @@
+// minksum draw: geometries as a picture.
+#include "commands/draw.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <ostream>
+
+#include "commands/commands.hpp"
+#include "options/result_options.hpp"
+#include "options/sum_options.hpp"
+#include "options/typed_numbers.hpp"
+#include "output/output_file.hpp"
+#include "pictures/text_layout.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Several files lie on top of each other, the first one lowest, in one frame and to
+one scale. Files as for `minksum sum`; one of them may be "-" for standard input.
+)";
+
+// Layers by the names that --as takes, and their styles.
+const std::map<std::string, std::string> kStyles = {{"first", "first"},
+                                                    {"second", "second"},
+                                                    {"result", "sum"},
+                                                    {"tight", "tight"},
+                                                    {"outline", "outline"}};
+constexpr const char* kStylesInTurn[] = {"first", "second", "result", "tight"};
+
+const std::map<std::string, Theme> kThemes = {
+    {"auto", Theme::kAuto}, {"light", Theme::kLight}, {"dark", Theme::kDark}};
+
+constexpr double kMinWidth = 200;
+constexpr double kMaxWidth = 10'000;
+
+std::string style_of(const DrawArguments& arguments, std::size_t index) {
+  if (!arguments.styles.empty()) return kStyles.at(arguments.styles[index]);
+  return kStyles.at(index < std::size(kStylesInTurn) ? kStylesInTurn[index] : "outline");
+}
+
+std::string caption_of(const DrawArguments& arguments, std::size_t index) {
+  if (index < arguments.captions.size()) return arguments.captions[index];
+  const std::string& file = arguments.files[index];
+  if (file == "-") return shown_name(file);
+  // Names of files may be any bytes; XML holds neither control characters nor what is not UTF-8.
+  return printable(std::filesystem::path(file).stem().string(),
+                   [](std::string_view) { return "\ufffd"; });
+}
+
+Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry& given) {
+  Layer layer;
+  if (arguments.faults) {
+    layer.geometry = given;
+    layer.faults = validate(given.region);
+  } else {
+    try {
+      layer.geometry = resolve({given.region, {}, {}}, {arguments.fill, false, {}});
+    } catch (const Error& error) {
+      throw failure_of(error, arguments.files[index]);
+    }
+    // As they stand: those within the area would be lost in it, such as the tight places of a
+    // no-fit polygon.
+    std::ranges::copy(given.polylines, std::back_inserter(layer.geometry.polylines));
+    std::ranges::copy(given.points, std::back_inserter(layer.geometry.points));
+  }
+  layer.style = style_of(arguments, index);
+  layer.caption = caption_of(arguments, index);
+  if (arguments.labels) layer.numbered = &given;
+  return layer;
+}
+
+// What is typed is not mended in silence.
+void require_printable(const char* option, const std::string& text) {
+  if (is_printable(text)) return;
+  throw Failure(kWrongUsage,
+                std::string(option) + " takes text in UTF-8 without control characters");
+}
+
+void add_look_options(CLI::App& command, DrawArguments& arguments) {
+  command.add_option("--title", arguments.title, "A line above the picture")->type_name("TEXT");
+  command
+      .add_option_function<std::string>(
+          "--theme", [&arguments](const std::string& name) { arguments.theme = kThemes.at(name); },
+          "auto (as its surroundings; the default), light, dark")
+      ->check(CLI::IsMember(names_of(kThemes)))
+      ->type_name("THEME");
+  command.add_option("--width", arguments.width, "Width in pixels (default 960)")
+      ->check(between(kMinWidth, kMaxWidth))
+      ->type_name("PX");
+  command.add_flag("!--no-axes", arguments.axes, "Leave out axes and their numbers");
+  command.add_flag("!--no-legend", arguments.legend, "Leave out the legend");
+  command.add_flag("--labels", arguments.labels,
+                   "Number vertices as messages do: from 1 in each ring, as read");
+}
+
+}  // namespace
+
+CLI::App* add_draw(CLI::App& app, DrawArguments& arguments, ProcessLimits& limits) {
+  CLI::App* const command = app.add_subcommand("draw", "Geometries as a picture (SVG)");
+  command->footer(kFooter);
+  command->add_option("FILE", arguments.files, "What to draw")->required()->type_name("FILE");
+  command->add_option("-o,--output", arguments.output, "Write here, not to standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--as", arguments.styles,
+                   "What each file is, in their order: first, second, result, tight, outline. "
+                   "Without it: first, second, result, tight, then outlines")
+      ->check(CLI::IsMember(names_of(kStyles)))
+      ->delimiter(',')
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("LAYER,...");
+  command
+      ->add_option("--caption", arguments.captions,
+                   "The legend's words for the first file, again for the next (default: names)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("TEXT");
+  add_look_options(*command, arguments);
+  CLI::Option* const fill = add_fill_option(*command, arguments.fill);
+  command
+      ->add_flag("--faults", arguments.faults,
+                 "Draw rings as they stand, even-odd, and mark what makes polygons invalid")
+      ->excludes(fill)
+      ->excludes("--strict");
+  add_limit_options(*command, limits, false);
+  return command;
+}
+
+void settle(DrawArguments& arguments) {
+  require_printable("--title", arguments.title);
+  for (const std::string& caption : arguments.captions) require_printable("--caption", caption);
+  if (arguments.output == "-") arguments.output.clear();
+  const std::size_t count = arguments.files.size();
+  if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) {
+    throw Failure(kWrongUsage, "only one FILE can be standard input");
+  }
+  if (!arguments.styles.empty() && arguments.styles.size() != count) {
+    throw Failure(kWrongUsage, "--as takes one layer for each file, of which there are " +
+                                   std::to_string(count));
+  }
+  if (arguments.captions.size() > count) {
+    throw Failure(kWrongUsage, "more captions than files");
+  }
+}
+
+int run_draw(const DrawArguments& arguments) {
+  OutputFiles files;
+  files.expect("-o", arguments.output);
+  std::vector<Geometry> given;
+  for (const std::string& file : arguments.files) {
+    // With --faults, the picture tells.
+    given.push_back(arguments.faults
+                        ? read_operand(file, arguments.limits).geometry
+                        : read_operand(file, arguments.limits, arguments.fill).geometry);
+  }
+  Figure figure{
+      {}, arguments.title, arguments.width, arguments.theme, arguments.axes, arguments.legend};
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    figure.layers.push_back(layer_of(arguments, i, given[i]));
+  }
+  files.write(arguments.output, [&](std::ostream& out) { out << figure_picture(figure); });
+  files.finish();
+  return kFine;
+}
+
+}  // namespace minksum::cli

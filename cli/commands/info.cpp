@@ -1,0 +1,158 @@
+// minksum info: what a file holds, whether its polygons are valid, and what they mean.
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+
+#include "commands/commands.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/validity.hpp"
+#include "output/faults.hpp"
+#include "output/numbers.hpp"
+#include "output/output_file.hpp"
+#include "pictures/sum_picture.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxFaults = 100;
+// What the polygons mean, by the fill rule.
+struct Meaning {
+  Geometry geometry;
+  Rational area;
+};
+
+struct Findings {
+  const Geometry& geometry;
+  std::optional<Box> box;
+  Rational area;
+  std::size_t bits = 0;
+  std::vector<Fault> faults;
+  std::optional<Meaning> meaning;  ///< none if the rule is strict and there are faults
+};
+
+// All vertices as rings: for measures of a region that do not ask what its rings are like.
+Region all_vertices(const Geometry& geometry) {
+  Region all = geometry.region;
+  const auto add = [&all](const std::vector<Point>& points) {
+    if (points.empty()) return;
+    all.begin_polygon();
+    all.begin_ring();
+    for (const Point& point : points) all.add_vertex(point.x, point.y);
+  };
+  for (const Polyline& polyline : geometry.polylines) add(polyline);
+  add(geometry.points);
+  return all;
+}
+
+Findings examine(const Geometry& geometry, const ResolveOptions& options) {
+  const Region all = geometry.has_thin_parts() ? all_vertices(geometry) : Region();
+  const Region& vertices = geometry.has_thin_parts() ? all : geometry.region;
+  Findings findings{geometry,
+                    bounding_box(vertices),
+                    area(geometry.region),
+                    coordinate_bits(vertices),
+                    validate(geometry.region, kMaxFaults),
+                    {}};
+  if (options.fill != FillRule::kStrict || findings.faults.empty()) {
+    findings.meaning.emplace().geometry = resolve(geometry, options);
+    findings.meaning->area = area(findings.meaning->geometry.region);
+  }
+  return findings;
+}
+
+void write_text(std::ostream& out, const Findings& findings, FillRule fill) {
+  const Geometry& geometry = findings.geometry;
+  out << "parts     " << geometry.region.polygon_count() << "\nholes     "
+      << geometry.region.hole_count() << "\nvertices  " << geometry.region.vertex_count() << '\n';
+  if (geometry.has_thin_parts()) {
+    out << "polylines " << geometry.polylines.size() << "\npoints    " << geometry.points.size()
+        << '\n';
+  }
+  if (findings.box) {
+    const Box& box = *findings.box;
+    out << "x         from " << readable(box.min.x) << " to " << readable(box.max.x)
+        << "\ny         from " << readable(box.min.y) << " to " << readable(box.max.y) << '\n';
+  } else {
+    out << "box       none: there is nothing\n";
+  }
+  out << "area      " << readable(findings.area) << "\nbits      " << findings.bits << '\n';
+  out << "valid     " << (findings.faults.empty() ? "yes" : "no") << '\n';
+  for (const Fault& fault : findings.faults) out << "fault     " << described(fault) << '\n';
+  if (findings.faults.size() == kMaxFaults) {
+    out << "          (the first " << kMaxFaults << " faults; there may be more)\n";
+  }
+  out << "meaning   ";
+  if (findings.meaning) {
+    out << summary(findings.meaning->geometry) << "; area " << readable(findings.meaning->area);
+  } else {
+    out << "none";
+  }
+  out << " (fill rule " << to_string(fill) << ")\n";
+}
+
+Json point_json(const Point& point) { return {point.x.to_string(), point.y.to_string()}; }
+
+void add_sizes(Json& json, const Geometry& geometry) {
+  json["parts"] = geometry.region.polygon_count();
+  json["holes"] = geometry.region.hole_count();
+  json["vertices"] = geometry.region.vertex_count();
+  json["polylines"] = geometry.polylines.size();
+  json["points"] = geometry.points.size();
+}
+
+void add_area(Json& json, const Rational& area) {
+  json["area"] = area.to_double();
+  json["area_exact"] = area.to_string();
+}
+
+void write_json(std::ostream& out, const InfoArguments& arguments, const Findings& findings) {
+  Json json;
+  json["file"] = arguments.file;
+  add_sizes(json, findings.geometry);
+  json["box"] = nullptr;
+  if (findings.box) {
+    json["box"] = Json::object();
+    json["box"]["min"] = point_json(findings.box->min);
+    json["box"]["max"] = point_json(findings.box->max);
+  }
+  add_area(json, findings.area);
+  json["coordinate_bits"] = findings.bits;
+  json["valid"] = findings.faults.empty();
+  json["faults"] = Json::array();
+  for (const Fault& fault : findings.faults) json["faults"].push_back(fault_json(fault));
+  json["fill"] = to_string(arguments.resolve.fill);
+  json["meaning"] = nullptr;
+  if (findings.meaning) {
+    Json meaning;
+    add_sizes(meaning, findings.meaning->geometry);
+    add_area(meaning, findings.meaning->area);
+    json["meaning"] = meaning;
+  }
+  // File names and messages may hold any bytes; JSON holds only UTF-8.
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace
+
+int run_info(const InfoArguments& arguments) {
+  const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
+  const Findings findings = examine(geometry, arguments.resolve);
+  write_standard_output([&](std::ostream& out) {
+    if (arguments.json) {
+      write_json(out, arguments, findings);
+    } else {
+      write_text(out, findings, arguments.resolve.fill);
+    }
+  });
+  if (findings.faults.empty()) return kFine;
+  const std::string several = findings.faults.size() == 1 ? "" : ", the first of several faults";
+  throw failure_of(Error(ErrorCode::kBadInput,
+                         "not valid" + several + ": " + described(findings.faults.front())),
+                   arguments.file);
+}
+
+}  // namespace minksum::cli

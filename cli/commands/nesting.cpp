@@ -1,0 +1,122 @@
+// minksum nfp, ifp: where a part can be placed.
+#include <ostream>
+
+#include "commands/commands.hpp"
+#include "commands/uses.hpp"
+#include "minksum/resolve.hpp"
+#include "output/output_file.hpp"
+#include "output/result_file.hpp"
+#include "pictures/sum_picture.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+const char* to_string(Contact contact) {
+  switch (contact) {
+    case Contact::kFree:
+      return "free";
+    case Contact::kTouching:
+      return "touching";
+    case Contact::kOverlapping:
+      break;
+  }
+  return "overlapping";
+}
+
+Geometry without_thin_parts(const Geometry& geometry) { return {geometry.region, {}, {}}; }
+
+Geometry thin_parts_of(const Geometry& geometry) {
+  return {{}, geometry.polylines, geometry.points};
+}
+
+void draw(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
+          const Geometry& polygon, OutputFiles& files) {
+  const ResolveOptions reading{arguments.options.fill, true, {}};
+  const Geometry area = without_thin_parts(polygon);
+  const Geometry tight = thin_parts_of(polygon);
+  const Captions captions = arguments.inner_fit
+                                ? Captions{"Inner-fit polygon", "Bin", "Part", "Inner-fit polygon"}
+                                : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
+  // A part without area would have failed already if it had to have a first vertex.
+  const Point mark =
+      arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
+  const Drawing drawing{
+      resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark};
+  files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
+}
+
+void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
+                    const Geometry& moving) {
+  const std::vector<const char*> answers = contacts(arguments, fixed, moving);
+  write_standard_output([&](std::ostream& out) {
+    for (const char* const answer : answers) out << answer << '\n';
+  });
+}
+
+void write_polygon(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
+                   OutputFiles& files) {
+  const Geometry polygon = fit_polygon(arguments, fixed, moving);
+  write_geometry(files, arguments, made_for(arguments.output, [&] {
+                   return rounded_fit_polygon(arguments, polygon);
+                 }));
+  if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
+  files.finish();
+  if (arguments.inner_fit && polygon.empty()) {
+    tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
+         shown_name(arguments.operands[0]) + ")");
+  }
+}
+
+}  // namespace
+
+Geometry fit_polygon(const NestingArguments& arguments, const Geometry& fixed,
+                     const Geometry& moving) {
+  return arguments.inner_fit ? inner_fit_polygon(fixed, moving, arguments.options)
+                             : no_fit_polygon(fixed, moving, arguments.options);
+}
+
+Geometry rounded_fit_polygon(const NestingArguments& arguments, const Geometry& polygon) {
+  if (arguments.inner_fit) return rounded(polygon, arguments);
+  // The tight places of a no-fit polygon are within its area, so that they cannot be rounded with
+  // it as parts of one set.
+  ResultArguments nearest = arguments;
+  nearest.rounding = RoundingSide::kNearest;
+  Geometry result = rounded(without_thin_parts(polygon), arguments);
+  Geometry tight = rounded(thin_parts_of(polygon), nearest);
+  result.polylines = std::move(tight.polylines);
+  result.points = std::move(tight.points);
+  return result;
+}
+
+std::vector<const char*> contacts(const NestingArguments& arguments, const Geometry& fixed,
+                                  const Geometry& moving) {
+  const NoFitPolygon polygon(fixed, moving, arguments.options);
+  std::vector<const char*> answers;
+  for (const Point& placement : arguments.placements) {
+    answers.push_back(to_string(polygon.contact(placement)));
+  }
+  return answers;
+}
+
+int run_nesting(const NestingArguments& arguments) {
+  OutputFiles files;
+  files.expect("-o", arguments.output);
+  files.expect_if_any("--svg", arguments.picture);
+  const Geometry fixed =
+      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
+  const Geometry moving =
+      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
+  try {
+    if (!arguments.placements.empty()) {
+      write_contacts(arguments, fixed, moving);
+    } else {
+      write_polygon(arguments, fixed, moving, files);
+    }
+  } catch (const Error& error) {
+    fail_about(error, arguments.operands);
+  }
+  return kFine;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,43 @@
+// minksum offset: its arguments and options.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "commands/commands.hpp"
+#include "minksum/offset.hpp"
+#include "options/limits.hpp"
+#include "options/result_options.hpp"
+
+namespace minksum::cli {
+
+/// `minksum offset A --distance D ...`
+struct OffsetArguments : ResultArguments {
+  std::string operand;  ///< file name; "-" = standard input
+  Rational distance;
+  std::string picture;  ///< empty = none
+  io::ReadLimits limits;
+  OffsetOptions options;
+};
+
+/// Options as they are typed; turned into OffsetArguments when all of them are known.
+struct TypedOffset : TypedResult {
+  std::string distance;
+  std::string join;
+  std::string cap;
+  std::string miter_limit;
+  std::string tolerance;
+  std::string side;
+};
+
+/// Adds the subcommand; parsing fills the other three.
+CLI::App* add_offset(CLI::App& app, OffsetArguments& arguments, TypedOffset& typed,
+                     ProcessLimits& limits);
+
+/// What no option can see by itself. Throws a Failure for wrong usage.
+void settle(OffsetArguments& arguments, const TypedOffset& typed);
+
+/// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
+int run_offset(const OffsetArguments& arguments);
+
+}  // namespace minksum::cli

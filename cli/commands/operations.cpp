@@ -1,0 +1,283 @@
+#include "commands/operations.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "commands/offset.hpp"
+#include "commands/uses.hpp"
+#include "options/sum_options.hpp"
+#include "options/uses_options.hpp"
+#include "output/result_file.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+/// What is done with operands, and by which rule these are read.
+struct Made {
+  FillRule fill;
+  decltype(ReadyOperation::run) run;
+};
+using Cancel = std::optional<CancelToken>;
+
+// A subcommand of its own, which reads one list of options.
+class Parser {
+ public:
+  Parser(const char* name, int operands, const std::vector<TypedOption>& options) : name_(name) {
+    words_ = {name};
+    words_.insert(words_.end(), static_cast<std::size_t>(operands), "FILE");
+    for (const TypedOption& option : options) {
+      words_.insert(words_.end(), option.words.begin(), option.words.end());
+    }
+  }
+  [[nodiscard]] const char* name() const { return name_; }
+  CLI::App& app() { return app_; }
+  // After a subcommand was added to the app.
+  void parse() {
+    try {
+      app_.parse(std::vector<std::string>(words_.rbegin(), words_.rend()));
+    } catch (const CLI::ParseError& error) {
+      throw Failure(kWrongUsage, error.what());
+    }
+  }
+
+ private:
+  const char* name_;
+  std::vector<std::string> words_;
+  CLI::App app_;
+};
+
+void require_json_format(const ResultArguments& arguments) {
+  if (arguments.format == io::Format::kWkt || arguments.format == io::Format::kGeoJson) return;
+  throw Failure(kWrongUsage, "--format takes wkt or geojson here");
+}
+
+std::string result_json(const Geometry& geometry, const ResultArguments& arguments,
+                        const char* key = "result") {
+  io::Coordinates coordinates = arguments.coordinates;
+  coordinates.cancel = arguments.cancel;
+  return std::string("\"") + key + "\":" + geometry_json(geometry, arguments.format, coordinates);
+}
+
+Made make_sum(Parser& parser, ProcessLimits& limits) {
+  SumArguments arguments;
+  TypedSum typed;
+  bool tight = false;
+  CLI::App* const command = add_sum(parser.app(), arguments, typed, limits);
+  command->remove_option(command->get_option("--tight"));  // which names a file
+  command->add_flag("--tight", tight);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  if (tight && arguments.options.method != Method::kReduced) {
+    throw Failure(kWrongUsage, "--tight needs the reduced method");
+  }
+  arguments.options.limits = limits.sum;
+  const auto run = [arguments, tight](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                                      Worker& worker) {
+    ResultArguments rounding = arguments;
+    rounding.cancel = cancel;
+    Options options = arguments.options;
+    options.cancel = cancel;
+    Geometry places;
+    if (tight) options.tight = &places;
+    const Outcome outcome = minkowski_sum(a, b, options, worker.workspace, worker.geometry);
+    if (!outcome.ok()) throw *outcome.error;
+    std::string json = result_json(rounded(worker.geometry, rounding), rounding);
+    if (!tight) return json;
+    rounding.rounding = RoundingSide::kNearest;
+    return json + "," + result_json(rounded(places, rounding), rounding, "tight");
+  };
+  return {arguments.options.fill, run};
+}
+
+template <MorphologyArguments::Operation operation>
+Made make_morphology(Parser& parser, ProcessLimits& limits) {
+  MorphologyArguments arguments;
+  TypedMorphology typed;
+  arguments.operation = operation;
+  add_morphology(parser.app(), operation, arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                               Worker&) {
+    MorphologyArguments mine = arguments;
+    mine.cancel = mine.options.cancel = cancel;
+    return result_json(rounded(morphology(mine, a, b), mine), mine);
+  };
+  return {arguments.options.fill, run};
+}
+
+template <bool inner_fit>
+Made make_nesting(Parser& parser, ProcessLimits& limits) {
+  NestingArguments arguments;
+  TypedNesting typed;
+  arguments.inner_fit = inner_fit;
+  add_nesting(parser.app(), inner_fit, arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                               Worker&) {
+    NestingArguments mine = arguments;
+    mine.cancel = mine.options.cancel = cancel;
+    if (mine.placements.empty()) {
+      return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
+    }
+    const nlohmann::ordered_json json{{"contacts", contacts(mine, a, b)}};
+    return "\"result\":" + json.dump();
+  };
+  return {arguments.options.fill, run};
+}
+
+Made make_depth(Parser& parser, ProcessLimits& limits) {
+  DepthArguments arguments;
+  TypedDepth typed;
+  add_depth(parser.app(), arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  arguments.options.limits = limits.sum;
+  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                               Worker&) {
+    DepthArguments mine = arguments;
+    mine.options.cancel = cancel;
+    return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
+  };
+  return {arguments.options.fill, run};
+}
+
+Made make_offset(Parser& parser, ProcessLimits& limits) {
+  OffsetArguments arguments;
+  TypedOffset typed;
+  add_offset(parser.app(), arguments, typed, limits);
+  parser.parse();
+  settle(arguments, typed);
+  require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  const auto run = [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
+    OffsetArguments mine = arguments;
+    mine.cancel = mine.options.cancel = cancel;
+    return result_json(rounded(offset(a, mine.distance, mine.options), mine), mine);
+  };
+  return {arguments.options.fill, run};
+}
+
+// An operation is a line here: its name, its maker, what it takes beside limits, and of how many
+// operands.
+struct Entry {
+  const char* name;
+  Made (*make)(Parser& parser, ProcessLimits& limits);
+  std::vector<std::string> options;
+  int operands = 2;
+};
+
+const std::vector<Entry>& operations() {
+  using enum MorphologyArguments::Operation;
+  static const std::vector<std::string> kMorphology{"fill",   "strict", "tight",
+                                                    "format", "coords", "round"};
+  static const std::vector<Entry> kOperations{
+      {"sum",
+       make_sum,
+       {"fill", "strict", "regularize", "method", "tight", "format", "coords", "round"}},
+      {"dilate", make_morphology<kDilate>, kMorphology},
+      {"erode", make_morphology<kErode>, kMorphology},
+      {"open", make_morphology<kOpen>, kMorphology},
+      {"close", make_morphology<kClose>, kMorphology},
+      {"nfp",
+       make_nesting<false>,
+       {"fill", "strict", "reference", "at", "format", "coords", "round"}},
+      {"ifp", make_nesting<true>, {"fill", "strict", "reference", "format", "coords", "round"}},
+      {"depth", make_depth, {"fill", "strict", "along"}},
+      {"offset",
+       make_offset,
+       {"distance", "join", "cap", "miter-limit", "tolerance", "side", "fill", "strict", "format",
+        "coords", "round"},
+       1}};
+  return kOperations;
+}
+
+// Those that are there or not; all others have a value.
+constexpr const char* kFlags[] = {"regularize", "strict", "tight"};
+
+constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
+                                         "max-crossings", "timeout"};
+
+const Entry& entry_of(const std::string& name) {
+  std::string names;
+  for (const Entry& entry : operations()) {
+    if (entry.name == name) return entry;
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw Failure(kWrongUsage, "there is no operation '" + name + "'; there are " + names);
+}
+
+bool has_own_option(const Entry& entry, const std::string& name) {
+  return std::ranges::find(entry.options, name) != entry.options.end();
+}
+
+// Options of a job are checked against the list: the subcommand would take names of files, too.
+void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
+  for (const TypedOption& option : typed) {
+    const bool is_limit = std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions);
+    if (!is_limit && !has_own_option(entry, option.name)) {
+      throw Failure(kWrongUsage,
+                    std::string(entry.name) + " has no option '" + option.name + "' in a job");
+    }
+    const std::string name = "--" + option.name;
+    const bool is_boolean = option.is_off || option.words.front() == name;
+    const bool is_flag = std::ranges::find(kFlags, option.name) != std::end(kFlags);
+    if (is_flag && !is_boolean) throw Failure(kWrongUsage, name + " takes true or false");
+    if (!is_flag && is_boolean) throw Failure(kWrongUsage, name + " takes no such value");
+  }
+}
+
+bool holds(const std::vector<TypedOption>& options, const std::string& name) {
+  return std::ranges::find(options, name, &TypedOption::name) != options.end();
+}
+bool asks_for(const std::vector<TypedOption>& options, const std::string& flag) {
+  const auto found = std::ranges::find(options, flag, &TypedOption::name);
+  return found != options.end() && !found->is_off;
+}
+
+}  // namespace
+
+ReadyOperation ready_operation(const std::string& name, const std::vector<TypedOption>& typed,
+                               const std::vector<TypedOption>& defaults,
+                               const ProcessLimits& limits) {
+  const Entry& entry = entry_of(name);
+  require_known(entry, typed);
+  std::vector<TypedOption> all = typed;
+  for (const TypedOption& option : defaults) {
+    const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
+    if (at && holds(typed, "at")) continue;  // its answers are no geometry
+    if (option.name == "fill" && asks_for(typed, "strict")) continue;
+    if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
+  }
+  Parser parser(entry.name, entry.operands, all);
+  ProcessLimits mine = limits;
+  ReadyOperation operation;
+  operation.operands = entry.operands;
+  Made made = entry.make(parser, mine);
+  operation.fill = made.fill;
+  operation.run = std::move(made.run);
+  operation.limits = mine.read;
+  operation.seconds = mine.seconds;
+  return operation;
+}
+
+std::string geometry_json(const Geometry& geometry, io::Format format,
+                          const io::Coordinates& coordinates) {
+  std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
+  const bool wkt = format == io::Format::kWkt;
+  if (wkt) text << R"({"wkt":")";
+  io::write(text, geometry, format, coordinates);
+  if (wkt) text << "\"}";
+  return std::move(text).str();
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,172 @@
+#include "commands/reach.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "options/typed_numbers.hpp"
+#include "output/numbers.hpp"
+#include "output/output_file.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json turn_json(const Turn& turn) {
+  return {{"theta", turn.asked.to_double()},
+          {"turned", turn.degrees},
+          {"quarter_turns", turn.quarters},
+          {"tan_half", turn.tan_half.to_string()},
+          {"off", turn.off}};
+}
+
+void write_json(std::ostream& out, const Reach& found) {
+  Json path = Json::array();
+  for (const Waypoint& waypoint : found.path) {
+    Json one{{"at", {waypoint.at.x.to_double(), waypoint.at.y.to_double()}},
+             {"at_exact", {waypoint.at.x.to_string(), waypoint.at.y.to_string()}}};
+    one.update(turn_json(waypoint.turn));
+    path.push_back(std::move(one));
+  }
+  const Json json{{"reachable", found.reachable},
+                  {"slices", found.slices},
+                  {"parts", found.parts},
+                  {"margin", found.margin.to_double()},
+                  {"margin_exact", found.margin.to_string()},
+                  {"path", std::move(path)}};
+  out << json.dump(2) << '\n';
+}
+
+/// Lines and GeoJSON have doubles alone.
+void require_doubles(const Reach& found) {
+  for (const Waypoint& waypoint : found.path) {
+    if (std::isfinite(waypoint.at.x.to_double()) && std::isfinite(waypoint.at.y.to_double())) {
+      continue;
+    }
+    throw Error(ErrorCode::kLimitExceeded,
+                "the path is beyond the range of doubles; --json has exact numbers");
+  }
+}
+
+/// yes or no, and a line for each waypoint.
+void write_text(std::ostream& out, const Reach& found) {
+  require_doubles(found);
+  out << (found.reachable ? "yes\n" : "no\n");
+  for (const Waypoint& waypoint : found.path) {
+    out << shortest(waypoint.at.x.to_double()) << ' ' << shortest(waypoint.at.y.to_double()) << ' '
+        << shortest(waypoint.turn.asked.to_double()) << '\n';
+  }
+}
+
+/// A line needs two points, also where nothing moves.
+void write_geojson(std::ostream& out, const Reach& found) {
+  require_doubles(found);
+  Json line = nullptr;
+  Json theta = Json::array();
+  if (found.reachable) {
+    Json coordinates = Json::array();
+    const auto add = [&](const Waypoint& waypoint) {
+      coordinates.push_back({waypoint.at.x.to_double(), waypoint.at.y.to_double()});
+      theta.push_back(waypoint.turn.asked.to_double());
+    };
+    for (const Waypoint& waypoint : found.path) add(waypoint);
+    if (found.path.size() == 1) add(found.path.front());
+    line = {{"type", "LineString"}, {"coordinates", std::move(coordinates)}};
+  }
+  const Json feature{{"type", "Feature"},
+                     {"properties",
+                      {{"reachable", found.reachable},
+                       {"theta", std::move(theta)},
+                       {"margin", found.margin.to_double()}}},
+                     {"geometry", std::move(line)}};
+  out << feature.dump() << '\n';
+}
+
+Configuration parse_configuration(const std::string& option, const std::string& text) {
+  const auto numbers = parse_numbers(option, text, 3, ',', "1.5,-2/3,90");
+  return {{numbers[0], numbers[1]}, numbers[2]};
+}
+
+[[noreturn]] void fail_about_reach(const Error& error, const ReachArguments& arguments) {
+  const int operand = error.culprit().operand;
+  if (operand == 3 || operand == 4) {
+    std::string line = std::string(operand == 3 ? "--from" : "--to") + ": " + error.what();
+    if (arguments.options.certain) line += " (grown by the margin of --certain)";
+    throw Failure(kBadInput, line);
+  }
+  fail_about_scene(error, arguments);
+}
+
+}  // namespace
+
+CLI::App* add_reach(CLI::App& app, ReachArguments& arguments, TypedReach& typed,
+                    ProcessLimits& limits) {
+  CLI::App* const command = app.add_subcommand(
+      "reach", "Whether a robot that moves and turns gets from one place to another, and how");
+  add_robot_options(*command, arguments, typed, arguments.options);
+  const auto add_text = [command](const char* name, std::string& text, const char* what) {
+    return command->add_option(name, text, what)->required();
+  };
+  add_text("--from", typed.from, "Where it is: its reference point, and its turn in degrees")
+      ->type_name("X,Y,THETA");
+  add_text("--to", typed.to, "Where it is to go")->type_name("X,Y,THETA");
+  add_text("--angles", typed.angles, "It turns in steps of a full turn over N")->type_name("N");
+  command
+      ->add_option("--angle-tolerance", arguments.options.tolerance,
+                   "How many degrees an angle may be off to be a rational turn (default 0.001)")
+      ->check(between(1e-10, 1))
+      ->type_name("D");
+  command->add_flag("--certain", arguments.options.certain,
+                    "Free of collisions at all angles between as well: the robot is grown for "
+                    "that");
+  command->add_flag("--json", arguments.json, "As JSON, with exact numbers");
+  command->add_option("-o,--output", arguments.output, "The path as a GeoJSON Feature")
+      ->type_name("FILE");
+  command->add_option("--svg", arguments.picture, "Draw the robot on its way")->type_name("FILE");
+  add_limit_options(*command, limits, true);
+  return command;
+}
+
+void settle(ReachArguments& arguments, const TypedReach& typed) {
+  settle_robot(arguments, typed, arguments.options);
+  for (const auto& [option, file] : {std::pair{"-o", &arguments.output},
+                                     std::pair{"--svg", &arguments.picture}}) {
+    if (*file == "-") {
+      throw Failure(kWrongUsage, std::string(option) + " needs a file, not standard output");
+    }
+  }
+  arguments.from = parse_configuration("--from", typed.from);
+  arguments.to = parse_configuration("--to", typed.to);
+  arguments.options.angles = parse_angles(typed.angles);
+}
+
+int run_reach(const ReachArguments& arguments) {
+  OutputFiles files;
+  files.expect("the answer", "");
+  files.expect_if_any("-o", arguments.output);
+  files.expect_if_any("--svg", arguments.picture);
+  ReachOptions options = arguments.options;
+  const RobotScene scene = read_scene(arguments, options);
+  try {
+    const Reach found = reach(scene.robot, scene.obstacles, arguments.from, arguments.to, options);
+    if (!arguments.output.empty()) {
+      files.write(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
+    }
+    if (!arguments.picture.empty()) {
+      files.write(arguments.picture, [&](std::ostream& out) {
+        out << reach_picture(arguments, options, scene, found);
+      });
+    }
+    write_standard_output([&](std::ostream& out) {
+      arguments.json ? write_json(out, found) : write_text(out, found);
+    });
+  } catch (const Error& error) {
+    fail_about_reach(error, arguments);
+  }
+  files.finish();
+  return kFine;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,103 @@
+#include <thread>
+
+#include "commands/batch.hpp"
+#include "options/sum_options.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+JOBS has a JSON object a line: "operation" (sum, dilate, erode, open, close, nfp,
+ifp, depth, offset), "a" and "b" (the path of a file, {"wkt": "..."}, or GeoJSON),
+"options" (named as on the command line), "id". Results are lines in the same
+order. A job that fails is a line with "error"; the exit code is 2 then.
+)";
+
+constexpr int kMaxThreads = 1024;
+constexpr int kMaxRotations = 3600;
+
+void add_pair_options(CLI::App& command, BatchArguments& arguments) {
+  const char* const group = "All pairs (instead of JOBS)";
+  command
+      .add_option("--pairs", arguments.pairs,
+                  "All ordered pairs of the parts in this folder, each with itself as well")
+      ->type_name("DIR")
+      ->group(group);
+  command
+      .add_option("--rotations", arguments.rotations,
+                  "The second part turned by k/R of a full turn, k = 0 to R-1 (default 1)")
+      ->check(CLI::Range(1, kMaxRotations))
+      ->type_name("R")
+      ->group(group);
+  command.add_option("--operation", arguments.operation, "nfp (the default) or sum")
+      ->check(CLI::IsMember({"nfp", "sum"}))
+      ->type_name("OP")
+      ->group(group);
+  command.add_flag("--tight", arguments.tight, "No-fit polygons with tight places")->group(group);
+  command.add_flag("--no-output", arguments.no_output, "Compute only, write nothing")->group(group);
+}
+
+}  // namespace
+
+CLI::App* add_batch(CLI::App& app, BatchArguments& arguments, TypedBatch& typed,
+                    ProcessLimits& limits) {
+  CLI::App* const command = app.add_subcommand("batch", "Many operations, on all cores");
+  command->footer(kFooter);
+  command->add_option("JOBS", arguments.jobs, "The jobs, or - for standard input")
+      ->type_name("FILE");
+  add_result_options(*command, arguments, typed, "results");
+  add_fill_option(*command, arguments.fill);
+  command->add_option("--threads", arguments.threads, "How many (default: as the machine has)")
+      ->check(CLI::Range(1, kMaxThreads))
+      ->type_name("N");
+  command->add_flag("--restart", arguments.restart,
+                    "Start afresh, even if an earlier run left FILE.partial");
+  command->add_option("--stats", arguments.stats, "Write counts and times as JSON")
+      ->type_name("FILE");
+  add_pair_options(*command, arguments);
+  add_limit_options(*command, limits, true);
+  command->remove_option(command->get_option("--timeout"));
+  add_seconds(*command, typed.seconds, "Time for each job (default: none)");
+  return command;
+}
+
+void settle(BatchArguments& arguments, const TypedBatch& typed) {
+  settle_result(arguments, typed);
+  if (arguments.format != io::Format::kGeoJson || typed.format.empty()) {
+    arguments.format = io::Format::kWkt;  // whatever the output's name ends in
+  }
+  if (!typed.format.empty() && typed.format != "wkt" && typed.format != "geojson") {
+    throw Failure(kWrongUsage, "--format takes wkt or geojson here");
+  }
+  arguments.limits.seconds = typed.seconds;
+  if (arguments.jobs.empty() == arguments.pairs.empty()) {
+    throw Failure(kWrongUsage, "either JOBS or --pairs DIR (minksum batch --help)");
+  }
+  const bool pairs = !arguments.pairs.empty();
+  if (!pairs && (arguments.rotations != 1 || arguments.tight || arguments.no_output)) {
+    throw Failure(kWrongUsage, "--rotations, --tight and --no-output need --pairs");
+  }
+  if (arguments.tight && arguments.operation != "nfp") {
+    throw Failure(kWrongUsage, "--tight needs --operation nfp");
+  }
+  if (arguments.no_output && !arguments.output.empty()) {
+    throw Failure(kWrongUsage, "-o and --no-output exclude each other");
+  }
+  if (arguments.stats == "-" && arguments.output.empty() && !arguments.no_output) {
+    throw Failure(kWrongUsage, "--stats - needs -o FILE: standard output already takes results");
+  }
+  const std::pair<const char*, std::string> defaults[] = {
+      {"format", typed.format},
+      {"coords", typed.coordinates == "double" ? "" : typed.coordinates},
+      {"round", typed.round},
+      {"fill", arguments.fill == FillRule::kAutomatic ? "" : to_string(arguments.fill)}};
+  for (const auto& [name, value] : defaults) {
+    if (value.empty()) continue;
+    arguments.defaults.push_back({name, {"--" + std::string(name) + "=" + value}});
+  }
+  const unsigned cores = std::thread::hardware_concurrency();
+  if (arguments.threads == 0) arguments.threads = cores > 0 ? static_cast<int>(cores) : 1;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,136 @@
+#include "options/limits.hpp"
+
+#include <charconv>
+#include <limits>
+#include <string_view>
+
+#include "process/process.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr const char* kGroup = "Limits (exit code 3 beyond; K, M, G may follow a number)";
+
+std::optional<std::uint64_t> parse_with_suffix(std::string_view text, std::string_view suffixes,
+                                               std::uint64_t base) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return {};
+  const std::string_view suffix = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (suffix.empty()) return value;
+  const std::size_t power = suffixes.find(suffix);
+  if (suffix.size() != 1 || power == std::string_view::npos) return {};
+  for (std::size_t i = 0; i <= power; ++i) {
+    if (value > std::numeric_limits<std::uint64_t>::max() / base) return {};
+    value *= base;
+  }
+  return value;
+}
+
+template <typename Value>
+void add_count(CLI::App& command, const char* name, Value& value, const char* what) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [name, &value](const std::string& text) {
+            const std::optional<std::uint64_t> count = parse_count(text);
+            if (!count) {
+              throw CLI::ValidationError(name,
+                                         "takes a count as 500000, 500K or 2M, not '" + text + "'");
+            }
+            value = static_cast<Value>(*count);
+          },
+          what)
+      ->type_name("N")
+      ->group(kGroup);
+}
+
+std::uint64_t take_size(const char* name, const std::string& text) {
+  const std::optional<std::uint64_t> size = parse_size(text);
+  if (!size) {
+    throw CLI::ValidationError(name,
+                               "takes a size in bytes as 100000, 512M or 4G, not '" + text + "'");
+  }
+  return *size;
+}
+
+double take_seconds(const std::string& text) {
+  double seconds = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  constexpr double kMost = 1e8;  // three years; and what any system's timer takes
+  if (error != std::errc() || end != text.data() + text.size() || !(seconds > 0) ||
+      seconds > kMost) {
+    throw CLI::ValidationError("--timeout", "takes seconds as 10 or 0.5, not '" + text + "'");
+  }
+  return seconds;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> parse_size(const std::string& text) {
+  return parse_with_suffix(text, "KMGT", 1024);
+}
+
+std::optional<std::uint64_t> parse_count(const std::string& text) {
+  return parse_with_suffix(text, "KMG", 1000);
+}
+
+std::optional<std::uint64_t> default_memory() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return {};  // a sanitizer reserves far more addresses than there is memory
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
+    __has_feature(memory_sanitizer)
+  return {};
+#endif
+#endif
+  const std::uint64_t bytes = available_memory();
+  return bytes > 0 ? std::optional(bytes) : std::nullopt;
+}
+
+void add_limit_options(CLI::App& command, ProcessLimits& limits, bool sum) {
+  limits.memory = default_memory();
+  add_count(command, "--max-vertices", limits.read.max_vertices,
+            "Vertices of an operand (default 2^30)");
+  if (sum) {
+    add_count(command, "--max-segments", limits.sum.max_segments,
+              "Segments of the convolution (default 2^28)");
+    add_count(command, "--max-crossings", limits.sum.max_crossings,
+              "Crossings among them (default 2^28)");
+  }
+  command
+      .add_option_function<std::string>(
+          "--max-bytes",
+          [&limits](const std::string& text) {
+            limits.read.max_bytes = take_size("--max-bytes", text);
+          },
+          "Length of an operand's text (default 1G)")
+      ->type_name("SIZE")
+      ->group(kGroup);
+  command
+      .add_option_function<std::string>(
+          "--max-memory",
+          [&limits](const std::string& text) {
+            limits.memory.reset();
+            if (text != "none") limits.memory = take_size("--max-memory", text);
+          },
+          "Memory of the process, or none (default: what the machine has)")
+      ->type_name("SIZE")
+      ->group(kGroup);
+  add_seconds(command, limits.seconds, "Time for everything (default: none)");
+}
+
+void add_seconds(CLI::App& command, double& seconds, const char* what) {
+  command
+      .add_option_function<std::string>(
+          "--timeout", [&seconds](const std::string& text) { seconds = take_seconds(text); }, what)
+      ->type_name("SECONDS")
+      ->group(kGroup);
+}
+
+void apply(ProcessLimits& limits) {
+  if (limits.seconds > 0) end_after(limits.seconds);
+  if (limits.memory && !limit_memory(*limits.memory)) limits.memory.reset();
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,91 @@
+#include "options/result_options.hpp"
+
+#include <filesystem>
+
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr int kMaxDecimals = 4096;  // as RoundOptions::decimals has it
+
+const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
+                                                    {"geojson", io::Format::kGeoJson},
+                                                    {"svg", io::Format::kSvg},
+                                                    {"poly", io::Format::kPoly}};
+
+io::Coordinates parse_coordinates(const std::string& text) {
+  using Style = io::Coordinates::Style;
+  if (text == "double") return {Style::kDouble};
+  if (text == "exact") return {Style::kExact};
+  const std::string prefix = "decimal:";
+  const std::string digits = text.starts_with(prefix) ? text.substr(prefix.size()) : "";
+  const bool number = !digits.empty() && digits.size() <= 4 &&
+                      digits.find_first_not_of("0123456789") == std::string::npos;
+  if (!number || std::stoi(digits) > kMaxDecimals) {
+    throw Failure(kWrongUsage, "--coords takes double, exact or decimal:N with N from 0 to " +
+                                   std::to_string(kMaxDecimals) + ", not '" + text + "'");
+  }
+  return {Style::kDecimal, std::stoi(digits)};
+}
+
+}  // namespace
+
+const std::map<std::string, RoundingSide>& rounding_sides() {
+  static const std::map<std::string, RoundingSide> kSides = {{"nearest", RoundingSide::kNearest},
+                                                             {"outside", RoundingSide::kOutside},
+                                                             {"inside", RoundingSide::kInside}};
+  return kSides;
+}
+
+io::Format choose_format(const std::string& typed, const std::string& output) {
+  if (!typed.empty()) return kFormats.at(typed);
+  std::string ending = std::filesystem::path(output).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  if (ending == "json") return io::Format::kGeoJson;
+  const auto found = kFormats.find(ending);
+  return found == kFormats.end() ? io::Format::kWkt : found->second;
+}
+
+std::vector<CLI::Option*> add_result_options(CLI::App& command, ResultArguments& arguments,
+                                             TypedResult& typed, const std::string& result) {
+  CLI::Option* const output =
+      command
+          .add_option("-o,--output", arguments.output,
+                      "Write the " + result + " here, not to standard output")
+          ->type_name("FILE");
+  CLI::Option* const format =
+      command
+          .add_option("--format", typed.format,
+                      "wkt, geojson, svg or poly; without it as the output's name ends, else wkt")
+          ->check(CLI::IsMember(names_of(kFormats)))
+          ->type_name("F");
+  CLI::Option* const coordinates =
+      command
+          .add_option("--coords", typed.coordinates,
+                      "double (nearest, shortest form; the default), exact (integers or p/q), "
+                      "decimal:N")
+          ->type_name("C");
+  CLI::Option* const side = command
+                                .add_option("--round", typed.round,
+                                            "nearest (the default), outside (contains the exact " +
+                                                result + "), inside (within it)")
+                                ->check(CLI::IsMember(names_of(rounding_sides())))
+                                ->type_name("SIDE");
+  return {output, format, coordinates, side};
+}
+
+void settle_result(ResultArguments& arguments, const TypedResult& typed) {
+  if (arguments.output == "-") arguments.output.clear();
+  arguments.coordinates = parse_coordinates(typed.coordinates);
+  if (!typed.round.empty()) {
+    if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
+      throw Failure(kWrongUsage,
+                    "--round has nothing to do with --coords exact, which never rounds");
+    }
+    arguments.rounding = rounding_sides().at(typed.round);
+  }
+  arguments.format = choose_format(typed.format, arguments.output);
+}
+
+}  // namespace minksum::cli

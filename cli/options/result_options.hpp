@@ -1,0 +1,41 @@
+// The options that say where and how a result is written.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+
+namespace minksum::cli {
+
+/// These options as they are typed; turned into ResultArguments when all of them are known.
+struct TypedResult {
+  std::string format;
+  std::string coordinates = "double";
+  std::string round;
+};
+
+/// Adds -o, --format, --coords and --round; `result` is what messages call it: "sum".
+/// Returns them.
+std::vector<CLI::Option*> add_result_options(CLI::App& command, ResultArguments& arguments,
+                                             TypedResult& typed, const std::string& result);
+
+/// Fills `arguments`. Throws a Failure for wrong usage.
+void settle_result(ResultArguments& arguments, const TypedResult& typed);
+
+/// What --round and --side take.
+[[nodiscard]] const std::map<std::string, RoundingSide>& rounding_sides();
+
+/// The format that was asked for, or the one that the output's name ends in, or WKT.
+[[nodiscard]] io::Format choose_format(const std::string& typed, const std::string& output);
+
+/// The keys of a map, for CLI::IsMember.
+[[nodiscard]] std::vector<std::string> names_of(const auto& map) {
+  std::vector<std::string> names;
+  for (const auto& entry : map) names.push_back(entry.first);
+  return names;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,62 @@
+#include "options/robot_options.hpp"
+
+#include <algorithm>
+
+#include "options/sum_options.hpp"
+#include "options/typed_numbers.hpp"
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+
+void add_robot_options(CLI::App& command, RobotArguments& arguments, TypedRobot& typed,
+                       ConfigurationOptions& options) {
+  command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
+  const auto add_file = [&command](const char* name, std::string& file, const char* what) {
+    return command.add_option(name, file, what)->type_name("FILE");
+  };
+  add_file("ROBOT", arguments.operands[0], "What moves and turns")->required();
+  add_file("OBSTACLES", arguments.operands[1], "What it must not overlap")->required();
+  add_file("--workspace", arguments.workspace, "What the robot has to stay inside");
+  command
+      .add_option("--reference", typed.reference,
+                  "The robot's point that says where it is, and that it turns about (default 0,0)")
+      ->type_name("X,Y");
+  command
+      .add_option("--threads", options.threads, "Threads that compute slices (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  add_fill_option(command, options.fill);
+}
+
+void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
+                  ConfigurationOptions& options) {
+  const auto& operands = arguments.operands;
+  const auto inputs = std::count(std::begin(operands), std::end(operands), "-") +
+                      (arguments.workspace == "-" ? 1 : 0);
+  if (inputs > 1) throw Failure(kWrongUsage, "only one file can be standard input");
+  if (typed.reference.empty()) return;
+  options.reference = parse_point("--reference", typed.reference);
+}
+
+std::size_t parse_angles(const std::string& text) {
+  const auto count = parse_count(text);
+  if (count && *count > 0 && *count <= kMostTurns) return static_cast<std::size_t>(*count);
+  throw Failure(kWrongUsage, "--angles takes a number from 1 to " + std::to_string(kMostTurns) +
+                                 ", not '" + text + "'");
+}
+
+RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& options) {
+  RobotScene scene{read_operand(arguments.operands[0], arguments.limits, options.fill).geometry,
+                   read_operand(arguments.operands[1], arguments.limits, options.fill).geometry};
+  if (!arguments.workspace.empty()) {
+    options.workspace = read_operand(arguments.workspace, arguments.limits, options.fill).geometry;
+  }
+  return scene;
+}
+
+void fail_about_scene(const Error& error, const RobotArguments& arguments) {
+  if (error.culprit().operand == 2) throw failure_of(error, arguments.workspace);
+  fail_about(error, arguments.operands);
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,48 @@
+// What the subcommands about robots share: their operands, and how these are read.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "commands/commands.hpp"
+#include "minksum/configuration_space.hpp"
+#include "options/limits.hpp"
+
+namespace minksum::cli {
+
+/// `minksum cspace ROBOT OBSTACLES ...` and `minksum reach ROBOT OBSTACLES ...`
+struct RobotArguments {
+  std::string operands[2];
+  std::string workspace;  ///< empty = none
+  io::ReadLimits limits;
+};
+
+/// Options as they are typed.
+struct TypedRobot {
+  std::string reference;
+};
+
+void add_robot_options(CLI::App& command, RobotArguments& arguments, TypedRobot& typed,
+                       ConfigurationOptions& options);
+/// Throws a Failure for wrong usage.
+void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
+                  ConfigurationOptions& options);
+
+/// More slices than anybody waits for.
+inline constexpr int kMostTurns = 1'000'000;
+/// A number of angles, 1 to kMostTurns. Throws a Failure.
+[[nodiscard]] std::size_t parse_angles(const std::string& text);
+
+/// Robot and obstacles; the workspace goes to the options.
+struct RobotScene {
+  Geometry robot;
+  Geometry obstacles;
+};
+[[nodiscard]] RobotScene read_scene(const RobotArguments& arguments,
+                                    ConfigurationOptions& options);
+
+/// As fail_about, for errors that may be about the workspace.
+[[noreturn]] void fail_about_scene(const Error& error, const RobotArguments& arguments);
+
+}  // namespace minksum::cli

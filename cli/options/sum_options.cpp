@@ -1,0 +1,158 @@
+#include "options/sum_options.hpp"
+
+#include <map>
+
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr int kMostCells = 2048;  // along a side: the cover takes no more
+
+constexpr const char* kSumFooter = R"(
+P and Q are files, or one of them "-" for standard input: WKT, GeoJSON, .poly
+or .dat, told by content: areas, polylines, points, alone or together. Numbers are
+read exactly: 0.1 is one tenth, 1/3 a third.
+)";
+
+const std::map<std::string, Method> kMethods = {
+    {"reduced", Method::kReduced}, {"signed", Method::kSigned}, {"full", Method::kFull}};
+const std::map<std::string, Arithmetic> kArithmetics = {{"auto", Arithmetic::kAutomatic},
+                                                        {"narrow", Arithmetic::kNarrow},
+                                                        {"medium", Arithmetic::kMedium},
+                                                        {"wide", Arithmetic::kWide},
+                                                        {"arbitrary", Arithmetic::kArbitrary}};
+
+const std::map<std::string, FillRule> kFillRules = {
+    {"automatic", FillRule::kAutomatic}, {"evenodd", FillRule::kEvenOdd},
+    {"nonzero", FillRule::kNonZero},     {"positive", FillRule::kPositive},
+    {"negative", FillRule::kNegative},   {"strict", FillRule::kStrict}};
+
+Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
+
+void add_operand_options(CLI::App& sum, Options& options) {
+  const char* const group = "What operands mean";
+  add_fill_option(sum, options.fill)->group(group);
+  sum.add_flag("--regularize", options.regularize, "Drop operands' polylines, points and spikes")
+      ->group(group);
+}
+
+void add_output_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
+  add_result_options(sum, arguments, typed, "sum");
+  sum.add_flag("--keep-properties", arguments.keep_properties,
+               "GeoJSON: a Feature with the properties of P, which is one");
+  sum.add_option("--tight", arguments.tight, "Write placements without any play")
+      ->type_name("FILE");
+  sum.add_option("--stats", arguments.stats, "Write sizes, times and counts as JSON")
+      ->type_name("FILE");
+  sum.add_option("--svg", arguments.picture, "Draw operands and sum")->type_name("FILE");
+  sum.add_option("--trace", arguments.trace, "Draw and write every stage into this folder")
+      ->type_name("DIR");
+}
+
+void add_test_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
+  const char* const group = "For tests (the result is the same)";
+  sum.add_flag("--no-cover", typed.no_cover, "No cover: build the whole arrangement")->group(group);
+  sum.add_option("--grid", arguments.options.grid,
+                 "Cells along the longer side of the cover's grid")
+      ->check(CLI::Range(0, kMostCells))
+      ->group(group);
+  sum.add_option_function<std::string>(
+         "--arithmetic",
+         [&arguments](const std::string& name) {
+           arguments.options.arithmetic = kArithmetics.at(name);
+         },
+         "Force a number type: auto, narrow, medium, wide, arbitrary")
+      ->check(CLI::IsMember(names_of(kArithmetics)))
+      ->type_name("RUNG")
+      ->group(group);
+  sum.add_flag("--no-filter", typed.no_filter, "Decide everything by exact arithmetic")
+      ->group(group);
+  sum.add_flag("--check", arguments.options.check, "Check each stage's result (slow)")
+      ->group(group);
+}
+
+void settle_output(SumArguments& arguments, const TypedSum& typed) {
+  settle_result(arguments, typed);
+  if (arguments.keep_properties && arguments.format != io::Format::kGeoJson) {
+    throw usage("--keep-properties needs --format geojson");
+  }
+}
+
+void settle_tight(SumArguments& arguments) {
+  if (arguments.tight == "-" && arguments.output.empty()) {
+    throw usage("--tight - needs -o FILE: standard output already takes the sum");
+  }
+  if (arguments.options.method != Method::kReduced) {
+    throw usage("--tight needs the reduced method");
+  }
+  arguments.tight_format = choose_format("", arguments.tight);
+  if (arguments.tight_format == io::Format::kPoly) {
+    throw usage("--tight gives points and polylines, which have no form in .poly");
+  }
+}
+
+}  // namespace
+
+CLI::Option* add_fill_option(CLI::App& command, FillRule& fill) {
+  CLI::Option* const rule =
+      command
+          .add_option_function<std::string>(
+              "--fill", [&fill](const std::string& name) { fill = kFillRules.at(name); },
+              "automatic (outer rings less their holes, as OGC says; the default), evenodd, "
+              "nonzero, positive, negative, strict (valid polygons alone)")
+          ->check(CLI::IsMember(names_of(kFillRules)))
+          ->type_name("RULE");
+  command
+      .add_flag_callback(
+          "--strict", [&fill] { fill = FillRule::kStrict; },
+          "Refuse polygons that are not valid, as --fill strict")
+      ->excludes(rule);
+  return rule;
+}
+
+CLI::App* add_sum(CLI::App& app, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits) {
+  CLI::App* sum = app.add_subcommand("sum", "The Minkowski sum of two geometries");
+  sum->footer(kSumFooter);
+  sum->add_option("P", arguments.operands[0], "The first operand")->required()->type_name("FILE");
+  sum->add_option("Q", arguments.operands[1], "The second operand")->required()->type_name("FILE");
+  add_output_options(*sum, arguments, typed);
+  sum->add_option_function<std::string>(
+         "--method",
+         [&arguments](const std::string& name) { arguments.options.method = kMethods.at(name); },
+         "reduced (the default), signed, full: the same sum by three methods")
+      ->check(CLI::IsMember(names_of(kMethods)))
+      ->type_name("M");
+  sum->add_option("--repeat", arguments.repeat, "Compute N times and report median times")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("N");
+  sum->add_flag("-v,--verbose", arguments.verbose, "Say sizes and time on standard error");
+  add_operand_options(*sum, arguments.options);
+  add_limit_options(*sum, limits, true);
+  add_test_options(*sum, arguments, typed);
+  return sum;
+}
+
+void settle(SumArguments& arguments, const TypedSum& typed) {
+  if (arguments.operands[0] == "-" && arguments.operands[1] == "-") {
+    throw usage("P and Q cannot both be standard input");
+  }
+  settle_output(arguments, typed);
+  if (!arguments.tight.empty()) settle_tight(arguments);
+  if (arguments.stats == "-" && arguments.output.empty()) {
+    throw usage("--stats - needs -o FILE: standard output already takes the sum");
+  }
+  if (arguments.stats == "-" && arguments.tight == "-") {
+    throw usage("--stats and --tight cannot both be standard output");
+  }
+  if (arguments.picture == "-") {
+    throw usage("--svg needs a file (--format svg draws the sum alone)");
+  }
+  if (!arguments.trace.empty() && arguments.options.method == Method::kSigned) {
+    throw usage("--trace shows the stages of the reduced and full methods, not of signed");
+  }
+  arguments.options.cover = !typed.no_cover;
+  arguments.options.filter = !typed.no_filter;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,54 @@
+#include "output/numbers.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace minksum::cli {
+namespace {
+
+// A decimal is easier to read than a fraction, if it is short.
+constexpr int kMaxReadableDigits = 40;
+
+// Nobody reads more than some two hundred digits, and writing very many takes long.
+constexpr std::size_t kMaxReadableBits = 700;
+
+// A decimal of few digits, also of what no double is near to.
+std::string about(const Rational& value) {
+  const double nearest = value.to_double();
+  if (std::isnormal(nearest)) return shortest(nearest);
+  const auto bits = static_cast<double>(value.numerator().bits()) -
+                    static_cast<double>(value.denominator().bits());
+  int exponent = static_cast<int>(std::floor(bits * std::log10(2.0)));
+  const double mantissa = (value / Rational(Decimal{1, exponent})).to_double();
+  // The mantissa is from a tenth to a hundred, and right to 15 digits.
+  constexpr int kBeside = 100;
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.15g", mantissa * 1e100);
+  const std::string text = digits;
+  const std::size_t e = text.find('e');
+  exponent += std::stoi(text.substr(e + 1)) - kBeside;
+  return text.substr(0, e + 1) + (exponent < 0 ? "" : "+") + std::to_string(exponent);
+}
+
+}  // namespace
+
+std::string readable(const Rational& value) {
+  if (value.bits() > kMaxReadableBits) {
+    return "about " + about(value) + " (" + std::to_string(value.bits()) +
+           " bits; exactly with --json)";
+  }
+  if (value.is_integer()) return value.to_string();
+  for (int digits = 1; digits <= kMaxReadableDigits; ++digits) {
+    std::string text = value.to_decimal(digits);
+    if (Rational::parse(text) == value) return text;
+  }
+  return value.to_string() + " (about " + shortest(value.to_double()) + ")";
+}
+
+std::string shortest(double value) {
+  char buffer[32];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+}
+
+}  // namespace minksum::cli

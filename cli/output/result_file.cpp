@@ -1,0 +1,47 @@
+#include "output/result_file.hpp"
+
+#include <ostream>
+
+#include "process/failure.hpp"
+
+namespace minksum::cli {
+
+RoundOptions rounding_of(const ResultArguments& arguments) {
+  RoundOptions options;
+  options.side = arguments.rounding;
+  options.cancel = arguments.cancel;
+  if (arguments.coordinates.style == io::Coordinates::Style::kDecimal) {
+    options.decimals = arguments.coordinates.digits;
+  }
+  return options;
+}
+
+void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
+                    io::Format format, const io::Coordinates& coordinates,
+                    const std::string* properties) {
+  files.write(file, [&](std::ostream& out) {
+    if (properties != nullptr) {
+      out << R"({"type": "Feature", "properties": )" << *properties << R"(, "geometry": )";
+    }
+    io::write(out, geometry, format, coordinates);
+    if (properties != nullptr) out << '}';
+    if (format == io::Format::kWkt || format == io::Format::kGeoJson) out << '\n';
+  });
+}
+
+Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
+  if (arguments.coordinates.style == io::Coordinates::Style::kExact) return geometry;
+  return round(geometry, rounding_of(arguments));
+}
+
+void write_geometry(OutputFiles& files, const ResultArguments& arguments,
+                    const Geometry& geometry) {
+  write_geometry(files, arguments.output, geometry, arguments.format, arguments.coordinates);
+}
+
+void write_rounded(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry) {
+  write_geometry(files, arguments,
+                 made_for(arguments.output, [&] { return rounded(geometry, arguments); }));
+}
+
+}  // namespace minksum::cli

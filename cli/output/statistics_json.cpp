@@ -1,0 +1,169 @@
+#include "output/statistics_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "minksum/measure.hpp"
+#include "minksum/version.hpp"
+
+namespace minksum::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json size_json(const Geometry& geometry) {
+  Json json;
+  json["vertices"] = geometry.region.vertex_count();
+  json["holes"] = geometry.region.hole_count();
+  json["parts"] = geometry.region.polygon_count();
+  json["polylines"] = geometry.polylines.size();
+  json["points"] = geometry.points.size();
+  return json;
+}
+
+double length(const std::vector<Polyline>& polylines) {
+  double sum = 0;
+  for (const Polyline& polyline : polylines) {
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      sum += std::hypot((polyline[i].x - polyline[i - 1].x).to_double(),
+                        (polyline[i].y - polyline[i - 1].y).to_double());
+    }
+  }
+  return sum;
+}
+
+Json result_json(const SumArguments& arguments, const SumRun& run) {
+  Json json = size_json(run.exact);
+  json["area"] = approximate_area(run.exact.region);
+  // The common denominator of thousands of crossings has hundreds of thousands of digits, and takes
+  // longer than the sum: only for those who ask for exact numbers.
+  if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
+    json["area_exact"] = area(run.exact.region).to_string();
+  }
+  if (run.tight) {
+    json["tight_points"] = run.tight->points.size();
+    json["tight_polylines"] = run.tight->polylines.size();
+    json["tight_length"] = length(run.tight->polylines);
+  }
+  return json;
+}
+
+Json rounding_json(RoundingSide side, const RoundingReport& report) {
+  Json json;
+  json["side"] = minksum::to_string(side);
+  json["exact"] = report.exact;
+  json["snapped"] = report.snapped;
+  json["topology_kept"] = report.topology_kept;
+  json["largest_move"] = report.largest_move;
+  json["bound"] = report.bound;
+  return json;
+}
+
+Json seconds_json(const Seconds& seconds) {
+  Json json;
+  json["read"] = seconds.read;
+  json["sum"] = seconds.sum;
+  json["round"] = seconds.round;
+  json["write"] = seconds.write;
+  Json stages;
+  for (int i = 0; i < kStageCount; ++i) {
+    stages[minksum::to_string(static_cast<Stage>(i))] = seconds.stages[i];
+  }
+  json["stages"] = stages;
+  return json;
+}
+
+Json counts_json(const Statistics& statistics) {
+  Json json;
+  json["convolution_segments"] = statistics.convolution_segments;
+  json["segments_kept"] = statistics.segments_kept;
+  json["crossings"] = statistics.crossings;
+  json["loops"] = statistics.loops;
+  json["rejected_by_nesting"] = statistics.rejected_by_nesting;
+  json["rejected_by_collision"] = statistics.rejected_by_collision;
+  json["grid_cells"] = statistics.grid_cells;
+  json["covered_cells"] = statistics.covered_cells;
+  return json;
+}
+
+Json arithmetic_json(const Statistics& statistics) {
+  Json json;
+  json["coordinate_bits"] = statistics.coordinate_bits;
+  json["by_filter"] = statistics.by_filter;
+  json["by_fixed_width"] = statistics.by_fixed_width;
+  json["by_arbitrary"] = statistics.by_arbitrary;
+  json["rung"] = to_string(statistics.arithmetic);
+  return json;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  if (values.size() % 2 == 1) return values[middle];
+  return (values[middle - 1] + values[middle]) / 2;
+}
+
+const char* to_string(Method method) {
+  switch (method) {
+    case Method::kReduced:
+      return "reduced";
+    case Method::kSigned:
+      return "signed";
+    case Method::kFull:
+      return "full";
+  }
+  return "?";
+}
+
+const char* to_string(Arithmetic arithmetic) {
+  switch (arithmetic) {
+    case Arithmetic::kAutomatic:
+      return "auto";
+    case Arithmetic::kNarrow:
+      return "narrow";
+    case Arithmetic::kMedium:
+      return "medium";
+    case Arithmetic::kWide:
+      return "wide";
+    case Arithmetic::kArbitrary:
+      return "arbitrary";
+  }
+  return "?";
+}
+
+nlohmann::ordered_json statistics_json(const SumArguments& arguments, const SumRun& run) {
+  Json json;
+  for (int i = 0; i < 2; ++i) {
+    Json operand = size_json(run.operands[i]);
+    operand["file"] = arguments.operands[i];
+    json["operands"].push_back(operand);
+  }
+  json["result"] = result_json(arguments, run);
+  if (run.rounding) json["rounding"] = rounding_json(arguments.rounding, *run.rounding);
+  json["seconds"] = seconds_json(run.seconds);
+  json["counts"] = counts_json(run.statistics);
+  json["arithmetic"] = arithmetic_json(run.statistics);
+  json["method"] = to_string(arguments.options.method);
+  json["fill"] = minksum::to_string(arguments.options.fill);
+  json["repeat"] = arguments.repeat;
+  json["version"] = MINKSUM_VERSION;
+  return json;
+}
+
+std::string readable_seconds(double seconds) {
+  char text[32];
+  if (seconds < 1e-3) {
+    std::snprintf(text, sizeof text, "%.0f µs", seconds * 1e6);
+  } else if (seconds < 1) {
+    std::snprintf(text, sizeof text, "%.1f ms", seconds * 1e3);
+  } else {
+    std::snprintf(text, sizeof text, "%.2f s", seconds);
+  }
+  return text;
+}
+
+}  // namespace minksum::cli

@@ -1,0 +1,113 @@
+#include "pictures/cspace_picture.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "minksum/boolean.hpp"
+#include "minksum/resolve.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr double kWidth = 960;
+constexpr double kMargin = 24;
+constexpr double kGap = 22;
+constexpr double kLabel = 22;
+constexpr double kCaption = 48;
+constexpr std::size_t kColumns = 4;
+constexpr std::size_t kMostShown = 12;
+constexpr double kOneWidth = 720;
+
+Region as_region(const Box& box) {
+  return Region(
+      Polygon{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
+}
+
+std::string label_of(const Turn& turn) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g°", turn.asked.to_double());
+  return text;
+}
+
+double column_width() { return (kWidth - 2 * kMargin - (kColumns - 1) * kGap) / kColumns; }
+
+std::size_t rows_of(std::size_t shown) { return (shown + kColumns - 1) / kColumns; }
+
+}  // namespace
+
+CspacePicture::CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
+                             const ConfigurationOptions& options)
+    : boundary_(space.boundary()),
+      obstacles_(resolve(obstacles, {options.fill, false, options.cancel})),
+      robot_(space.robot()),
+      corner_{boundary_.max.x - space.reach(), boundary_.max.y - space.reach()} {
+  if (options.workspace) {
+    workspace_ = resolve(*options.workspace, {options.fill, true, options.cancel}).region;
+  }
+  extent_.include({as_region(boundary_), {}, {}});
+}
+
+double CspacePicture::height_for(double width) const {
+  return extent_.height() * fitting_scale(extent_, width, width) + kLabel;
+}
+
+void CspacePicture::draw(SvgPicture& picture, const Slice& slice, double left, double top,
+                         double width) const {
+  const Placement placement(extent_, left, top + kLabel, fitting_scale(extent_, width, width));
+  picture.text(left, top + kLabel - 8, "title", label_of(slice.turn));
+  const Region ground = as_region(boundary_);
+  picture.region(ground, placement, "pale");
+  if (!slice.free.empty()) {
+    picture.region(slice.free.region, placement, "sum");
+    picture.thin_parts(slice.free, placement, "tight");
+  } else {
+    picture.region(workspace_.empty() ? slice.obstacles.region
+                                      : intersect(slice.obstacles.region, ground),
+                   placement, "sum");
+  }
+  if (!workspace_.empty()) picture.region(workspace_, placement, "grid");
+  picture.geometry(obstacles_, placement, "first");
+  const Affine to_corner = Affine::translation(corner_.x, corner_.y);
+  picture.region(transform(robot_, to_corner.after(slice.turn.map())), placement, "second");
+  picture.thin_parts({{}, {}, {corner_}}, placement, "mark");
+}
+
+std::string CspacePicture::one(const Slice& slice) const {
+  SvgPicture picture(kOneWidth + 2 * kMargin, height_for(kOneWidth) + 2 * kMargin,
+                     "Slice at " + label_of(slice.turn));
+  draw(picture, slice, kMargin, kMargin, kOneWidth);
+  return std::move(picture).finish();
+}
+
+Overview::Overview(const CspacePicture& slices, std::size_t count, bool free)
+    : slices_(slices),
+      count_(count),
+      shown_(std::min(count, kMostShown)),
+      picture_(kWidth, top(rows_of(shown_) * kColumns) - kGap + kMargin, "Configuration space") {
+  picture_.text(kMargin, kMargin + 14, "title",
+                free ? "Free space" : "Configuration-space obstacles");
+  picture_.text(kMargin, kMargin + 32, "note",
+                std::string(free ? "Green: where the robot's dot can be"
+                                 : "Green: where the robot's dot cannot be") +
+                    ". Blue: obstacles. Orange: the robot as it is turned.");
+}
+
+double Overview::left(std::size_t shown) const {
+  return kMargin + static_cast<double>(shown % kColumns) * (column_width() + kGap);
+}
+
+double Overview::top(std::size_t shown) const {
+  return kMargin + kCaption +
+         static_cast<double>(shown / kColumns) * (slices_.height_for(column_width()) + kGap);
+}
+
+void Overview::offer(std::size_t index, const Slice& slice) {
+  // The index of the next to be shown: the shown-th of `shown_` even steps.
+  if (drawn_ == shown_ || index != drawn_ * count_ / shown_) return;
+  slices_.draw(picture_, slice, left(drawn_), top(drawn_), column_width());
+  ++drawn_;
+}
+
+std::string Overview::finish() && { return std::move(picture_).finish(); }
+
+}  // namespace minksum::cli

@@ -1,0 +1,52 @@
+// Pictures of slices of a configuration space: one each, or some of them side by side.
+#pragma once
+
+#include <string>
+
+#include "minksum/configuration_space.hpp"
+#include "pictures/svg_picture.hpp"
+
+namespace minksum::cli {
+
+/// What all slices' pictures share. Any number of threads may use it.
+class CspacePicture {
+ public:
+  CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
+                const ConfigurationOptions& options);
+
+  /// What a picture in so much width is high; and a slice drawn into it.
+  [[nodiscard]] double height_for(double width) const;
+  void draw(SvgPicture& picture, const Slice& slice, double left, double top, double width) const;
+
+  /// A picture of this slice alone.
+  [[nodiscard]] std::string one(const Slice& slice) const;
+
+ private:
+  Box boundary_;
+  Extent extent_;
+  Geometry obstacles_;
+  Region workspace_;
+  Region robot_;
+  Point corner_;  ///< where the robot is shown
+};
+
+/// Some of many slices, evenly chosen, in rows.
+class Overview {
+ public:
+  Overview(const CspacePicture& slices, std::size_t count, bool free);
+  /// To be called for each slice, in order.
+  void offer(std::size_t index, const Slice& slice);
+  [[nodiscard]] std::string finish() &&;
+
+ private:
+  [[nodiscard]] double left(std::size_t shown) const;
+  [[nodiscard]] double top(std::size_t shown) const;
+
+  const CspacePicture& slices_;
+  std::size_t count_;
+  std::size_t shown_;
+  std::size_t drawn_ = 0;
+  SvgPicture picture_;
+};
+
+}  // namespace minksum::cli

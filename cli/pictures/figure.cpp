@@ -1,0 +1,388 @@
+#include "pictures/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "output/faults.hpp"
+#include "pictures/axes.hpp"
+#include "pictures/text_layout.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr double kMargin = 20;
+constexpr double kPadding = 16;  // between the frame and what is in it
+constexpr double kTitleHeight = 28;  // of one line
+constexpr double kTitleRow = 20;     // each further line
+constexpr double kLegendRow = 22;
+constexpr double kLegendLine = 17;  // between the lines of one caption
+constexpr double kSwatch = 18;
+constexpr double kTickLength = 5;
+constexpr double kTickLabels = 24;  // below the frame
+constexpr double kFaultRow = 18;
+constexpr double kFaultIndent = 26;  // of what follows a fault's number
+constexpr double kMinHeight = 120;  // of the frame, so that a mere point has some room
+constexpr double kPointScale = 48;  // for what has no extent: some numbers beside it
+constexpr std::size_t kMaxFaultsListed = 20;
+
+// Fonts are not known here: about as wide as the widest of the usual ones.
+constexpr double kCharacter = 7.4;
+constexpr double kTitleCharacter = 9.4;
+constexpr double kLabelCharacter = 6.6;
+
+double text_width(std::string_view words, double character = kCharacter) {
+  return character * static_cast<double>(character_count(words));
+}
+std::vector<std::string> lines_of(std::string_view words, double width,
+                                  double character = kCharacter) {
+  return wrapped(words, static_cast<std::size_t>(std::max(1.0, width / character)));
+}
+double label_width(const std::vector<Tick>& ticks) {
+  double width = 0;
+  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.label, kLabelCharacter));
+  return width;
+}
+
+// Where things are, from the top to the bottom.
+struct Layout {
+  Extent extent;  // of what is drawn
+  double scale = 1;
+  double left = 0;  // of the frame, and so on
+  double top = 0;
+  double width = 0;
+  double height = 0;
+  double bottom = 0;  // of the frame with the axis's labels
+  std::vector<Tick> x_ticks;
+  std::vector<Tick> y_ticks;
+
+  [[nodiscard]] double drawing_left() const { return left + (width - extent.width() * scale) / 2; }
+  [[nodiscard]] double drawing_top() const { return top + (height - extent.height() * scale) / 2; }
+  [[nodiscard]] Placement placement() const {
+    return {extent, drawing_left(), drawing_top(), scale};
+  }
+};
+
+// Fits the drawing into a frame that starts at `left`.
+void fit(const Figure& figure, double left, Layout& layout) {
+  const Extent& extent = layout.extent;
+  layout.left = left;
+  layout.width = figure.width - left - kMargin;
+  const double max_height = std::max(kMinHeight, layout.width * 0.9);
+  layout.scale = fitting_scale(extent, layout.width - 2 * kPadding, max_height - 2 * kPadding);
+  if (extent.width() == 0 && extent.height() == 0) layout.scale = kPointScale;
+  layout.height = std::max(kMinHeight, extent.height() * layout.scale + 2 * kPadding);
+}
+
+void choose_ticks(Layout& layout) {
+  const Extent& extent = layout.extent;
+  const double unit = 1 / layout.scale;
+  const double beside = (layout.drawing_left() - layout.left) * unit;
+  const double above = (layout.drawing_top() - layout.top) * unit;
+  constexpr double kApart = 48;
+  layout.y_ticks = ticks_between(extent.min_y - above, extent.max_y + above, kApart * unit);
+  const auto along_x = [&](double pixels) {
+    return ticks_between(extent.min_x - beside, extent.max_x + beside, pixels * unit);
+  };
+  layout.x_ticks = along_x(kApart);
+  layout.x_ticks = along_x(std::max(kApart, label_width(layout.x_ticks) + 24));
+}
+
+Layout lay_out(const Figure& figure, double top) {
+  Layout layout;
+  for (const Layer& layer : figure.layers) {
+    layout.extent.include(layer.geometry);
+    if (layer.numbered != nullptr) layout.extent.include(*layer.numbered);
+  }
+  layout.top = top;
+  fit(figure, kMargin, layout);
+  if (figure.axes && !layout.extent.empty) {
+    static_cast<void>(layout.placement());  // refuses what doubles cannot hold
+    choose_ticks(layout);
+    // The labels of the y axis take room, which changes the scale: once is enough, nearly.
+    fit(figure, kMargin + label_width(layout.y_ticks) + kTickLength + 4, layout);
+    choose_ticks(layout);
+  }
+  layout.bottom = layout.top + layout.height + (layout.x_ticks.empty() ? 0 : kTickLabels);
+  return layout;
+}
+
+std::string legend_text(const Layer& layer) {
+  if (layer.geometry.empty()) return layer.caption + " (empty)";
+  if (layer.faults.empty()) return layer.caption;
+  const std::size_t count = layer.faults.size();
+  return layer.caption + " (" + std::to_string(count) + (count == 1 ? " fault)" : " faults)");
+}
+
+struct LegendEntry {
+  const Layer* layer;
+  std::vector<std::string> lines;
+  double left;
+  double top;
+};
+
+// Entries flow like words; `top` becomes where they end.
+std::vector<LegendEntry> lay_out_legend(const Figure& figure, double& top) {
+  std::vector<LegendEntry> entries;
+  constexpr double kWordsFrom = kSwatch + 8;
+  double left = kMargin;
+  double height = 0;  // of the row
+  for (const Layer& layer : figure.layers) {
+    const std::string text = legend_text(layer);
+    const double width = kWordsFrom + text_width(text) + 20;
+    if (left > kMargin && left + width > figure.width - kMargin) {
+      left = kMargin;
+      top += height;
+      height = 0;
+    }
+    auto lines = lines_of(text, figure.width - 2 * kMargin - kWordsFrom);
+    height = std::max(height, kLegendRow + kLegendLine * static_cast<double>(lines.size() - 1));
+    entries.push_back({&layer, std::move(lines), left, top});
+    left += width;
+  }
+  top += height + 6;
+  return entries;
+}
+
+void draw_entry(SvgPicture& picture, const LegendEntry& entry) {
+  const Geometry& geometry = entry.layer->geometry;
+  const std::string& style = entry.layer->style;
+  const double middle = entry.top + 8;
+  if (!geometry.has_thin_parts() || !geometry.region.empty()) {
+    picture.box(entry.left, entry.top + 2, kSwatch, 12, "region " + style);
+  } else if (!geometry.polylines.empty()) {
+    const PictureLine line{entry.left, middle, entry.left + kSwatch, middle};
+    picture.lines({&line, 1}, "thin " + style);
+  } else {
+    const Trace::Vertex dot{entry.left + kSwatch / 2, -middle};
+    picture.dots({&dot, 1}, Placement({}, 0, 0, 1), 3, "dot " + style);
+  }
+  double baseline = entry.top + 13;
+  for (const std::string& line : entry.lines) {
+    picture.text(entry.left + kSwatch + 8, baseline, "caption", line);
+    baseline += kLegendLine;
+  }
+}
+
+void draw_axes(SvgPicture& picture, const Layout& layout) {
+  const double bottom = layout.top + layout.height;
+  const double right = layout.left + layout.width;
+  std::vector<PictureLine> lines{{layout.left, layout.top, layout.left, bottom},
+                                 {layout.left, bottom, right, bottom}};
+  if (!layout.extent.empty) {
+    const Placement placement = layout.placement();
+    for (const Tick& tick : layout.x_ticks) {
+      const double x = placement.x(tick.value);
+      lines.push_back({x, bottom, x, bottom + kTickLength});
+      picture.text(x, bottom + kTickLength + 13, "label middle", tick.label);
+    }
+    for (const Tick& tick : layout.y_ticks) {
+      const double y = placement.y(tick.value);
+      lines.push_back({layout.left - kTickLength, y, layout.left, y});
+      picture.text(layout.left - kTickLength - 4, y + 4, "label end", tick.label);
+    }
+  }
+  picture.lines(lines, "axis");
+}
+
+struct Direction {
+  double x;
+  double y;
+};
+
+Direction direction(const Trace::Vertex& from, const Trace::Vertex& to) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  if (!(length > 0)) return {0, 0};
+  return {(to.x - from.x) / length, (to.y - from.y) / length};
+}
+
+// A number at each vertex, on the side of its larger angle, where there is more room.
+// Vertices are in units of the picture.
+void number_vertices(SvgPicture& picture, const std::vector<Trace::Vertex>& vertices, bool closed) {
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool has_before = closed || i > 0;
+    const bool has_after = closed || i + 1 < n;
+    const Trace::Vertex& at = vertices[i];
+    const Direction before =
+        has_before ? direction(at, vertices[(i + n - 1) % n]) : Direction{0, 0};
+    const Direction after = has_after ? direction(at, vertices[(i + 1) % n]) : Direction{0, 0};
+    Direction away{-before.x - after.x, -before.y - after.y};
+    double length = std::hypot(away.x, away.y);
+    if (length < 1e-3) {  // straight on, or a point: to the right of the way, or below
+      away = after.x == 0 && after.y == 0 ? Direction{0, 1} : Direction{-after.y, after.x};
+      length = 1;
+    }
+    constexpr double kDistance = 11;
+    picture.text(at.x + away.x / length * kDistance, at.y + away.y / length * kDistance + 4,
+                 "label middle", std::to_string(i + 1));
+  }
+}
+
+void number_vertices(SvgPicture& picture, const Geometry& geometry, const Placement& placement) {
+  const auto in_picture = [&placement](const Point& point) {
+    return Trace::Vertex{placement.x(point.x.to_double()), placement.y(point.y.to_double())};
+  };
+  const Region& region = geometry.region;
+  std::vector<Trace::Vertex> vertices;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      vertices.clear();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        vertices.push_back({placement.x(region.x(v)), placement.y(region.y(v))});
+      }
+      number_vertices(picture, vertices, true);
+    }
+  }
+  for (const Polyline& polyline : geometry.polylines) {
+    vertices.clear();
+    for (const Point& point : polyline) vertices.push_back(in_picture(point));
+    number_vertices(picture, vertices, false);
+  }
+  for (std::size_t i = 0; i < geometry.points.size(); ++i) {
+    const Trace::Vertex at = in_picture(geometry.points[i]);
+    picture.text(at.x, at.y + 15, "label middle", std::to_string(i + 1));
+  }
+}
+
+void draw_layers(SvgPicture& picture, const Figure& figure, const Placement& placement) {
+  for (const Layer& layer : figure.layers) {
+    const Region& region = layer.geometry.region;
+    if (!region.empty()) picture.region(region, placement, layer.style);
+  }
+  // On top, so that no area of a later layer hides them.
+  for (const Layer& layer : figure.layers) {
+    picture.thin_parts(layer.geometry, placement, layer.style);
+  }
+  for (const Layer& layer : figure.layers) {
+    if (layer.numbered != nullptr) number_vertices(picture, *layer.numbered, placement);
+  }
+}
+
+// Numbers of faults that share a mark, or nearly so.
+struct FaultLabel {
+  double x;  // of the mark
+  double y;
+  std::string numbers;
+  std::size_t last;
+  bool is_run;  // the last numbers follow each other, and are not written out
+};
+
+void add_number(std::vector<FaultLabel>& labels, double x, double y, std::size_t number) {
+  constexpr double kNear = 13;
+  const auto found = std::ranges::find_if(labels, [x, y](const FaultLabel& label) {
+    return std::fabs(label.x - x) < kNear && std::fabs(label.y - y) < kNear;
+  });
+  if (found == labels.end()) {
+    labels.push_back({x, y, std::to_string(number), number, false});
+    return;
+  }
+  const auto end_run = [&found] {
+    if (found->is_run) found->numbers += "–" + std::to_string(found->last);
+    found->is_run = false;
+  };
+  if (number == found->last + 1) {
+    found->is_run = true;
+  } else {
+    end_run();
+    found->numbers += ", " + std::to_string(number);
+  }
+  found->last = number;
+}
+
+// Marks with numbers, which the list below the frame explains.
+void mark_faults(SvgPicture& picture, const Figure& figure, const Placement& placement) {
+  constexpr double kRadius = 7;
+  std::size_t number = 0;
+  std::vector<FaultLabel> labels;
+  for (const Layer& layer : figure.layers) {
+    for (const Fault& fault : layer.faults) {
+      ++number;
+      if (fault.at) {
+        add_number(labels, placement.x(fault.at->x.to_double()),
+                   placement.y(fault.at->y.to_double()), number);
+      }
+    }
+  }
+  for (const FaultLabel& label : labels) {
+    std::string text = label.numbers;
+    if (label.is_run) text += "–" + std::to_string(label.last);
+    const double beside = kRadius + 2;
+    const bool fits = label.x + beside + text_width(text) <= figure.width;
+    picture.text(fits ? label.x + beside : label.x - beside, label.y - kRadius + 2,
+                 fits ? "number" : "number end", text);
+  }
+  for (const Layer& layer : figure.layers) {
+    std::vector<Trace::Vertex> places;
+    for (const Fault& fault : layer.faults) {
+      if (fault.at) places.push_back({fault.at->x.to_double(), fault.at->y.to_double()});
+    }
+    if (!places.empty()) picture.dots(places, placement, kRadius, "fault");
+  }
+}
+
+// A line below the frame.
+struct ListedLine {
+  double indent;
+  std::string text;
+};
+
+std::vector<ListedLine> list_faults(const Figure& figure) {
+  std::vector<ListedLine> lines;
+  std::size_t number = 0;
+  const double width = figure.width - 2 * kMargin - kFaultIndent;
+  for (const Layer& layer : figure.layers) {
+    const std::string name = figure.layers.size() > 1 ? layer.caption + ": " : "";
+    for (const Fault& fault : layer.faults) {
+      if (++number > kMaxFaultsListed) continue;
+      double indent = 0;
+      std::string prefix = std::to_string(number) + "  ";
+      for (const std::string& line : lines_of(name + described(fault), width)) {
+        lines.push_back({indent, std::exchange(prefix, "") + line});
+        indent = kFaultIndent;
+      }
+    }
+  }
+  if (number > kMaxFaultsListed) {
+    lines.push_back({0, "and " + std::to_string(number - kMaxFaultsListed) + " more"});
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string figure_picture(const Figure& figure) {
+  double top = kMargin;
+  std::vector<std::string> title;
+  if (!figure.title.empty()) {
+    title = lines_of(figure.title, figure.width - 2 * kMargin, kTitleCharacter);
+    top += kTitleHeight + kTitleRow * static_cast<double>(title.size() - 1);
+  }
+  std::vector<LegendEntry> entries;
+  if (figure.legend) entries = lay_out_legend(figure, top);
+  const Layout layout = lay_out(figure, top);
+  const std::vector<ListedLine> faults = list_faults(figure);
+  const double faults_height = kFaultRow * static_cast<double>(faults.size());
+  SvgPicture picture(figure.width, layout.bottom + faults_height + kMargin,
+                     figure.title.empty() ? figure.layers.front().caption : figure.title,
+                     figure.theme);
+  double baseline = kMargin + 12;
+  for (const std::string& line : title) {
+    picture.text(kMargin, baseline, "title", line);
+    baseline += kTitleRow;
+  }
+  for (const LegendEntry& entry : entries) draw_entry(picture, entry);
+  if (figure.axes) draw_axes(picture, layout);
+  if (!layout.extent.empty) {
+    const Placement placement = layout.placement();
+    draw_layers(picture, figure, placement);
+    mark_faults(picture, figure, placement);
+  }
+  baseline = layout.bottom;
+  for (const ListedLine& line : faults) {
+    picture.text(kMargin + line.indent, baseline += kFaultRow, "caption", line.text);
+  }
+  return std::move(picture).finish();
+}
+
+}  // namespace minksum::cli

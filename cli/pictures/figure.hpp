@@ -1,0 +1,36 @@
+// Figures: geometries on top of each other in one frame, to one scale, with a legend.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "minksum/geometry.hpp"
+#include "minksum/validity.hpp"
+#include "pictures/svg_picture.hpp"
+
+namespace minksum::cli {
+
+/// One geometry of a figure.
+struct Layer {
+  Geometry geometry;            ///< as it is drawn
+  std::string style = "first";  ///< a class of SvgPicture
+  std::string caption;
+  std::vector<Fault> faults;  ///< marked and listed
+  /// As it was read, if its vertices are to be numbered: from 1 in each ring, polyline, and set of
+  /// points.
+  const Geometry* numbered = nullptr;
+};
+
+struct Figure {
+  std::vector<Layer> layers;  ///< the first one is lowest
+  std::string title;          ///< empty = none
+  double width = 960;         ///< in pixels; the height follows
+  Theme theme = Theme::kAuto;
+  bool axes = true;
+  bool legend = true;
+};
+
+/// The figure as SVG. Throws Error(kLimitExceeded) if doubles cannot hold it.
+[[nodiscard]] std::string figure_picture(const Figure& figure);
+
+}  // namespace minksum::cli

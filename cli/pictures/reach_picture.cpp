@@ -1,0 +1,113 @@
+// The picture of a robot on its way.
+#include <algorithm>
+#include <cmath>
+
+#include "commands/reach.hpp"
+#include "minksum/resolve.hpp"
+#include "pictures/sum_picture.hpp"
+#include "pictures/svg_picture.hpp"
+
+namespace minksum::cli {
+namespace {
+
+constexpr double kWidth = 960;
+constexpr double kMaxHeight = 900;
+constexpr double kMargin = 24;
+constexpr double kCaption = 44;
+constexpr double kPoses = 24;  ///< about so many are drawn on the way
+
+double length_of(const std::vector<Waypoint>& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    length += std::hypot((path[i].at.x - path[i - 1].at.x).to_double(),
+                         (path[i].at.y - path[i - 1].at.y).to_double());
+  }
+  return length;
+}
+
+/// Poses to draw: along each move at even distances, and after each turn by another tenth of a
+/// circle.
+std::vector<Waypoint> poses_on(const std::vector<Waypoint>& path) {
+  std::vector<Waypoint> poses;
+  const double step = length_of(path) / kPoses;
+  double last_angle = path.front().turn.degrees;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Waypoint& a = path[i - 1];
+    const Waypoint& b = path[i];
+    const double length =
+        std::hypot((b.at.x - a.at.x).to_double(), (b.at.y - a.at.y).to_double());
+    const auto parts = step > 0 ? static_cast<int>(std::ceil(length / step)) : 0;
+    for (int k = 0; k < parts; ++k) {
+      const Rational t(k, parts);
+      poses.push_back(
+          {{a.at.x + (b.at.x - a.at.x) * t, a.at.y + (b.at.y - a.at.y) * t}, a.turn});
+    }
+    if (std::abs(std::remainder(b.turn.degrees - last_angle, 360)) >= 36) {
+      poses.push_back(b);
+      last_angle = b.turn.degrees;
+    }
+  }
+  return poses;
+}
+
+std::string note_on(const Reach& found) {
+  if (!found.reachable) return "no way";
+  std::size_t turns = 0;
+  for (std::size_t i = 1; i < found.path.size(); ++i) {
+    if (!found.path[i].turn.same_as(found.path[i - 1].turn)) ++turns;
+  }
+  const std::size_t moves = found.path.size() - 1 - turns;
+  return grouped(moves) + (moves == 1 ? " move, " : " moves, ") + grouped(turns) +
+         (turns == 1 ? " turn" : " turns");
+}
+
+}  // namespace
+
+std::string reach_picture(const ReachArguments& arguments, const ReachOptions& options,
+                          const RobotScene& scene, const Reach& found) {
+  const ResolveOptions reading{options.fill, true, {}};
+  const Geometry obstacles = resolve(scene.obstacles, {options.fill, false, {}});
+  const Region robot = transform(resolve(scene.robot, reading).region,
+                                 Affine::translation(-options.reference.x, -options.reference.y));
+  const auto posed = [&](const Waypoint& pose) {
+    const Affine to = Affine::translation(pose.at.x, pose.at.y);
+    return transform(robot, to.after(pose.turn.map()));
+  };
+  const Region ends[] = {
+      posed({arguments.from.at, nearest_turn(arguments.from.degrees, options.tolerance)}),
+      posed({arguments.to.at, nearest_turn(arguments.to.degrees, options.tolerance)})};
+  std::vector<Region> ghosts;
+  if (found.reachable) {
+    for (const Waypoint& pose : poses_on(found.path)) ghosts.push_back(posed(pose));
+  }
+  Extent extent;
+  extent.include(obstacles);
+  Region workspace;
+  if (options.workspace) workspace = resolve(*options.workspace, reading).region;
+  extent.include({workspace, {}, {}});
+  for (const Region& end : ends) extent.include({end, {}, {}});
+  for (const Region& ghost : ghosts) extent.include({ghost, {}, {}});
+
+  const double scale =
+      fitting_scale(extent, kWidth - 2 * kMargin, kMaxHeight - 2 * kMargin - kCaption);
+  const double width = std::max(extent.width() * scale, 240.0) + 2 * kMargin;
+  SvgPicture picture(width, extent.height() * scale + 2 * kMargin + kCaption, "Reach");
+  picture.text(kMargin, kMargin + 14, "title", found.reachable ? "Reachable" : "Not reachable");
+  picture.text(kMargin, kMargin + 32, "note", note_on(found));
+  const Placement placement(extent, kMargin, kMargin + kCaption, scale);
+  if (!workspace.empty()) picture.region(workspace, placement, "pale");
+  picture.geometry(obstacles, placement, "first");
+  for (const Region& ghost : ghosts) picture.region(ghost, placement, "edge-second");
+  for (const Region& end : ends) picture.region(end, placement, "second");
+  Geometry way;
+  if (found.reachable) {
+    Polyline line;
+    for (const Waypoint& waypoint : found.path) line.push_back(waypoint.at);
+    if (line.size() > 1) way.polylines.push_back(std::move(line));
+  }
+  way.points = {arguments.from.at, arguments.to.at};
+  picture.thin_parts(way, placement, "tight");
+  return std::move(picture).finish();
+}
+
+}  // namespace minksum::cli

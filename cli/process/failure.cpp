@@ -1,0 +1,210 @@
+#include "process/failure.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "output/faults.hpp"
+#include "pictures/text_layout.hpp"
+
+namespace minksum::cli {
+namespace {
+
+ExitCode exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kBadInput:
+      return kBadInput;
+    case ErrorCode::kLimitExceeded:
+      return kLimitExceeded;
+    case ErrorCode::kCancelled:
+    case ErrorCode::kInternal:
+      break;
+  }
+  return kInternal;
+}
+
+// Input can put anything into a message; one line stays one line, and a terminal stays sane.
+std::string one_line(const std::string& text) {
+  return printable(text, [](std::string_view part) {
+    std::string escaped;
+    for (const char c : part) {
+      const unsigned byte = static_cast<unsigned char>(c);
+      char hexadecimal[8];
+      std::snprintf(hexadecimal, sizeof hexadecimal, "\\x%02x", byte);
+      escaped += hexadecimal;
+    }
+    return escaped;
+  });
+}
+
+int fail_with(ExitCode code, const std::string& message) {
+  tell(message);
+  return code;
+}
+
+int tell_out_of_memory(std::optional<std::uint64_t> limit) noexcept {
+  if (!limit) {
+    std::fputs("minksum: out of memory\n", stderr);
+    return kLimitExceeded;
+  }
+  static constexpr const char* kUnits[] = {"", "K", "M", "G", "T"};
+  std::uint64_t size = *limit;
+  std::size_t unit = 0;
+  for (; unit < 4 && size >= 1024 && size % 1024 == 0; size /= 1024) ++unit;
+  std::fprintf(stderr, "minksum: out of memory: the limit is %llu%s bytes (--max-memory)\n",
+               static_cast<unsigned long long>(size), kUnits[unit]);
+  return kLimitExceeded;
+}
+
+// The option that sets the limit that an error of reading is about; nullptr if none does.
+const char* option_of(const io::ReadError& error) {
+  const std::string_view message = error.what();
+  if (message.starts_with("more vertices than the limit of ")) return "--max-vertices";
+  // All others are at some place in the text.
+  const bool is_of_all = error.line() == 0 && message.starts_with("the text is longer than ");
+  return is_of_all ? "--max-bytes" : nullptr;
+}
+
+constexpr std::string_view kBeyondDoubles = "beyond the range of doubles";
+
+// The message with the option that sets the limit or avoids it, not with the member that does so in
+// the library. Other limits are fixed, and have no option.
+std::string with_option(const Error& error) {
+  std::string message = error.what();
+  const auto with = [&message](const char* option) { return message + " (" + option + ')'; };
+  if (const auto* reading = dynamic_cast<const io::ReadError*>(&error)) {
+    const char* const option = option_of(*reading);
+    return option != nullptr ? with(option) : message;
+  }
+  if (message.starts_with("a coordinate is ") && message.ends_with(kBeyondDoubles)) {
+    return with("--coords exact, or decimal:N");
+  }
+  constexpr std::pair<std::string_view, const char*> kMembers[] = {
+      {" (Limits::max_segments)", "--max-segments"},
+      {" (Limits::max_crossings)", "--max-crossings"}};
+  for (const auto& [member, option] : kMembers) {
+    if (!message.ends_with(member)) continue;
+    message.resize(message.size() - member.size());
+    return with(option);
+  }
+  return message;
+}
+
+int tell_exception() {
+  try {
+    throw;
+  } catch (const Failure& failure) {
+    return fail_with(failure.code(), failure.what());
+  } catch (const Error& error) {
+    const Failure failure = failure_of(error, "");
+    return fail_with(failure.code(), failure.what());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::length_error&) {  // more elements than a vector can have
+    throw std::bad_alloc();
+  } catch (const std::exception& error) {
+    return fail_with(kInternal, std::string("internal error: ") + error.what());
+  }
+}
+
+}  // namespace
+
+std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+void tell(const std::string& message) {
+  std::fprintf(stderr, "minksum: %s\n", one_line(message).c_str());
+}
+
+std::string describe(const Culprit& place) {
+  std::string text;
+  const auto add = [&text](const char* what, std::size_t index) {
+    if (index == Culprit::kNone) return;
+    if (!text.empty()) text += ", ";
+    text += what + std::to_string(index + 1);
+  };
+  add("polygon ", place.polygon);
+  add("ring ", place.ring);
+  add("vertex ", place.vertex);
+  return text;
+}
+
+Failure failure_of(const Error& error, const std::string& file) {
+  if (error.code() == ErrorCode::kInternal) {
+    const std::string stage = error.stage().empty() ? "" : " in stage " + error.stage();
+    return Failure(kInternal, "internal error" + stage + ": " + error.what());
+  }
+  std::string line = file.empty() ? "" : shown_name(file) + ":";
+  if (const auto* fault = dynamic_cast<const io::ReadError*>(&error); fault && fault->line() > 0) {
+    line += std::to_string(fault->line()) + ":";
+    if (fault->column() > 0) line += std::to_string(fault->column()) + ":";
+  }
+  const auto append = [&line](const std::string& part) {
+    if (!line.empty()) line += ' ';
+    line += part;
+  };
+  if (const std::string place = describe(error.culprit()); !place.empty()) append(place + ":");
+  append(error.code() == ErrorCode::kLimitExceeded ? with_option(error) : error.what());
+  return Failure(exit_code_of(error.code()), line);
+}
+
+void fail_about_output(const Error& error, const std::string& output) {
+  const std::string_view message = error.what();
+  const bool about_output = error.code() == ErrorCode::kLimitExceeded &&
+                            message.find(kBeyondDoubles) != std::string_view::npos;
+  if (!about_output) throw;
+  throw failure_of(error, output.empty() || output == "-" ? "standard output" : output);
+}
+
+void fail_about(const Error& error, const std::string (&operands)[2]) {
+  // So the library tells it where it throws nothing; the program has a line for this.
+  if (error.code() == ErrorCode::kLimitExceeded && error.what() == std::string("out of memory")) {
+    throw std::bad_alloc();
+  }
+  const int operand = error.culprit().operand;
+  throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : "");
+}
+
+ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) {
+  try {
+    const std::string text = io::load_text(file, limits);
+    return {io::read_geometry(text, limits), io::feature_properties(text, limits)};
+  } catch (const Error& error) {
+    throw failure_of(error, file);
+  }
+}
+
+ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits, FillRule fill) {
+  ReadOperand operand = read_operand(file, limits);
+  if (const auto reading = reading_of_faults(operand.geometry.region, fill)) {
+    tell(shown_name(file) + ": " + *reading);
+  }
+  return operand;
+}
+
+std::optional<std::string> reading_of_faults(const Region& region, FillRule fill,
+                                             const std::optional<CancelToken>& cancel) {
+  if (fill == FillRule::kStrict) return std::nullopt;
+  const std::vector<Fault> faults = validate(region, 1, cancel);
+  if (faults.empty()) return std::nullopt;
+  const char* const meaning =
+      fill == FillRule::kAutomatic
+          ? "each polygon is what its outer ring encloses less what its holes enclose"
+          : "what rings enclose is told by their winding numbers";
+  return described(faults.front()) + "; the polygons are not valid, and are read by --fill " +
+         to_string(fill) + ": " + meaning + " (--strict refuses them)";
+}
+
+int report_failure(std::optional<std::uint64_t> memory_limit) noexcept {
+  try {
+    return tell_exception();
+  } catch (const std::bad_alloc&) {
+    return tell_out_of_memory(memory_limit);
+  } catch (...) {
+    std::fputs("minksum: internal error\n", stderr);
+    return kInternal;
+  }
+}
+
+}  // namespace minksum::cli
