@@ -41,7 +41,7 @@ struct DepthFindings {
 };
 [[nodiscard]] DepthFindings find_depth(const DepthArguments& arguments, const Geometry& a,
                                        const Geometry& b);
-/// With the keys that docs/uses.md describes.
+/// With the keys that docs/operations.md describes.
 [[nodiscard]] nlohmann::ordered_json depth_json(const DepthArguments& arguments,
                                                 const DepthFindings& findings);
 

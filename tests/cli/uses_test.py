@@ -259,7 +259,7 @@ class DepthOfTwo(ProgramTest):
 
 
 class UsesPage(Page, ProgramTest):
-    page_name = "uses.md"
+    page_name = "operations.md"
     pictures = 4
 
 
