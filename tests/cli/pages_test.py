@@ -1,11 +1,48 @@
 """Pages without a subcommand of their own: their examples print what they show; all links lead on."""
+import os
+import pathlib
 import re
+import subprocess
 
-from support import SOURCE, Page, ProgramTest, main
+from support import PROGRAM, SOURCE, Page, ProgramTest, main
+
+
+class Concepts(Page, ProgramTest):
+    page_name = "concepts.md"
 
 
 class Glossary(Page, ProgramTest):
     page_name = "glossary.md"
+
+
+class Install(Page, ProgramTest):
+    page_name = "install.md"
+
+
+class Tutorial(Page, ProgramTest):
+    page_name = "tutorial.md"
+
+    def test_cpp(self):
+        """Each block of C++ prints the block below it. All are compiled at once, as functions; the
+        first block is the frame in which a reader puts each of them."""
+        frame, *examples = re.findall(r"^```cpp\n(.*?)^```$(?:\n\n^```text\n(.*?)^```$)?",
+                                      self.page, re.M | re.S)
+        self.assertEqual(len(examples), 10)
+        head, rest = frame[0].split("int main() {\n")
+        self.assertEqual(rest, "  // The example comes here.\n}\n")
+        functions = "".join(f"void example_{i}() {{\n{code}}}\n"
+                            for i, (code, _) in enumerate(examples))
+        calls = "".join(f'example_{i}();\nstd::cout << "--\\n";\n' for i in range(len(examples)))
+        program = self.folder / "app.cpp"
+        program.write_text(f"{head}{functions}int main() {{\n{calls}}}\n")
+        libraries = pathlib.Path(PROGRAM).resolve().parent / "src"
+        subprocess.run([*os.environ.get("MINKSUM_CXX", "c++").split(),
+                        *os.environ.get("MINKSUM_CXXFLAGS", "").split(), "-std=c++20",
+                        f"-I{SOURCE / 'include'}", program, libraries / "io/libminksum_io.a",
+                        libraries / "libminksum.a", "-o", self.folder / "app"], check=True)
+        done = subprocess.run([self.folder / "app"], capture_output=True, text=True,
+                              cwd=self.folder, timeout=60, check=True)
+        self.assertEqual(done.stdout.split("--\n")[:-1], [expected for _, expected in examples])
 
 
 def pages():
