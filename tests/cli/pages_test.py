@@ -15,6 +15,10 @@ class Glossary(Page, ProgramTest):
     page_name = "glossary.md"
 
 
+class Guarantees(Page, ProgramTest):
+    page_name = "guarantees.md"
+
+
 class Install(Page, ProgramTest):
     page_name = "install.md"
 
