@@ -11,6 +11,10 @@ class Concepts(Page, ProgramTest):
     page_name = "concepts.md"
 
 
+class Formats(Page, ProgramTest):
+    page_name = "formats.md"
+
+
 class Glossary(Page, ProgramTest):
     page_name = "glossary.md"
 
