@@ -7,6 +7,10 @@ import subprocess
 from support import PROGRAM, SOURCE, Page, ProgramTest, main
 
 
+class CommandLine(Page, ProgramTest):
+    page_name = "cli.md"
+
+
 class Concepts(Page, ProgramTest):
     page_name = "concepts.md"
 
