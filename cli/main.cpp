@@ -1,10 +1,10 @@
 // The program: arguments in, exit code out. Each subcommand has a file of its own.
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <map>
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "commands/batch.hpp"
 #include "commands/commands.hpp"
@@ -13,6 +13,7 @@
 #include "commands/offset.hpp"
 #include "commands/reach.hpp"
 #include "minksum/version.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
@@ -32,38 +33,38 @@ Errors are one line on standard error: "minksum: FILE:LINE:COLUMN: what", or
 "minksum: FILE: polygon K, ring R, vertex V: what"; all of these count from 1,
 and ring 1 is the outer one.)";
 
-CLI::App* add_info(CLI::App& app, InfoArguments& arguments, ProcessLimits& limits) {
-  CLI::App* info = app.add_subcommand(
-      "info", "What a geometry is: parts, holes, box, exact area, validity, bits");
-  info->footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
-  info->add_option("FILE", arguments.file, "The geometry, or - for standard input")
-      ->required()
-      ->type_name("FILE");
-  info->add_flag("--json", arguments.json, "As JSON");
-  add_fill_option(*info, arguments.resolve.fill);
-  info->add_flag("--regularize", arguments.resolve.regularize, "Drop polylines, points and spikes");
-  add_limit_options(*info, limits, false);
+Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& limits) {
+  const Command info =
+      line.add_command("info", "What a geometry is: parts, holes, box, exact area, validity, bits");
+  info.footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
+  info.add_option("FILE", arguments.file, "The geometry, or - for standard input")
+      .required()
+      .type_name("FILE");
+  info.add_flag("--json", arguments.json, "As JSON");
+  add_fill_option(info, arguments.resolve.fill);
+  info.add_flag("--regularize", arguments.resolve.regularize, "Drop polylines, points and spikes");
+  add_limit_options(info, limits, false);
   return info;
 }
 
-CLI::App* add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& limits) {
-  CLI::App* check = app.add_subcommand(
+Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& limits) {
+  const Command check = line.add_command(
       "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
-  check->footer(
+  check.footer(
       "\nDecided by other methods than `sum` uses: validity; points near edges, in holes and at\n"
       "random; and, where it is small enough for the second method, the whole sum exactly.\n"
       "Rounded results need --within. Exit code 5 if an error is found.\n");
   const auto add_file = [check](const char* name, std::string& file, const char* what) {
-    check->add_option(name, file, what)->required()->type_name("FILE");
+    check.add_option(name, file, what).required().type_name("FILE");
   };
   add_file("RESULT", arguments.result, "What is said to be the sum");
   add_file("P", arguments.operands[0], "The first operand");
   add_file("Q", arguments.operands[1], "The second operand");
-  add_fill_option(*check, arguments.options.fill);
-  check->add_flag("--regularize", arguments.options.regularize,
-                  "Drop operands' polylines, points and spikes");
+  add_fill_option(check, arguments.options.fill);
+  check.add_flag("--regularize", arguments.options.regularize,
+                 "Drop operands' polylines, points and spikes");
   check
-      ->add_option_function<std::string>(
+      .add_option(
           "--within",
           [&arguments](const std::string& text) {
             arguments.options.within = parse_number("--within", text);
@@ -72,30 +73,35 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments, ProcessLimits& lim
             }
           },
           "How far, in x and in y, the result may be off; 0, the default: not at all")
-      ->type_name("D");
-  check->add_option("--samples", arguments.options.samples,
-                    "Random points, beside those near edges; 1000 without it")
-      ->type_name("N");
-  check->add_option("--edges", arguments.options.edges,
-                    "Edges of the result near which points are tested; 10000 without it")
-      ->type_name("N");
-  check->add_option("--seed", arguments.options.seed, "Seed of the random points")->type_name("N");
-  check->add_option("--proof-segments", arguments.options.limits.max_segments,
-                    "Largest signed convolution for which the whole sum is compared")
-      ->type_name("N");
-  check->add_flag("--json", arguments.json, "As JSON");
-  add_limit_options(*check, limits, false);
+      .type_name("D");
+  check
+      .add_option("--samples", arguments.options.samples,
+                  "Random points, beside those near edges; 1000 without it")
+      .type_name("N");
+  check
+      .add_option("--edges", arguments.options.edges,
+                  "Edges of the result near which points are tested; 10000 without it")
+      .type_name("N");
+  check.add_option("--seed", arguments.options.seed, "Seed of the random points").type_name("N");
+  check
+      .add_option("--proof-segments", arguments.options.limits.max_segments,
+                  "Largest signed convolution for which the whole sum is compared")
+      .type_name("N");
+  check.add_flag("--json", arguments.json, "As JSON");
+  add_limit_options(check, limits, false);
   return check;
 }
 
 // All subcommands' arguments; `run` is that of the one that was chosen.
 struct Commands {
-  Commands(CLI::App& app, ProcessLimits& limits);
+  Commands(CommandLine& line, ProcessLimits& limits);
 
-  void add(CLI::App* command, std::function<int()> run) { run_of[command] = std::move(run); }
+  void add(const Command& command, std::function<int()> run) {
+    run_of[command.name()] = std::move(run);
+  }
   /// A subcommand that computes sums, with what is typed in two parts.
   template <class Arguments, class Typed>
-  void add(CLI::App* command, Arguments& arguments, const Typed& typed,
+  void add(const Command& command, Arguments& arguments, const Typed& typed,
            const ProcessLimits& limits, int (*run)(const Arguments&)) {
     add(command, [&arguments, &typed, &limits, run] {
       arguments.limits = limits.read;
@@ -104,9 +110,9 @@ struct Commands {
       return run(arguments);
     });
   }
-  void add_sums(CLI::App& app, ProcessLimits& limits);
-  void add_uses(CLI::App& app, ProcessLimits& limits);
-  void add_robots(CLI::App& app, ProcessLimits& limits);
+  void add_sums(CommandLine& line, ProcessLimits& limits);
+  void add_uses(CommandLine& line, ProcessLimits& limits);
+  void add_robots(CommandLine& line, ProcessLimits& limits);
 
   SumArguments sum;
   TypedSum typed_sum;
@@ -127,41 +133,41 @@ struct Commands {
   DrawArguments draw;
   BatchArguments batch;
   TypedBatch typed_batch;
-  std::map<const CLI::App*, std::function<int()>> run_of;
+  std::map<std::string, std::function<int()>> run_of;
 };
 
-Commands::Commands(CLI::App& app, ProcessLimits& limits) {
-  add_sums(app, limits);
-  add_uses(app, limits);
-  add_robots(app, limits);
-  add(add_draw(app, draw, limits), [this, &limits] {
+Commands::Commands(CommandLine& line, ProcessLimits& limits) {
+  add_sums(line, limits);
+  add_uses(line, limits);
+  add_robots(line, limits);
+  add(add_draw(line, draw, limits), [this, &limits] {
     draw.limits = limits.read;
     settle(draw);
     return run_draw(draw);
   });
-  add(add_batch(app, batch, typed_batch, limits), [this, &limits] {
+  add(add_batch(line, batch, typed_batch, limits), [this, &limits] {
     batch.limits = limits;
     settle(batch, typed_batch);
     return run_batch(batch);
   });
 }
 
-void Commands::add_sums(CLI::App& app, ProcessLimits& limits) {
-  add(add_sum(app, sum, typed_sum, limits), sum, typed_sum, limits, run_sum);
-  add(add_info(app, info, limits), [this, &limits] {
+void Commands::add_sums(CommandLine& line, ProcessLimits& limits) {
+  add(add_sum(line, sum, typed_sum, limits), sum, typed_sum, limits, run_sum);
+  add(add_info(line, info, limits), [this, &limits] {
     info.limits = limits.read;
     return run_info(info);
   });
-  add(add_check(app, check, limits), [this, &limits] {
+  add(add_check(line, check, limits), [this, &limits] {
     check.limits = limits.read;
     return run_check(check);
   });
 }
 
-void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
+void Commands::add_uses(CommandLine& line, ProcessLimits& limits) {
   using enum MorphologyArguments::Operation;
   for (const auto operation : {kDilate, kErode, kOpen, kClose}) {
-    add(add_morphology(app, operation, morphology, typed_morphology, limits),
+    add(add_morphology(line, operation, morphology, typed_morphology, limits),
         [this, operation, &limits] {
           morphology.operation = operation;
           morphology.limits = limits.read;
@@ -171,7 +177,7 @@ void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
         });
   }
   for (const bool inner_fit : {false, true}) {
-    add(add_nesting(app, inner_fit, nesting, typed_nesting, limits), [this, inner_fit, &limits] {
+    add(add_nesting(line, inner_fit, nesting, typed_nesting, limits), [this, inner_fit, &limits] {
       nesting.inner_fit = inner_fit;
       nesting.limits = limits.read;
       nesting.options.limits = limits.sum;
@@ -179,35 +185,27 @@ void Commands::add_uses(CLI::App& app, ProcessLimits& limits) {
       return run_nesting(nesting);
     });
   }
-  add(add_offset(app, offset, typed_offset, limits), offset, typed_offset, limits, run_offset);
-  add(add_depth(app, depth, typed_depth, limits), depth, typed_depth, limits, run_depth);
+  add(add_offset(line, offset, typed_offset, limits), offset, typed_offset, limits, run_offset);
+  add(add_depth(line, depth, typed_depth, limits), depth, typed_depth, limits, run_depth);
 }
 
-void Commands::add_robots(CLI::App& app, ProcessLimits& limits) {
-  add(add_cspace(app, cspace, typed_cspace, limits), cspace, typed_cspace, limits, run_cspace);
-  add(add_reach(app, reach, typed_reach, limits), reach, typed_reach, limits, run_reach);
+void Commands::add_robots(CommandLine& line, ProcessLimits& limits) {
+  add(add_cspace(line, cspace, typed_cspace, limits), cspace, typed_cspace, limits, run_cspace);
+  add(add_reach(line, reach, typed_reach, limits), reach, typed_reach, limits, run_reach);
 }
 
 int run(int argc, char** argv, ProcessLimits& limits) {
-  CLI::App app("Exact Minkowski sums in the plane", "minksum");
-  app.set_version_flag("--version", "minksum " MINKSUM_VERSION);
-  app.require_subcommand(1);
-  const Commands commands(app, limits);
-  for (CLI::App* const command : app.get_subcommands({})) {
-    command->footer(command->get_footer() + kFooter);
-  }
-  app.footer(kFooter);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help and --version
-    int code = kFine;
-    write_standard_output([&](std::ostream& out) { code = app.exit(success, out, out); });
-    return code;
-  } catch (const CLI::ParseError& error) {
-    throw Failure(kWrongUsage, std::string(error.what()) + " (minksum --help)");
+  CommandLine line("Exact Minkowski sums in the plane", "minksum");
+  line.add_version("minksum " MINKSUM_VERSION);
+  const Commands commands(line, limits);
+  line.add_footer(kFooter);
+  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+  if (const auto asked = line.parse(words, " (minksum --help)")) {
+    write_standard_output([&](std::ostream& out) { out << *asked; });
+    return kFine;
   }
   apply(limits);
-  return commands.run_of.at(app.get_subcommands().front())();
+  return commands.run_of.at(line.chosen())();
 }
 
 }  // namespace

@@ -305,7 +305,8 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
       const auto reading =
           reading_of_faults(operand->geometry.region, operation.fill, watch.token());
       if (!reading) continue;
-      notes += (notes.empty() ? "" : ",") + to_json(operand->name + ": " + *reading);
+      if (!notes.empty()) notes += ',';
+      notes += to_json(operand->name + ": " + *reading);
     }
     try {
       result = operation.run(a.geometry, b.geometry, watch.token(), worker);

@@ -82,11 +82,11 @@ void BatchRun::run(Work work, const std::function<std::optional<double>()>& shar
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int BatchRun::finish(nlohmann::ordered_json more, OutputFiles& files) {
+int BatchRun::finish(const Json& more, OutputFiles& files) {
   if (!arguments_.stats.empty()) {
-    nlohmann::ordered_json json{{"jobs", jobs_},       {"failed", failed_},
-                                {"earlier", earlier_}, {"threads", arguments_.threads},
-                                {"seconds", seconds_}, {"version", MINKSUM_VERSION}};
+    Json json{{"jobs", jobs_},       {"failed", failed_},
+              {"earlier", earlier_}, {"threads", arguments_.threads},
+              {"seconds", seconds_}, {"version", MINKSUM_VERSION}};
     json.update(more);
     files.write(arguments_.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
   }

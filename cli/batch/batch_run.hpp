@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "batch/in_order.hpp"
 #include "commands/batch.hpp"
+#include "output/json.hpp"
 #include "output/line_output.hpp"
 
 namespace minksum::cli {
@@ -32,7 +32,7 @@ class BatchRun {
   /// is known.
   void run(Work work, const std::function<std::optional<double>()>& share);
   /// Ends the output, writes statistics, of which some are given, and returns the exit code.
-  [[nodiscard]] int finish(nlohmann::ordered_json more, OutputFiles& files);
+  [[nodiscard]] int finish(const Json& more, OutputFiles& files);
 
   [[nodiscard]] std::uint64_t jobs() const { return jobs_; }
 

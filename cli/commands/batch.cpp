@@ -139,7 +139,7 @@ int run_batch(const BatchArguments& arguments) {
   };
   work.is_at_hand = [&] { return lines.are_at_hand(); };
   run.run(std::move(work), [&] { return lines.share(); });
-  return run.finish(nlohmann::ordered_json::object(), files);
+  return run.finish(Json::object(), files);
 }
 
 }  // namespace minksum::cli

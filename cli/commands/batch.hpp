@@ -1,11 +1,11 @@
 // The options of `minksum batch`.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "commands/operations.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/result_options.hpp"
 #include "output/output_file.hpp"
@@ -34,8 +34,8 @@ struct TypedBatch : TypedResult {
 };
 
 /// Adds the subcommand; parsing fills the other three. The limit on time is not the process's.
-CLI::App* add_batch(CLI::App& app, BatchArguments& arguments, TypedBatch& typed,
-                    ProcessLimits& limits);
+Command add_batch(CommandLine& line, BatchArguments& arguments, TypedBatch& typed,
+                  ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(BatchArguments& arguments, const TypedBatch& typed);

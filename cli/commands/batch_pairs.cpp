@@ -110,7 +110,7 @@ Parts load(const BatchArguments& arguments) {
 std::string degrees(int k, int rotations) {
   // In lowest terms of whole degrees where there are such; else as a double.
   if (360 * k % rotations == 0) return std::to_string(360 * k / rotations);
-  return nlohmann::json(360.0 * k / rotations).dump();
+  return Json(360.0 * k / rotations).dump();
 }
 
 class PairRunner {

@@ -1,19 +1,17 @@
 // minksum check: is a file the sum of two others?
 #include "minksum/check.hpp"
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "commands/commands.hpp"
 #include "output/faults.hpp"
+#include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string shown(const Point& point) {
   return shortest(point.x.to_double()) + " " + shortest(point.y.to_double());

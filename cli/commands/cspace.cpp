@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
 #include <utility>
 
 #include "options/typed_numbers.hpp"
+#include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
@@ -16,8 +16,6 @@
 
 namespace minksum::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What is made of one slice by the thread that computed it.
 struct Written {
@@ -167,32 +165,30 @@ std::vector<Turn> range_of_turns(const std::string& text, double tolerance) {
 
 }  // namespace
 
-CLI::App* add_cspace(CLI::App& app, CspaceArguments& arguments, TypedCspace& typed,
-                     ProcessLimits& limits) {
-  CLI::App* const command = app.add_subcommand(
+Command add_cspace(CommandLine& line, CspaceArguments& arguments, TypedCspace& typed,
+                   ProcessLimits& limits) {
+  const Command command = line.add_command(
       "cspace", "Configuration space: where a robot that moves and turns meets obstacles");
-  add_robot_options(*command, arguments, typed, arguments.options);
-  CLI::Option* const angles =
-      command->add_option("--angles", typed.angles, "Slices at N angles of a full turn")
-          ->type_name("N");
-  command->add_option("--theta", typed.theta, "Slices at these angles, in degrees")
-      ->type_name("FROM:TO:STEP")
-      ->excludes(angles);
+  add_robot_options(command, arguments, typed, arguments.options);
+  command.add_option("--angles", typed.angles, "Slices at N angles of a full turn").type_name("N");
+  command.add_option("--theta", typed.theta, "Slices at these angles, in degrees")
+      .type_name("FROM:TO:STEP")
+      .excludes("--angles");
   command
-      ->add_option("--angle-tolerance", typed.tolerance,
-                   "How many degrees an angle may be off to be a rational turn (default 0.001)")
-      ->check(between(1e-10, 1))
-      ->type_name("D");
-  command->add_flag("--free", arguments.free, "Free space, not the obstacles");
-  command->add_flag("--tight", arguments.options.tight,
-                    "With --free: where the robot has no play as well, as points and polylines");
-  const auto result = add_result_options(*command, arguments.result, typed.result, "slices");
-  command->remove_option(result[1]);  // --format: it is GeoJSON always
-  command->add_option("--svg", arguments.picture, "Draw some of the slices")->type_name("FILE");
-  command->add_option("--slices", arguments.slices, "Draw each slice into a file in this folder")
-      ->type_name("DIR");
-  command->add_option("--stats", arguments.stats, "Sizes and times as JSON")->type_name("FILE");
-  add_limit_options(*command, limits, true);
+      .add_option("--angle-tolerance", typed.tolerance,
+                  "How many degrees an angle may be off to be a rational turn (default 0.001)")
+      .check(between(1e-10, 1))
+      .type_name("D");
+  command.add_flag("--free", arguments.free, "Free space, not the obstacles");
+  command.add_flag("--tight", arguments.options.tight,
+                   "With --free: where the robot has no play as well, as points and polylines");
+  add_result_options(command, arguments.result, typed.result, "slices");
+  command.remove_option("--format");  // it is GeoJSON always
+  command.add_option("--svg", arguments.picture, "Draw some of the slices").type_name("FILE");
+  command.add_option("--slices", arguments.slices, "Draw each slice into a file in this folder")
+      .type_name("DIR");
+  command.add_option("--stats", arguments.stats, "Sizes and times as JSON").type_name("FILE");
+  add_limit_options(command, limits, true);
   return command;
 }
 

@@ -24,8 +24,8 @@ struct TypedCspace : TypedRobot {
   double tolerance = 1e-3;
 };
 
-CLI::App* add_cspace(CLI::App& app, CspaceArguments& arguments, TypedCspace& typed,
-                     ProcessLimits& limits);
+Command add_cspace(CommandLine& line, CspaceArguments& arguments, TypedCspace& typed,
+                   ProcessLimits& limits);
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(CspaceArguments& arguments, const TypedCspace& typed);
 int run_cspace(const CspaceArguments& arguments);

@@ -1,5 +1,4 @@
 // minksum depth: how two shapes stand to each other.
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "commands/commands.hpp"
@@ -7,6 +6,7 @@
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "output/faults.hpp"
+#include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -14,8 +14,6 @@
 
 namespace minksum::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Feature feature(const char* operand, const Region& region, std::size_t vertex) {
   Feature result{operand, {}};

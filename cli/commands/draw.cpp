@@ -80,17 +80,17 @@ void require_printable(const char* option, const std::string& text) {
                 std::string(option) + " takes text in UTF-8 without control characters");
 }
 
-void add_look_options(CLI::App& command, DrawArguments& arguments) {
-  command.add_option("--title", arguments.title, "A line above the picture")->type_name("TEXT");
+void add_look_options(const Command& command, DrawArguments& arguments) {
+  command.add_option("--title", arguments.title, "A line above the picture").type_name("TEXT");
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--theme", [&arguments](const std::string& name) { arguments.theme = kThemes.at(name); },
           "auto (as its surroundings; the default), light, dark")
-      ->check(CLI::IsMember(names_of(kThemes)))
-      ->type_name("THEME");
+      .one_of(names_of(kThemes))
+      .type_name("THEME");
   command.add_option("--width", arguments.width, "Width in pixels (default 960)")
-      ->check(between(kMinWidth, kMaxWidth))
-      ->type_name("PX");
+      .check(between(kMinWidth, kMaxWidth))
+      .type_name("PX");
   command.add_flag("!--no-axes", arguments.axes, "Leave out axes and their numbers");
   command.add_flag("!--no-legend", arguments.legend, "Leave out the legend");
   command.add_flag("--labels", arguments.labels,
@@ -99,35 +99,33 @@ void add_look_options(CLI::App& command, DrawArguments& arguments) {
 
 }  // namespace
 
-CLI::App* add_draw(CLI::App& app, DrawArguments& arguments, ProcessLimits& limits) {
-  CLI::App* const command = app.add_subcommand("draw", "Geometries as a picture (SVG)");
-  command->footer(kFooter);
-  command->add_option("FILE", arguments.files, "What to draw")->required()->type_name("FILE");
-  command->add_option("-o,--output", arguments.output, "Write here, not to standard output")
-      ->type_name("FILE");
+Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits) {
+  const Command command = line.add_command("draw", "Geometries as a picture (SVG)");
+  command.footer(kFooter);
+  command.add_option("FILE", arguments.files, "What to draw").required().type_name("FILE");
+  command.add_option("-o,--output", arguments.output, "Write here, not to standard output")
+      .type_name("FILE");
   command
-      ->add_option("--as", arguments.styles,
-                   "What each file is, in their order: first, second, result, tight, outline. "
-                   "Without it: first, second, result, tight, then outlines")
-      ->check(CLI::IsMember(names_of(kStyles)))
-      ->delimiter(',')
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("LAYER,...");
+      .add_option("--as", arguments.styles,
+                  "What each file is, in their order: first, second, result, tight, outline. "
+                  "Without it: first, second, result, tight, then outlines")
+      .one_of(names_of(kStyles))
+      .delimiter(',')
+      .repeats()
+      .type_name("LAYER,...");
   command
-      ->add_option("--caption", arguments.captions,
-                   "The legend's words for the first file, again for the next (default: names)")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->type_name("TEXT");
-  add_look_options(*command, arguments);
-  CLI::Option* const fill = add_fill_option(*command, arguments.fill);
+      .add_option("--caption", arguments.captions,
+                  "The legend's words for the first file, again for the next (default: names)")
+      .repeats()
+      .type_name("TEXT");
+  add_look_options(command, arguments);
+  add_fill_option(command, arguments.fill);
   command
-      ->add_flag("--faults", arguments.faults,
-                 "Draw rings as they stand, even-odd, and mark what makes polygons invalid")
-      ->excludes(fill)
-      ->excludes("--strict");
-  add_limit_options(*command, limits, false);
+      .add_flag("--faults", arguments.faults,
+                "Draw rings as they stand, even-odd, and mark what makes polygons invalid")
+      .excludes("--fill")
+      .excludes("--strict");
+  add_limit_options(command, limits, false);
   return command;
 }
 

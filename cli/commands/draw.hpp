@@ -1,12 +1,12 @@
 // The options of `minksum draw`.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "minksum/resolve.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "pictures/figure.hpp"
 
@@ -30,7 +30,7 @@ struct DrawArguments {
 };
 
 /// Adds the subcommand; parsing fills the other two.
-CLI::App* add_draw(CLI::App& app, DrawArguments& arguments, ProcessLimits& limits);
+Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(DrawArguments& arguments);

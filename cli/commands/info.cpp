@@ -1,5 +1,4 @@
 // minksum info: what a file holds, whether its polygons are valid, and what they mean.
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 
@@ -8,6 +7,7 @@
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
 #include "output/faults.hpp"
+#include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -15,8 +15,6 @@
 
 namespace minksum::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxFaults = 100;
 // What the polygons mean, by the fill rule.
@@ -132,8 +130,7 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Finding
     add_area(meaning, findings.meaning->area);
     json["meaning"] = meaning;
   }
-  // File names and messages may hold any bytes; JSON holds only UTF-8.
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  out << json.dump(2) << '\n';
 }
 
 }  // namespace

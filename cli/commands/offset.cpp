@@ -41,40 +41,40 @@ void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& r
 
 }  // namespace
 
-CLI::App* add_offset(CLI::App& app, OffsetArguments& arguments, TypedOffset& typed,
-                     ProcessLimits& limits) {
-  CLI::App* const command = app.add_subcommand("offset", "A grown or shrunk by a distance");
-  command->footer(kFooter);
-  command->add_option("FILE", arguments.operand, "The set")->required()->type_name("FILE");
-  command->add_option("-d,--distance", typed.distance, "How far; negative: shrunk")
-      ->required()
-      ->type_name("D");
+Command add_offset(CommandLine& line, OffsetArguments& arguments, TypedOffset& typed,
+                   ProcessLimits& limits) {
+  const Command command = line.add_command("offset", "A grown or shrunk by a distance");
+  command.footer(kFooter);
+  command.add_option("FILE", arguments.operand, "The set").required().type_name("FILE");
+  command.add_option("-d,--distance", typed.distance, "How far; negative: shrunk")
+      .required()
+      .type_name("D");
   command
-      ->add_option("--join", typed.join, "At corners: round (the default), miter, square or bevel")
-      ->check(CLI::IsMember(names_of(kJoins)))
-      ->type_name("JOIN");
-  command->add_option("--cap", typed.cap, "At ends of polylines: round (the default), butt, square")
-      ->check(CLI::IsMember(names_of(kCaps)))
-      ->type_name("CAP");
+      .add_option("--join", typed.join, "At corners: round (the default), miter, square or bevel")
+      .one_of(names_of(kJoins))
+      .type_name("JOIN");
+  command.add_option("--cap", typed.cap, "At ends of polylines: round (the default), butt, square")
+      .one_of(names_of(kCaps))
+      .type_name("CAP");
   command
-      ->add_option("--miter-limit", typed.miter_limit,
-                   "How many times the distance a miter may reach; 2 without it; else square")
-      ->type_name("M");
+      .add_option("--miter-limit", typed.miter_limit,
+                  "How many times the distance a miter may reach; 2 without it; else square")
+      .type_name("M");
   command
-      ->add_option("--tolerance", typed.tolerance,
-                   "How far the result may be off; a thousandth of the distance without it")
-      ->type_name("T");
+      .add_option("--tolerance", typed.tolerance,
+                  "How far the result may be off; a thousandth of the distance without it")
+      .type_name("T");
   command
-      ->add_option(
+      .add_option(
           "--side", typed.side,
           "nearest (the default), outside (contains the true offset), inside (within it); "
           "these two for round joins and caps only, and followed by --round if that is not given")
-      ->check(CLI::IsMember(names_of(rounding_sides())))
-      ->type_name("SIDE");
-  add_result_options(*command, arguments, typed, "result");
-  add_fill_option(*command, arguments.options.fill);
-  command->add_option("--svg", arguments.picture, "Draw A and its offset")->type_name("FILE");
-  add_limit_options(*command, limits, true);
+      .one_of(names_of(rounding_sides()))
+      .type_name("SIDE");
+  add_result_options(command, arguments, typed, "result");
+  add_fill_option(command, arguments.options.fill);
+  command.add_option("--svg", arguments.picture, "Draw A and its offset").type_name("FILE");
+  add_limit_options(command, limits, true);
   return command;
 }
 

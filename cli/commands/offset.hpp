@@ -1,11 +1,11 @@
 // minksum offset: its arguments and options.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "commands/commands.hpp"
 #include "minksum/offset.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/result_options.hpp"
 
@@ -31,8 +31,8 @@ struct TypedOffset : TypedResult {
 };
 
 /// Adds the subcommand; parsing fills the other three.
-CLI::App* add_offset(CLI::App& app, OffsetArguments& arguments, TypedOffset& typed,
-                     ProcessLimits& limits);
+Command add_offset(CommandLine& line, OffsetArguments& arguments, TypedOffset& typed,
+                   ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(OffsetArguments& arguments, const TypedOffset& typed);

@@ -1,6 +1,5 @@
 #include "commands/operations.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
 
@@ -32,20 +31,14 @@ class Parser {
     }
   }
   [[nodiscard]] const char* name() const { return name_; }
-  CLI::App& app() { return app_; }
-  // After a subcommand was added to the app.
-  void parse() {
-    try {
-      app_.parse(std::vector<std::string>(words_.rbegin(), words_.rend()));
-    } catch (const CLI::ParseError& error) {
-      throw Failure(kWrongUsage, error.what());
-    }
-  }
+  CommandLine& line() { return line_; }
+  // After a subcommand was added to the line.
+  void parse() { static_cast<void>(line_.parse(words_)); }
 
  private:
   const char* name_;
   std::vector<std::string> words_;
-  CLI::App app_;
+  CommandLine line_;
 };
 
 void require_json_format(const ResultArguments& arguments) {
@@ -64,9 +57,9 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
   SumArguments arguments;
   TypedSum typed;
   bool tight = false;
-  CLI::App* const command = add_sum(parser.app(), arguments, typed, limits);
-  command->remove_option(command->get_option("--tight"));  // which names a file
-  command->add_flag("--tight", tight);
+  const Command command = add_sum(parser.line(), arguments, typed, limits);
+  command.remove_option("--tight");  // which names a file
+  command.add_flag("--tight", tight);
   parser.parse();
   settle(arguments, typed);
   require_json_format(arguments);
@@ -97,7 +90,7 @@ Made make_morphology(Parser& parser, ProcessLimits& limits) {
   MorphologyArguments arguments;
   TypedMorphology typed;
   arguments.operation = operation;
-  add_morphology(parser.app(), operation, arguments, typed, limits);
+  add_morphology(parser.line(), operation, arguments, typed, limits);
   parser.parse();
   settle(arguments, typed);
   require_json_format(arguments);
@@ -116,7 +109,7 @@ Made make_nesting(Parser& parser, ProcessLimits& limits) {
   NestingArguments arguments;
   TypedNesting typed;
   arguments.inner_fit = inner_fit;
-  add_nesting(parser.app(), inner_fit, arguments, typed, limits);
+  add_nesting(parser.line(), inner_fit, arguments, typed, limits);
   parser.parse();
   settle(arguments, typed);
   require_json_format(arguments);
@@ -128,8 +121,9 @@ Made make_nesting(Parser& parser, ProcessLimits& limits) {
     if (mine.placements.empty()) {
       return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
     }
-    const nlohmann::ordered_json json{{"contacts", contacts(mine, a, b)}};
-    return "\"result\":" + json.dump();
+    Json answers = Json::array();
+    for (const char* const answer : contacts(mine, a, b)) answers.push_back(answer);
+    return "\"result\":" + Json{{"contacts", answers}}.dump();
   };
   return {arguments.options.fill, run};
 }
@@ -137,7 +131,7 @@ Made make_nesting(Parser& parser, ProcessLimits& limits) {
 Made make_depth(Parser& parser, ProcessLimits& limits) {
   DepthArguments arguments;
   TypedDepth typed;
-  add_depth(parser.app(), arguments, typed, limits);
+  add_depth(parser.line(), arguments, typed, limits);
   parser.parse();
   settle(arguments, typed);
   arguments.options.limits = limits.sum;
@@ -153,7 +147,7 @@ Made make_depth(Parser& parser, ProcessLimits& limits) {
 Made make_offset(Parser& parser, ProcessLimits& limits) {
   OffsetArguments arguments;
   TypedOffset typed;
-  add_offset(parser.app(), arguments, typed, limits);
+  add_offset(parser.line(), arguments, typed, limits);
   parser.parse();
   settle(arguments, typed);
   require_json_format(arguments);

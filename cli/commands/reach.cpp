@@ -1,18 +1,16 @@
 #include "commands/reach.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "options/typed_numbers.hpp"
+#include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json turn_json(const Turn& turn) {
   return {{"theta", turn.asked.to_double()},
@@ -101,31 +99,31 @@ Configuration parse_configuration(const std::string& option, const std::string& 
 
 }  // namespace
 
-CLI::App* add_reach(CLI::App& app, ReachArguments& arguments, TypedReach& typed,
-                    ProcessLimits& limits) {
-  CLI::App* const command = app.add_subcommand(
+Command add_reach(CommandLine& line, ReachArguments& arguments, TypedReach& typed,
+                  ProcessLimits& limits) {
+  const Command command = line.add_command(
       "reach", "Whether a robot that moves and turns gets from one place to another, and how");
-  add_robot_options(*command, arguments, typed, arguments.options);
+  add_robot_options(command, arguments, typed, arguments.options);
   const auto add_text = [command](const char* name, std::string& text, const char* what) {
-    return command->add_option(name, text, what)->required();
+    return command.add_option(name, text, what).required();
   };
   add_text("--from", typed.from, "Where it is: its reference point, and its turn in degrees")
-      ->type_name("X,Y,THETA");
-  add_text("--to", typed.to, "Where it is to go")->type_name("X,Y,THETA");
-  add_text("--angles", typed.angles, "It turns in steps of a full turn over N")->type_name("N");
+      .type_name("X,Y,THETA");
+  add_text("--to", typed.to, "Where it is to go").type_name("X,Y,THETA");
+  add_text("--angles", typed.angles, "It turns in steps of a full turn over N").type_name("N");
   command
-      ->add_option("--angle-tolerance", arguments.options.tolerance,
-                   "How many degrees an angle may be off to be a rational turn (default 0.001)")
-      ->check(between(1e-10, 1))
-      ->type_name("D");
-  command->add_flag("--certain", arguments.options.certain,
-                    "Free of collisions at all angles between as well: the robot is grown for "
-                    "that");
-  command->add_flag("--json", arguments.json, "As JSON, with exact numbers");
-  command->add_option("-o,--output", arguments.output, "The path as a GeoJSON Feature")
-      ->type_name("FILE");
-  command->add_option("--svg", arguments.picture, "Draw the robot on its way")->type_name("FILE");
-  add_limit_options(*command, limits, true);
+      .add_option("--angle-tolerance", arguments.options.tolerance,
+                  "How many degrees an angle may be off to be a rational turn (default 0.001)")
+      .check(between(1e-10, 1))
+      .type_name("D");
+  command.add_flag("--certain", arguments.options.certain,
+                   "Free of collisions at all angles between as well: the robot is grown for "
+                   "that");
+  command.add_flag("--json", arguments.json, "As JSON, with exact numbers");
+  command.add_option("-o,--output", arguments.output, "The path as a GeoJSON Feature")
+      .type_name("FILE");
+  command.add_option("--svg", arguments.picture, "Draw the robot on its way").type_name("FILE");
+  add_limit_options(command, limits, true);
   return command;
 }
 

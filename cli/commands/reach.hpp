@@ -22,8 +22,8 @@ struct TypedReach : TypedRobot {
   std::string angles;
 };
 
-CLI::App* add_reach(CLI::App& app, ReachArguments& arguments, TypedReach& typed,
-                    ProcessLimits& limits);
+Command add_reach(CommandLine& line, ReachArguments& arguments, TypedReach& typed,
+                  ProcessLimits& limits);
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(ReachArguments& arguments, const TypedReach& typed);
 int run_reach(const ReachArguments& arguments);

@@ -114,10 +114,8 @@ void write_results(const SumArguments& arguments, SumRun& run, OutputFiles& file
                 [&](std::ostream& out) { out << sum_picture(drawing_of(run, arguments.options)); });
   }
   if (!arguments.stats.empty()) {
-    const auto json = statistics_json(arguments, run);
-    files.write(arguments.stats, [&](std::ostream& out) {
-      out << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-    });
+    const Json json = statistics_json(arguments, run);
+    files.write(arguments.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
   }
 }
 

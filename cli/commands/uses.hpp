@@ -2,10 +2,10 @@
 // All throw Error; its culprit names the operand.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "output/json.hpp"
 
 namespace minksum::cli {
 
@@ -42,7 +42,6 @@ struct DepthFindings {
 [[nodiscard]] DepthFindings find_depth(const DepthArguments& arguments, const Geometry& a,
                                        const Geometry& b);
 /// With the keys that docs/operations.md describes.
-[[nodiscard]] nlohmann::ordered_json depth_json(const DepthArguments& arguments,
-                                                const DepthFindings& findings);
+[[nodiscard]] Json depth_json(const DepthArguments& arguments, const DepthFindings& findings);
 
 }  // namespace minksum::cli

@@ -17,48 +17,47 @@ order. A job that fails is a line with "error"; the exit code is 2 then.
 constexpr int kMaxThreads = 1024;
 constexpr int kMaxRotations = 3600;
 
-void add_pair_options(CLI::App& command, BatchArguments& arguments) {
+void add_pair_options(const Command& command, BatchArguments& arguments) {
   const char* const group = "All pairs (instead of JOBS)";
   command
       .add_option("--pairs", arguments.pairs,
                   "All ordered pairs of the parts in this folder, each with itself as well")
-      ->type_name("DIR")
-      ->group(group);
+      .type_name("DIR")
+      .group(group);
   command
       .add_option("--rotations", arguments.rotations,
                   "The second part turned by k/R of a full turn, k = 0 to R-1 (default 1)")
-      ->check(CLI::Range(1, kMaxRotations))
-      ->type_name("R")
-      ->group(group);
+      .in_range(1, kMaxRotations)
+      .type_name("R")
+      .group(group);
   command.add_option("--operation", arguments.operation, "nfp (the default) or sum")
-      ->check(CLI::IsMember({"nfp", "sum"}))
-      ->type_name("OP")
-      ->group(group);
-  command.add_flag("--tight", arguments.tight, "No-fit polygons with tight places")->group(group);
-  command.add_flag("--no-output", arguments.no_output, "Compute only, write nothing")->group(group);
+      .one_of({"nfp", "sum"})
+      .type_name("OP")
+      .group(group);
+  command.add_flag("--tight", arguments.tight, "No-fit polygons with tight places").group(group);
+  command.add_flag("--no-output", arguments.no_output, "Compute only, write nothing").group(group);
 }
 
 }  // namespace
 
-CLI::App* add_batch(CLI::App& app, BatchArguments& arguments, TypedBatch& typed,
-                    ProcessLimits& limits) {
-  CLI::App* const command = app.add_subcommand("batch", "Many operations, on all cores");
-  command->footer(kFooter);
-  command->add_option("JOBS", arguments.jobs, "The jobs, or - for standard input")
-      ->type_name("FILE");
-  add_result_options(*command, arguments, typed, "results");
-  add_fill_option(*command, arguments.fill);
-  command->add_option("--threads", arguments.threads, "How many (default: as the machine has)")
-      ->check(CLI::Range(1, kMaxThreads))
-      ->type_name("N");
-  command->add_flag("--restart", arguments.restart,
-                    "Start afresh, even if an earlier run left FILE.partial");
-  command->add_option("--stats", arguments.stats, "Write counts and times as JSON")
-      ->type_name("FILE");
-  add_pair_options(*command, arguments);
-  add_limit_options(*command, limits, true);
-  command->remove_option(command->get_option("--timeout"));
-  add_seconds(*command, typed.seconds, "Time for each job (default: none)");
+Command add_batch(CommandLine& line, BatchArguments& arguments, TypedBatch& typed,
+                  ProcessLimits& limits) {
+  const Command command = line.add_command("batch", "Many operations, on all cores");
+  command.footer(kFooter);
+  command.add_option("JOBS", arguments.jobs, "The jobs, or - for standard input").type_name("FILE");
+  add_result_options(command, arguments, typed, "results");
+  add_fill_option(command, arguments.fill);
+  command.add_option("--threads", arguments.threads, "How many (default: as the machine has)")
+      .in_range(1, kMaxThreads)
+      .type_name("N");
+  command.add_flag("--restart", arguments.restart,
+                   "Start afresh, even if an earlier run left FILE.partial");
+  command.add_option("--stats", arguments.stats, "Write counts and times as JSON")
+      .type_name("FILE");
+  add_pair_options(command, arguments);
+  add_limit_options(command, limits, true);
+  command.remove_option("--timeout");
+  add_seconds(command, typed.seconds, "Time for each job (default: none)");
   return command;
 }
 

@@ -28,28 +28,26 @@ std::optional<std::uint64_t> parse_with_suffix(std::string_view text, std::strin
 }
 
 template <typename Value>
-void add_count(CLI::App& command, const char* name, Value& value, const char* what) {
+void add_count(const Command& command, const char* name, Value& value, const char* what) {
   command
-      .add_option_function<std::string>(
+      .add_option(
           name,
           [name, &value](const std::string& text) {
             const std::optional<std::uint64_t> count = parse_count(text);
             if (!count) {
-              throw CLI::ValidationError(name,
-                                         "takes a count as 500000, 500K or 2M, not '" + text + "'");
+              reject_value(name, "takes a count as 500000, 500K or 2M, not '" + text + "'");
             }
             value = static_cast<Value>(*count);
           },
           what)
-      ->type_name("N")
-      ->group(kGroup);
+      .type_name("N")
+      .group(kGroup);
 }
 
 std::uint64_t take_size(const char* name, const std::string& text) {
   const std::optional<std::uint64_t> size = parse_size(text);
   if (!size) {
-    throw CLI::ValidationError(name,
-                               "takes a size in bytes as 100000, 512M or 4G, not '" + text + "'");
+    reject_value(name, "takes a size in bytes as 100000, 512M or 4G, not '" + text + "'");
   }
   return *size;
 }
@@ -60,7 +58,7 @@ double take_seconds(const std::string& text) {
   constexpr double kMost = 1e8;  // three years; and what any system's timer takes
   if (error != std::errc() || end != text.data() + text.size() || !(seconds > 0) ||
       seconds > kMost) {
-    throw CLI::ValidationError("--timeout", "takes seconds as 10 or 0.5, not '" + text + "'");
+    reject_value("--timeout", "takes seconds as 10 or 0.5, not '" + text + "'");
   }
   return seconds;
 }
@@ -88,7 +86,7 @@ std::optional<std::uint64_t> default_memory() {
   return bytes > 0 ? std::optional(bytes) : std::nullopt;
 }
 
-void add_limit_options(CLI::App& command, ProcessLimits& limits, bool sum) {
+void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) {
   limits.memory = default_memory();
   add_count(command, "--max-vertices", limits.read.max_vertices,
             "Vertices of an operand (default 2^30)");
@@ -99,33 +97,33 @@ void add_limit_options(CLI::App& command, ProcessLimits& limits, bool sum) {
               "Crossings among them (default 2^28)");
   }
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--max-bytes",
           [&limits](const std::string& text) {
             limits.read.max_bytes = take_size("--max-bytes", text);
           },
           "Length of an operand's text (default 1G)")
-      ->type_name("SIZE")
-      ->group(kGroup);
+      .type_name("SIZE")
+      .group(kGroup);
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--max-memory",
           [&limits](const std::string& text) {
             limits.memory.reset();
             if (text != "none") limits.memory = take_size("--max-memory", text);
           },
           "Memory of the process, or none (default: what the machine has)")
-      ->type_name("SIZE")
-      ->group(kGroup);
+      .type_name("SIZE")
+      .group(kGroup);
   add_seconds(command, limits.seconds, "Time for everything (default: none)");
 }
 
-void add_seconds(CLI::App& command, double& seconds, const char* what) {
+void add_seconds(const Command& command, double& seconds, const char* what) {
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--timeout", [&seconds](const std::string& text) { seconds = take_seconds(text); }, what)
-      ->type_name("SECONDS")
-      ->group(kGroup);
+      .type_name("SECONDS")
+      .group(kGroup);
 }
 
 void apply(ProcessLimits& limits) {

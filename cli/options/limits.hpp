@@ -1,13 +1,13 @@
 // Limits that the user sets: their options, and how the process keeps to them.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "options/command_line.hpp"
 
 namespace minksum::cli {
 
@@ -23,11 +23,11 @@ struct ProcessLimits {
 [[nodiscard]] std::optional<std::uint64_t> default_memory();
 
 /// Adds --max-vertices, --max-bytes, --max-memory and --timeout; with `sum`, --max-segments and
-/// --max-crossings as well. What is typed wrongly is a CLI::ParseError.
-void add_limit_options(CLI::App& command, ProcessLimits& limits, bool sum);
+/// --max-crossings as well. What is typed wrongly is rejected by the parser.
+void add_limit_options(const Command& command, ProcessLimits& limits, bool sum);
 
 /// Adds --timeout alone.
-void add_seconds(CLI::App& command, double& seconds, const char* what);
+void add_seconds(const Command& command, double& seconds, const char* what);
 
 /// Makes the process keep to the limits on memory and time from now on. Afterwards there is none on
 /// memory if the system has set a lower one.

@@ -47,32 +47,28 @@ io::Format choose_format(const std::string& typed, const std::string& output) {
   return found == kFormats.end() ? io::Format::kWkt : found->second;
 }
 
-std::vector<CLI::Option*> add_result_options(CLI::App& command, ResultArguments& arguments,
-                                             TypedResult& typed, const std::string& result) {
-  CLI::Option* const output =
-      command
-          .add_option("-o,--output", arguments.output,
-                      "Write the " + result + " here, not to standard output")
-          ->type_name("FILE");
-  CLI::Option* const format =
-      command
-          .add_option("--format", typed.format,
-                      "wkt, geojson, svg or poly; without it as the output's name ends, else wkt")
-          ->check(CLI::IsMember(names_of(kFormats)))
-          ->type_name("F");
-  CLI::Option* const coordinates =
-      command
-          .add_option("--coords", typed.coordinates,
-                      "double (nearest, shortest form; the default), exact (integers or p/q), "
-                      "decimal:N")
-          ->type_name("C");
-  CLI::Option* const side = command
-                                .add_option("--round", typed.round,
-                                            "nearest (the default), outside (contains the exact " +
-                                                result + "), inside (within it)")
-                                ->check(CLI::IsMember(names_of(rounding_sides())))
-                                ->type_name("SIDE");
-  return {output, format, coordinates, side};
+void add_result_options(const Command& command, ResultArguments& arguments, TypedResult& typed,
+                        const std::string& result) {
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Write the " + result + " here, not to standard output")
+      .type_name("FILE");
+  command
+      .add_option("--format", typed.format,
+                  "wkt, geojson, svg or poly; without it as the output's name ends, else wkt")
+      .one_of(names_of(kFormats))
+      .type_name("F");
+  command
+      .add_option("--coords", typed.coordinates,
+                  "double (nearest, shortest form; the default), exact (integers or p/q), "
+                  "decimal:N")
+      .type_name("C");
+  command
+      .add_option(
+          "--round", typed.round,
+          "nearest (the default), outside (contains the exact " + result + "), inside (within it)")
+      .one_of(names_of(rounding_sides()))
+      .type_name("SIDE");
 }
 
 void settle_result(ResultArguments& arguments, const TypedResult& typed) {

@@ -1,12 +1,12 @@
 // The options that say where and how a result is written.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "options/command_line.hpp"
 
 namespace minksum::cli {
 
@@ -18,9 +18,8 @@ struct TypedResult {
 };
 
 /// Adds -o, --format, --coords and --round; `result` is what messages call it: "sum".
-/// Returns them.
-std::vector<CLI::Option*> add_result_options(CLI::App& command, ResultArguments& arguments,
-                                             TypedResult& typed, const std::string& result);
+void add_result_options(const Command& command, ResultArguments& arguments, TypedResult& typed,
+                        const std::string& result);
 
 /// Fills `arguments`. Throws a Failure for wrong usage.
 void settle_result(ResultArguments& arguments, const TypedResult& typed);
@@ -31,7 +30,7 @@ void settle_result(ResultArguments& arguments, const TypedResult& typed);
 /// The format that was asked for, or the one that the output's name ends in, or WKT.
 [[nodiscard]] io::Format choose_format(const std::string& typed, const std::string& output);
 
-/// The keys of a map, for CLI::IsMember.
+/// The keys of a map, for Option::one_of.
 [[nodiscard]] std::vector<std::string> names_of(const auto& map) {
   std::vector<std::string> names;
   for (const auto& entry : map) names.push_back(entry.first);

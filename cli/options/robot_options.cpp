@@ -8,23 +8,23 @@
 
 namespace minksum::cli {
 
-void add_robot_options(CLI::App& command, RobotArguments& arguments, TypedRobot& typed,
+void add_robot_options(const Command& command, RobotArguments& arguments, TypedRobot& typed,
                        ConfigurationOptions& options) {
   command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
   const auto add_file = [&command](const char* name, std::string& file, const char* what) {
-    return command.add_option(name, file, what)->type_name("FILE");
+    return command.add_option(name, file, what).type_name("FILE");
   };
-  add_file("ROBOT", arguments.operands[0], "What moves and turns")->required();
-  add_file("OBSTACLES", arguments.operands[1], "What it must not overlap")->required();
+  add_file("ROBOT", arguments.operands[0], "What moves and turns").required();
+  add_file("OBSTACLES", arguments.operands[1], "What it must not overlap").required();
   add_file("--workspace", arguments.workspace, "What the robot has to stay inside");
   command
       .add_option("--reference", typed.reference,
                   "The robot's point that says where it is, and that it turns about (default 0,0)")
-      ->type_name("X,Y");
+      .type_name("X,Y");
   command
       .add_option("--threads", options.threads, "Threads that compute slices (default: all cores)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+      .in_range(1, 1024)
+      .type_name("N");
   add_fill_option(command, options.fill);
 }
 

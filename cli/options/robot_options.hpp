@@ -1,12 +1,12 @@
 // What the subcommands about robots share: their operands, and how these are read.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "commands/commands.hpp"
 #include "minksum/configuration_space.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 
 namespace minksum::cli {
@@ -23,7 +23,7 @@ struct TypedRobot {
   std::string reference;
 };
 
-void add_robot_options(CLI::App& command, RobotArguments& arguments, TypedRobot& typed,
+void add_robot_options(const Command& command, RobotArguments& arguments, TypedRobot& typed,
                        ConfigurationOptions& options);
 /// Throws a Failure for wrong usage.
 void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,

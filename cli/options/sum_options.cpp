@@ -30,46 +30,44 @@ const std::map<std::string, FillRule> kFillRules = {
 
 Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
 
-void add_operand_options(CLI::App& sum, Options& options) {
+void add_operand_options(const Command& sum, Options& options) {
   const char* const group = "What operands mean";
-  add_fill_option(sum, options.fill)->group(group);
+  add_fill_option(sum, options.fill).group(group);
   sum.add_flag("--regularize", options.regularize, "Drop operands' polylines, points and spikes")
-      ->group(group);
+      .group(group);
 }
 
-void add_output_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
+void add_output_options(const Command& sum, SumArguments& arguments, TypedSum& typed) {
   add_result_options(sum, arguments, typed, "sum");
   sum.add_flag("--keep-properties", arguments.keep_properties,
                "GeoJSON: a Feature with the properties of P, which is one");
-  sum.add_option("--tight", arguments.tight, "Write placements without any play")
-      ->type_name("FILE");
+  sum.add_option("--tight", arguments.tight, "Write placements without any play").type_name("FILE");
   sum.add_option("--stats", arguments.stats, "Write sizes, times and counts as JSON")
-      ->type_name("FILE");
-  sum.add_option("--svg", arguments.picture, "Draw operands and sum")->type_name("FILE");
+      .type_name("FILE");
+  sum.add_option("--svg", arguments.picture, "Draw operands and sum").type_name("FILE");
   sum.add_option("--trace", arguments.trace, "Draw and write every stage into this folder")
-      ->type_name("DIR");
+      .type_name("DIR");
 }
 
-void add_test_options(CLI::App& sum, SumArguments& arguments, TypedSum& typed) {
+void add_test_options(const Command& sum, SumArguments& arguments, TypedSum& typed) {
   const char* const group = "For tests (the result is the same)";
-  sum.add_flag("--no-cover", typed.no_cover, "No cover: build the whole arrangement")->group(group);
+  sum.add_flag("--no-cover", typed.no_cover, "No cover: build the whole arrangement").group(group);
   sum.add_option("--grid", arguments.options.grid,
                  "Cells along the longer side of the cover's grid")
-      ->check(CLI::Range(0, kMostCells))
-      ->group(group);
-  sum.add_option_function<std::string>(
+      .in_range(0, kMostCells)
+      .group(group);
+  sum.add_option(
          "--arithmetic",
          [&arguments](const std::string& name) {
            arguments.options.arithmetic = kArithmetics.at(name);
          },
          "Force a number type: auto, narrow, medium, wide, arbitrary")
-      ->check(CLI::IsMember(names_of(kArithmetics)))
-      ->type_name("RUNG")
-      ->group(group);
+      .one_of(names_of(kArithmetics))
+      .type_name("RUNG")
+      .group(group);
   sum.add_flag("--no-filter", typed.no_filter, "Decide everything by exact arithmetic")
-      ->group(group);
-  sum.add_flag("--check", arguments.options.check, "Check each stage's result (slow)")
-      ->group(group);
+      .group(group);
+  sum.add_flag("--check", arguments.options.check, "Check each stage's result (slow)").group(group);
 }
 
 void settle_output(SumArguments& arguments, const TypedSum& typed) {
@@ -94,42 +92,43 @@ void settle_tight(SumArguments& arguments) {
 
 }  // namespace
 
-CLI::Option* add_fill_option(CLI::App& command, FillRule& fill) {
-  CLI::Option* const rule =
+Option add_fill_option(const Command& command, FillRule& fill) {
+  const Option rule =
       command
-          .add_option_function<std::string>(
+          .add_option(
               "--fill", [&fill](const std::string& name) { fill = kFillRules.at(name); },
               "automatic (outer rings less their holes, as OGC says; the default), evenodd, "
               "nonzero, positive, negative, strict (valid polygons alone)")
-          ->check(CLI::IsMember(names_of(kFillRules)))
-          ->type_name("RULE");
+          .one_of(names_of(kFillRules))
+          .type_name("RULE");
   command
-      .add_flag_callback(
+      .add_flag(
           "--strict", [&fill] { fill = FillRule::kStrict; },
           "Refuse polygons that are not valid, as --fill strict")
-      ->excludes(rule);
+      .excludes("--fill");
   return rule;
 }
 
-CLI::App* add_sum(CLI::App& app, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits) {
-  CLI::App* sum = app.add_subcommand("sum", "The Minkowski sum of two geometries");
-  sum->footer(kSumFooter);
-  sum->add_option("P", arguments.operands[0], "The first operand")->required()->type_name("FILE");
-  sum->add_option("Q", arguments.operands[1], "The second operand")->required()->type_name("FILE");
-  add_output_options(*sum, arguments, typed);
-  sum->add_option_function<std::string>(
+Command add_sum(CommandLine& line, SumArguments& arguments, TypedSum& typed,
+                ProcessLimits& limits) {
+  const Command sum = line.add_command("sum", "The Minkowski sum of two geometries");
+  sum.footer(kSumFooter);
+  sum.add_option("P", arguments.operands[0], "The first operand").required().type_name("FILE");
+  sum.add_option("Q", arguments.operands[1], "The second operand").required().type_name("FILE");
+  add_output_options(sum, arguments, typed);
+  sum.add_option(
          "--method",
          [&arguments](const std::string& name) { arguments.options.method = kMethods.at(name); },
          "reduced (the default), signed, full: the same sum by three methods")
-      ->check(CLI::IsMember(names_of(kMethods)))
-      ->type_name("M");
-  sum->add_option("--repeat", arguments.repeat, "Compute N times and report median times")
-      ->check(CLI::Range(1, 1'000'000))
-      ->type_name("N");
-  sum->add_flag("-v,--verbose", arguments.verbose, "Say sizes and time on standard error");
-  add_operand_options(*sum, arguments.options);
-  add_limit_options(*sum, limits, true);
-  add_test_options(*sum, arguments, typed);
+      .one_of(names_of(kMethods))
+      .type_name("M");
+  sum.add_option("--repeat", arguments.repeat, "Compute N times and report median times")
+      .in_range(1, 1'000'000)
+      .type_name("N");
+  sum.add_flag("-v,--verbose", arguments.verbose, "Say sizes and time on standard error");
+  add_operand_options(sum, arguments.options);
+  add_limit_options(sum, limits, true);
+  add_test_options(sum, arguments, typed);
   return sum;
 }
 

@@ -1,9 +1,8 @@
 // The options of `minksum sum`.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "commands/commands.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/result_options.hpp"
 
@@ -16,10 +15,10 @@ struct TypedSum : TypedResult {
 };
 
 /// Adds the subcommand; parsing fills the other three.
-CLI::App* add_sum(CLI::App& app, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits);
+Command add_sum(CommandLine& line, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits);
 
 /// Adds --fill, for any subcommand.
-CLI::Option* add_fill_option(CLI::App& command, FillRule& fill);
+Option add_fill_option(const Command& command, FillRule& fill);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(SumArguments& arguments, const TypedSum& typed);

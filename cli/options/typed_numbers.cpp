@@ -39,8 +39,10 @@ bool has_too_large_exponent(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMostShown = 60;
-  const bool whole = text.size() <= kMostShown;
-  return "'" + std::string(text.substr(0, kMostShown)) + (whole ? "'" : "...'");
+  std::string quoted = "'";
+  quoted += text.substr(0, kMostShown);
+  quoted += text.size() <= kMostShown ? "'" : "...'";
+  return quoted;
 }
 
 // The number; nothing if it is none.
@@ -85,7 +87,7 @@ Point parse_point(const std::string& option, const std::string& text) {
   return {numbers[0], numbers[1]};
 }
 
-CLI::Validator between(double low, double high) {
+ValueCheck between(double low, double high) {
   const auto fault = [low, high](const std::string& text) -> std::string {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -94,7 +96,7 @@ CLI::Validator between(double low, double high) {
     return "takes a number from " + shortest(low) + " to " + shortest(high) + ", not " +
            in_quotes(text);
   };
-  return CLI::Validator(fault, shortest(low) + " to " + shortest(high));
+  return {fault, shortest(low) + " to " + shortest(high)};
 }
 
 }  // namespace minksum::cli

@@ -1,13 +1,13 @@
 // Numbers as people type them after options.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "minksum/rational.hpp"
 #include "minksum/region.hpp"
+#include "options/command_line.hpp"
 
 namespace minksum::cli {
 
@@ -25,6 +25,6 @@ namespace minksum::cli {
 [[nodiscard]] Point parse_point(const std::string& option, const std::string& text);
 
 /// Takes what is from `low` to `high`.
-[[nodiscard]] CLI::Validator between(double low, double high);
+[[nodiscard]] ValueCheck between(double low, double high);
 
 }  // namespace minksum::cli

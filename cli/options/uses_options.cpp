@@ -33,8 +33,8 @@ constexpr const char* kFilesFooter = R"(
 Files as for `minksum sum`; one of them may be "-" for standard input.
 )";
 
-CLI::Option* add_operand(CLI::App& command, const char* name, std::string& file, const char* what) {
-  return command.add_option(name, file, what)->required()->type_name("FILE");
+Option add_operand(const Command& command, const char* name, std::string& file, const char* what) {
+  return command.add_option(name, file, what).required().type_name("FILE");
 }
 
 void require_one_standard_input(const std::string (&operands)[2], const std::string& names) {
@@ -49,75 +49,72 @@ void require_file(const std::string& picture) {
 
 }  // namespace
 
-CLI::App* add_morphology(CLI::App& app, Operation operation, MorphologyArguments& arguments,
-                         TypedMorphology& typed, ProcessLimits& limits) {
+Command add_morphology(CommandLine& line, Operation operation, MorphologyArguments& arguments,
+                       TypedMorphology& typed, ProcessLimits& limits) {
   const Words words = words_of(operation);
-  CLI::App* const command = app.add_subcommand(words.name, words.what);
-  command->footer(kFilesFooter);
-  add_operand(*command, "A", arguments.operands[0], "The set");
-  add_operand(*command, "B", arguments.operands[1], "The structuring element");
-  add_result_options(*command, arguments, typed, words.result);
-  add_fill_option(*command, arguments.options.fill);
-  command->add_flag("--tight", arguments.options.tight,
-                    operation == Operation::kDilate
-                        ? "Keep what has no area: a dilation always does"
-                        : "Keep what has no area: where B fits with no play");
-  command->add_option("--svg", arguments.picture, "Draw A, B and the result")->type_name("FILE");
-  add_limit_options(*command, limits, true);
+  const Command command = line.add_command(words.name, words.what);
+  command.footer(kFilesFooter);
+  add_operand(command, "A", arguments.operands[0], "The set");
+  add_operand(command, "B", arguments.operands[1], "The structuring element");
+  add_result_options(command, arguments, typed, words.result);
+  add_fill_option(command, arguments.options.fill);
+  command.add_flag("--tight", arguments.options.tight,
+                   operation == Operation::kDilate
+                       ? "Keep what has no area: a dilation always does"
+                       : "Keep what has no area: where B fits with no play");
+  command.add_option("--svg", arguments.picture, "Draw A, B and the result").type_name("FILE");
+  add_limit_options(command, limits, true);
   return command;
 }
 
-CLI::App* add_nesting(CLI::App& app, bool inner_fit, NestingArguments& arguments,
-                      TypedNesting& typed, ProcessLimits& limits) {
-  CLI::App* const command =
-      inner_fit ? app.add_subcommand("ifp", "Inner-fit polygon: placements of a part in a bin")
-                : app.add_subcommand("nfp", "No-fit polygon: placements at which parts overlap");
-  command->footer(kFilesFooter);
-  add_operand(*command, inner_fit ? "BIN" : "FIXED", arguments.operands[0],
+Command add_nesting(CommandLine& line, bool inner_fit, NestingArguments& arguments,
+                    TypedNesting& typed, ProcessLimits& limits) {
+  const Command command =
+      inner_fit ? line.add_command("ifp", "Inner-fit polygon: placements of a part in a bin")
+                : line.add_command("nfp", "No-fit polygon: placements at which parts overlap");
+  command.footer(kFilesFooter);
+  add_operand(command, inner_fit ? "BIN" : "FIXED", arguments.operands[0],
               inner_fit ? "What the part has to stay in" : "The part that stays");
-  add_operand(*command, inner_fit ? "PART" : "MOVING", arguments.operands[1],
+  add_operand(command, inner_fit ? "PART" : "MOVING", arguments.operands[1],
               "The part that is placed");
   command
-      ->add_option("--reference", typed.reference,
-                   "The point that says where the part is (default: its first vertex)")
-      ->type_name("X,Y");
-  const std::vector<CLI::Option*> polygon =
-      add_result_options(*command, arguments, typed, "polygon");
-  CLI::Option* const picture =
-      command->add_option("--svg", arguments.picture, "Draw both shapes and the polygon")
-          ->type_name("FILE");
+      .add_option("--reference", typed.reference,
+                  "The point that says where the part is (default: its first vertex)")
+      .type_name("X,Y");
+  add_result_options(command, arguments, typed, "polygon");
+  command.add_option("--svg", arguments.picture, "Draw both shapes and the polygon")
+      .type_name("FILE");
   if (!inner_fit) {
-    CLI::Option* const at =
+    const Option at =
         command
-            ->add_option("--at", typed.placements,
-                         "Instead of the polygon: is this placement free, touching or overlapping? "
-                         "May be given again")
-            ->type_name("X,Y")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-            ->excludes(picture);
-    for (CLI::Option* const option : polygon) at->excludes(option);
+            .add_option("--at", typed.placements,
+                        "Instead of the polygon: is this placement free, touching or overlapping? "
+                        "May be given again")
+            .type_name("X,Y")
+            .repeats();
+    for (const char* const other : {"--svg", "-o", "--format", "--coords", "--round"}) {
+      at.excludes(other);
+    }
   }
-  add_fill_option(*command, arguments.options.fill);
-  add_limit_options(*command, limits, true);
+  add_fill_option(command, arguments.options.fill);
+  add_limit_options(command, limits, true);
   return command;
 }
 
-CLI::App* add_depth(CLI::App& app, DepthArguments& arguments, TypedDepth& typed,
-                    ProcessLimits& limits) {
-  CLI::App* const command =
-      app.add_subcommand("depth", "Penetration depth or distance, and the time of impact");
-  command->footer(kFilesFooter);
-  add_operand(*command, "A", arguments.operands[0], "The shape that stays");
-  add_operand(*command, "B", arguments.operands[1], "The shape that moves");
-  command
-      ->add_option("--along", typed.along, "How many times DX,DY can B move before it touches A?")
-      ->type_name("DX,DY");
-  command->add_flag("--json", arguments.json, "As JSON");
-  command->add_option("--svg", arguments.picture, "Draw A, and B before and after")
-      ->type_name("FILE");
-  add_fill_option(*command, arguments.options.fill);
-  add_limit_options(*command, limits, true);
+Command add_depth(CommandLine& line, DepthArguments& arguments, TypedDepth& typed,
+                  ProcessLimits& limits) {
+  const Command command =
+      line.add_command("depth", "Penetration depth or distance, and the time of impact");
+  command.footer(kFilesFooter);
+  add_operand(command, "A", arguments.operands[0], "The shape that stays");
+  add_operand(command, "B", arguments.operands[1], "The shape that moves");
+  command.add_option("--along", typed.along, "How many times DX,DY can B move before it touches A?")
+      .type_name("DX,DY");
+  command.add_flag("--json", arguments.json, "As JSON");
+  command.add_option("--svg", arguments.picture, "Draw A, and B before and after")
+      .type_name("FILE");
+  add_fill_option(command, arguments.options.fill);
+  add_limit_options(command, limits, true);
   return command;
 }
 

@@ -1,11 +1,11 @@
 // The options of the subcommands for what sums are used for: morphology, nesting, depth.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/result_options.hpp"
 
@@ -24,13 +24,13 @@ struct TypedDepth {
 };
 
 /// Each adds a subcommand by this name; parsing fills the other three.
-CLI::App* add_morphology(CLI::App& app, MorphologyArguments::Operation operation,
-                         MorphologyArguments& arguments, TypedMorphology& typed,
-                         ProcessLimits& limits);
-CLI::App* add_nesting(CLI::App& app, bool inner_fit, NestingArguments& arguments,
-                      TypedNesting& typed, ProcessLimits& limits);
-CLI::App* add_depth(CLI::App& app, DepthArguments& arguments, TypedDepth& typed,
-                    ProcessLimits& limits);
+Command add_morphology(CommandLine& line, MorphologyArguments::Operation operation,
+                       MorphologyArguments& arguments, TypedMorphology& typed,
+                       ProcessLimits& limits);
+Command add_nesting(CommandLine& line, bool inner_fit, NestingArguments& arguments,
+                    TypedNesting& typed, ProcessLimits& limits);
+Command add_depth(CommandLine& line, DepthArguments& arguments, TypedDepth& typed,
+                  ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
 void settle(MorphologyArguments& arguments, const TypedMorphology& typed);

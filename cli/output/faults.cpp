@@ -5,8 +5,8 @@
 namespace minksum::cli {
 namespace {
 
-nlohmann::ordered_json indices(const Culprit& place) {
-  nlohmann::ordered_json json;
+Json indices(const Culprit& place) {
+  Json json;
   const auto add = [&json](const char* key, std::size_t index) {
     if (index != Culprit::kNone) json[key] = index + 1;
   };
@@ -24,8 +24,8 @@ std::string described(const Fault& fault) {
   return text + to_string(fault);
 }
 
-nlohmann::ordered_json fault_json(const Fault& fault) {
-  nlohmann::ordered_json json = indices(fault.place);
+Json fault_json(const Fault& fault) {
+  Json json = indices(fault.place);
   if (fault.other.vertex != Culprit::kNone) json["meets"] = indices(fault.other);
   if (fault.at) {
     json["at"] = {fault.at->x.to_string(), fault.at->y.to_string()};

@@ -1,10 +1,10 @@
 // Faults of a region, told.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "minksum/validity.hpp"
+#include "output/json.hpp"
 
 namespace minksum::cli {
 
@@ -12,6 +12,6 @@ namespace minksum::cli {
 [[nodiscard]] std::string described(const Fault& fault);
 /// With the keys polygon, ring, vertex (all from 1, as far as they are known), meets (the same of
 /// what is met there), at (exactly, as texts), near (in doubles; null beyond them) and message.
-[[nodiscard]] nlohmann::ordered_json fault_json(const Fault& fault);
+[[nodiscard]] Json fault_json(const Fault& fault);
 
 }  // namespace minksum::cli

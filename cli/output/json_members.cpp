@@ -1,12 +1,11 @@
 #include "output/json_members.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "output/json.hpp"
 
 namespace minksum::cli {
 namespace {
-
-using Json = nlohmann::json;
 
 // Whether the text is a number as JSON has it (RFC 8259, section 6).
 bool is_number(std::string_view text) {
@@ -47,7 +46,7 @@ bool is_json(std::string_view text) {
     simpler += is_replaced ? std::string_view("0") : part;
     text.remove_prefix(part.size());
   }
-  return Json::accept(simpler);
+  return is_plain_json(simpler);
 }
 
 // Walks over JSON that is known to be valid.
@@ -110,7 +109,7 @@ std::optional<std::vector<JsonMember>> json_members(std::string_view text) {
   std::vector<JsonMember> members;
   scanner.take();
   while (scanner.peek() != '}') {
-    std::string key = Json::parse(scanner.take_value()).get<std::string>();
+    std::string key = parse_json_string(scanner.take_value());
     scanner.take();  // the colon
     members.push_back({std::move(key), scanner.take_value()});
     if (scanner.peek() == ',') scanner.take();
@@ -132,11 +131,9 @@ std::optional<std::vector<std::string_view>> json_elements(std::string_view text
 
 std::optional<std::string> json_string(std::string_view text) {
   if (Scanner(text).peek() != '"') return {};
-  return Json::parse(text).get<std::string>();
+  return parse_json_string(text);
 }
 
-std::string to_json(std::string_view text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string to_json(std::string_view text) { return Json(text).dump(); }
 
 }  // namespace minksum::cli

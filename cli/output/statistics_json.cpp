@@ -10,8 +10,6 @@
 namespace minksum::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json size_json(const Geometry& geometry) {
   Json json;
   json["vertices"] = geometry.region.vertex_count();
@@ -135,7 +133,7 @@ const char* to_string(Arithmetic arithmetic) {
   return "?";
 }
 
-nlohmann::ordered_json statistics_json(const SumArguments& arguments, const SumRun& run) {
+Json statistics_json(const SumArguments& arguments, const SumRun& run) {
   Json json;
   for (int i = 0; i < 2; ++i) {
     Json operand = size_json(run.operands[i]);

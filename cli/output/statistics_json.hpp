@@ -1,12 +1,12 @@
 // What `minksum sum --stats` says: docs/cli.md describes each key.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "commands/commands.hpp"
 #include "commands/sum_run.hpp"
+#include "output/json.hpp"
 
 namespace minksum::cli {
 
@@ -16,8 +16,7 @@ namespace minksum::cli {
 [[nodiscard]] const char* to_string(Method method);
 [[nodiscard]] const char* to_string(Arithmetic arithmetic);
 
-[[nodiscard]] nlohmann::ordered_json statistics_json(const SumArguments& arguments,
-                                                     const SumRun& run);
+[[nodiscard]] Json statistics_json(const SumArguments& arguments, const SumRun& run);
 
 /// Seconds that people can read: "1.2 ms".
 [[nodiscard]] std::string readable_seconds(double seconds);
