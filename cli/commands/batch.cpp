@@ -9,12 +9,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <ostream>
 #include <utility>
 
 #include "batch/batch_job.hpp"
 #include "batch/batch_run.hpp"
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -140,6 +142,17 @@ int run_batch(const BatchArguments& arguments) {
   work.is_at_hand = [&] { return lines.are_at_hand(); };
   run.run(std::move(work), [&] { return lines.share(); });
   return run.finish(Json::object(), files);
+}
+
+void add_batch(Program& program) {
+  const auto arguments = std::make_shared<BatchArguments>();
+  const auto typed = std::make_shared<TypedBatch>();
+  program.add(add_batch(program.line, *arguments, *typed, program.limits),
+              [&program, arguments, typed] {
+                arguments->limits = program.limits;
+                settle(*arguments, *typed);
+                return run_batch(*arguments);
+              });
 }
 
 }  // namespace minksum::cli

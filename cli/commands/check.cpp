@@ -1,9 +1,15 @@
 // minksum check: is a file the sum of two others?
 #include "minksum/check.hpp"
 
+#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
+#include "options/command_line.hpp"
+#include "options/limits.hpp"
+#include "options/sum_options.hpp"
+#include "options/typed_numbers.hpp"
 #include "output/faults.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -19,9 +25,12 @@ std::string shown(const Point& point) {
 
 const char* to_string(Proof proof) {
   switch (proof) {
-    case Proof::kHolds: return "holds";
-    case Proof::kRefuted: return "refuted";
-    case Proof::kNotTried: return "not tried: too large for the second method";
+    case Proof::kHolds:
+      return "holds";
+    case Proof::kRefuted:
+      return "refuted";
+    case Proof::kNotTried:
+      return "not tried: too large for the second method";
   }
   return "";
 }
@@ -78,6 +87,51 @@ void write_json(std::ostream& out, const SumCheck& check) {
   out << json.dump(2) << '\n';
 }
 
+Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& limits) {
+  const Command check = line.add_command(
+      "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
+  check.footer(
+      "\nDecided by other methods than `sum` uses: validity; points near edges, in holes and at\n"
+      "random; and, where it is small enough for the second method, the whole sum exactly.\n"
+      "Rounded results need --within. Exit code 5 if an error is found.\n");
+  const auto add_file = [check](const char* name, std::string& file, const char* what) {
+    check.add_option(name, file, what).required().type_name("FILE");
+  };
+  add_file("RESULT", arguments.result, "What is said to be the sum");
+  add_file("P", arguments.operands[0], "The first operand");
+  add_file("Q", arguments.operands[1], "The second operand");
+  add_fill_option(check, arguments.options.fill);
+  check.add_flag("--regularize", arguments.options.regularize,
+                 "Drop operands' polylines, points and spikes");
+  check
+      .add_option(
+          "--within",
+          [&arguments](const std::string& text) {
+            arguments.options.within = parse_number("--within", text);
+            if (arguments.options.within.sign() < 0) {
+              throw Failure(kWrongUsage, "--within takes a number that is not negative");
+            }
+          },
+          "How far, in x and in y, the result may be off; 0, the default: not at all")
+      .type_name("D");
+  check
+      .add_option("--samples", arguments.options.samples,
+                  "Random points, beside those near edges; 1000 without it")
+      .type_name("N");
+  check
+      .add_option("--edges", arguments.options.edges,
+                  "Edges of the result near which points are tested; 10000 without it")
+      .type_name("N");
+  check.add_option("--seed", arguments.options.seed, "Seed of the random points").type_name("N");
+  check
+      .add_option("--proof-segments", arguments.options.limits.max_segments,
+                  "Largest signed convolution for which the whole sum is compared")
+      .type_name("N");
+  check.add_flag("--json", arguments.json, "As JSON");
+  add_limit_options(check, limits, false);
+  return check;
+}
+
 }  // namespace
 
 int run_check(const CheckArguments& arguments) {
@@ -95,6 +149,14 @@ int run_check(const CheckArguments& arguments) {
   write_standard_output(
       [&](std::ostream& out) { arguments.json ? write_json(out, check) : write_text(out, check); });
   return check.ok() ? kFine : kWrongResult;
+}
+
+void add_check(Program& program) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  program.add(add_check(program.line, *arguments, program.limits), [&program, arguments] {
+    arguments->limits = program.limits.read;
+    return run_check(*arguments);
+  });
 }
 
 }  // namespace minksum::cli

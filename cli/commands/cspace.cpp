@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <ostream>
 #include <sstream>
 #include <utility>
 
+#include "commands/subcommands.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -45,8 +47,8 @@ std::string feature(const Slice& slice, const CspaceArguments& arguments) {
   std::ostringstream out;
   out.exceptions(std::ios::badbit);
   out << R"({"type": "Feature", "properties": )" << properties.dump() << R"(, "geometry": )";
-  io::write(out, rounded(result_of(slice, arguments.free), arguments.result),
-            io::Format::kGeoJson, arguments.result.coordinates);
+  io::write(out, rounded(result_of(slice, arguments.free), arguments.result), io::Format::kGeoJson,
+            arguments.result.coordinates);
   out << '}';
   return std::move(out).str();
 }
@@ -223,6 +225,13 @@ int run_cspace(const CspaceArguments& arguments) {
   }
   files.finish();
   return kFine;
+}
+
+void add_cspace(Program& program) {
+  const auto arguments = std::make_shared<CspaceArguments>();
+  const auto typed = std::make_shared<TypedCspace>();
+  program.add(add_cspace(program.line, *arguments, *typed, program.limits), arguments, typed,
+              run_cspace);
 }
 
 }  // namespace minksum::cli

@@ -1,10 +1,13 @@
 // minksum depth: how two shapes stand to each other.
+#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
 #include "commands/uses.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
+#include "options/uses_options.hpp"
 #include "output/faults.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -143,6 +146,13 @@ int run_depth(const DepthArguments& arguments) {
   }
   files.finish();
   return kFine;
+}
+
+void add_depth(Program& program) {
+  const auto arguments = std::make_shared<DepthArguments>();
+  const auto typed = std::make_shared<TypedDepth>();
+  program.add(add_depth(program.line, *arguments, *typed, program.limits), arguments, typed,
+              run_depth);
 }
 
 }  // namespace minksum::cli

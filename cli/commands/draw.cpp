@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
 #include "options/result_options.hpp"
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
@@ -164,6 +166,15 @@ int run_draw(const DrawArguments& arguments) {
   files.write(arguments.output, [&](std::ostream& out) { out << figure_picture(figure); });
   files.finish();
   return kFine;
+}
+
+void add_draw(Program& program) {
+  const auto arguments = std::make_shared<DrawArguments>();
+  program.add(add_draw(program.line, *arguments, program.limits), [&program, arguments] {
+    arguments->limits = program.limits.read;
+    settle(*arguments);
+    return run_draw(*arguments);
+  });
 }
 
 }  // namespace minksum::cli

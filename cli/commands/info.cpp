@@ -1,11 +1,16 @@
 // minksum info: what a file holds, whether its polygons are valid, and what they mean.
+#include <memory>
 #include <optional>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
+#include "options/command_line.hpp"
+#include "options/limits.hpp"
+#include "options/sum_options.hpp"
 #include "output/faults.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -133,6 +138,20 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Finding
   out << json.dump(2) << '\n';
 }
 
+Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& limits) {
+  const Command info =
+      line.add_command("info", "What a geometry is: parts, holes, box, exact area, validity, bits");
+  info.footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
+  info.add_option("FILE", arguments.file, "The geometry, or - for standard input")
+      .required()
+      .type_name("FILE");
+  info.add_flag("--json", arguments.json, "As JSON");
+  add_fill_option(info, arguments.resolve.fill);
+  info.add_flag("--regularize", arguments.resolve.regularize, "Drop polylines, points and spikes");
+  add_limit_options(info, limits, false);
+  return info;
+}
+
 }  // namespace
 
 int run_info(const InfoArguments& arguments) {
@@ -150,6 +169,14 @@ int run_info(const InfoArguments& arguments) {
   throw failure_of(Error(ErrorCode::kBadInput,
                          "not valid" + several + ": " + described(findings.faults.front())),
                    arguments.file);
+}
+
+void add_info(Program& program) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  program.add(add_info(program.line, *arguments, program.limits), [&program, arguments] {
+    arguments->limits = program.limits.read;
+    return run_info(*arguments);
+  });
 }
 
 }  // namespace minksum::cli

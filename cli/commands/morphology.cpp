@@ -1,9 +1,12 @@
 // minksum dilate, erode, open, close.
+#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
 #include "commands/uses.hpp"
 #include "minksum/resolve.hpp"
+#include "options/uses_options.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -72,6 +75,17 @@ int run_morphology(const MorphologyArguments& arguments) {
   }
   files.finish();
   return kFine;
+}
+
+void add_morphology(Program& program) {
+  using enum MorphologyArguments::Operation;
+  for (const auto operation : {kDilate, kErode, kOpen, kClose}) {
+    const auto arguments = std::make_shared<MorphologyArguments>();
+    const auto typed = std::make_shared<TypedMorphology>();
+    arguments->operation = operation;
+    program.add(add_morphology(program.line, operation, *arguments, *typed, program.limits),
+                arguments, typed, run_morphology);
+  }
 }
 
 }  // namespace minksum::cli

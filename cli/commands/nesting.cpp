@@ -1,9 +1,12 @@
 // minksum nfp, ifp: where a part can be placed.
+#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
 #include "commands/uses.hpp"
 #include "minksum/resolve.hpp"
+#include "options/uses_options.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -117,6 +120,16 @@ int run_nesting(const NestingArguments& arguments) {
     fail_about(error, arguments.operands);
   }
   return kFine;
+}
+
+void add_nesting(Program& program) {
+  for (const bool inner_fit : {false, true}) {
+    const auto arguments = std::make_shared<NestingArguments>();
+    const auto typed = std::make_shared<TypedNesting>();
+    arguments->inner_fit = inner_fit;
+    program.add(add_nesting(program.line, inner_fit, *arguments, *typed, program.limits), arguments,
+                typed, run_nesting);
+  }
 }
 
 }  // namespace minksum::cli

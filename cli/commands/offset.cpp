@@ -2,8 +2,10 @@
 #include "commands/offset.hpp"
 
 #include <map>
+#include <memory>
 #include <ostream>
 
+#include "commands/subcommands.hpp"
 #include "minksum/resolve.hpp"
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
@@ -123,6 +125,13 @@ int run_offset(const OffsetArguments& arguments) {
   }
   files.finish();
   return kFine;
+}
+
+void add_offset(Program& program) {
+  const auto arguments = std::make_shared<OffsetArguments>();
+  const auto typed = std::make_shared<TypedOffset>();
+  program.add(add_offset(program.line, *arguments, *typed, program.limits), arguments, typed,
+              run_offset);
 }
 
 }  // namespace minksum::cli

@@ -1,8 +1,10 @@
 #include "commands/reach.hpp"
 
 #include <cmath>
+#include <memory>
 #include <ostream>
 
+#include "commands/subcommands.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -129,8 +131,8 @@ Command add_reach(CommandLine& line, ReachArguments& arguments, TypedReach& type
 
 void settle(ReachArguments& arguments, const TypedReach& typed) {
   settle_robot(arguments, typed, arguments.options);
-  for (const auto& [option, file] : {std::pair{"-o", &arguments.output},
-                                     std::pair{"--svg", &arguments.picture}}) {
+  for (const auto& [option, file] :
+       {std::pair{"-o", &arguments.output}, std::pair{"--svg", &arguments.picture}}) {
     if (*file == "-") {
       throw Failure(kWrongUsage, std::string(option) + " needs a file, not standard output");
     }
@@ -165,6 +167,13 @@ int run_reach(const ReachArguments& arguments) {
   }
   files.finish();
   return kFine;
+}
+
+void add_reach(Program& program) {
+  const auto arguments = std::make_shared<ReachArguments>();
+  const auto typed = std::make_shared<TypedReach>();
+  program.add(add_reach(program.line, *arguments, *typed, program.limits), arguments, typed,
+              run_reach);
 }
 
 }  // namespace minksum::cli

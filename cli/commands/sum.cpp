@@ -1,10 +1,13 @@
 // minksum sum: read two geometries, add them, write the sum and what is asked for beside it.
 #include <chrono>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/subcommands.hpp"
+#include "options/sum_options.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
 #include "output/statistics_json.hpp"
@@ -146,6 +149,12 @@ int run_sum(const SumArguments& arguments) {
   files.finish();
   if (arguments.verbose) tell_summary(arguments, run);
   return kFine;
+}
+
+void add_sum(Program& program) {
+  const auto arguments = std::make_shared<SumArguments>();
+  const auto typed = std::make_shared<TypedSum>();
+  program.add(add_sum(program.line, *arguments, *typed, program.limits), arguments, typed, run_sum);
 }
 
 }  // namespace minksum::cli

@@ -1,0 +1,57 @@
+// The subcommands of the program. To add one, write its file and put its function into both lists.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "options/command_line.hpp"
+#include "options/limits.hpp"
+
+namespace minksum::cli {
+
+/// The program as its subcommands see it.
+struct Program {
+  CommandLine& line;
+  ProcessLimits& limits;
+  std::map<std::string, std::function<int()>> run_of;  ///< by the subcommand's name
+
+  /// `run` is called if this subcommand was chosen, after parsing. It returns the exit code.
+  void add(const Command& command, std::function<int()> run) {
+    run_of[command.name()] = std::move(run);
+  }
+  /// Adds a subcommand that computes sums: the limits are set, and what no option can see by itself
+  /// is settled, before it runs.
+  template <class Arguments, class Typed>
+  void add(const Command& command, const std::shared_ptr<Arguments>& arguments,
+           const std::shared_ptr<Typed>& typed, int (*run)(const Arguments&)) {
+    add(command, [this, arguments, typed, run] {
+      arguments->limits = limits.read;
+      arguments->options.limits = limits.sum;
+      settle(*arguments, *typed);
+      return run(*arguments);
+    });
+  }
+};
+
+// Each adds one subcommand, or a few that share their options.
+void add_sum(Program& program);
+void add_info(Program& program);
+void add_check(Program& program);
+void add_morphology(Program& program);
+void add_nesting(Program& program);
+void add_offset(Program& program);
+void add_depth(Program& program);
+void add_cspace(Program& program);
+void add_reach(Program& program);
+void add_draw(Program& program);
+void add_batch(Program& program);
+
+/// In the order in which `--help` shows them.
+inline constexpr void (*kSubcommands[])(Program&) = {
+    add_sum,   add_info,   add_check, add_morphology, add_nesting, add_offset,
+    add_depth, add_cspace, add_reach, add_draw,       add_batch};
+
+}  // namespace minksum::cli
