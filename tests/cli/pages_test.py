@@ -31,6 +31,10 @@ class Install(Page, ProgramTest):
     page_name = "install.md"
 
 
+class Performance(Page, ProgramTest):
+    page_name = "performance.md"
+
+
 class Tutorial(Page, ProgramTest):
     page_name = "tutorial.md"
 
