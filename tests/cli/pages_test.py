@@ -35,6 +35,10 @@ class Performance(Page, ProgramTest):
     page_name = "performance.md"
 
 
+class Pipeline(Page, ProgramTest):
+    page_name = "pipeline.md"
+
+
 class Tutorial(Page, ProgramTest):
     page_name = "tutorial.md"
 
