@@ -9,6 +9,7 @@ Of several files each may hold other sets; where two have the same pair the late
 import json
 import pathlib
 import sys
+import textwrap
 
 import plots
 from claims import claims, table_ratio
@@ -17,41 +18,58 @@ from figures import (MIB, MODELS, STAGES, Records, bound_text, count_text, dig, 
                      seconds_text, segments, table, times_text)
 
 INTRODUCTION = """\
-# Benchmarks
+# How fast is it beside its peers?
 
-Made by `make bench` (`bench/`), which writes `build/bench.json` and from it this page and its pictures. Do not edit.
+    make bench      # measures everything anew and writes this page and its pictures
+
+Do not edit this page: `bench/report.py` makes it from `build/bench.json`.
 
 {machine}
 
-What each figure contains:
+## What does each figure contain?
 
-- **minksum**: the wall clock of the whole call: from parsed operands in memory to the exact, canonical region in memory, checks of
-  the operands included; one thread, memory reused from call to call. Median of many runs. No reading, no writing.
-- **CGAL**: `Minkowski_sum_by_reduced_convolution_2` (the *reduced convolution*: the fastest exact peer) and `minkowski_sum_by_full_convolution_2`, kernel
-  with exact constructions, its own checks switched off, operands made from doubles (its fast case), converted beforehand; the call
-  alone. Its operands are not checked, its result stays lazy, and the destruction of that is not counted. Holes that cannot matter are left out beforehand, untimed.
-- **Compared first**: before a pair is timed, minksum's result is compared with CGAL's for the same decimals, exactly, vertex by vertex. Where they differ or
-  CGAL did not end, the table says so, and CGAL is not timed.
-- **In turn**: both run in one process on the same operands, a block of runs of the one, then a block of the other, equally long where
-  runs are short. *Times* is the median of the peer's runs by the median of minksum's between them.
-- **Clipper** 6 (`MinkowskiSum`) sums the *boundaries* only, on rounded integers: less than the region's sum. Tried where the operands have
-  at most 100,000 pairs of edges.
-- **GEOS** (`GEOSBuffer`, 8 segments a quarter) rounds corners with arcs that begin at each edge's own normal, in doubles: near to the sum with a 32-gon, not equal to it.
-- **Listing** the reduced convolution: plain code (`bench/list_convolution.cpp`) that sorts edges by direction (radix sort, ties
-  exactly), merges both orders and writes down each segment: two points of 32-bit integers, 16 bytes. Operands are given to it as integers without straight
-  vertices, oriented, and with the holes that matter, all of that untimed. It keeps no origins. So it is a limit below what any
-  method pays that looks at every segment. Beside it stands what *the library* itself takes to list them all: its stages operands
-  and convolution, from the same operands as a sum, checks included.
-- Memory: `ru_maxrss` of a process that reads two files and sums them once.
-- A peer is given up where one sum takes more than {peer_seconds:.0f} s ({full_seconds:.0f} s for full convolutions; 180 s for star5, 240 s for
-  spiky stars of 200) or 8 GiB (16 GiB for those). *Over* before a figure means: given up, so it is a lower bound.
+- **minksum**: the wall clock of the whole call, from parsed operands in memory to the exact,
+  canonical region in memory. The checks of the operands are included; reading and writing are not.
+  One thread computes, and memory is reused from call to call. The figure is the median of many
+  runs.
+- **CGAL**: `Minkowski_sum_by_reduced_convolution_2` (the *reduced convolution*), the fastest exact
+  peer, and `minkowski_sum_by_full_convolution_2`. The kernel has exact constructions, and CGAL's
+  own checks are switched off. Operands are converted beforehand, from doubles, which is CGAL's fast
+  case. The figure is the call alone: operands are not checked, the result stays lazy, and its
+  destruction is not counted. Holes that cannot matter are left out beforehand, untimed.
+- **Comparison**: before a pair is timed, minksum's result is compared with CGAL's for the same
+  decimals, exactly, vertex by vertex. Where they differ, or where CGAL did not end, the table says
+  so and CGAL is not timed.
+- **Turns**: both run in one process on the same operands, a block of runs of the one, then a block
+  of the other. Blocks are equally long where runs are short. *Times* is the median of the peer's
+  runs, divided by the median of minksum's runs between them.
+- **Clipper** 6 (`MinkowskiSum`) sums the *boundaries* only, on rounded integers. That is less than
+  the region's sum. It is tried where the operands have at most 100,000 pairs of edges.
+- **GEOS** (`GEOSBuffer`, 8 segments a quarter) rounds corners with arcs that begin at each edge's
+  own normal, in doubles. Its result is near to the sum with a 32-gon, not equal to it.
+- **Listing** writes down the reduced convolution with plain code (`bench/list_convolution.cpp`).
+  The code sorts edges by direction (radix sort, ties exactly), merges both orders and writes each
+  segment: two points of 32-bit integers, 16 bytes. Its operands are integers without straight
+  vertices, oriented, and with the holes that matter; all of that is untimed. It keeps no origins.
+  So listing is a lower limit for every method that looks at each segment.
+- **Listing by the library** is the time of the library's stages *operands* and *convolution*, from
+  the same operands as a sum, checks included.
+- **Memory** is `ru_maxrss` of a process that reads two files and sums them once.
+- **Given up**: a peer is given up where one sum takes more than {peer_seconds:.0f} s or 8 GiB. For
+  full convolutions the limit is {full_seconds:.0f} s. For star5 it is 180 s and for spiky stars of
+  200 it is 240 s, both with 16 GiB. *Over* before a figure means that the peer was given up, so the
+  figure is a lower bound.
 """
 
 FIG5 = """\
-The paper's Fig. 5 has eleven models of 24 to 1,204 vertices. Three of the authors' files are used as published (bird 275, mammoth 403, monkey
-1,204 vertices); for the other eight (four grates, airplane, dog, two hands) the files were not to be had, and stand-ins with the same numbers of vertices take their places, so
-single figures of those pairs are not the paper's. Neuron (1,815 vertices, 18 holes) is the model of the paper's Fig. 1. All pairs of the twelve make 78. Three further models of the same authors (heron, taiwan, texas) are measured
-beside them and stay out of the mean.
+The paper's Fig. 5 has eleven models of 24 to 1,204 vertices. **Eight of them were not to be had**:
+four grates, the airplane, the dog and two hands. Stand-ins with the same numbers of vertices take
+their places, so single figures of those pairs are not the paper's. Three of the authors' files are
+used as published: bird (275 vertices), mammoth (403) and monkey (1,204).
+
+Neuron (1,815 vertices, 18 holes) is the model of the paper's Fig. 1. All pairs of the twelve make
+78. Three further models of the same authors (heron, taiwan, texas) are measured beside them and
+stay out of the mean.
 """
 
 
@@ -89,9 +107,9 @@ def shortfalls(records):
     unique = [row for i, row in enumerate(rows) if row not in rows[:i]]
     if not unique:
         return ""
-    return ("### Where the time goes in what falls short\n\nFor each goal the pairs that are "
-            "furthest from it. Small operands take none of the stages: for them, these are the "
-            "shares if they did.\n\n"
+    return ("### Where does the time go where a goal is missed?\n\nThe table has the pairs that "
+            "are furthest from each goal. Small operands skip the stages; their shares are those that "
+            "the stages would have.\n\n"
             + table(["goal", "pair", "time", "bits"] + STAGES, unique))
 
 
@@ -119,8 +137,8 @@ def pair_table(records, *sets):
 
 def figure6(records):
     full = [ratio(r, "cgal_full") for r in records.of("figures") if ratio(r, "cgal_full")]
-    span = (f"Here: {times_text(min(full))} to {times_text(max(full))} times, geometric mean "
-            f"{times_text(geometric_mean(full))}, over {len(full)} pairs that CGAL finished."
+    span = (f"Here the factor is {times_text(min(full))} to {times_text(max(full))}, with a "
+            f"geometric mean of {times_text(geometric_mean(full))} over {len(full)} pairs that CGAL finished."
             if full else "")
 
     def cell(set_name, peer):
@@ -128,15 +146,15 @@ def figure6(records):
             return peer_cell(records.get(set_name, f"{p} + {q}"), peer)
         return text
     return "\n\n".join([
-        "## Fig. 6: speed-up over CGAL, pair by pair",
-        "The paper: 1.01 (grate3 ⊕ monkey) to 30.8 times (bird ⊕ hand1) as fast as CGAL's full "
-        f"convolution; CGAL did not end on monkey ⊕ monkey. {span} Those pairs here: "
-        f"{cell('figures', 'cgal_full')('g3', 'monkey')}, "
+        "## Fig. 6: how much faster than CGAL is each pair?",
+        "The paper's program is 1.01 (grate3 ⊕ monkey) to 30.8 times (bird ⊕ hand1) as fast as "
+        f"CGAL's full convolution. CGAL did not end on monkey ⊕ monkey. {span} Those three pairs "
+        f"have these factors here: {cell('figures', 'cgal_full')('g3', 'monkey')}, "
         f"{cell('figures', 'cgal_full')('hand1', 'bird')} and "
         f"{cell('figures', 'cgal_full')('monkey', 'monkey')}.",
-        "minksum against CGAL's **full** convolution, times as fast:",
+        "This table has the factors against CGAL's **full** convolution:",
         matrix(MODELS[:-1], cell("figures", "cgal_full")),
-        "minksum against CGAL's **reduced** convolution, times as fast:",
+        "This table has the factors against CGAL's **reduced** convolution:",
         matrix(MODELS, cell("paper", "cgal")),
         "![Speed-up of every pair](img/bench-pairs.svg)"])
 
@@ -155,9 +173,10 @@ def figure7a(records):
     rows = [[name] + [f"{100 * share:.0f} %" for share in shares]
             for name, shares in figure7a_rows(records)]
     return "\n\n".join([
-        "## Fig. 7a: share of each stage",
-        "The paper: the intersection of segments dominates, the collision test takes less than "
-        "40 %. Here (cover: what is certainly inside; arrangement: crossings outside it):",
+        "## Fig. 7a: which share does each stage take?",
+        "In the paper the intersection of segments dominates, and the collision test takes less "
+        "than 40 %. The cover finds what is certainly inside, and the arrangement finds the "
+        "crossings outside it:",
         table(["pair"] + STAGES, rows), "![Share of each stage](img/bench-stages.svg)"])
 
 
@@ -180,12 +199,13 @@ def figure7b(records):
                      count_text(cover), count_text(reduced),
                      count_text(full) if full else dig(r, "failures", "counts_full") or "–",
                      times_text(part)])
-    span = (f"Here: {times_text(min(fewer))} to {times_text(max(fewer))} times fewer."
+    span = (f"Here it has {times_text(min(fewer))} to {times_text(max(fewer))} times fewer."
             if fewer else "")
     return "\n\n".join([
-        "## Fig. 7b: crossings in the reduced and in the full convolution",
-        "The paper: 1.4 (774 and 1,087) to 314.7 times (29,411 and 9,255,477) fewer in the reduced "
-        f"one. {span} Of these minksum finds only those outside its cover.",
+        "## Fig. 7b: how many crossings has each convolution?",
+        "In the paper the reduced convolution has 1.4 times (774 and 1,087) to 314.7 times (29,411 "
+        f"and 9,255,477) fewer crossings than the full one. {span} minksum finds only the "
+        "crossings outside its cover.",
         table(["pair", "segments, reduced", "segments, full", "crossings outside the cover",
                "crossings, reduced", "crossings, full", "full / reduced"], rows),
         "![Crossings](img/bench-crossings.svg)"])
@@ -195,9 +215,10 @@ def figure1(records):
     r = records.get("named", "neuron + 32-gon")
     if own_seconds(r) is None:
         return ""
-    return ("## Fig. 1\n\nA model of 1,815 vertices and 18 holes ⊕ a circle of 32 corners. The "
-            f"paper: 0.3 s (2.13 GHz, 2011). Here: {seconds_text(own_seconds(r))}; CGAL's reduced "
-            f"convolution: {seconds_text(dig(r, 'cgal', 'median'))}.")
+    return ("## Fig. 1: how long does the paper's large model take?\n\nThe model has 1,815 vertices "
+            "and 18 holes, and is added to a circle of 32 corners. The paper takes 0.3 s (2.13 GHz, "
+            f"2011). minksum takes {seconds_text(own_seconds(r))}, and CGAL's reduced convolution "
+            f"{seconds_text(dig(r, 'cgal', 'median'))}.")
 
 
 def family_section(records):
@@ -217,9 +238,10 @@ def family_section(records):
             ["n", "vertices of Q", "segments", "vertices of the sum", "minksum", "listing",
              "CGAL reduced", "times", "MiB"], rows) + "\n\n</details>")
     return "\n\n".join([
-        "## Families of doubling size",
-        "n: vertices of P, about. Exponents: slopes of the best lines through the logarithms, over "
-        "the larger half of the sizes (four at least). A family ends where a sum takes a second.",
+        "## How does the time grow with size?",
+        "n is about the number of vertices of P, and doubles. Exponents are slopes of the best "
+        "lines through the logarithms, over the larger half of the sizes (four at least). A family ends "
+        "where a sum takes a second.",
         "![Families](img/bench-families.svg)",
         table(["family", "P ⊕ Q", "n", "time: exponent", "output: exponent",
                "segments: exponent"], summary)] + parts)
@@ -236,13 +258,14 @@ def tables_section(records):
                      times_text(table_ratio(r, "one_thread")),
                      times_text(table_ratio(r, "all_threads"))])
     return "\n\n".join([
-        "## Tables of no-fit polygons",
-        "All ordered pairs of an instance's parts, the second one turned by 0, 90, 180 and 270 "
-        "degrees: a `NoFitTable` of the parts as read, which makes every second sum and turns it for "
-        "the other, and all entries taken from it; wall clock. CGAL takes a sample of the table's "
-        "sums, each compared exactly first, in turn with the table; *times*: its mean times the "
-        "number of sums, by the table's time on one thread, and on all processors (CGAL's sums on "
-        "one).",
+        "## How long do tables of no-fit polygons take?",
+        "A table has all ordered pairs of an instance's parts, the second one turned by 0, 90, 180 "
+        "and 270 degrees. A `NoFitTable` of the parts as read makes every second sum and turns it "
+        "for the other. The figure is the wall clock for the table and for all entries taken from "
+        "it.",
+        "CGAL takes a sample of the table's sums, each compared exactly first, in turn with the "
+        "table. *Times* is CGAL's mean times the number of sums, divided by the table's time. The "
+        "table runs on one thread and on all processors, and CGAL's sums run on one.",
         table(["instance", "parts", "sums", "one thread", "all processors", "sums a second",
                "CGAL: mean of one sum", "equal", "times, one thread", "times, all"], rows)])
 
@@ -260,9 +283,9 @@ def gis_section(records):
                      bound_text(value, bound), peer_cell(r, "cgal"),
                      f"{100 * (other / area - 1):+.2f} %" if area and other else "–"])
     return "\n\n".join([
-        "## Offsets of outlines, against GEOS",
-        "Coordinates in degrees, a degree taken as 111.32 km. The last column: by how much GEOS's "
-        "area differs (its arcs have corners elsewhere).",
+        "## How fast are offsets of outlines, beside GEOS?",
+        "Coordinates are in degrees, and a degree is taken as 111.32 km. The last column tells by "
+        "how much GEOS's area differs, because its arcs have corners elsewhere.",
         table(["outline", "vertices", "minksum", "GEOS", "times", "CGAL: times",
                "GEOS's area"], rows)])
 
@@ -272,8 +295,9 @@ def doubles_section(records):
              seconds_text(r["decimals"]["median"]), seconds_text(r["doubles"]["median"]),
              f"{r['ratio']:.2f}"] for r in records.of("doubles") if "ratio" in r]
     return "\n\n".join([
-        "## Doubles against decimals",
-        "Models turned by one radian: as the doubles that come out, and rounded to six digits.",
+        "## What do doubles cost, beside decimals?",
+        "Models are turned by one radian. They are summed as the doubles that come out, and rounded "
+        "to six digits.",
         table(["pair", "bits, decimals", "bits, doubles", "decimals", "doubles",
                "doubles / decimals"], rows)])
 
@@ -298,21 +322,31 @@ def write_pictures(records, folder):
             (folder / f"bench-{name}.svg").write_text(text)
 
 
+def wrapped(text):
+    """Paragraphs at 100 columns; headings, tables, lists and HTML as they are."""
+    return "\n\n".join(
+        part if part.startswith(("#", "|", "<", "!", "-", " "))
+        else textwrap.fill(part, 100, break_on_hyphens=False, break_long_words=False)
+        for part in text.split("\n\n"))
+
+
 def page(records):
     run = records.runs[0]
     parts = [INTRODUCTION.format(machine=machine_text(records.runs),
                                  peer_seconds=run["peer_seconds"],
                                  full_seconds=run["full_seconds"]),
-             "## Goals", claims_table(records), shortfalls(records), "## The models", FIG5, figure1(records),
+             "## Which goals hold?", claims_table(records), shortfalls(records),
+             "## Which models are measured?", FIG5, figure1(records),
              figure6(records), figure7a(records), figure7b(records), family_section(records),
-             tables_section(records), gis_section(records), doubles_section(records), "## Pairs",
-             "Named pairs and spiky stars:", pair_table(records, "named", "spiky"),
+             tables_section(records), gis_section(records), doubles_section(records),
+             "## What does each pair take?", "This table has the named pairs and the spiky stars:",
+             pair_table(records, "named", "spiky"),
              "<details><summary>The paper's models</summary>\n",
              pair_table(records, "paper"), "</details>\n",
              "<details><summary>Their kin</summary>\n", pair_table(records, "kin"), "</details>\n",
              "<details><summary>Nesting parts, P ⊕ −Q</summary>\n",
              pair_table(records, "nesting"), "</details>"]
-    return "\n\n".join(p.rstrip("\n") for p in parts if p) + "\n"
+    return wrapped("\n\n".join(p.rstrip("\n") for p in parts if p)) + "\n"
 
 
 def main(words):
