@@ -108,8 +108,8 @@ def shortfalls(records):
     if not unique:
         return ""
     return ("### Where does the time go where a goal is missed?\n\nThe table has the pairs that "
-            "are furthest from each goal. Small operands skip the stages; their shares are those that "
-            "the stages would have.\n\n"
+            "are furthest from each goal. Small operands skip the stages; their shares are "
+            "those that the stages would have.\n\n"
             + table(["goal", "pair", "time", "bits"] + STAGES, unique))
 
 
@@ -138,7 +138,8 @@ def pair_table(records, *sets):
 def figure6(records):
     full = [ratio(r, "cgal_full") for r in records.of("figures") if ratio(r, "cgal_full")]
     span = (f"Here the factor is {times_text(min(full))} to {times_text(max(full))}, with a "
-            f"geometric mean of {times_text(geometric_mean(full))} over {len(full)} pairs that CGAL finished."
+            f"geometric mean of {times_text(geometric_mean(full))} over {len(full)} pairs "
+            "that CGAL finished."
             if full else "")
 
     def cell(set_name, peer):
@@ -215,9 +216,9 @@ def figure1(records):
     r = records.get("named", "neuron + 32-gon")
     if own_seconds(r) is None:
         return ""
-    return ("## Fig. 1: how long does the paper's large model take?\n\nThe model has 1,815 vertices "
-            "and 18 holes, and is added to a circle of 32 corners. The paper takes 0.3 s (2.13 GHz, "
-            f"2011). minksum takes {seconds_text(own_seconds(r))}, and CGAL's reduced convolution "
+    return ("## Fig. 1: how long does the paper's large model take?\n\nThe model has 1,815 "
+            "vertices and 18 holes, and is added to a circle of 32 corners. The paper takes 0.3 s "
+            f"(2.13 GHz, 2011). minksum takes {seconds_text(own_seconds(r))}, and CGAL's reduced convolution "
             f"{seconds_text(dig(r, 'cgal', 'median'))}.")
 
 
@@ -240,8 +241,8 @@ def family_section(records):
     return "\n\n".join([
         "## How does the time grow with size?",
         "n is about the number of vertices of P, and doubles. Exponents are slopes of the best "
-        "lines through the logarithms, over the larger half of the sizes (four at least). A family ends "
-        "where a sum takes a second.",
+        "lines through the logarithms, over the larger half of the sizes (four at least). A "
+        "family ends where a sum takes a second.",
         "![Families](img/bench-families.svg)",
         table(["family", "P ⊕ Q", "n", "time: exponent", "output: exponent",
                "segments: exponent"], summary)] + parts)
@@ -296,8 +297,8 @@ def doubles_section(records):
              f"{r['ratio']:.2f}"] for r in records.of("doubles") if "ratio" in r]
     return "\n\n".join([
         "## What do doubles cost, beside decimals?",
-        "Models are turned by one radian. They are summed as the doubles that come out, and rounded "
-        "to six digits.",
+        "Models are turned by one radian. They are summed as the doubles that come out, and "
+        "rounded to six digits.",
         table(["pair", "bits, decimals", "bits, doubles", "decimals", "doubles",
                "doubles / decimals"], rows)])
 
