@@ -218,8 +218,8 @@ def figure1(records):
         return ""
     return ("## Fig. 1: how long does the paper's large model take?\n\nThe model has 1,815 "
             "vertices and 18 holes, and is added to a circle of 32 corners. The paper takes 0.3 s "
-            f"(2.13 GHz, 2011). minksum takes {seconds_text(own_seconds(r))}, and CGAL's reduced convolution "
-            f"{seconds_text(dig(r, 'cgal', 'median'))}.")
+            f"(2.13 GHz, 2011). minksum takes {seconds_text(own_seconds(r))}, and CGAL's "
+            f"reduced convolution {seconds_text(dig(r, 'cgal', 'median'))}.")
 
 
 def family_section(records):
