@@ -162,7 +162,7 @@ class ArrangementBuilder {
       const DeltaRange range = append_sum(group, result_.deltas);
       if (range.first != range.last) {
         geometry_.add_segment(all[i].from, all[i].to);
-        segment_deltas_.push_back(range);
+        append(segment_deltas_, range, cancellation_);
       }
       i = j;
     }
@@ -173,16 +173,15 @@ class ArrangementBuilder {
 
   void split(const std::vector<Stop>& stops) {
     const std::size_t count = geometry_.segment_count();
-    std::vector<std::size_t> first(count + 1, 0);
-    for (const Stop& stop : stops) ++first[stop.segment];
+    std::vector<std::size_t> first;
+    assign_in_pieces(first, count + 1, std::size_t{0}, cancellation_);
+    visit_in_pieces(stops, cancellation_, [&](const Stop& stop) { ++first[stop.segment]; });
     std::size_t total = 0;
-    for (std::size_t& f : first) {
-      total += f;
-      f = total;
-    }
-    std::vector<NodeId> nodes(total);
-    cancellation_.check(stops.size());
-    for (const Stop& stop : stops) nodes[--first[stop.segment]] = stop.node;
+    visit_in_pieces(first, cancellation_, [&](std::size_t& f) { f = total += f; });
+    std::vector<NodeId> nodes;
+    resize_in_pieces(nodes, total, cancellation_);
+    visit_in_pieces(stops, cancellation_,
+                    [&](const Stop& stop) { nodes[--first[stop.segment]] = stop.node; });
     raw_.reserve(total + count);
     for (SegmentId id = 0; id < count; ++id) {
       const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(first[id]);
@@ -240,7 +239,7 @@ class ArrangementBuilder {
       }
       piece.first_delta = range.first;
       piece.last_delta = range.last;
-      if (range.first != range.last) result_.pieces.push_back(piece);
+      if (range.first != range.last) append(result_.pieces, piece, cancellation_);
       i = j;
     }
     raw_ = {};
@@ -256,18 +255,22 @@ class ArrangementBuilder {
   // Sorts the half-edges around each node. Their directions are those of whole segments: integers.
   void link() {
     const std::size_t count = result_.half_edge_count();
-    cancellation_.check(2 * count);
-    result_.node_first.assign(geometry_.node_count() + 1, 0);
-    for (HalfEdge h = 0; h < count; ++h) ++result_.node_first[result_.origin(h)];
-    std::partial_sum(result_.node_first.begin(), result_.node_first.end(),
-                     result_.node_first.begin());
-    result_.outgoing.resize(count);
+    assign_in_pieces(result_.node_first, geometry_.node_count() + 1, 0U, cancellation_);
     for (HalfEdge h = 0; h < count; ++h) {
+      cancellation_.check();
+      ++result_.node_first[result_.origin(h)];
+    }
+    std::uint32_t sum = 0;
+    visit_in_pieces(result_.node_first, cancellation_, [&](std::uint32_t& f) { f = sum += f; });
+    resize_in_pieces(result_.outgoing, count, cancellation_);
+    for (HalfEdge h = 0; h < count; ++h) {
+      cancellation_.check();
       result_.outgoing[--result_.node_first[result_.origin(h)]] = h;
     }
     for (NodeId node = 0; node < result_.node_count(); ++node) sort_around(node);
-    result_.slot.resize(count);
-    for (std::uint32_t i = 0; i < count; ++i) result_.slot[result_.outgoing[i]] = i;
+    resize_in_pieces(result_.slot, count, cancellation_);
+    std::uint32_t slot = 0;
+    visit_in_pieces(result_.outgoing, cancellation_, [&](HalfEdge h) { result_.slot[h] = slot++; });
   }
   void sort_around(NodeId node) {
     struct Ray {

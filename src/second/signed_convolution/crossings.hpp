@@ -149,6 +149,7 @@ class CrossingFinder {
     double sum_x = 0;
     double sum_y = 0;
     for (SegmentId id = 0; id < geometry_.segment_count(); ++id) {
+      cancellation_.check();
       const Key& a = geometry_.key(geometry_.segment(id).from);
       const Key& b = geometry_.key(geometry_.segment(id).to);
       sum_x += std::fabs(static_cast<double>(a.x - b.x));
@@ -159,7 +160,7 @@ class CrossingFinder {
   }
 
   void fill(const Grid& grid) {
-    cell_first_.assign(grid.cell_count() + 1, 0);
+    assign_in_pieces(cell_first_, grid.cell_count() + 1, std::size_t{0}, cancellation_);
     boxes_.reserve(geometry_.segment_count());
     for (SegmentId id = 0; id < geometry_.segment_count(); ++id) {
       const Key& a = geometry_.key(geometry_.segment(id).from);
@@ -172,11 +173,9 @@ class CrossingFinder {
       });
     }
     std::size_t total = 0;
-    for (std::size_t& first : cell_first_) {
-      total += first;
-      first = total;
-    }
-    members_.resize(total);
+    visit_in_pieces(cell_first_, cancellation_,
+                    [&](std::size_t& first) { first = total += first; });
+    resize_in_pieces(members_, total, cancellation_);
     for (SegmentId id = 0; id < geometry_.segment_count(); ++id) {
       const Key& a = geometry_.key(geometry_.segment(id).from);
       const Key& b = geometry_.key(geometry_.segment(id).to);
@@ -217,8 +216,8 @@ class CrossingFinder {
       const auto [here, node] = geometry_.add_crossing(
           a, b, a_from, a_to, [&](const Key& key) { return grid.cell(key) == cell; });
       if (here) {
-        stops_.push_back({a, node});
-        stops_.push_back({b, node});
+        append(stops_, {a, node}, cancellation_);
+        append(stops_, {b, node}, cancellation_);
         met_here = true;
       }
     } else {
@@ -245,7 +244,7 @@ class CrossingFinder {
     for (const Candidate& candidate : candidates) {
       if (!candidate.on_line || !is_inside(candidate.stop)) continue;
       const bool here = grid.cell(geometry_.key(candidate.stop.node)) == cell;
-      if (here) stops_.push_back(candidate.stop);
+      if (here) append(stops_, candidate.stop, cancellation_);
       if (!any) first_here = here;
       any = true;
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "machine/cancellation.hpp"
+#include "machine/make_room.hpp"
 #include "second/signed_convolution/numbers.hpp"
 
 namespace minksum::signed_sum {
@@ -65,12 +66,12 @@ class Geometry {
     const NodeId node = find_or_insert(fresh, key_of(point), point);
     if (node == fresh) {
       nodes_.back().first = static_cast<std::uint32_t>(vertices_.size());
-      vertices_.push_back({x, y});
+      append(vertices_, {x, y}, cancellation_);
     }
     return node;
   }
   SegmentId add_segment(NodeId from, NodeId to) {
-    segments_.push_back({from, to});
+    append(segments_, {from, to}, cancellation_);
     return static_cast<SegmentId>(segments_.size() - 1);
   }
   /// The node where two segments cross properly; `a_from` and `a_to` are the sides of a's ends
@@ -222,17 +223,17 @@ class Geometry {
       if (nodes_[other].key == key && same(exact(other), point)) return other;
     }
     table_[slot] = fresh;
-    nodes_.push_back({key, 0, kVertex});
+    append(nodes_, {key, 0, kVertex}, cancellation_);
     return fresh;
   }
   [[nodiscard]] static bool same(const ExactPoint& a, const ExactPoint& b) {
     return compare(a.x, a.d, b.x, b.d) == 0 && compare(a.y, a.d, b.y, b.d) == 0;
   }
   void grow() {
-    cancellation_.check(4 * nodes_.size());
-    table_.assign(table_.empty() ? 256 : 2 * table_.size(), kNobody);
+    assign_in_pieces(table_, table_.empty() ? 256 : 2 * table_.size(), kNobody, cancellation_);
     const std::size_t mask = table_.size() - 1;
     for (NodeId node = 0; node < nodes_.size(); ++node) {
+      cancellation_.check(4);
       std::size_t slot = hash(nodes_[node].key) & mask;
       while (table_[slot] != kNobody) slot = (slot + 1) & mask;
       table_[slot] = node;

@@ -56,7 +56,7 @@ class RingBuilder {
 
   BoundaryRings run() {
     used_.assign(arrangement_.half_edge_count(), false);
-    place_of_node_.assign(arrangement_.node_count(), kNowhere);
+    assign_in_pieces(place_of_node_, arrangement_.node_count(), kNowhere, cancellation_);
     for (HalfEdge h = 0; h < used_.size(); ++h) {
       cancellation_.check();
       if (!used_[h] && is_boundary(inside_, h)) walk_from(h);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "machine/make_room.hpp"
 #include "second/signed_convolution/broken.hpp"
 
 namespace minksum::signed_sum {
@@ -114,7 +115,7 @@ class Lister {
                   "the convolution has more segments than allowed (Limits::max_segments)");
     }
     cancellation_.check();
-    segments_.push_back(segment);
+    append(segments_, segment, cancellation_);
   }
 
   DirectionRank count_;
@@ -197,6 +198,7 @@ bool is_closed(std::span<const Layer> layers, std::span<const SignedSegment> seg
   std::sort(ends.begin(), ends.end(), cancellation.counting(end_less));
   int balance = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
+    cancellation.check();
     balance += ends[i].balance;
     const bool last = i + 1 == ends.size() || !ends[i].same_place(ends[i + 1]);
     if (last && balance != 0) return false;

@@ -75,7 +75,10 @@ class WindingWalk {
       walk_component(arrangement_.outgoing[arrangement_.node_first[node + 1] - 1]);
     }
     InsideFlags inside(arrangement_.half_edge_count());
-    for (HalfEdge h = 0; h < inside.size(); ++h) inside[h] = cycle_inside_[cycle_[h]] == kInside;
+    for (HalfEdge h = 0; h < inside.size(); ++h) {
+      cancellation_.check();
+      inside[h] = cycle_inside_[cycle_[h]] == kInside;
+    }
     return inside;
   }
 
@@ -85,7 +88,7 @@ class WindingWalk {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   void label_cycles() {
-    cycle_.assign(arrangement_.half_edge_count(), kNone);
+    assign_in_pieces(cycle_, arrangement_.half_edge_count(), kNone, cancellation_);
     for (HalfEdge h = 0; h < cycle_.size(); ++h) {
       if (cycle_[h] != kNone) continue;
       for (HalfEdge g = h; cycle_[g] == kNone; g = arrangement_.next(g)) {
@@ -98,8 +101,10 @@ class WindingWalk {
 
   // The lexicographically smallest node of each connected component.
   [[nodiscard]] std::vector<NodeId> leftmost_nodes() const {
-    std::vector<NodeId> parent(arrangement_.node_count());
-    std::iota(parent.begin(), parent.end(), NodeId{0});
+    std::vector<NodeId> parent;
+    resize_in_pieces(parent, arrangement_.node_count(), cancellation_);
+    NodeId next = 0;
+    visit_in_pieces(parent, cancellation_, [&](NodeId& node) { node = next++; });
     const auto find = [&](NodeId node) {
       while (parent[node] != node) node = parent[node] = parent[parent[node]];
       return node;
@@ -110,7 +115,8 @@ class WindingWalk {
       cancellation_.check(2);
       if (a != b) parent[std::max(a, b)] = std::min(a, b);
     }
-    std::vector<NodeId> leftmost(parent.size(), kNone);
+    std::vector<NodeId> leftmost;
+    assign_in_pieces(leftmost, parent.size(), kNone, cancellation_);
     for (const Piece& piece : arrangement_.pieces) {
       NodeId& best = leftmost[find(piece.from)];
       cancellation_.check(2);
@@ -124,8 +130,8 @@ class WindingWalk {
 
   // -- Winding numbers at a point, counted along a ray straight down ---------------------------
   void index_pieces(std::size_t queries) {
-    cancellation_.check(arrangement_.pieces.size());
     for (const Piece& piece : arrangement_.pieces) {
+      cancellation_.check(2);
       for (const NodeId node : {piece.from, piece.to}) {
         min_x_ = std::min(min_x_, geometry_.key(node).x);
         max_x_ = std::max(max_x_, geometry_.key(node).x);

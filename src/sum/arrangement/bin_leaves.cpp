@@ -15,16 +15,15 @@ void keep_listed(const Operands& o, const Convolution& convolution, const Cover&
                  Cancellation& cancellation, ArrangementScratch& scratch,
                  std::vector<KeptSegment>& kept) {
   auto& id_of = scratch.kept_id;
-  id_of.assign(convolution.segments.size(), kUnlisted);
-  cancellation.check(cover.leaf_segments.size());
-  for (const std::uint32_t s : cover.leaf_segments) id_of[s] = kListed;
+  assign_in_pieces(id_of, convolution.segments.size(), kUnlisted, cancellation);
+  visit_in_pieces(cover.leaf_segments, cancellation, [&](std::uint32_t s) { id_of[s] = kListed; });
   const bool exact_sums = o.bounds.difference == 0;
-  DuplicateFinder duplicates(scratch.hash_table, kept);
+  DuplicateFinder duplicates(scratch.hash_table, kept, cancellation);
   kept.clear();
   for (std::size_t s = 0; s < id_of.size(); ++s) {
     cancellation.check();
     if (id_of[s] == kUnlisted) continue;
-    kept.push_back(place_segment(o, convolution.segments[s]));
+    append(kept, place_segment(o, convolution.segments[s]), cancellation);
     kept.back().meets_cover = true;
     id_of[s] = static_cast<KeptId>(kept.size() - 1);
     if (exact_sums && duplicates.seen()) {
@@ -70,7 +69,8 @@ void bin_leaves(const Operands& operands, const Convolution& convolution, const 
       cancellation.check(2);
       const KeptId id = scratch.kept_id[cover.leaf_segments[i]];
       if (id == kUnlisted) continue;
-      scratch.in_cells.push_back({box_near(arrangement.kept[id], cover.grid, leaf), 0, id});
+      append(scratch.in_cells, {box_near(arrangement.kept[id], cover.grid, leaf), 0, id},
+             cancellation);
     }
     scratch.leaf_end.push_back(static_cast<std::uint32_t>(scratch.in_cells.size()));
   }

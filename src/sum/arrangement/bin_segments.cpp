@@ -15,13 +15,14 @@ namespace {
 /// How far segments go, all together.
 class Extent {
  public:
-  Extent(const Operands& o, const std::vector<KeptSegment>& kept)
-      : width_(o.extent[0].x + o.extent[1].x), height_(o.extent[0].y + o.extent[1].y),
+  Extent(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation)
+      : width_(o.extent[0].x + o.extent[1].x),
+        height_(o.extent[0].y + o.extent[1].y),
         count_(static_cast<double>(kept.size())) {
-    for (const KeptSegment& s : kept) {
+    visit_in_pieces(kept, cancellation, [&](const KeptSegment& s) {
       across_ += std::abs(s.d.x);
       up_ += std::abs(s.d.y);
-    }
+    });
   }
   [[nodiscard]] Vec<double> size() const { return {width_, height_}; }
   /// Cells about as wide and as high together as the segments are on average, but not more than
@@ -68,7 +69,6 @@ class Binner {
         covers_any_
             ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
             : convolution.segments;
-    cancellation_.check(visible.size());
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
     // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
     const bool joins = lines_are_joined(o_, visible.size());
@@ -82,8 +82,7 @@ class Binner {
       place_once(visible);
     }
     join_lines(o_, joins, cancellation_, scratch_.join, kept_);
-    cancellation_.check(kept_.size());
-    const Extent extent(o_, kept_);
+    const Extent extent(o_, kept_, cancellation_);
     grid_ = covers_any_ ? cover_.grid : extent.grid();
     scratch_.swept = !covers_any_ && extent.boxes_are_small();
     scratch_.extent = extent.size();
@@ -105,11 +104,10 @@ class Binner {
     };
     auto& place = scratch_.bin.place;
     place.assign(o_.size() + 1, 0);
-    cancellation_.check(segments.size());
-    for (const Segment& s : segments) ++place[site(s) + 1];
+    visit_in_pieces(segments, cancellation_, [&](const Segment& s) { ++place[site(s) + 1]; });
     std::partial_sum(place.begin(), place.end(), place.begin());
     auto& ordered = scratch_.bin.ordered;
-    ordered.resize(segments.size());
+    resize_in_pieces(ordered, segments.size(), cancellation_);
     for (const Segment& s : segments) {
       cancellation_.check();
       ordered[place[site(s)]++] = s;
@@ -139,11 +137,11 @@ class Binner {
   }
   /// Of equal segments one.
   void place_once(std::span<const Segment> segments) {
-    DuplicateFinder duplicates(scratch_.hash_table, kept_);
+    DuplicateFinder duplicates(scratch_.hash_table, kept_, cancellation_);
     const auto& shared = scratch_.bin.shared;
     for (const Segment& segment : segments) {
       cancellation_.check();
-      kept_.push_back(place_segment(o_, segment));
+      append(kept_, place_segment(o_, segment), cancellation_);
       if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
     }
   }
@@ -154,9 +152,11 @@ class Binner {
       throw Error(ErrorCode::kLimitExceeded, "more than 2^30 segments are left to arrange");
     }
     for (KeptId s = 0; s < scratch_.line_count; ++s) {
+      cancellation_.check();
       if (kept_[s].joined == 0) continue;
       JoinedSegments& joined = join.joined[kept_[s].joined - 1];
       const auto first = static_cast<KeptId>(kept_.size());
+      make_room(kept_, joined.end - joined.first, cancellation_);
       kept_.insert(kept_.end(), join.members.begin() + joined.first,
                    join.members.begin() + joined.end);
       joined.first = first;
@@ -200,7 +200,8 @@ class Binner {
     const auto cell =
         static_cast<std::uint32_t>(span.row) * static_cast<std::uint32_t>(grid_.columns) +
         static_cast<std::uint32_t>(i);
-    items_.push_back({CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell, id});
+    append(items_, {CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell, id},
+           cancellation_);
   }
 
   /// A counting sort that looks at no cells but those that have items.
@@ -213,21 +214,16 @@ class Binner {
     for (const std::uint32_t cell : cells) end[cell] = 0;
     cells.clear();
     const auto cell_count = static_cast<std::size_t>(grid_.size());
-    if (end.size() < cell_count) end.resize(cell_count, 0);
-    cancellation_.check(items_.size());
-    for (const CellItem& item : items_) {
+    if (end.size() < cell_count) resize_in_pieces(end, cell_count, cancellation_);
+    visit_in_pieces(items_, cancellation_, [&](const CellItem& item) {
       if (end[item.cell] == 0) cells.push_back(item.cell);
       ++end[item.cell];
-    }
+    });
     std::uint32_t begin = 0;
     for (const std::uint32_t cell : cells) begin += std::exchange(end[cell], begin);
-    scratch_.in_cells.resize(items_.size());
-    constexpr std::size_t kBlock = 4096;  // items are too many to count each
-    for (std::size_t i = 0; i < items_.size();) {
-      const std::size_t last = std::min(items_.size(), i + kBlock);
-      cancellation_.check(last - i);
-      for (; i < last; ++i) scratch_.in_cells[end[items_[i].cell]++] = items_[i];
-    }
+    resize_in_pieces(scratch_.in_cells, items_.size(), cancellation_);
+    visit_in_pieces(items_, cancellation_,
+                    [&](const CellItem& item) { scratch_.in_cells[end[item.cell]++] = item; });
   }
 
   Cancellation& cancellation_;

@@ -1,7 +1,6 @@
 // All meetings of kept segments, cell by cell.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "sum/arrangement/meet_segments.hpp"
@@ -23,10 +22,8 @@ class CrossingFinder {
   void run() {
     scratch_.crossings.clear();
     scratch_.events.clear();
-    scratch_.parent.resize(2 * kept_.size());
-    std::iota(scratch_.parent.begin(), scratch_.parent.end(), 0U);
-    scratch_.line_parent.resize(kept_.size());
-    std::iota(scratch_.line_parent.begin(), scratch_.line_parent.end(), 0U);
+    start_forest(scratch_.parent, 2 * kept_.size());
+    start_forest(scratch_.line_parent, kept_.size());
     scratch_.lines_shared = false;
     if (cover_.divided) {
       solve_leaves();
@@ -42,16 +39,22 @@ class CrossingFinder {
   static constexpr std::size_t kFew = 64;  // pairs of boxes cost less than dividing them
   static constexpr int kMaxDepth = 7;      // below that a part's side nears the slack
 
+  /// Each its own root.
+  void start_forest(std::vector<std::uint32_t>& parent, std::size_t size) {
+    resize_in_pieces(parent, size, cancellation_);
+    std::uint32_t next = 0;
+    visit_in_pieces(parent, cancellation_, [&](std::uint32_t& p) { p = next++; });
+  }
+
   /// All pairs whose boxes overlap, at once.
   void solve_all() {
     meeter_.enter({});
     const std::span lines(kept_.data(), scratch_.line_count);
     BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
-    cancellation_.check(lines.size());
-    for (const KeptSegment& s : lines) {
+    visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
                 std::max(s.a.y, s.b.y));
-    }
+    });
     pairs.for_each(
         [&](KeptId s, KeptId t) {
           cancellation_.check(4);
@@ -116,7 +119,8 @@ class CrossingFinder {
   void sweep(Items items, const Part& part) {
     meeter_.enter(part);
     auto& order = scratch_.sweep_order;
-    order.assign(items.begin(), items.end());
+    resize_in_pieces(order, items.size(), cancellation_);
+    std::copy(items.begin(), items.end(), order.begin());
     std::sort(order.begin(), order.end(),
               cancellation_.counting([](const CellItem& a, const CellItem& b) {
                 return a.box.left() < b.box.left();
@@ -177,12 +181,11 @@ class CrossingFinder {
     const CellBox square(cells(low.x - slack, column_), cells(low.y - slack, row_),
                          cells(low.x + side + slack, column_), cells(low.y + side + slack, row_));
     const std::uint64_t partner = square.partner();
-    cancellation_.check(items.size());
-    for (const CellItem& item : items) {
+    visit_in_pieces(items, cancellation_, [&](const CellItem& item) {
       if (item.box.overlaps(partner) && near_box(kept_[item.segment], centre, side / 2 + slack)) {
-        near.push_back({item.box.within(square), item.cell, item.segment});
+        append(near, {item.box.within(square), item.cell, item.segment}, cancellation_);
       }
-    }
+    });
   }
 
   /// Whether the line of a segment may touch the box of this centre and half side; errs on the side

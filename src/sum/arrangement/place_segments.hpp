@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "machine/make_room.hpp"
 #include "sum/arrangement/arrangement.hpp"
 
 namespace minksum {
@@ -36,8 +37,9 @@ struct CellLine {
 /// Finds segments that are equal as directed segments, where doubles hold them exactly.
 class DuplicateFinder {
  public:
-  DuplicateFinder(std::vector<KeptId>& table, const std::vector<KeptSegment>& kept)
-      : table_(table), kept_(kept) {
+  DuplicateFinder(std::vector<KeptId>& table, const std::vector<KeptSegment>& kept,
+                  Cancellation& cancellation)
+      : table_(table), kept_(kept), cancellation_(cancellation) {
     table_.assign(kSmallest, kEmpty);
   }
   /// Whether a segment equal to the last one was seen before. To be asked for each that may have an
@@ -64,8 +66,11 @@ class DuplicateFinder {
     }
   }
   void grow() {
-    table_.assign(std::bit_ceil(4 * kept_.size()), kEmpty);
-    for (KeptId id = 0; id + 1 < kept_.size(); ++id) enter(id);
+    assign_in_pieces(table_, std::bit_ceil(4 * kept_.size()), kEmpty, cancellation_);
+    for (KeptId id = 0; id + 1 < kept_.size(); ++id) {
+      cancellation_.check(4);
+      enter(id);
+    }
   }
   static std::size_t hash(const KeptSegment& s) {
     // + 0.0 turns a negative zero, equal to zero, into zero.
@@ -76,6 +81,7 @@ class DuplicateFinder {
   }
   std::vector<KeptId>& table_;
   const std::vector<KeptSegment>& kept_;
+  Cancellation& cancellation_;
 };
 
 }  // namespace minksum

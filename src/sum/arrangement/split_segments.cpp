@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machine/make_room.hpp"
 #include "sum/arrangement/arrangement.hpp"
 
 namespace minksum {
@@ -31,9 +32,11 @@ class Splitter {
     }
     result_.nodes.clear();
     result_.pieces.clear();
-    if (may_coincide_) scratch_.first_piece.assign(scratch_.parent.size(), kNoPiece);
+    if (may_coincide_) {
+      assign_in_pieces(scratch_.first_piece, scratch_.parent.size(), kNoPiece, cancellation_);
+    }
     scratch_.next_piece.clear();
-    scratch_.node_of_point.assign(scratch_.parent.size(), kNoNode);
+    assign_in_pieces(scratch_.node_of_point, scratch_.parent.size(), kNoNode, cancellation_);
     for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
     result_.slits.clear();
     result_.crowded.clear();
@@ -53,11 +56,12 @@ class Splitter {
   void group_events() {
     limit_events();
     auto& begin = scratch_.event_begin;
-    begin.assign(result_.kept.size() + 2, 0);
-    cancellation_.check(scratch_.events.size() + scratch_.parent.size());
-    for (const Event& event : scratch_.events) ++begin[event.segment + 2];
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    scratch_.sorted_events.resize(scratch_.events.size());
+    assign_in_pieces(begin, result_.kept.size() + 2, 0U, cancellation_);
+    visit_in_pieces(scratch_.events, cancellation_,
+                    [&](const Event& event) { ++begin[event.segment + 2]; });
+    std::uint32_t sum = 0;
+    visit_in_pieces(begin, cancellation_, [&](std::uint32_t& count) { count = sum += count; });
+    resize_in_pieces(scratch_.sorted_events, scratch_.events.size(), cancellation_);
     for (const Event& event : scratch_.events) {
       cancellation_.check();
       scratch_.sorted_events[begin[event.segment + 1]++] = event;
@@ -128,6 +132,7 @@ class Splitter {
     NodeId& id = scratch_.node_of_point[root];
     if (id == kNoNode) {
       id = static_cast<NodeId>(result_.nodes.size());
+      make_room(result_.nodes, 1, cancellation_);
       make_node(root, result_.nodes.emplace_back());
     }
     return id;
@@ -233,6 +238,7 @@ class Splitter {
 
   /// Adds a piece. Of pieces with the same ends one is kept; of opposite ones none.
   void add_piece(NodeId from, NodeId to, KeptId s) {
+    make_room(result_.pieces, 1, cancellation_);
     if (!may_coincide_) {
       result_.pieces.push_back({from, to, s});
       return;
@@ -247,7 +253,7 @@ class Splitter {
         return;
       }
     }
-    scratch_.next_piece.push_back({list, false});
+    append(scratch_.next_piece, {list, false}, cancellation_);
     list = static_cast<PieceId>(result_.pieces.size());
     result_.pieces.push_back({from, to, s});
   }
@@ -256,6 +262,7 @@ class Splitter {
     auto& pieces = result_.pieces;
     std::size_t kept = 0;
     for (PieceId p = 0; p < pieces.size(); ++p) {
+      cancellation_.check();
       if (!scratch_.next_piece[p].cancelled) pieces[kept++] = pieces[p];
     }
     pieces.resize(kept);
@@ -264,6 +271,7 @@ class Splitter {
   void list_slits() {
     if (!may_coincide_) return;
     for (PieceId p = 0; p < result_.pieces.size(); ++p) {
+      cancellation_.check();
       if (scratch_.next_piece[p].cancelled) result_.slits.push_back(result_.pieces[p]);
     }
   }
@@ -275,7 +283,7 @@ class Splitter {
       const DirectionRank rank = operands_.rank[result_.kept[s].segment.edge];
       const auto add = [&](std::uint32_t point) {
         cancellation_.check();
-        incidents.push_back({find_root(scratch_.parent, point), rank});
+        append(incidents, {find_root(scratch_.parent, point), rank}, cancellation_);
       };
       add(2 * s);
       add(2 * s + 1);

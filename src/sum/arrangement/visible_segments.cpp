@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "machine/make_room.hpp"
 #include "spatial/uniform_grid.hpp"
 
 namespace minksum {
@@ -303,11 +304,12 @@ void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& 
                      VisibleScratch& scratch) {
   auto& place = scratch.place;
   place.assign(o.size() + 1, 0);
-  for (const Segment& s : scratch.found) ++place[s.vertex + 1];
+  visit_in_pieces(scratch.found, cancellation, [&](const Segment& s) { ++place[s.vertex + 1]; });
   std::partial_sum(place.begin(), place.end(), place.begin());
   auto& ordered = scratch.visible;
-  ordered.resize(scratch.found.size());
-  for (const Segment& s : scratch.found) ordered[place[s.vertex]++] = s;
+  resize_in_pieces(ordered, scratch.found.size(), cancellation);
+  visit_in_pieces(scratch.found, cancellation,
+                  [&](const Segment& s) { ordered[place[s.vertex]++] = s; });
   for (std::size_t i = 0; i < ordered.size();) {
     const SiteId v = ordered[i].vertex;
     const std::size_t end = place[v];
@@ -326,7 +328,7 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
                                       Cancellation& cancellation, VisibleScratch& scratch) {
   const auto& sites = scratch.sites;
   auto& visible = scratch.visible;
-  visible.resize(segments.size());
+  resize_in_pieces(visible, segments.size(), cancellation);
   std::size_t count = 0;
   const CoveredBlocks covered(cover, scratch.blocks);
   // Without branches: which are hidden is hard to foresee.

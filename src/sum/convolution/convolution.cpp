@@ -4,6 +4,8 @@
 #include <bit>
 #include <span>
 
+#include "machine/make_room.hpp"
+
 namespace minksum {
 namespace {
 
@@ -72,8 +74,12 @@ void visit_runs(const Operands& o, Vertices which, int vertex_operand, Convoluti
 /// Appends runs of segments; of more than `many` it keeps one of every two, four, eight, ...
 class Lister {
  public:
-  Lister(const Limits& limits, std::uint64_t many, Convolution& convolution)
-      : most_(std::min(limits.max_segments, kMost)), many_(many), c_(convolution) {
+  Lister(const Limits& limits, std::uint64_t many, Cancellation& cancellation,
+         Convolution& convolution)
+      : most_(std::min(limits.max_segments, kMost)),
+        many_(many),
+        cancellation_(cancellation),
+        c_(convolution) {
     c_.segments.clear();
     c_.size = 0;
     c_.step = 1;
@@ -86,7 +92,7 @@ class Lister {
                                                  std::to_string(most_) +
                                                  " segments (Limits::max_segments)");
     }
-    c_.segments.resize(c_.size + edges.size());
+    resize_in_pieces(c_.segments, c_.size + edges.size(), cancellation_);
     for (std::size_t i = 0; i < edges.size(); ++i) c_.segments[c_.size + i] = {edges[i], v};
     c_.size += edges.size();
   }
@@ -126,12 +132,13 @@ class Lister {
 
   std::uint64_t most_;
   std::uint64_t many_;
+  Cancellation& cancellation_;
   Convolution& c_;
 };
 
 void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t many,
           Cancellation& cancellation, ConvolutionScratch& scratch, Convolution& convolution) {
-  Lister lister(limits, many, convolution);
+  Lister lister(limits, many, cancellation, convolution);
   cancellation.check(2 * o.size());
   const auto append = [&](std::span<const SiteId> edges, SiteId v) {
     cancellation.check(1 + edges.size() / 4);

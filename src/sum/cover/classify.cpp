@@ -178,13 +178,15 @@ std::int32_t winding_step_along_ray(const QuadCell& cell, std::size_t i,
 }
 
 std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
-                              std::size_t end, Vectors vectors, SegmentStack& stack) {
+                              std::size_t end, Vectors vectors, Cancellation& cancellation,
+                              SegmentStack& stack) {
   std::array<Tally, 4> tallies{};
   const Frame frame{static_cast<float>(cell.x), static_cast<float>(cell.y),
                     static_cast<float>(cell.half / 2), static_cast<float>(margin)};
   for (std::size_t i = begin; i < end; i += kBlock) {
     Packed sums;
     const std::size_t count = std::min(kBlock, end - i);
+    cancellation.check(count);
     const std::int32_t unsure = with_vectors(vectors, [&]() __attribute__((always_inline)) {
       return classify_block(frame, count, stack.segment.data() + i, stack.id.data() + i,
                             stack.mask.data() + i, sums);

@@ -33,13 +33,9 @@ struct SegmentStack {
 
   void grow(std::size_t size, Cancellation& cancellation) {
     if (id.size() >= size) return;
-    const auto grow_list = [&](auto& list) {
-      make_room(list, size - list.size(), cancellation);
-      list.resize(size);
-    };
-    grow_list(segment);
-    grow_list(id);
-    grow_list(mask);
+    resize_in_pieces(segment, size, cancellation);
+    resize_in_pieces(id, size, cancellation);
+    resize_in_pieces(mask, size, cancellation);
   }
   /// Puts those of the entries [begin, end) that have this bit in their masks at `to` and on, and
   /// may write one more; where they end.
@@ -78,7 +74,8 @@ struct Tally {
 /// than B · 2^-21. Signs that this cannot tell, and segments within two units of a centre, are
 /// *unsure*, and looked at again in integers. What decides nothing exact errs on the safe side.
 std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::size_t begin,
-                              std::size_t end, Vectors vectors, SegmentStack& stack);
+                              std::size_t end, Vectors vectors, Cancellation& cancellation,
+                              SegmentStack& stack);
 
 /// What entry i adds to the winding number of the cell's centre if it crosses the ray from there to
 /// the right.

@@ -127,9 +127,9 @@ class Divider {
 
   /// Of a cell whose quarters are `side` / 2 cells wide.
   void divide(const Cell& cell, std::int32_t side) {
-    cancellation_.check(8 + cell.end - cell.begin);
+    cancellation_.check(8);
     const std::array<Tally, 4> tallies =
-        classify(cell.square, margin_, cell.begin, cell.end, vectors_, stack_);
+        classify(cell.square, margin_, cell.begin, cell.end, vectors_, cancellation_, stack_);
     const auto many = static_cast<std::int32_t>((cell.end - cell.begin) * 3 / 4);
     int crowded = 0;
     for (const Tally& tally : tallies) crowded += tally.near > many ? 1 : 0;
@@ -160,16 +160,22 @@ class Divider {
   /// Puts the entries with this bit in their masks behind the cell's list; where they end.
   std::size_t copy(const Cell& cell, std::int32_t bit, std::size_t count) {
     stack_.grow(cell.end + count + SegmentStack::kStride, cancellation_);
-    return stack_.fill_up(stack_.copy(cell.begin, cell.end, bit, cell.end));
+    std::size_t to = cell.end;
+    in_pieces(cell.end - cell.begin, cancellation_, [&](std::size_t begin, std::size_t end) {
+      to = stack_.copy(cell.begin + begin, cell.begin + end, bit, to);
+    });
+    return stack_.fill_up(to);
   }
 
   void add_leaf(CoverLeaf leaf, std::size_t begin, std::size_t end, std::int32_t bit) {
     make_room(cover_.leaf_segments, end - begin, cancellation_);
-    for (std::size_t i = begin; i < end; ++i) {
-      if ((stack_.mask[i] & bit) != 0 && stack_.id[i] >= 0) {
-        cover_.leaf_segments.push_back(static_cast<std::uint32_t>(stack_.id[i]));
+    in_pieces(end - begin, cancellation_, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = begin + from; i < begin + to; ++i) {
+        if ((stack_.mask[i] & bit) != 0 && stack_.id[i] >= 0) {
+          cover_.leaf_segments.push_back(static_cast<std::uint32_t>(stack_.id[i]));
+        }
       }
-    }
+    });
     if (cover_.leaf_segments.size() > std::numeric_limits<std::uint32_t>::max()) {
       throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a cover or more");
     }

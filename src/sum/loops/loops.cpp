@@ -39,7 +39,7 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
   constexpr std::uint32_t kFew = 2;  // then there is no choice
   const auto& pieces = arrangement.pieces;
   auto& ends = scratch.ends;
-  ends.assign(arrangement.nodes.size(), NodeEnds{});
+  assign_in_pieces(ends, arrangement.nodes.size(), NodeEnds{}, cancellation);
   for (PieceId p = 0; p < pieces.size(); ++p) {
     cancellation.check();
     NodeEnds& from = ends[pieces[p].from];
@@ -47,9 +47,10 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
     ++from.degree;
     ++ends[pieces[p].to].degree;
   }
-  scratch.next.resize(pieces.size());
+  resize_in_pieces(scratch.next, pieces.size(), cancellation);
   bool any_choice = false;
   for (PieceId p = 0; p < pieces.size(); ++p) {
+    cancellation.check();
     const NodeEnds& at = ends[pieces[p].to];
     any_choice |= at.degree > kFew;
     // The only piece to go on with may run back over this one.
@@ -61,6 +62,7 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
       arrangement, circle, [&](PieceId, NodeId node) { return ends[node].degree > kFew; },
       cancellation, scratch.incidence);
   for (NodeId node = 0; node < ends.size(); ++node) {
+    cancellation.check();
     if (ends[node].degree <= kFew) continue;
     const std::span<const Spoke> spokes = scratch.incidence.at(node);
     cancellation.check(spokes.size());
@@ -84,7 +86,7 @@ void find_loops(const Operands& operands, const Arrangement& arrangement,
   loops.positive.clear();
   // Successors are unique both ways, so chains are paths or cycles. Each piece is marked with the
   // first piece of the walk that came to it: a walk that ends at a mark of its own has gone round.
-  scratch.walk.assign(n, kNoPiece);
+  assign_in_pieces(scratch.walk, n, kNoPiece, cancellation);
   for (PieceId first = 0; first < n; ++first) {
     cancellation.check();
     PieceId p = first;
@@ -98,7 +100,7 @@ void find_loops(const Operands& operands, const Arrangement& arrangement,
     const PieceId start = p;
     do {
       cancellation.check();
-      loops.pieces.push_back(p);
+      append(loops.pieces, p, cancellation);
       rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
       p = scratch.next[p];
     } while (p != start);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "machine/make_room.hpp"
 #include "sum/arrangement/arrangement.hpp"
 
 namespace minksum {
@@ -83,14 +84,15 @@ void list_incidence(const Arrangement& arrangement, const DirectionCircle& circl
                     Cancellation& cancellation, Incidence& incidence) {
   auto& begin = incidence.begin;
   const auto& pieces = arrangement.pieces;
-  cancellation.check(pieces.size() + arrangement.nodes.size());
-  begin.assign(arrangement.nodes.size() + 2, 0);
+  assign_in_pieces(begin, arrangement.nodes.size() + 2, 0U, cancellation);
   for (PieceId p = 0; p < pieces.size(); ++p) {
+    cancellation.check();
     if (take(p, pieces[p].from)) ++begin[pieces[p].from + 2];
     if (take(p, pieces[p].to)) ++begin[pieces[p].to + 2];
   }
-  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  incidence.spokes.resize(begin.back());
+  std::uint32_t sum = 0;
+  visit_in_pieces(begin, cancellation, [&](std::uint32_t& count) { count = sum += count; });
+  resize_in_pieces(incidence.spokes, begin.back(), cancellation);
   for (PieceId p = 0; p < pieces.size(); ++p) {
     cancellation.check();
     if (take(p, pieces[p].from)) {

@@ -1,6 +1,7 @@
 // Accepted pieces to simple rings.
 #include <algorithm>
 
+#include "machine/make_room.hpp"
 #include "sum/output/node_order.hpp"
 #include "sum/output/output.hpp"
 
@@ -37,7 +38,7 @@ class RingExtractor {
     list_incidence(
         arrangement_, circle_, [&](PieceId p, NodeId) { return scratch_.accepted[p] != 0; },
         cancellation_, scratch_.incidence);
-    scratch_.stack_place.assign(arrangement_.nodes.size(), kNotOnStack);
+    assign_in_pieces(scratch_.stack_place, arrangement_.nodes.size(), kNotOnStack, cancellation_);
     std::uint32_t walk = 0;
     for (std::size_t i = 0; i < loops.size(); ++i) {
       if (filtered.state[i] != LoopState::kAccepted) continue;
@@ -53,7 +54,7 @@ class RingExtractor {
 
   /// Whether the accepted loops pass each node once: they are simple rings then, and touch nowhere.
   bool loops_are_rings(const Loops& loops, const FilteredLoops& filtered) {
-    scratch_.passed.assign(arrangement_.nodes.size(), 0);
+    assign_in_pieces(scratch_.passed, arrangement_.nodes.size(), std::uint8_t{0}, cancellation_);
     for (std::size_t i = 0; i < loops.size(); ++i) {
       cancellation_.check(1 + loops.loop(i).size());
       if (filtered.state[i] != LoopState::kAccepted) continue;
@@ -67,8 +68,9 @@ class RingExtractor {
   }
 
   void accept(const Loops& loops, const FilteredLoops& filtered) {
-    scratch_.accepted.assign(arrangement_.pieces.size(), 0);
+    assign_in_pieces(scratch_.accepted, arrangement_.pieces.size(), std::uint8_t{0}, cancellation_);
     for (std::size_t i = 0; i < loops.size(); ++i) {
+      cancellation_.check(1 + loops.loop(i).size());
       if (filtered.state[i] != LoopState::kAccepted) continue;
       for (const PieceId p : loops.loop(i)) scratch_.accepted[p] = kAccepted;
     }
