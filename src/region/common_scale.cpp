@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <utility>
 
 #include "region/fraction_sum.hpp"
 #include "region/rational_access.hpp"
@@ -29,16 +30,6 @@ bool scaled(std::int64_t payload, int twos, int tens, std::int64_t& result) {
   return true;
 }
 
-// One value after the other: divisors of two long numbers take time quadratic in their length,
-// those of a long and a short one hardly more than a division.
-BigInt lcm_of(BigInt common, const std::vector<BigInt>& values, Cancellation& cancellation) {
-  for (const BigInt& value : values) {
-    cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
-    common *= value / boost::multiprecision::gcd(remainder_of(common, value), value);
-  }
-  return common;
-}
-
 // Collects denominators: the powers of two and of five of finite decimals and doubles by their
 // exponents alone, other denominators as they are.
 class Denominators {
@@ -55,9 +46,7 @@ class Denominators {
            << static_cast<unsigned>(twos_);
   }
   [[nodiscard]] BigInt least_common(Cancellation& cancellation) {
-    std::sort(others_.begin(), others_.end(), cancellation.counting(std::less<>()));
-    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
-    return lcm_of(finite(), others_, cancellation);
+    return least_common_multiple(finite(), std::move(others_), cancellation);
   }
 
  private:
@@ -81,6 +70,19 @@ class Denominators {
 };
 
 }  // namespace
+
+// One value after the other: divisors of two long numbers take time quadratic in their length,
+// those of a long and a short one hardly more than a division.
+BigInt least_common_multiple(BigInt common, std::vector<BigInt> values,
+                             Cancellation& cancellation) {
+  std::sort(values.begin(), values.end(), cancellation.counting(std::less<>()));
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  for (const BigInt& value : values) {
+    cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
+    common *= value / boost::multiprecision::gcd(remainder_of(common, value), value);
+  }
+  return common;
+}
 
 bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale) {
   int twos = 0;

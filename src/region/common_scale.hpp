@@ -26,6 +26,8 @@ struct CommonScale {
 /// `scale` holds them.
 bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale);
 
+/// Of positive integers.
+BigInt least_common_multiple(BigInt common, std::vector<BigInt> values, Cancellation& cancellation);
 /// The smallest positive integer that makes each coordinate that is a double or a finite decimal an
 /// integer.
 BigInt finite_denominator(const Region& region, Cancellation& cancellation);

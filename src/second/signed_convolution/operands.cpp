@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "measure/common_scale.hpp"
 #include "minksum/error.hpp"
 #include "region/rational_access.hpp"
 #include "second/signed_convolution/broken.hpp"
@@ -47,26 +48,21 @@ unsigned bit_count(const BigInteger& value) {
   return value == 0 ? 0U : static_cast<unsigned>(msb(value)) + 1U;
 }
 
-void include_denominator(const Rational& value, BigInteger& scale) {
-  const BigInteger d = denominator(value);
-  if (scale % d != 0) scale = lcm(scale, d);
-}
-
 BigInteger common_denominator(const std::vector<ExactPolygon>& p,
                               const std::vector<ExactPolygon>& q, Cancellation& cancellation) {
-  BigInteger scale = 1;
+  std::vector<BigInt> denominators;
   for (const auto* polygons : {&p, &q}) {
     for (const ExactPolygon& polygon : *polygons) {
       for (const ExactRing& ring : polygon.rings) {
         for (const Point& point : ring) {
-          cancellation.check(8 * work_of_product(bit_count(scale)));
-          include_denominator(point.x, scale);
-          include_denominator(point.y, scale);
+          cancellation.check();
+          denominators.push_back(RationalAccess::denominator(point.x));
+          denominators.push_back(RationalAccess::denominator(point.y));
         }
       }
     }
   }
-  return scale;
+  return BigInteger(least_common_multiple(1, std::move(denominators), cancellation));
 }
 
 BigInteger scaled(const Rational& value, const BigInteger& scale) {
