@@ -48,6 +48,7 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside,
 }  // namespace
 
 Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelToken>& cancel) {
+  Cancellation cancellation(cancel);
   // Each winds once around its points: outer rings are counter-clockwise, holes clockwise.
   std::vector<overlay::Chain> chains;
   overlay::ThinStore thin;
@@ -56,7 +57,7 @@ Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelT
       chain.weight.first = 1;
       chains.push_back(chain);
     });
-    thin.add(geometry);
+    thin.add(geometry, cancellation);
   }
   thin.list_chains(chains);
   return overlay::select(chains, {[](const Winding& w) { return w.first > 0; }}, cancel);

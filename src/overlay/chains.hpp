@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cancellation.hpp"
 #include "overlay/overlay.hpp"
 
 namespace minksum::overlay {
@@ -11,9 +12,9 @@ namespace minksum::overlay {
 class ThinStore {
  public:
   /// Each becomes a chain without weight that belongs. Chains point into this store.
-  void add(const Geometry& geometry) {
-    for (const Polyline& line : geometry.polylines) add(line);
-    for (const Point& point : geometry.points) add(std::span(&point, 1));
+  void add(const Geometry& geometry, Cancellation& cancellation) {
+    for (const Polyline& line : geometry.polylines) add(line, cancellation);
+    for (const Point& point : geometry.points) add(std::span(&point, 1), cancellation);
   }
   void list_chains(std::vector<Chain>& chains) const {
     for (std::size_t ring = 0; ring < points_.ring_count(); ++ring) {
@@ -29,11 +30,14 @@ class ThinStore {
   }
 
  private:
-  void add(std::span<const Point> points) {
+  void add(std::span<const Point> points, Cancellation& cancellation) {
     if (points.empty()) return;
     if (points_.polygon_count() == 0) points_.begin_polygon();
     points_.begin_ring();
-    for (const Point& p : points) points_.add_vertex(p.x, p.y);
+    for (const Point& p : points) {
+      cancellation.check(16);
+      points_.add_vertex(p.x, p.y);
+    }
   }
   Region points_;
 };

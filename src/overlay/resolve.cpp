@@ -65,7 +65,8 @@ Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
     chains.push_back(chain);
   });
   overlay::ThinStore thin;
-  if (!options.regularize) thin.add(geometry);
+  Cancellation cancellation(options.cancel);
+  if (!options.regularize) thin.add(geometry, cancellation);
   thin.list_chains(chains);
   return overlay::select(chains, {inside_by(options.fill)}, options.cancel);
 }

@@ -101,7 +101,8 @@ class PolygonReader {
     for (Chain& chain : chains) chain.spared = 1;
     const Geometry inner = select(chains, {nowhere, within}, options_.cancel);
     Region area = select(chains, {wound_around, keeps_nothing}, options_.cancel).region;
-    hole.inner.add(inner);
+    Cancellation cancellation(options_.cancel);
+    hole.inner.add(inner, cancellation);
     hole.area = std::move(area);
     return hole;
   }
@@ -129,8 +130,9 @@ Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options
     list_by_role(read.back().region, chains, [](Chain& chain) { chain.weight.first = 1; });
   }
   ThinStore thin;
-  for (const Geometry& part : read) thin.add(part);
-  if (!options.regularize) thin.add(geometry);
+  Cancellation cancellation(options.cancel);
+  for (const Geometry& part : read) thin.add(part, cancellation);
+  if (!options.regularize) thin.add(geometry, cancellation);
   thin.list_chains(chains);
   return select(chains, {wound_around}, options.cancel);
 }

@@ -29,20 +29,30 @@ Indices without(const Indices& all, const Indices& others) {
 
 }  // namespace
 
-BigInt remainder_of(const BigInt& value, const BigInt& divisor) {
+Division divided(const BigInt& value, const BigInt& divisor) {
   constexpr std::size_t kLimbBits = 64;
   const std::size_t step = bit_length(divisor) / kLimbBits;
   std::vector<std::uint64_t> limbs;
-  if (step < 2 || append_limbs(value, limbs) < 3 * step) return mp::abs(value) % divisor;
-  BigInt rest;
+  Division result;
+  if (step < 2 || append_limbs(value, limbs) < 3 * step) {
+    mp::divide_qr(BigInt(mp::abs(value)), divisor, result.quotient, result.rest);
+    return result;
+  }
+  std::vector<std::uint64_t> quotient;
   for (std::size_t end = limbs.size(); end > 0;) {
     const std::size_t begin = end > step ? end - step : 0;
-    rest <<= kLimbBits * (end - begin);
-    rest += from_limbs(std::span(limbs).subspan(begin, end - begin));
-    rest %= divisor;
+    BigInt piece = result.rest << (kLimbBits * (end - begin));
+    piece += from_limbs(std::span(limbs).subspan(begin, end - begin));
+    mp::divide_qr(piece, divisor, result.quotient, result.rest);
+    // What is divided gives way to the quotient, which is no longer.
+    quotient.clear();
+    append_limbs(result.quotient, quotient);
+    quotient.resize(end - begin);
+    std::ranges::copy(quotient, limbs.begin() + static_cast<std::ptrdiff_t>(begin));
     end = begin;
   }
-  return rest;
+  result.quotient = from_limbs(limbs);
+  return result;
 }
 
 FractionSum::FractionSum(std::vector<BigInt> factors, Cancellation& cancellation)

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "measure/common_scale.hpp"
 #include "minksum/error.hpp"
+#include "region/common_scale.hpp"
+#include "region/fraction_sum.hpp"
 #include "region/rational_access.hpp"
+#include "region/region_access.hpp"
 #include "second/signed_convolution/broken.hpp"
 
 namespace minksum::signed_sum {
@@ -31,7 +33,7 @@ std::vector<ExactPolygon> read(const GivenOperand& given, Cancellation& cancella
     for (const std::size_t ring : region.rings_of(polygon)) {
       ExactRing& points = rings.emplace_back();
       for (const std::size_t vertex : region.vertices_of(ring)) {
-        cancellation.check(4);
+        cancellation.check(4 + 8 * work_of_product(RegionAccess::bits(region, vertex)));
         points.push_back(region.point(vertex));
       }
     }
@@ -40,9 +42,6 @@ std::vector<ExactPolygon> read(const GivenOperand& given, Cancellation& cancella
 }
 
 BigInteger numerator(const Rational& value) { return BigInteger(RationalAccess::numerator(value)); }
-BigInteger denominator(const Rational& value) {
-  return BigInteger(RationalAccess::denominator(value));
-}
 
 unsigned bit_count(const BigInteger& value) {
   return value == 0 ? 0U : static_cast<unsigned>(msb(value)) + 1U;
@@ -66,10 +65,15 @@ BigInteger common_denominator(const std::vector<ExactPolygon>& p,
 }
 
 BigInteger scaled(const Rational& value, const BigInteger& scale) {
-  return numerator(value) * (scale / denominator(value));
+  return numerator(value) *
+         BigInteger(divided(BigInt(scale), RationalAccess::denominator(value)).quotient);
 }
 
 BigInteger cross(const IntegerPoint& a, const IntegerPoint& b) { return a.x * b.y - a.y * b.x; }
+/// The units of work of that.
+std::uint64_t work_of_cross(const IntegerPoint& a) {
+  return 2 * work_of_product(64 * std::max(a.x.backend().size(), a.y.backend().size()));
+}
 
 IntegerPoint edge(const IntegerRing& ring, std::size_t i) {
   const IntegerPoint& a = ring.vertices[i];
@@ -86,17 +90,19 @@ void drop_repeated_vertices(std::vector<IntegerPoint>& points) {
 
 // In a simple ring a straight vertex goes straight on, so that dropping it leaves the directions of
 // its neighbours' edges as they are: one pass is enough.
-void drop_straight_vertices(IntegerRing& ring) {
+void drop_straight_vertices(IntegerRing& ring, Cancellation& cancellation) {
   std::vector<IntegerPoint> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
+    cancellation.check(work_of_cross(ring.vertices[i]));
     if (cross(edge(ring, ring.previous(i)), edge(ring, i)) != 0) kept.push_back(ring.vertices[i]);
   }
   ring.vertices = std::move(kept);
 }
 
-BigInteger doubled_area(const IntegerRing& ring) {
+BigInteger doubled_area(const IntegerRing& ring, Cancellation& cancellation) {
   BigInteger sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
+    cancellation.check(work_of_cross(ring.vertices[i]));
     sum += cross(ring.vertices[i], ring.vertices[ring.next(i)]);
   }
   return sum;
@@ -114,6 +120,7 @@ IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale, Cancellat
     ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
   }
   for (std::size_t i = 0; i < ring.size(); ++i) {
+    cancellation.check(work_of_cross(ring.vertices[i]));
     ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) >= 0);
   }
   return ring;
@@ -127,11 +134,12 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool coun
     ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
   }
   drop_repeated_vertices(ring.vertices);
-  drop_straight_vertices(ring);
-  const BigInteger area = doubled_area(ring);
+  drop_straight_vertices(ring, cancellation);
+  const BigInteger area = doubled_area(ring, cancellation);
   if (ring.size() < 3 || area == 0) broken("an operand has a ring without area");
   if ((area > 0) != counter_clockwise) std::reverse(ring.vertices.begin(), ring.vertices.end());
   for (std::size_t i = 0; i < ring.size(); ++i) {
+    cancellation.check(work_of_cross(ring.vertices[i]));
     ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) > 0);
   }
   return ring;
@@ -243,7 +251,8 @@ void sort_edges(IntegerRing& ring, Cancellation& cancellation) {
 }
 
 void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank count) {
-  const BigInteger area = doubled_area(ring);
+  Cancellation nobody;
+  const BigInteger area = doubled_area(ring, nobody);
   if (ring.size() < 2 || (area != 0 && (area > 0) != counter_clockwise)) {
     broken("a ring of an operand has the wrong orientation");
   }
