@@ -130,7 +130,8 @@ std::vector<Chain> chains_of(const Geometry& geometry, ThinStore& store) {
     chain.belongs = true;
     chains.push_back(chain);
   });
-  store.add(geometry);
+  Cancellation nobody;
+  store.add(geometry, nobody);
   store.list_chains(chains);
   return chains;
 }
