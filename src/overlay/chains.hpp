@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cancellation.hpp"
+#include "machine/cancellation.hpp"
 #include "overlay/overlay.hpp"
 
 namespace minksum::overlay {
