@@ -1,4 +1,4 @@
-# cmake -DSOURCE=... -DBUILD=... -DWORK=... -DHOW=installed|subdirectory -P run.cmake
+# cmake -DSOURCE=... -DBUILD=... -DLIBRARY=... -DWORK=... -DHOW=installed|subdirectory -P run.cmake
 # Builds and runs the consumer in WORK, against an installation of BUILD or against SOURCE itself.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
@@ -13,7 +13,7 @@ if(HOW STREQUAL "installed")
   run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
   set(where -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 else()
-  set(where -DMINKSUM_SOURCE=${SOURCE})
+  set(where -DMINKSUM_SOURCE=${SOURCE} -DMINKSUM_BUILT=${LIBRARY})
 endif()
 # Without optimisation: what counts here is that it compiles, links and answers.
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build ${where}
