@@ -9,11 +9,13 @@
 
 namespace minksum {
 
+/// Elements that are passed at once: some ten microseconds.
+inline constexpr std::size_t kPiece = std::size_t{1} << 12;
+
 /// Calls work(begin, end) for the indices below `size`, piece by piece, with looks at the token in
 /// between: where an element is too little to count.
 template <class Work>
 void in_pieces(std::size_t size, Cancellation& cancellation, Work work) {
-  constexpr std::size_t kPiece = std::size_t{1} << 12;
   for (std::size_t begin = 0; begin < size; begin += kPiece) {
     const std::size_t end = std::min(begin + kPiece, size);
     cancellation.check(end - begin);
@@ -52,15 +54,16 @@ void append(std::vector<T>& list, const T& value, Cancellation& cancellation) {
   make_room(list, 1, cancellation);
   list.push_back(value);
 }
-/// `resize`.
-template <class T>
+/// `resize`, to new elements of this value if there is one.
+template <class T, class... Value>
 void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& cancellation,
-                      const T& value = T()) {
-  if (size <= list.size()) return list.resize(size);
-  make_room(list, size - list.size(), cancellation);
-  in_pieces(size - list.size(), cancellation, [&](std::size_t begin, std::size_t end) {
-    list.insert(list.end(), end - begin, value);
-  });
+                      const Value&... value) {
+  if (size > list.size()) make_room(list, size - list.size(), cancellation);
+  while (list.size() + kPiece < size) {
+    cancellation.check(kPiece);
+    list.resize(list.size() + kPiece, value...);
+  }
+  list.resize(size, value...);
 }
 /// `assign`.
 template <class T>

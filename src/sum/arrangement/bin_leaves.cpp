@@ -63,14 +63,14 @@ void bin_leaves(const Operands& operands, const Convolution& convolution, const 
   scratch.line_count = static_cast<KeptId>(arrangement.kept.size());
   scratch.in_cells.clear();
   scratch.leaf_end.clear();
+  make_room(scratch.in_cells, cover.leaf_segments.size(), cancellation);
   std::uint32_t i = 0;
   for (const CoverLeaf& leaf : cover.leaves) {
     for (; i < leaf.end; ++i) {
       cancellation.check(2);
       const KeptId id = scratch.kept_id[cover.leaf_segments[i]];
       if (id == kUnlisted) continue;
-      append(scratch.in_cells, {box_near(arrangement.kept[id], cover.grid, leaf), 0, id},
-             cancellation);
+      scratch.in_cells.push_back({box_near(arrangement.kept[id], cover.grid, leaf), 0, id});
     }
     scratch.leaf_end.push_back(static_cast<std::uint32_t>(scratch.in_cells.size()));
   }

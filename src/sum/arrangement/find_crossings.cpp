@@ -181,9 +181,10 @@ class CrossingFinder {
     const CellBox square(cells(low.x - slack, column_), cells(low.y - slack, row_),
                          cells(low.x + side + slack, column_), cells(low.y + side + slack, row_));
     const std::uint64_t partner = square.partner();
+    make_room(near, items.size(), cancellation_);
     visit_in_pieces(items, cancellation_, [&](const CellItem& item) {
       if (item.box.overlaps(partner) && near_box(kept_[item.segment], centre, side / 2 + slack)) {
-        append(near, {item.box.within(square), item.cell, item.segment}, cancellation_);
+        near.push_back({item.box.within(square), item.cell, item.segment});
       }
     });
   }
