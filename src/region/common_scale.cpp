@@ -79,7 +79,8 @@ BigInt least_common_multiple(BigInt common, std::vector<BigInt> values,
   values.erase(std::unique(values.begin(), values.end()), values.end());
   for (const BigInt& value : values) {
     cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
-    common *= value / boost::multiprecision::gcd(remainder_of(common, value), value);
+    const BigInt rest = divided(common, value, cancellation).rest;
+    common *= value / boost::multiprecision::gcd(rest, value);
   }
   return common;
 }

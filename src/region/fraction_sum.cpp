@@ -29,7 +29,7 @@ Indices without(const Indices& all, const Indices& others) {
 
 }  // namespace
 
-Division divided(const BigInt& value, const BigInt& divisor) {
+Division divided(const BigInt& value, const BigInt& divisor, Cancellation& cancellation) {
   constexpr std::size_t kLimbBits = 64;
   const std::size_t step = bit_length(divisor) / kLimbBits;
   std::vector<std::uint64_t> limbs;
@@ -41,6 +41,7 @@ Division divided(const BigInt& value, const BigInt& divisor) {
   std::vector<std::uint64_t> quotient;
   for (std::size_t end = limbs.size(); end > 0;) {
     const std::size_t begin = end > step ? end - step : 0;
+    cancellation.check(4 * work_of_product(kLimbBits * step));
     BigInt piece = result.rest << (kLimbBits * (end - begin));
     piece += from_limbs(std::span(limbs).subspan(begin, end - begin));
     mp::divide_qr(piece, divisor, result.quotient, result.rest);
@@ -116,7 +117,7 @@ Rational FractionSum::half(Term term) const {
     const std::size_t bits = bit_length(factor);
     cancellation_.check(8 * work_of_product(bits) +
                         (bit_length(term.numerator) / 64) * (bits / 64 + 1));
-    const BigInt common = mp::gcd(remainder_of(term.numerator, factor), factor);
+    const BigInt common = mp::gcd(divided(term.numerator, factor, cancellation_).rest, factor);
     if (common == 1) continue;
     term.numerator /= common;
     factor /= common;

@@ -16,10 +16,8 @@ struct Division {
 };
 /// |value| divided by a positive divisor; a value that is far longer than the divisor, piece by
 /// piece: Boost's division takes time quadratic in the value's length.
-[[nodiscard]] Division divided(const BigInt& value, const BigInt& divisor);
-[[nodiscard]] inline BigInt remainder_of(const BigInt& value, const BigInt& divisor) {
-  return divided(value, divisor).rest;
-}
+[[nodiscard]] Division divided(const BigInt& value, const BigInt& divisor,
+                               Cancellation& cancellation);
 
 /// A sum of fractions whose denominators are products of numbers that are known: these are counted
 /// once where they are equal, and the sum is brought to lowest terms by one of them after the

@@ -228,7 +228,8 @@ std::size_t coordinate_bits(const Region& region, const std::optional<CancelToke
   Cancellation cancellation(cancel);
   const BigInt scale = least_common_denominator(region, cancellation);
   // Both sides are integers then. With k as below, 2^(k-1) < a / b < 2^(k+1): no long division.
-  const auto scaled_bits = [&scale](const Rational& side) -> std::size_t {
+  const auto scaled_bits = [&](const Rational& side) -> std::size_t {
+    cancellation.look();
     if (side.sign() == 0) return 0;
     const BigInt above = RationalAccess::numerator(side) * scale;
     const BigInt& below = RationalAccess::denominator(side);

@@ -64,9 +64,10 @@ BigInteger common_denominator(const std::vector<ExactPolygon>& p,
   return BigInteger(least_common_multiple(1, std::move(denominators), cancellation));
 }
 
-BigInteger scaled(const Rational& value, const BigInteger& scale) {
+BigInteger scaled(const Rational& value, const BigInteger& scale, Cancellation& cancellation) {
   return numerator(value) *
-         BigInteger(divided(BigInt(scale), RationalAccess::denominator(value)).quotient);
+         BigInteger(
+             divided(BigInt(scale), RationalAccess::denominator(value), cancellation).quotient);
 }
 
 BigInteger cross(const IntegerPoint& a, const IntegerPoint& b) { return a.x * b.y - a.y * b.x; }
@@ -117,7 +118,8 @@ IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale, Cancellat
   IntegerRing ring;
   for (const Point& point : exact) {
     cancellation.check(work_of_vertex(scale));
-    ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
+    ring.vertices.push_back(
+        {scaled(point.x, scale, cancellation), scaled(point.y, scale, cancellation)});
   }
   for (std::size_t i = 0; i < ring.size(); ++i) {
     cancellation.check(work_of_cross(ring.vertices[i]));
@@ -131,7 +133,8 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool coun
   IntegerRing ring;
   for (const Point& point : exact) {
     cancellation.check(work_of_vertex(scale));
-    ring.vertices.push_back({scaled(point.x, scale), scaled(point.y, scale)});
+    ring.vertices.push_back(
+        {scaled(point.x, scale, cancellation), scaled(point.y, scale, cancellation)});
   }
   drop_repeated_vertices(ring.vertices);
   drop_straight_vertices(ring, cancellation);
