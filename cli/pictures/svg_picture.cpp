@@ -117,7 +117,8 @@ Placement::Placement(const Extent& extent, double left, double top, double scale
                         std::isfinite(extent.height() * scale);
   if (!drawable) {
     throw Error(ErrorCode::kLimitExceeded,
-                "no picture: the coordinates or their extent are beyond the range of doubles");
+                "no picture: the coordinates or their extent are beyond the range of doubles", {},
+                {}, ExceededLimit{"pictures"});
   }
 }
 

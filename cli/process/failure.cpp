@@ -58,36 +58,27 @@ int tell_out_of_memory(std::optional<std::uint64_t> limit) noexcept {
   return kLimitExceeded;
 }
 
-// The option that sets the limit that an error of reading is about; nullptr if none does.
-const char* option_of(const io::ReadError& error) {
-  const std::string_view message = error.what();
-  if (message.starts_with("more vertices than the limit of ")) return "--max-vertices";
-  // All others are at some place in the text.
-  const bool is_of_all = error.line() == 0 && message.starts_with("the text is longer than ");
-  return is_of_all ? "--max-bytes" : nullptr;
+bool is_about(const Error& error, std::string_view limit) {
+  return error.limit() && error.limit()->name == limit;
 }
-
-constexpr std::string_view kBeyondDoubles = "beyond the range of doubles";
 
 // The message with the option that sets the limit or avoids it, not with the member that does so in
 // the library. Other limits are fixed, and have no option.
 std::string with_option(const Error& error) {
+  constexpr std::pair<std::string_view, const char*> kOptions[] = {
+      {"Limits::max_segments", "--max-segments"},
+      {"Limits::max_crossings", "--max-crossings"},
+      {"io::ReadLimits::max_vertices", "--max-vertices"},
+      {"io::ReadLimits::max_bytes", "--max-bytes"},
+      {"doubles", "--coords exact, or decimal:N"}};
   std::string message = error.what();
-  const auto with = [&message](const char* option) { return message + " (" + option + ')'; };
-  if (const auto* reading = dynamic_cast<const io::ReadError*>(&error)) {
-    const char* const option = option_of(*reading);
-    return option != nullptr ? with(option) : message;
-  }
-  if (message.starts_with("a coordinate is ") && message.ends_with(kBeyondDoubles)) {
-    return with("--coords exact, or decimal:N");
-  }
-  constexpr std::pair<std::string_view, const char*> kMembers[] = {
-      {" (Limits::max_segments)", "--max-segments"},
-      {" (Limits::max_crossings)", "--max-crossings"}};
-  for (const auto& [member, option] : kMembers) {
-    if (!message.ends_with(member)) continue;
-    message.resize(message.size() - member.size());
-    return with(option);
+  for (const auto& [limit, option] : kOptions) {
+    if (!is_about(error, limit)) continue;
+    const std::string member = " (" + std::string(limit) + ")";
+    if (message.ends_with(member)) message.resize(message.size() - member.size());
+    message += " (";
+    message += option;
+    message += ')';
   }
   return message;
 }
@@ -150,18 +141,13 @@ Failure failure_of(const Error& error, const std::string& file) {
 }
 
 void fail_about_output(const Error& error, const std::string& output) {
-  const std::string_view message = error.what();
-  const bool about_output = error.code() == ErrorCode::kLimitExceeded &&
-                            message.find(kBeyondDoubles) != std::string_view::npos;
-  if (!about_output) throw;
+  if (!is_about(error, "doubles") && !is_about(error, "pictures")) throw;
   throw failure_of(error, output.empty() || output == "-" ? "standard output" : output);
 }
 
 void fail_about(const Error& error, const std::string (&operands)[2]) {
   // So the library tells it where it throws nothing; the program has a line for this.
-  if (error.code() == ErrorCode::kLimitExceeded && error.what() == std::string("out of memory")) {
-    throw std::bad_alloc();
-  }
+  if (is_about(error, "memory")) throw std::bad_alloc();
   const int operand = error.culprit().operand;
   throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : "");
 }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace minksum {
@@ -33,14 +36,30 @@ struct Culprit {
   std::size_t vertex = kNone;   ///< index of the vertex in its ring
 };
 
+/// A limit that was passed and that the caller can do something about.
+struct ExceededLimit {
+  /// Its name in this interface, such as "Limits::max_segments". Also "memory"; "doubles" for a
+  /// coordinate that is to be written as a double and is beyond their range; and "pictures" for one
+  /// that is to be drawn.
+  std::string_view name;
+  std::uint64_t value = 0;  ///< what was allowed; 0 if that is no count
+};
+
 /// What the library throws, but for std::bad_alloc where memory runs out; io::ReadError is one too.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {})
-      : std::runtime_error(message), code_(code), culprit_(culprit), stage_(std::move(stage)) {}
+  Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {},
+        const std::optional<ExceededLimit>& limit = {})
+      : std::runtime_error(message),
+        code_(code),
+        culprit_(culprit),
+        stage_(std::move(stage)),
+        limit_(limit) {}
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
   [[nodiscard]] const Culprit& culprit() const noexcept { return culprit_; }
+  /// The limit, for kLimitExceeded; nothing where the caller can do nothing about it.
+  [[nodiscard]] const std::optional<ExceededLimit>& limit() const noexcept { return limit_; }
   /// The pipeline stage, for internal errors; empty otherwise.
   [[nodiscard]] const std::string& stage() const noexcept { return stage_; }
 
@@ -48,6 +67,7 @@ class Error : public std::runtime_error {
   ErrorCode code_;
   Culprit culprit_;
   std::string stage_;
+  std::optional<ExceededLimit> limit_;
 };
 
 }  // namespace minksum

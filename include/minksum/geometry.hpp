@@ -1,6 +1,7 @@
 // Sets of points of any dimension: areas, polylines and points together.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "minksum/region.hpp"
@@ -23,6 +24,11 @@ struct Geometry {
   Region region;
   std::vector<Polyline> polylines;
   std::vector<Point> points;
+
+  Geometry() = default;
+  /// An area alone converts by itself: NOLINTNEXTLINE(google-explicit-constructor)
+  Geometry(Region area, std::vector<Polyline> lines = {}, std::vector<Point> alone = {})
+      : region(std::move(area)), polylines(std::move(lines)), points(std::move(alone)) {}
 
   [[nodiscard]] bool empty() const { return region.empty() && !has_thin_parts(); }
   /// Whether there is anything without area.

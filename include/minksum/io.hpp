@@ -18,8 +18,9 @@ enum class Format { kWkt, kGeoJson, kPoly, kDat, kSvg };
 /// A fault in a text, with its place. Lines and columns count from 1; 0 = not known.
 class ReadError : public Error {
  public:
-  ReadError(ErrorCode code, const std::string& message, std::size_t line, std::size_t column)
-      : Error(code, message), line_(line), column_(column) {}
+  ReadError(ErrorCode code, const std::string& message, std::size_t line, std::size_t column,
+            const std::optional<ExceededLimit>& limit = {})
+      : Error(code, message, {}, {}, limit), line_(line), column_(column) {}
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
   [[nodiscard]] std::size_t column() const noexcept { return column_; }
 
@@ -80,5 +81,16 @@ void write(std::ostream& out, const Region& region, Format format, const Coordin
 void write(std::ostream& out, const Geometry& geometry, Format format,
            const Coordinates& style = {});
 [[nodiscard]] std::string to_wkt(const Geometry& geometry, const Coordinates& style = {});
+/// A GeoJSON geometry object. Numbers that are no finite decimals are strings ("1/3").
+[[nodiscard]] std::string to_geojson(const Region& region, const Coordinates& style = {});
+[[nodiscard]] std::string to_geojson(const Geometry& geometry, const Coordinates& style = {});
 
 }  // namespace minksum::io
+
+namespace minksum {
+
+/// WKT with the nearest doubles. Throws as io::write does.
+std::ostream& operator<<(std::ostream& out, const Region& region);
+std::ostream& operator<<(std::ostream& out, const Geometry& geometry);
+
+}  // namespace minksum

@@ -34,9 +34,19 @@ class PreparedRegion {
 [[nodiscard]] Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                    const Options& options = {});
 
+/// The same with an operand that is not prepared.
+[[nodiscard]] Region minkowski_sum(const Region& p, const PreparedRegion& q,
+                                   const Options& options = {});
+[[nodiscard]] Region minkowski_sum(const PreparedRegion& p, const Region& q,
+                                   const Options& options = {});
+
 /// The same into a result that is reused, with memory that is reused, and no exception for limits
 /// or cancellation. On failure `result` is empty.
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
+                      Workspace& workspace, Region& result);
+Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
+                      Workspace& workspace, Region& result);
+Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result);
 
 }  // namespace minksum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace minksum {
 
@@ -18,6 +20,12 @@ struct Decimal {
   int exponent = 0;
 };
 
+namespace detail {
+/// The 64-bit integer that holds every value of another type.
+template <std::integral Integer>
+using Widest = std::conditional_t<std::is_signed_v<Integer>, std::int64_t, std::uint64_t>;
+}  // namespace detail
+
 /// An exact rational number of any size, always in lowest terms with a positive denominator.
 ///
 /// A value type: copying is cheap (the digits are shared and never change), so concurrent use of
@@ -26,14 +34,19 @@ struct Decimal {
 class Rational {
  public:
   Rational();                                           ///< zero
-  Rational(std::int64_t value);                         // NOLINT(google-explicit-constructor)
-  Rational(int value) : Rational(std::int64_t{value}) {}  // NOLINT(google-explicit-constructor)
+  // Numbers convert by themselves, as nothing is lost: NOLINTBEGIN(google-explicit-constructor)
+  Rational(std::int64_t value);
+  Rational(std::uint64_t value);
+  /// Any other integer.
+  template <std::integral Integer>
+  Rational(Integer value) : Rational(static_cast<detail::Widest<Integer>>(value)) {}
+  /// Exactly this double. Throws Error(kBadInput) for NaN and infinities.
+  Rational(double value);
+  // NOLINTEND(google-explicit-constructor)
   /// numerator / denominator. Throws Error(kBadInput) if the denominator is 0.
   Rational(std::int64_t numerator, std::int64_t denominator);
   /// Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless the mantissa is 0.
   explicit Rational(Decimal value);
-  /// Exactly this double. Throws Error(kBadInput) for NaN and infinities.
-  explicit Rational(double value);
 
   /// Reads `[+-]digits[.digits][e[+-]digits]` or `p/q` (integers) as the number that it says,
   /// exactly. Returns nothing if `text` is not such a number, if a denominator is 0, or if it has

@@ -1,9 +1,13 @@
 // Regions: what goes into a Minkowski sum, and what comes out.
 #pragma once
 
+#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "minksum/detail/shared_arrays.hpp"
@@ -69,6 +73,68 @@ class IndexRange {
   std::size_t last_;
 };
 
+/// A point whose coordinates are the doubles nearest to the exact ones.
+struct ApproximatePoint {
+  double x = 0;
+  double y = 0;
+  friend bool operator==(const ApproximatePoint&, const ApproximatePoint&) = default;
+};
+
+namespace detail {
+/// What `make` gives for each index of a half-open range, to loop over.
+template <class Make>
+class MadeRange {
+ public:
+  class Iterator {
+   public:
+    using value_type = std::invoke_result_t<const Make&, std::size_t>;
+    using difference_type = std::ptrdiff_t;
+    Iterator() = default;
+    Iterator(const Make& make, std::size_t index) : make_(make), index_(index) {}
+    value_type operator*() const { return make_(index_); }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++index_;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return index_ == other.index_; }
+
+   private:
+    Make make_{};
+    std::size_t index_ = 0;
+  };
+  MadeRange(const Make& make, std::size_t first, std::size_t last)
+      : make_(make), first_(first), last_(last) {}
+  [[nodiscard]] Iterator begin() const { return {make_, first_}; }
+  [[nodiscard]] Iterator end() const { return {make_, last_}; }
+  [[nodiscard]] std::size_t size() const { return last_ - first_; }
+  [[nodiscard]] bool empty() const { return first_ == last_; }
+  /// `i` must be below the size.
+  [[nodiscard]] auto operator[](std::size_t i) const { return make_(first_ + i); }
+
+ private:
+  Make make_;
+  std::size_t first_;
+  std::size_t last_;
+};
+}  // namespace detail
+
+class RingView;
+
+/// A region as flat arrays, as other libraries and file formats hold them (GeoArrow, Shapely).
+///
+/// Ring r has the points [ring_offsets[r], ring_offsets[r + 1]), polygon p the rings
+/// [polygon_offsets[p], polygon_offsets[p + 1]), the outer one first. Both begin with 0.
+struct FlatRegion {
+  std::vector<double> coordinates;  ///< x and y of each point in turn
+  std::vector<std::int64_t> ring_offsets{0};
+  std::vector<std::int64_t> polygon_offsets{0};
+};
+
 /// One coordinate as a region stores it: an exact number in compact form.
 ///
 /// Value = N / D · 2^exp2 · 10^exp10. With no denominator limbs, N is `payload` and D is 1;
@@ -94,8 +160,21 @@ class Region {
  public:
   Region() = default;
   /// These throw Error(kLimitExceeded) as add_vertex does.
-  explicit Region(const Polygon& polygon);
+  Region(const Polygon& polygon);  // NOLINT(google-explicit-constructor): the same set
   explicit Region(std::span<const Polygon> polygons);
+
+  /// One polygon without holes. O(n). Throws as add_vertex does.
+  [[nodiscard]] static Region from_points(std::span<const std::array<double, 2>> outer);
+  [[nodiscard]] static Region from_points(std::span<const std::array<std::int64_t, 2>> outer);
+  /// Polygons with holes from flat arrays: see FlatRegion. O(n). Throws as add_vertex does, and
+  /// Error(kBadInput) for an odd number of coordinates, and for offsets that do not begin with 0,
+  /// run back, or do not end with the number of what they divide.
+  [[nodiscard]] static Region from_flat(std::span<const double> coordinates,
+                                        std::span<const std::int64_t> ring_offsets,
+                                        std::span<const std::int64_t> polygon_offsets);
+  [[nodiscard]] static Region from_flat(const FlatRegion& flat) {
+    return from_flat(flat.coordinates, flat.ring_offsets, flat.polygon_offsets);
+  }
 
   // -- Building. Numbers are taken exactly. --------------------------------------------------
   // A ring needs a polygon to be in, a vertex a ring that was begun in this polygon: begin_ring and
@@ -112,7 +191,17 @@ class Region {
   /// Doubles mean exactly themselves. Throws Error(kBadInput) naming the vertex for NaN, infinity.
   void add_vertex(double x, double y);
   void add_vertex(std::int64_t x, std::int64_t y);
-  void add_vertex(int x, int y) { add_vertex(std::int64_t{x}, std::int64_t{y}); }
+  /// Any other two numbers, of one type or of two.
+  template <class X, class Y>
+  requires(std::is_arithmetic_v<X>&& std::is_arithmetic_v<Y>) void add_vertex(X x, Y y) {
+    if constexpr (std::signed_integral<X> && std::signed_integral<Y>) {
+      add_vertex(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y));
+    } else if constexpr (std::is_same_v<X, float> && std::is_same_v<Y, float>) {
+      add_vertex(static_cast<double>(x), static_cast<double>(y));
+    } else {
+      add_vertex(Rational(x), Rational(y));
+    }
+  }
 
   // -- Structure ----------------------------------------------------------------------------
   [[nodiscard]] bool empty() const { return vertex_count() == 0; }
@@ -124,6 +213,9 @@ class Region {
   /// The rings of a polygon: the outer one first, then its holes.
   [[nodiscard]] IndexRange rings_of(std::size_t polygon) const;
   [[nodiscard]] IndexRange vertices_of(std::size_t ring) const;
+  /// All rings, to loop over: `for (const RingView ring : region.rings())`. Valid while the region
+  /// lives and is not changed.
+  [[nodiscard]] auto rings() const;
 
   // -- Coordinates --------------------------------------------------------------------------
   /// The double nearest to the exact coordinate (ties to even).
@@ -133,6 +225,8 @@ class Region {
   [[nodiscard]] Rational exact_y(std::size_t vertex) const { return exact(vertices()[vertex].y); }
   [[nodiscard]] Point point(std::size_t vertex) const { return {exact_x(vertex), exact_y(vertex)}; }
   [[nodiscard]] Polygon polygon(std::size_t index) const;
+  /// As flat arrays, with the nearest doubles. O(n).
+  [[nodiscard]] FlatRegion flat() const;
 
   // -- Provenance ---------------------------------------------------------------------------
   /// Whether every edge knows what made it (true for results of minkowski_sum).
@@ -172,5 +266,44 @@ class Region {
 
   Arrays arrays_;
 };
+
+/// A ring of a region. Valid while the region lives and is not changed.
+class RingView {
+ public:
+  RingView(const Region& region, std::size_t index) : region_(&region), index_(index) {}
+
+  /// As in Region::vertices_of.
+  [[nodiscard]] std::size_t index() const { return index_; }
+  /// The index of the polygon that it belongs to. O(log n).
+  [[nodiscard]] std::size_t polygon() const;
+  /// Whether it is not the first ring of its polygon. O(log n).
+  [[nodiscard]] bool is_hole() const;
+  [[nodiscard]] std::size_t size() const { return region_->vertices_of(index_).size(); }
+  /// The nearest doubles: `for (const auto& [x, y] : ring.points())`.
+  [[nodiscard]] auto points() const {
+    return made([region = region_](std::size_t v) {
+      return ApproximatePoint{region->x(v), region->y(v)};
+    });
+  }
+  /// The same with exact coordinates.
+  [[nodiscard]] auto exact_points() const {
+    return made([region = region_](std::size_t v) { return region->point(v); });
+  }
+
+ private:
+  template <class Make>
+  [[nodiscard]] detail::MadeRange<Make> made(const Make& make) const {
+    const IndexRange vertices = region_->vertices_of(index_);
+    return {make, vertices.front(), vertices.front() + vertices.size()};
+  }
+
+  const Region* region_;
+  std::size_t index_;
+};
+
+inline auto Region::rings() const {
+  const auto make = [this](std::size_t ring) { return RingView(*this, ring); };
+  return detail::MadeRange<decltype(make)>(make, 0, ring_count());
+}
 
 }  // namespace minksum

@@ -15,7 +15,7 @@ void GeometryBuilder::count_vertex() {
   if (++vertices_ <= max_vertices_) return;
   cursor_.fail(ErrorCode::kLimitExceeded,
                "more vertices than the limit of " + std::to_string(max_vertices_),
-               cursor_.position());
+               cursor_.position(), ExceededLimit{"io::ReadLimits::max_vertices", max_vertices_});
 }
 
 void GeometryBuilder::begin_polygon() {

@@ -49,7 +49,8 @@ bool looks_like_poly(TextCursor cursor) {
 
 [[noreturn]] void fail_too_large(std::size_t limit) {
   throw ReadError(ErrorCode::kLimitExceeded,
-                  "the text is longer than the limit of " + std::to_string(limit) + " bytes", 0, 0);
+                  "the text is longer than the limit of " + std::to_string(limit) + " bytes", 0, 0,
+                  ExceededLimit{"io::ReadLimits::max_bytes", limit});
 }
 
 [[noreturn]] void fail_unreadable(int reason) {

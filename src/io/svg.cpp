@@ -57,7 +57,8 @@ struct View {
     const HalfBox box(geometry);
     if (!box.is_finite()) {
       throw Error(ErrorCode::kLimitExceeded,
-                  "no picture: a coordinate is beyond the range of doubles");
+                  "no picture: a coordinate is beyond the range of doubles", {}, {},
+                  ExceededLimit{"pictures"});
     }
     min_x = box.min_x;
     max_y = box.max_y;

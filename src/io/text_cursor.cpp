@@ -40,7 +40,8 @@ std::string TextCursor::found() const {
   return std::string("byte 0x") + kHex[byte >> 4] + kHex[byte & 15];
 }
 
-void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t position) const {
+void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t position,
+                      const std::optional<ExceededLimit>& limit) const {
   const std::string_view before = text_.substr(0, position);
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0
@@ -49,7 +50,7 @@ void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t po
   const auto column = std::count_if(in_line.begin(), in_line.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   });
-  throw ReadError(code, message, line, static_cast<std::size_t>(column) + 1);
+  throw ReadError(code, message, line, static_cast<std::size_t>(column) + 1, limit);
 }
 
 void TextCursor::fail_expected(const std::string& what) const {
@@ -59,7 +60,8 @@ void TextCursor::fail_expected(const std::string& what) const {
 void fail_too_deep(const TextCursor& cursor, int limit) {
   cursor.fail(ErrorCode::kLimitExceeded,
               "brackets are nested deeper than the limit of " + std::to_string(limit),
-              cursor.position());
+              cursor.position(),
+              ExceededLimit{"io::ReadLimits::max_depth", static_cast<std::uint64_t>(limit)});
 }
 
 DepthGuard::DepthGuard(const TextCursor& cursor, int& depth, int limit) : depth_(depth) {

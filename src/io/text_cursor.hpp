@@ -46,7 +46,8 @@ class TextCursor {
 
   /// What stands here, for a message: a quoted word or character, a byte, or the end of the text.
   [[nodiscard]] std::string found() const;
-  [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t position) const;
+  [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t position,
+                         const std::optional<ExceededLimit>& limit = {}) const;
   [[noreturn]] void fail(const std::string& message) const {
     fail(ErrorCode::kBadInput, message, position_);
   }

@@ -27,10 +27,11 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
   throw Error(ErrorCode::kBadInput, "regions are not written as .dat");
 }
 
-std::string to_wkt(const GeometryView& geometry, const Coordinates& style) {
+template <class Set>
+std::string to_text(const Set& set, Format format, const Coordinates& style) {
   std::ostringstream out;
   out.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
-  write_wkt(out, geometry, style);
+  write(out, set, format, style);
   return std::move(out).str();
 }
 
@@ -49,11 +50,33 @@ void write(std::ostream& out, const Geometry& geometry, Format format, const Coo
 }
 
 std::string to_wkt(const Region& region, const Coordinates& style) {
-  return to_wkt(GeometryView{region}, style);
+  return to_text(region, Format::kWkt, style);
 }
 
 std::string to_wkt(const Geometry& geometry, const Coordinates& style) {
-  return to_wkt(view_of(geometry), style);
+  return to_text(geometry, Format::kWkt, style);
+}
+
+std::string to_geojson(const Region& region, const Coordinates& style) {
+  return to_text(region, Format::kGeoJson, style);
+}
+
+std::string to_geojson(const Geometry& geometry, const Coordinates& style) {
+  return to_text(geometry, Format::kGeoJson, style);
 }
 
 }  // namespace minksum::io
+
+namespace minksum {
+
+std::ostream& operator<<(std::ostream& out, const Region& region) {
+  io::write(out, region, io::Format::kWkt);
+  return out;
+}
+
+std::ostream& operator<<(std::ostream& out, const Geometry& geometry) {
+  io::write(out, geometry, io::Format::kWkt);
+  return out;
+}
+
+}  // namespace minksum

@@ -83,7 +83,8 @@ void Writer::exact(const Rational& value) {
 
 void Writer::nearest(double value) {
   if (!std::isfinite(value)) {
-    throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles");
+    throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", {}, {},
+                ExceededLimit{"doubles"});
   }
   real(value);
 }

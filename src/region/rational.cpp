@@ -102,6 +102,8 @@ Rational::Rational(std::shared_ptr<const Value> value) : value_(std::move(value)
 
 Rational::Rational(std::int64_t value) : Rational(RationalAccess::make_reduced(value, 1)) {}
 
+Rational::Rational(std::uint64_t value) : Rational(RationalAccess::make_reduced(value, 1)) {}
+
 Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
   if (denominator == 0) throw Error(ErrorCode::kBadInput, "a rational number with denominator 0");
   *this = RationalAccess::make(numerator, denominator);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "region/region_access.hpp"
 
@@ -94,6 +95,82 @@ void Region::add_vertex(double x, double y) {
 void Region::add_vertex(std::int64_t x, std::int64_t y) {
   require_open_ring();
   arrays_.push_back<kVertices>({StoredCoordinate{x, 0, 0, 0, 0}, StoredCoordinate{y, 0, 0, 0, 0}});
+}
+
+namespace {
+
+template <class Number>
+Region one_ring(std::span<const std::array<Number, 2>> outer) {
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  for (const auto& [x, y] : outer) region.add_vertex(x, y);
+  return region;
+}
+
+void require_offsets(std::span<const std::int64_t> offsets, std::size_t size, const char* what) {
+  const bool good = !offsets.empty() && offsets.front() == 0 && std::ranges::is_sorted(offsets) &&
+                    static_cast<std::size_t>(offsets.back()) == size;
+  if (good) return;
+  throw Error(ErrorCode::kBadInput, std::string(what) +
+                                        " must begin with 0, never run back, and end with " +
+                                        std::to_string(size));
+}
+
+}  // namespace
+
+Region Region::from_points(std::span<const std::array<double, 2>> outer) { return one_ring(outer); }
+Region Region::from_points(std::span<const std::array<std::int64_t, 2>> outer) {
+  return one_ring(outer);
+}
+
+Region Region::from_flat(std::span<const double> coordinates,
+                         std::span<const std::int64_t> ring_offsets,
+                         std::span<const std::int64_t> polygon_offsets) {
+  if (coordinates.size() % 2 != 0) {
+    throw Error(ErrorCode::kBadInput, "an odd number of coordinates");
+  }
+  require_offsets(ring_offsets, coordinates.size() / 2, "ring offsets");
+  require_offsets(polygon_offsets, ring_offsets.size() - 1, "polygon offsets");
+  Region region;
+  const auto at = [](std::span<const std::int64_t> offsets, std::size_t i) {
+    return static_cast<std::size_t>(offsets[i]);
+  };
+  for (std::size_t p = 0; p + 1 < polygon_offsets.size(); ++p) {
+    region.begin_polygon();
+    for (std::size_t r = at(polygon_offsets, p); r < at(polygon_offsets, p + 1); ++r) {
+      region.begin_ring();
+      for (std::size_t v = at(ring_offsets, r); v < at(ring_offsets, r + 1); ++v) {
+        region.add_vertex(coordinates[2 * v], coordinates[2 * v + 1]);
+      }
+    }
+  }
+  return region;
+}
+
+FlatRegion Region::flat() const {
+  FlatRegion flat;
+  flat.coordinates.reserve(2 * vertex_count());
+  for (std::size_t v = 0; v < vertex_count(); ++v) {
+    flat.coordinates.push_back(x(v));
+    flat.coordinates.push_back(y(v));
+  }
+  const auto append_ends = [](IndexRange indices, auto end_of, std::vector<std::int64_t>& offsets) {
+    for (const std::size_t i : indices) offsets.push_back(static_cast<std::int64_t>(end_of(i)));
+  };
+  append_ends(
+      {0, ring_count()}, [&](std::size_t r) { return RegionAccess::ring_first(*this, r + 1); },
+      flat.ring_offsets);
+  append_ends(
+      polygons(), [&](std::size_t p) { return RegionAccess::polygon_first_ring(*this, p + 1); },
+      flat.polygon_offsets);
+  return flat;
+}
+
+std::size_t RingView::polygon() const { return RegionAccess::polygon_of(*region_, index_); }
+
+bool RingView::is_hole() const {
+  return RegionAccess::polygon_first_ring(*region_, polygon()) != index_;
 }
 
 IndexRange Region::rings_of(std::size_t polygon) const {

@@ -120,7 +120,8 @@ Place round_decimal(const Region& region, const StoredCoordinate& c, int decimal
 Rational Target::unit() const { return decimals ? Rational(Decimal{1, -*decimals}) : Rational(1); }
 
 void fail_beyond_doubles(const Culprit& place) {
-  throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", place);
+  throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", place, {},
+              ExceededLimit{"doubles"});
 }
 
 RoundedVertices round_vertices(const Region& region, const Target& target,

@@ -236,9 +236,9 @@ class Limits(ProgramTest):
                 ("more than 1000 segments (--max-segments)", "--max-segments", "1K"),
                 ("more than 3 crossings (--max-crossings)", "--max-crossings", "3", "--no-cover"),
                 ("limit of 1024 bytes (--max-bytes)", "--max-bytes", "1K"),
-                ("more segments than allowed (--max-segments)", "--max-segments", "2", "--method",
+                ("more than 2 segments (--max-segments)", "--max-segments", "2", "--method",
                  "signed"),
-                ("more crossings than allowed (--max-crossings)", "--max-crossings", "2",
+                ("more than 2 crossings (--max-crossings)", "--max-crossings", "2",
                  "--method", "signed")):
             self.fails(3, fragment, "sum", p, p, *limit)
         # What the message is about is not what the limit is of.

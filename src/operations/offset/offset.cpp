@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "machine/cancellation.hpp"
+#include "machine/exceeded.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/error.hpp"
 #include "minksum/morphology.hpp"
@@ -135,9 +136,7 @@ class Offset {
   void require_few(const Region& outlines) const {
     const std::uint64_t most = options_.limits.max_segments;
     if (outlines.vertex_count() <= most) return;
-    throw Error(ErrorCode::kLimitExceeded, "the offset's outlines have more than " +
-                                               std::to_string(most) +
-                                               " segments (Limits::max_segments)");
+    throw exceeded("Limits::max_segments", most, "the offset's outlines have", "segments");
   }
 
   const OffsetOptions& options_;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "machine/exceeded.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
@@ -175,9 +176,8 @@ class ThinSums {
     for (const Polyline& polyline : geometry.polylines) size += polyline.size();
     const std::uint64_t most = options_.limits.max_segments;
     if (size > most / points.size()) {
-      throw Error(ErrorCode::kLimitExceeded,
-                  "an operand moved by the points of the other has more than " +
-                      std::to_string(most) + " vertices (Limits::max_segments)");
+      throw exceeded("Limits::max_segments", most,
+                     "an operand moved by the points of the other has", "vertices");
     }
     for (const Point& by : points) {
       sums_.push_back(moved(geometry, by, partial_.cancellation()));

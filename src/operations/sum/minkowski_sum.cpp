@@ -140,7 +140,7 @@ Outcome without_exceptions(Work work, Clear clear) {
     return {error};
   } catch (const std::bad_alloc&) {
     clear();
-    return {Error(ErrorCode::kLimitExceeded, "out of memory")};
+    return {Error(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"})};
   }
 }
 Outcome run_without_exceptions(const Given& p, const Given& q, const Options& options,
@@ -283,6 +283,14 @@ Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
 Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
   return run(given(p), given(q), options);
 }
+Region minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options) {
+  const Kept first(p, options, nullptr);
+  return run(Given{*first}, given(q), options);
+}
+Region minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options) {
+  const Kept second(q, options, nullptr);
+  return run(given(p), Given{*second}, options);
+}
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
   const Kept first(p, options, &result);
@@ -292,6 +300,16 @@ Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
   return run_without_exceptions(given(p), given(q), options, workspace, result);
+}
+Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
+                      Workspace& workspace, Region& result) {
+  const Kept first(p, options, &result);
+  return run_without_exceptions(Given{*first}, given(q), options, workspace, result);
+}
+Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
+                      Workspace& workspace, Region& result) {
+  const Kept second(q, options, &result);
+  return run_without_exceptions(given(p), Given{*second}, options, workspace, result);
 }
 Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {

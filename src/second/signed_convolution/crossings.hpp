@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "machine/exceeded.hpp"
 #include "second/signed_convolution/broken.hpp"
 #include "second/signed_convolution/geometry.hpp"
 
@@ -227,8 +228,8 @@ class CrossingFinder {
       met_here = touch(grid, cell, candidates);
     }
     if (met_here && ++crossings_ > options_.limits.max_crossings) {
-      throw Error(ErrorCode::kLimitExceeded,
-                  "the arrangement has more crossings than allowed (Limits::max_crossings)");
+      throw exceeded("Limits::max_crossings", options_.limits.max_crossings, "the arrangement has",
+                     "crossings");
     }
   }
 

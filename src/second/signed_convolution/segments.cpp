@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 #include "second/signed_convolution/broken.hpp"
 
@@ -111,8 +112,8 @@ class Lister {
 
   void add(const SignedSegment& segment) {
     if (segments_.size() >= options_.limits.max_segments) {
-      throw Error(ErrorCode::kLimitExceeded,
-                  "the convolution has more segments than allowed (Limits::max_segments)");
+      throw exceeded("Limits::max_segments", options_.limits.max_segments, "the convolution has",
+                     "segments");
     }
     cancellation_.check();
     append(segments_, segment, cancellation_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 
 namespace minksum {
@@ -172,8 +173,7 @@ void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides&
   const Parameter on_t = crossing_parameter(t, of_t, s);
   const auto point = static_cast<std::uint32_t>(scratch_.parent.size());
   if (scratch_.crossings.size() >= most_crossings_) {
-    throw Error(ErrorCode::kLimitExceeded, "more than " + std::to_string(most_crossings_) +
-                                               " crossings (Limits::max_crossings)");
+    throw exceeded("Limits::max_crossings", most_crossings_, "the arrangement has", "crossings");
   }
   Cancellation& cancellation = predicates_.cancellation();
   make_room(scratch_.parent, 1, cancellation);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 #include "spatial/uniform_grid.hpp"
 
@@ -285,9 +286,7 @@ class RunSearch {
       }
     }
     if (scratch_.found.size() > most_) {
-      throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
-                                                 std::to_string(most_) +
-                                                 " visible segments (Limits::max_segments)");
+      throw exceeded("Limits::max_segments", most_, "the convolution has", "visible segments");
     }
   }
 

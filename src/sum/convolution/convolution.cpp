@@ -4,6 +4,7 @@
 #include <bit>
 #include <span>
 
+#include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 
 namespace minksum {
@@ -88,9 +89,7 @@ class Lister {
     if (c_.step == 1 && c_.size + edges.size() > many_) thin_out();
     if (c_.step > 1) return pick(edges, v);
     if (c_.size + edges.size() > most_) {
-      throw Error(ErrorCode::kLimitExceeded, "the convolution has more than " +
-                                                 std::to_string(most_) +
-                                                 " segments (Limits::max_segments)");
+      throw exceeded("Limits::max_segments", most_, "the convolution has", "segments");
     }
     resize_in_pieces(c_.segments, c_.size + edges.size(), cancellation_);
     for (std::size_t i = 0; i < edges.size(); ++i) c_.segments[c_.size + i] = {edges[i], v};

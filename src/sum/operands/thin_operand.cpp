@@ -1,4 +1,5 @@
 // Polylines as an operand: walked there and back, they are rings without area.
+#include "machine/exceeded.hpp"
 #include "sum/operands/operands.hpp"
 
 namespace minksum {
@@ -72,9 +73,8 @@ void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, con
         if (o.operand_of(f) != 1) continue;
         cancellation.check(work);
         if (sums.size() >= limits.max_segments) {
-          throw Error(ErrorCode::kLimitExceeded,
-                      "polylines have more than " + std::to_string(limits.max_segments) +
-                          " pairs of parallel edges (Limits::max_segments)");
+          throw exceeded("Limits::max_segments", limits.max_segments, "polylines have",
+                         "pairs of parallel edges");
         }
         sums.push_back({sum(e, f), sum(o.sites.next[e], o.sites.next[f])});
       }

@@ -1,0 +1,119 @@
+// The calls that a new user writes first compile, and do what they say.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <ranges>
+#include <sstream>
+#include <vector>
+
+#include "minksum/io.hpp"
+#include "minksum/minksum.hpp"
+
+namespace minksum {
+namespace {
+
+const Polygon kTriangle{{{0, 0}, {2, 0}, {0.5, 1}}, {}};
+
+TEST(Face, NumbersOfAnyTypeAreTakenExactly) {
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  region.add_vertex(1, 2.5);
+  region.add_vertex(1LL, 2u);
+  region.add_vertex(Rational(1, 3), 0.1);
+  region.add_vertex(1.5F, std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(region.point(0), (Point{1, Rational(5, 2)}));
+  EXPECT_EQ(region.point(1), (Point{1, 2}));
+  EXPECT_EQ(region.point(2), (Point{Rational(1, 3), Rational(0.1)}));
+  EXPECT_EQ(region.exact_y(3).to_string(), "18446744073709551615");
+  const Rational size = std::vector<int>(3).size();
+  EXPECT_EQ(size, 3);
+  EXPECT_THROW(region.add_vertex(1, std::numeric_limits<double>::quiet_NaN()), Error);
+}
+
+TEST(Face, ShapesConvertToWhatIsAskedFor) {
+  const Region region = kTriangle;
+  const Geometry geometry = region;
+  const PreparedRegion prepared(region);
+  const Region sum = minkowski_sum(region, region);
+  EXPECT_EQ(minkowski_sum(kTriangle, kTriangle), sum);
+  EXPECT_EQ(minkowski_sum(region, geometry), Geometry(sum));
+  EXPECT_EQ(minkowski_sum(region, prepared), sum);
+  EXPECT_EQ(minkowski_sum(prepared, region), sum);
+  EXPECT_EQ(offset(region, 1), offset(geometry, Rational(1)));
+  EXPECT_EQ(offset(geometry, 0.5), offset(geometry, Rational(1, 2)));
+  EXPECT_EQ(no_fit_polygon(region, region), no_fit_polygon(geometry, geometry));
+  Workspace workspace;
+  Region result;
+  EXPECT_TRUE(minkowski_sum(region, prepared, {}, workspace, result).ok());
+  EXPECT_EQ(result, sum);
+  EXPECT_TRUE(minkowski_sum(prepared, result, {}, workspace, result).ok());
+  EXPECT_EQ(result, minkowski_sum(region, sum));
+}
+
+TEST(Face, ArraysGoInAndOut) {
+  const std::vector<std::array<double, 2>> points{{0, 0}, {2, 0}, {0.5, 1}};
+  EXPECT_EQ(Region::from_points(points), Region(kTriangle));
+  const std::vector<double> coordinates{0, 0, 9, 0, 0, 9, 1, 1, 1, 2, 2, 1, 20, 0, 21, 0, 20, 1};
+  const Region region = Region::from_flat(coordinates, std::vector<std::int64_t>{0, 3, 6, 9},
+                                          std::vector<std::int64_t>{0, 2, 3});
+  EXPECT_EQ(region.polygon_count(), 2U);
+  EXPECT_EQ(region.hole_count(), 1U);
+  EXPECT_EQ(region.flat().coordinates, coordinates);
+  EXPECT_EQ(Region::from_flat(region.flat()), region);
+  EXPECT_EQ(Region::from_flat({}), Region());
+  std::vector<double> read;
+  std::vector<bool> holes;
+  for (const RingView ring : region.rings()) {
+    holes.push_back(ring.is_hole());
+    for (const auto& [x, y] : ring.points()) read.insert(read.end(), {x, y});
+    EXPECT_EQ(ring.exact_points()[0], region.point(region.vertices_of(ring.index()).front()));
+  }
+  EXPECT_EQ(read, coordinates);
+  EXPECT_EQ(holes, (std::vector<bool>{false, true, false}));
+}
+
+TEST(Face, FlatArraysThatDoNotFitAreRefused) {
+  using Offsets = std::vector<std::int64_t>;
+  const std::vector<double> xy{0, 0, 1, 0, 0, 1};
+  const auto fails = [](const std::vector<double>& c, const Offsets& rings, const Offsets& polygons) {
+    EXPECT_THROW(static_cast<void>(Region::from_flat(c, rings, polygons)), Error);
+  };
+  fails({0, 0, 1}, {0, 1}, {0, 1});
+  fails(xy, {0, 4}, {0, 1});
+  fails(xy, {0, 2}, {0, 1});
+  fails(xy, {1, 3}, {0, 1});
+  fails(xy, {0, 2, 1, 3}, {0, 3});
+  fails(xy, {0, -1, 3}, {0, 2});
+  fails(xy, {0, 3}, {0, 2});
+  fails(xy, {}, {0});
+  fails(xy, {0, 3}, {});
+}
+
+TEST(Face, RegionsPrint) {
+  const Region region = kTriangle;
+  std::ostringstream out;
+  out << region << ' ' << Geometry(region);
+  EXPECT_EQ(out.str(), "POLYGON ((0 0, 2 0, 0.5 1, 0 0)) POLYGON ((0 0, 2 0, 0.5 1, 0 0))");
+  EXPECT_EQ(io::to_geojson(region),
+            R"({"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [0.5, 1], [0, 0]]]})");
+}
+
+TEST(Face, ErrorsNameTheLimitThatWasPassed) {
+  const Region region = kTriangle;
+  Options options;
+  options.limits.max_segments = 2;
+  options.method = Method::kSigned;
+  Workspace workspace;
+  Region result;
+  const Outcome outcome = minkowski_sum(region, region, options, workspace, result);
+  ASSERT_FALSE(outcome.ok());
+  ASSERT_TRUE(outcome.error->limit().has_value());
+  EXPECT_EQ(outcome.error->limit()->name, "Limits::max_segments");
+  EXPECT_EQ(outcome.error->limit()->value, 2U);
+}
+
+}  // namespace
+}  // namespace minksum
