@@ -13,6 +13,18 @@ function(minksum_own_options target)
   endif()
 endfunction()
 
+# What libraries have beside that. They are position-independent, so that a static one goes into
+# somebody's shared library. They show only what the public headers declare.
+function(minksum_library_options target)
+  minksum_own_options(${target})
+  set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(BUILD_SHARED_LIBS)
+    target_compile_definitions(${target} PRIVATE MINKSUM_BUILDING INTERFACE MINKSUM_SHARED)
+  endif()
+endfunction()
+
 # What most files include is parsed once for a target, not once for each of its files.
 #   minksum_precompile(TARGET HEADERS...)      its own, with these headers beside the standard ones
 #   minksum_precompile(TARGET REUSE OTHER)     that of OTHER, which is compiled with the same options

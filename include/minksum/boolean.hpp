@@ -5,6 +5,7 @@
 #include <span>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -16,21 +17,21 @@ namespace minksum {
 
 /// The union of resolved geometries (see Geometry), resolved. They may overlap in any way.
 /// O((n + c) log n) for n vertices in all and c places where edges meet, and so for the others.
-[[nodiscard]] Geometry unite(std::span<const Geometry> geometries,
-                             const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
+                                         const std::optional<CancelToken>& cancel = {});
 
 /// The operations on legal regions (see `validate`), regularized: closures of what has area.
-[[nodiscard]] Region unite(const Region& a, const Region& b,
-                           const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] Region intersect(const Region& a, const Region& b,
-                               const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] Region subtract(const Region& a, const Region& b,
-                              const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] Region symmetric_difference(const Region& a, const Region& b,
+[[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
+                                       const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Region intersect(const Region& a, const Region& b,
+                                           const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Region subtract(const Region& a, const Region& b,
                                           const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Region symmetric_difference(
+    const Region& a, const Region& b, const std::optional<CancelToken>& cancel = {});
 
 /// Whether a ⊆ b.
-[[nodiscard]] bool contains(const Region& b, const Region& a,
-                            const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API bool contains(const Region& b, const Region& a,
+                                        const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

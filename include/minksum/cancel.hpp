@@ -6,13 +6,15 @@
 #include <memory>
 #include <utility>
 
+#include "minksum/export.hpp"
+
 namespace minksum {
 
 /// Asks a running computation to stop; may be used from any thread. Copies share one state.
 ///
 /// What takes a token looks at it at least every 50 milliseconds of processor time, and then ends
 /// with Error(kCancelled); docs/guarantees.md names the exceptions.
-class CancelToken {
+class MINKSUM_API CancelToken {
  public:
   CancelToken() : state_(std::make_shared<State>()) {}
   /// A token that asks `stop` whenever it is looked at, until that says true once: for hosts that

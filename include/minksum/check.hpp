@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "minksum/export.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/validity.hpp"
 
@@ -74,7 +75,7 @@ struct SumCheck {
 ///   fast enough.
 /// The result may be anybody's, rounded or not. O(n + m) and more for each point.
 /// Throws Error: kBadInput for operands and for `within`, kCancelled.
-[[nodiscard]] SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
-                                 const CheckOptions& options = {});
+[[nodiscard]] MINKSUM_API SumCheck check_sum(const Geometry& result, const Geometry& p,
+                                             const Geometry& q, const CheckOptions& options = {});
 
 }  // namespace minksum

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "minksum/export.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/transform.hpp"
@@ -16,7 +17,7 @@ namespace minksum {
 
 /// A turn by a rational point of the unit circle, near an angle that was asked for: quarter turns,
 /// then a rest of 0 to 90 degrees, whose half has a rational tangent. Exact as a map.
-struct Turn {
+struct MINKSUM_API Turn {
   Rational asked;         ///< degrees, counter-clockwise
   int quarters = 0;       ///< 0 to 3
   Rational tan_half;      ///< of the rest: 0 to 1, which excluded
@@ -36,9 +37,9 @@ struct Turn {
 /// so that p² + q², the denominator of turned coordinates, is small. Multiples of 90 degrees are
 /// exact. Throws Error(kBadInput) for a tolerance that is not in [1e-10, 1], and for more
 /// than 1e6 degrees.
-[[nodiscard]] Turn nearest_turn(const Rational& degrees, double tolerance = 1e-3);
+[[nodiscard]] MINKSUM_API Turn nearest_turn(const Rational& degrees, double tolerance = 1e-3);
 /// 0, 360/n, 2·360/n, ... (n of them). Throws Error(kBadInput) if n is 0.
-[[nodiscard]] std::vector<Turn> full_turn(std::size_t n, double tolerance = 1e-3);
+[[nodiscard]] MINKSUM_API std::vector<Turn> full_turn(std::size_t n, double tolerance = 1e-3);
 
 struct ConfigurationOptions {
   Point reference;  ///< the robot's point that says where it is, and that it turns about
@@ -74,7 +75,7 @@ struct Slice {
 /// All that does not depend on the turn is done once. A slice is exact for its turn, and costs a
 /// sum of prepared regions of fixed-width integers, as coordinates turned by a rational rotation
 /// have a common denominator. Copies share one state; any number of threads may use it.
-class ConfigurationSpace {
+class MINKSUM_API ConfigurationSpace {
  public:
   /// Throws Error(kBadInput): culprit operand 0 for a robot without area, 1 for obstacles that the
   /// fill rule refuses, or with thin parts if options.tight is set, 2 for a workspace without area;

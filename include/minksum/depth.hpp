@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "minksum/export.hpp"
 #include "minksum/minkowski_sum.hpp"
 
 namespace minksum {
@@ -37,14 +38,16 @@ struct Depth {
 /// B + t overlaps A if and only if t is in A° ⊕ (−B)°, so that the answer is the vector from the
 /// origin to the nearest point of that set's boundary (Cameron, Culley 1986), tight places
 /// included. The time is that of minkowski_sum, and O(n log n) for the n edges of sum and operands.
-[[nodiscard]] std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
-                                                     const DepthOptions& options = {});
+[[nodiscard]] MINKSUM_API std::optional<Depth> penetration_depth(const Geometry& a,
+                                                                 const Geometry& b,
+                                                                 const DepthOptions& options = {});
 
 /// When B moves along `direction`: the smallest factor f ≥ 0 for which B + f·direction touches or
 /// overlaps A; nothing if it never does. 0 if they touch or overlap already. `direction` must not
 /// be (0, 0): Error(kBadInput).
-[[nodiscard]] std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b,
-                                                     const Point& direction,
-                                                     const DepthOptions& options = {});
+[[nodiscard]] MINKSUM_API std::optional<Rational> time_of_impact(const Geometry& a,
+                                                                 const Geometry& b,
+                                                                 const Point& direction,
+                                                                 const DepthOptions& options = {});
 
 }  // namespace minksum

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "minksum/export.hpp"
+
 namespace minksum {
 
 /// What kind of failure an Error reports. The program's exit codes follow these.
@@ -46,7 +48,7 @@ struct ExceededLimit {
 };
 
 /// What the library throws, but for std::bad_alloc where memory runs out; io::ReadError is one too.
-class Error : public std::runtime_error {
+class MINKSUM_API Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {},
         const std::optional<ExceededLimit>& limit = {})

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 
@@ -16,7 +17,7 @@ namespace minksum::io {
 enum class Format { kWkt, kGeoJson, kPoly, kDat, kSvg };
 
 /// A fault in a text, with its place. Lines and columns count from 1; 0 = not known.
-class ReadError : public Error {
+class MINKSUM_API ReadError : public Error {
  public:
   ReadError(ErrorCode code, const std::string& message, std::size_t line, std::size_t column,
             const std::optional<ExceededLimit>& limit = {})
@@ -39,28 +40,31 @@ struct ReadLimits {
 };
 
 /// The format that the text seems to be in, by its first characters; WKT if it says nothing.
-[[nodiscard]] Format detect_format(std::string_view text);
+[[nodiscard]] MINKSUM_API Format detect_format(std::string_view text);
 
 /// Reads areas, polylines and points: WKT, GeoJSON, `.poly` or `.dat`, told by content.
 ///
 /// Numbers are read exactly. Only the form of the text is checked: rings may cross themselves and
 /// each other, and may have one vertex or two; `resolve` says what they mean. In `.dat`, rings of
 /// fewer than three vertices are looked for only if the text makes no sense without them.
-[[nodiscard]] Geometry read_geometry(std::string_view text, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API Geometry read_geometry(std::string_view text,
+                                                 const ReadLimits& limits = {});
 /// Reads a file, or standard input for "-". Messages do not name the file: the caller knows it.
-[[nodiscard]] Geometry read_geometry_file(const std::string& path, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API Geometry read_geometry_file(const std::string& path,
+                                                      const ReadLimits& limits = {});
 
 /// Reads a region: as above, but polylines and points, and rings of fewer than three vertices, are
 /// errors.
-[[nodiscard]] Region read(std::string_view text, const ReadLimits& limits = {});
-[[nodiscard]] Region read_file(const std::string& path, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API Region read(std::string_view text, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API Region read_file(const std::string& path, const ReadLimits& limits = {});
 
 /// The text of a file, or of standard input for "-".
-[[nodiscard]] std::string load_text(const std::string& path, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API std::string load_text(const std::string& path,
+                                                const ReadLimits& limits = {});
 /// The `properties` of a text that is one GeoJSON Feature or a FeatureCollection of one, as they
 /// are written there ("null" if it has none); nothing if it is anything else. Throws ReadError.
-[[nodiscard]] std::optional<std::string> feature_properties(std::string_view text,
-                                                            const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API std::optional<std::string> feature_properties(
+    std::string_view text, const ReadLimits& limits = {});
 
 /// How coordinates are written.
 struct Coordinates {
@@ -74,23 +78,27 @@ struct Coordinates {
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,
 /// which is only read, and for a negative number of digits; kLimitExceeded for a coordinate beyond
 /// the doubles that is to be written as one.
-void write(std::ostream& out, const Region& region, Format format, const Coordinates& style = {});
-[[nodiscard]] std::string to_wkt(const Region& region, const Coordinates& style = {});
+MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
+                       const Coordinates& style = {});
+[[nodiscard]] MINKSUM_API std::string to_wkt(const Region& region, const Coordinates& style = {});
 /// The same with thin parts: a collection if there are several kinds of parts. What is written with
 /// exact coordinates and read again is equal. `.poly` has no form for thin parts: Error(kBadInput).
-void write(std::ostream& out, const Geometry& geometry, Format format,
-           const Coordinates& style = {});
-[[nodiscard]] std::string to_wkt(const Geometry& geometry, const Coordinates& style = {});
+MINKSUM_API void write(std::ostream& out, const Geometry& geometry, Format format,
+                       const Coordinates& style = {});
+[[nodiscard]] MINKSUM_API std::string to_wkt(const Geometry& geometry,
+                                             const Coordinates& style = {});
 /// A GeoJSON geometry object. Numbers that are no finite decimals are strings ("1/3").
-[[nodiscard]] std::string to_geojson(const Region& region, const Coordinates& style = {});
-[[nodiscard]] std::string to_geojson(const Geometry& geometry, const Coordinates& style = {});
+[[nodiscard]] MINKSUM_API std::string to_geojson(const Region& region,
+                                                 const Coordinates& style = {});
+[[nodiscard]] MINKSUM_API std::string to_geojson(const Geometry& geometry,
+                                                 const Coordinates& style = {});
 
 }  // namespace minksum::io
 
 namespace minksum {
 
 /// WKT with the nearest doubles. Throws as io::write does.
-std::ostream& operator<<(std::ostream& out, const Region& region);
-std::ostream& operator<<(std::ostream& out, const Geometry& geometry);
+MINKSUM_API std::ostream& operator<<(std::ostream& out, const Region& region);
+MINKSUM_API std::ostream& operator<<(std::ostream& out, const Geometry& geometry);
 
 }  // namespace minksum

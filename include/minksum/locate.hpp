@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -17,7 +18,7 @@ enum class Location { kOutside, kBoundary, kInside };
 /// A segment tree over the heights of vertices: each edge is kept, in order from left to right, at
 /// the O(log n) nodes whose range of heights it spans (Preparata, Shamos 1985, section 2.2).
 /// O(n log n) time and memory to build.
-class PointLocator {
+class MINKSUM_API PointLocator {
  public:
   /// Throws Error(kCancelled).
   explicit PointLocator(const Geometry& geometry, const std::optional<CancelToken>& cancel = {});

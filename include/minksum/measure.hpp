@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -17,17 +18,18 @@ struct Box {
 // These throw Error(kCancelled) if they are given a token.
 
 /// The exact area: outer rings count positive, holes negative, whatever their orientation. O(n).
-[[nodiscard]] Rational area(const Region& region, const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Rational area(const Region& region,
+                                        const std::optional<CancelToken>& cancel = {});
 /// The same as a double, correct to a few units in the last place unless it cancels; much faster.
-[[nodiscard]] double approximate_area(const Region& region,
-                                      const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API double approximate_area(const Region& region,
+                                                  const std::optional<CancelToken>& cancel = {});
 /// The bounding box; nothing for an empty region. O(n).
-[[nodiscard]] std::optional<Box> bounding_box(const Region& region,
-                                              const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API std::optional<Box> bounding_box(
+    const Region& region, const std::optional<CancelToken>& cancel = {});
 /// How many bits the coordinates need once scaled to integers by their least common denominator
 /// and moved to the origin. An indication of which arithmetic a sum takes: that is picked on a grid
 /// which both operands share, and which may be finer (docs/pipeline.md). O(n).
-[[nodiscard]] std::size_t coordinate_bits(const Region& region,
-                                          const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API std::size_t coordinate_bits(
+    const Region& region, const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

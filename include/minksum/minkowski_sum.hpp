@@ -8,6 +8,7 @@
 
 #include "minksum/cancel.hpp"
 #include "minksum/error.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 #include "minksum/resolve.hpp"
@@ -40,7 +41,7 @@ enum class Arithmetic {
 enum class Stage { kOperands, kConvolution, kCover, kArrangement, kLoops, kFilters, kOutput };
 inline constexpr int kStageCount = 7;
 /// "operands", "convolution", ...
-[[nodiscard]] const char* to_string(Stage stage);
+[[nodiscard]] MINKSUM_API const char* to_string(Stage stage);
 
 /// Limits whose excess is an Error(kLimitExceeded), not a crash. All methods but kSigned take no
 /// more than 2^30 of either, whatever is set.
@@ -106,7 +107,7 @@ struct [[nodiscard]] Outcome {
 };
 
 /// Memory that is kept from call to call. One thread at a time may use a workspace.
-class Workspace {
+class MINKSUM_API Workspace {
  public:
   Workspace();
   ~Workspace();
@@ -129,21 +130,22 @@ class Workspace {
 /// Throws Error: kBadInput (names ring and vertex), kLimitExceeded, kCancelled, kInternal.
 /// Paper: E. Behar, J.-M. Lien, "Fast and Robust 2D Minkowski Sum Using Reduced Convolution",
 /// IROS 2011, section IV; docs/pipeline.md says where we differ.
-[[nodiscard]] Region minkowski_sum(const Region& p, const Region& q, const Options& options = {});
+[[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const Region& q,
+                                               const Options& options = {});
 
 /// The same into a result that is reused, with memory that is reused, and no exception for bad
 /// input, limits or cancellation. On failure `result` is empty.
-Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
-                      Workspace& workspace, Region& result);
+MINKSUM_API Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
+                                  Workspace& workspace, Region& result);
 
 /// The sum of any two geometries: rings of any kind, read by `options.fill`, polylines and points.
 /// It is the set P ⊕ Q, resolved (see Geometry): closed, with thin parts where both operands are
 /// thin. Statistics are those of the sum of both areas. Tight places are those of both areas, less
 /// what the sum's thin operands cover. Throws as above.
-[[nodiscard]] Geometry minkowski_sum(const Geometry& p, const Geometry& q,
-                                     const Options& options = {});
+[[nodiscard]] MINKSUM_API Geometry minkowski_sum(const Geometry& p, const Geometry& q,
+                                                 const Options& options = {});
 /// The same with memory that is reused, and no exception; as above.
-Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
-                      Workspace& workspace, Geometry& result);
+MINKSUM_API Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
+                                  Workspace& workspace, Geometry& result);
 
 }  // namespace minksum

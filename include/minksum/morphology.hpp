@@ -1,6 +1,7 @@
 // Mathematical morphology: dilation, erosion, opening and closing by a structuring element.
 #pragma once
 
+#include "minksum/export.hpp"
 #include "minksum/minkowski_sum.hpp"
 
 namespace minksum {
@@ -15,8 +16,8 @@ struct MorphologyOptions {
 };
 
 /// A ⊕ B = { a + b | a ∈ A, b ∈ B }: minkowski_sum by another name.
-[[nodiscard]] Geometry dilate(const Geometry& a, const Geometry& b,
-                              const MorphologyOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry dilate(const Geometry& a, const Geometry& b,
+                                          const MorphologyOptions& options = {});
 
 /// A ⊖ B = { x | x + B ⊆ A }: where B can be put inside A. B may have holes and thin parts, and
 /// need not contain the origin; A's thin parts are dropped.
@@ -25,15 +26,15 @@ struct MorphologyOptions {
 /// so that islands of a disconnected complement come out too. Exact, as minkowski_sum is.
 /// Throws Error(kBadInput) if B is empty (the erosion would be the whole plane), or has thin parts
 /// while `options.tight` is set.
-[[nodiscard]] Geometry erode(const Geometry& a, const Geometry& b,
-                             const MorphologyOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry erode(const Geometry& a, const Geometry& b,
+                                         const MorphologyOptions& options = {});
 
 /// A ∘ B = (A ⊖ B) ⊕ B: the union of all translates of B inside A. Idempotent; contained in A.
-[[nodiscard]] Geometry open(const Geometry& a, const Geometry& b,
-                            const MorphologyOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry open(const Geometry& a, const Geometry& b,
+                                        const MorphologyOptions& options = {});
 
 /// A • B = (A ⊕ B) ⊖ B: what no translate of −B outside A's sum can reach. Idempotent; contains A.
-[[nodiscard]] Geometry close(const Geometry& a, const Geometry& b,
-                             const MorphologyOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry close(const Geometry& a, const Geometry& b,
+                                         const MorphologyOptions& options = {});
 
 }  // namespace minksum

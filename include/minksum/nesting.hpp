@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "minksum/export.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/minkowski_sum.hpp"
 
@@ -25,20 +26,20 @@ struct NestingOptions {
 /// places), they touch; elsewhere they are apart. It is (fixed ⊕ −moving) + reference; thin parts
 /// of both shapes are dropped. Orientation of rings has no meaning. Throws as minkowski_sum does,
 /// and Error(kBadInput) if `moving` has no vertex to be the reference point.
-[[nodiscard]] Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
-                                      const NestingOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
+                                                  const NestingOptions& options = {});
 
 /// The inner-fit polygon of `part` in `bin`: the placements t of the reference point that put the
 /// part into the bin (touching is allowed). It is (bin ⊖ part) + reference, with the placements
 /// that leave no play as polylines and points. Empty if the part does not fit.
-[[nodiscard]] Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
-                                         const NestingOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
+                                                     const NestingOptions& options = {});
 
 /// How a placed part relates to a fixed one.
 enum class Contact { kFree, kTouching, kOverlapping };
 
 /// A no-fit polygon to be asked many times. Copies share it; any number of threads may ask.
-class NoFitPolygon {
+class MINKSUM_API NoFitPolygon {
  public:
   NoFitPolygon(const Geometry& fixed, const Geometry& moving, const NestingOptions& options = {});
 
@@ -78,7 +79,7 @@ struct TurnedPart {
 /// polygon, and that of (b, a) is the point mirror of that of (a, b). Only these sums are made, and
 /// kept; the others are turned when they are asked for. Copies share one state; any number of
 /// threads may ask.
-class NoFitTable {
+class MINKSUM_API NoFitTable {
  public:
   /// Makes all sums, on up to options.threads threads. Throws as minkowski_sum does, with the index
   /// of the part for the operand where one is to blame; Error(kBadInput) for a part without area,

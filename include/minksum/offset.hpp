@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "minksum/export.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/round.hpp"
 
@@ -22,8 +23,8 @@ namespace minksum {
 ///
 /// Throws Error: kBadInput if radius or tolerance is not positive; kLimitExceeded for more than
 /// 2^20 vertices.
-[[nodiscard]] Region disc(const Rational& radius, const Rational& tolerance,
-                          RoundingSide side = RoundingSide::kNearest);
+[[nodiscard]] MINKSUM_API Region disc(const Rational& radius, const Rational& tolerance,
+                                      RoundingSide side = RoundingSide::kNearest);
 
 /// What an offset has at corners that it moves apart: an outward one at convex vertices, an inward
 /// one at reflex ones, one of a polyline at each bend's outer side.
@@ -34,7 +35,7 @@ enum class Join {
   kBevel,   ///< cut from the end of one moved edge to that of the other
 };
 /// "round", "miter", "square", "bevel".
-[[nodiscard]] const char* to_string(Join join);
+[[nodiscard]] MINKSUM_API const char* to_string(Join join);
 
 /// What an offset has at both ends of a polyline that is not closed, and around points.
 enum class Cap {
@@ -43,7 +44,7 @@ enum class Cap {
   kSquare,  ///< it goes on by the distance; an axis-parallel square around a point
 };
 /// "round", "butt", "square".
-[[nodiscard]] const char* to_string(Cap cap);
+[[nodiscard]] MINKSUM_API const char* to_string(Cap cap);
 
 struct OffsetOptions {
   Join join = Join::kRound;
@@ -91,7 +92,7 @@ struct OffsetOptions {
 /// Error: kBadInput (a tolerance that is not positive, a miter limit below 1, what kStrict finds),
 /// kLimitExceeded (also for a tolerance below 10^-10 of the distance times the miter limit
 /// squared), kCancelled.
-[[nodiscard]] Geometry offset(const Geometry& a, const Rational& distance,
-                              const OffsetOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry offset(const Geometry& a, const Rational& distance,
+                                          const OffsetOptions& options = {});
 
 }  // namespace minksum

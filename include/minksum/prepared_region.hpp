@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "minksum/export.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/region.hpp"
 
@@ -13,7 +14,7 @@ namespace minksum {
 ///
 /// Worth its while where one shape meets several others: nesting parts, a robot among obstacles.
 /// Immutable: any number of threads may use one at the same time. Copies share one state.
-class PreparedRegion {
+class MINKSUM_API PreparedRegion {
  public:
   /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no legal operand (see
   /// `validate`), Error(kLimitExceeded) as `validate` does, and Error(kCancelled). An empty region
@@ -31,22 +32,22 @@ class PreparedRegion {
 
 /// P ⊕ Q, the same region as from the operands themselves. The operands' stage is down to copying
 /// and merging sorted lists, O(n + m); the rest is as for `minkowski_sum` of regions.
-[[nodiscard]] Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
-                                   const Options& options = {});
+[[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                                               const Options& options = {});
 
 /// The same with an operand that is not prepared.
-[[nodiscard]] Region minkowski_sum(const Region& p, const PreparedRegion& q,
-                                   const Options& options = {});
-[[nodiscard]] Region minkowski_sum(const PreparedRegion& p, const Region& q,
-                                   const Options& options = {});
+[[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const PreparedRegion& q,
+                                               const Options& options = {});
+[[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const Region& q,
+                                               const Options& options = {});
 
 /// The same into a result that is reused, with memory that is reused, and no exception for limits
 /// or cancellation. On failure `result` is empty.
-Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
-                      Workspace& workspace, Region& result);
-Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
-                      Workspace& workspace, Region& result);
-Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
-                      Workspace& workspace, Region& result);
+MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                                  const Options& options, Workspace& workspace, Region& result);
+MINKSUM_API Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
+                                  Workspace& workspace, Region& result);
+MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
+                                  Workspace& workspace, Region& result);
 
 }  // namespace minksum

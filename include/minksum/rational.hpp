@@ -12,6 +12,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "minksum/export.hpp"
+
 namespace minksum {
 
 /// An exact decimal: mantissa · 10^exponent. What a number in a text file usually is.
@@ -31,7 +33,7 @@ using Widest = std::conditional_t<std::is_signed_v<Integer>, std::int64_t, std::
 /// A value type: copying is cheap (the digits are shared and never change), so concurrent use of
 /// copies is safe. It is meant for reading results and feeding exact operands, not for bulk
 /// arithmetic.
-class Rational {
+class MINKSUM_API Rational {
  public:
   Rational();                                           ///< zero
   // Numbers convert by themselves, as nothing is lost: NOLINTBEGIN(google-explicit-constructor)
@@ -75,15 +77,15 @@ class Rational {
   /// Error(kBadInput) if `digits` is negative.
   [[nodiscard]] std::string to_decimal(int digits) const;
 
-  friend Rational operator+(const Rational& a, const Rational& b);
-  friend Rational operator-(const Rational& a, const Rational& b);
-  friend Rational operator*(const Rational& a, const Rational& b);
+  friend MINKSUM_API Rational operator+(const Rational& a, const Rational& b);
+  friend MINKSUM_API Rational operator-(const Rational& a, const Rational& b);
+  friend MINKSUM_API Rational operator*(const Rational& a, const Rational& b);
   /// Throws Error(kBadInput) if b is 0.
-  friend Rational operator/(const Rational& a, const Rational& b);
-  friend Rational operator-(const Rational& a);
-  friend bool operator==(const Rational& a, const Rational& b);
-  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
-  friend std::ostream& operator<<(std::ostream& out, const Rational& value);
+  friend MINKSUM_API Rational operator/(const Rational& a, const Rational& b);
+  friend MINKSUM_API Rational operator-(const Rational& a);
+  friend MINKSUM_API bool operator==(const Rational& a, const Rational& b);
+  friend MINKSUM_API std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+  friend MINKSUM_API std::ostream& operator<<(std::ostream& out, const Rational& value);
 
  private:
   friend class RationalAccess;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "minksum/configuration_space.hpp"
+#include "minksum/export.hpp"
 
 namespace minksum {
 
@@ -59,8 +60,8 @@ struct Reach {
 /// Throws Error: kBadInput as ConfigurationSpace does, with culprit operand 3 if the robot is not
 /// free at `from`, 4 at `to`, and if `certain` is set with steps of half a turn or more; and as
 /// minkowski_sum.
-[[nodiscard]] Reach reach(const Geometry& robot, const Geometry& obstacles,
-                          const Configuration& from, const Configuration& to,
-                          const ReachOptions& options = {});
+[[nodiscard]] MINKSUM_API Reach reach(const Geometry& robot, const Geometry& obstacles,
+                                      const Configuration& from, const Configuration& to,
+                                      const ReachOptions& options = {});
 
 }  // namespace minksum

@@ -12,6 +12,7 @@
 
 #include "minksum/detail/shared_arrays.hpp"
 #include "minksum/error.hpp"
+#include "minksum/export.hpp"
 #include "minksum/rational.hpp"
 
 namespace minksum {
@@ -156,7 +157,7 @@ struct StoredCoordinate {
 /// edge, rings and polygons are ordered by their first vertices; so equal sets compare equal.
 ///
 /// Copying takes O(1): copies share their memory until one of them is changed.
-class Region {
+class MINKSUM_API Region {
  public:
   Region() = default;
   /// These throw Error(kLimitExceeded) as add_vertex does.
@@ -239,7 +240,7 @@ class Region {
   }
 
   /// Equal as stored: the same rings in the same order with exactly equal vertices.
-  friend bool operator==(const Region& a, const Region& b);
+  friend MINKSUM_API bool operator==(const Region& a, const Region& b);
 
  private:
   friend class RegionAccess;
@@ -268,7 +269,7 @@ class Region {
 };
 
 /// A ring of a region. Valid while the region lives and is not changed.
-class RingView {
+class MINKSUM_API RingView {
  public:
   RingView(const Region& region, std::size_t index) : region_(&region), index_(index) {}
 

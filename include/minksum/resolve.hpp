@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -24,7 +25,7 @@ enum class FillRule {
   kStrict,    ///< polygons must be legal: else Error(kBadInput) that names the fault's place
 };
 /// "automatic", "evenodd", "nonzero", "positive", "negative", "strict".
-[[nodiscard]] const char* to_string(FillRule rule);
+[[nodiscard]] MINKSUM_API const char* to_string(FillRule rule);
 
 struct ResolveOptions {
   FillRule fill = FillRule::kAutomatic;
@@ -41,6 +42,7 @@ struct ResolveOptions {
 /// become polylines or points where no area holds them. Where rings cross, vertices are rational
 /// points. O((n + c) log n) for n vertices and c places where edges meet. Throws Error: kBadInput
 /// (kStrict), kLimitExceeded, kCancelled.
-[[nodiscard]] Geometry resolve(const Geometry& geometry, const ResolveOptions& options = {});
+[[nodiscard]] MINKSUM_API Geometry resolve(const Geometry& geometry,
+                                           const ResolveOptions& options = {});
 
 }  // namespace minksum

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -14,7 +15,7 @@ enum class RoundingSide {
   kInside,   ///< the result is certainly contained in it
 };
 /// "nearest", "outside", "inside".
-[[nodiscard]] const char* to_string(RoundingSide side);
+[[nodiscard]] MINKSUM_API const char* to_string(RoundingSide side);
 
 struct RoundOptions {
   RoundingSide side = RoundingSide::kNearest;
@@ -67,9 +68,9 @@ struct RoundingReport {
 /// with a square (for a side) and of `resolve`. Thin parts take a few times that of `resolve`,
 /// where hulls may overlap. Throws Error: kBadInput if the region is not legal; kLimitExceeded,
 /// also if a coordinate or its rounded value is beyond the range of doubles; kCancelled.
-[[nodiscard]] Region round(const Region& region, const RoundOptions& options = {},
-                           RoundingReport* report = nullptr);
-[[nodiscard]] Geometry round(const Geometry& geometry, const RoundOptions& options = {},
-                             RoundingReport* report = nullptr);
+[[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& options = {},
+                                       RoundingReport* report = nullptr);
+[[nodiscard]] MINKSUM_API Geometry round(const Geometry& geometry, const RoundOptions& options = {},
+                                         RoundingReport* report = nullptr);
 
 }  // namespace minksum

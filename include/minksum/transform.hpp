@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
 
 /// (x, y) ↦ (xx·x + xy·y + dx, yx·x + yy·y + dy).
-struct Affine {
+struct MINKSUM_API Affine {
   Rational xx = 1, xy, dx;
   Rational yx, yy = 1, dy;
 
@@ -27,13 +28,14 @@ struct Affine {
 
 /// The geometry's image. Rings and paths keep their order of vertices; the form is not canonical
 /// any more, and origins are not kept. O(n). Throws Error(kCancelled).
-[[nodiscard]] Geometry transform(const Geometry& geometry, const Affine& map,
-                                 const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] Region transform(const Region& region, const Affine& map,
-                               const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Geometry transform(const Geometry& geometry, const Affine& map,
+                                             const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Region transform(const Region& region, const Affine& map,
+                                           const std::optional<CancelToken>& cancel = {});
 /// The point mirror { −p | p ∈ geometry }. Throws Error(kCancelled).
-[[nodiscard]] Geometry reflect(const Geometry& geometry,
-                               const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] Region reflect(const Region& region, const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Geometry reflect(const Geometry& geometry,
+                                           const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Region reflect(const Region& region,
+                                         const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

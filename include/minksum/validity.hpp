@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "minksum/cancel.hpp"
+#include "minksum/export.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -23,7 +24,7 @@ struct Fault {
 };
 /// What is wrong and where: "edges cross at (5, 1/2)"; "near (0.3, 7.1)" if the exact numbers are
 /// long.
-[[nodiscard]] std::string to_string(const Fault& fault);
+[[nodiscard]] MINKSUM_API std::string to_string(const Fault& fault);
 
 /// All reasons why `region` is no legal operand, at most `max_faults` of them; none = legal. Every
 /// two edges that cross or overlap are a fault of their own.
@@ -35,7 +36,8 @@ struct Fault {
 /// edges do not matter. Wider than OGC: rings of one polygon may touch at several points.
 /// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more
 /// than 2^30 vertices, or somewhat fewer if edges are long; Error(kCancelled).
-[[nodiscard]] std::vector<Fault> validate(const Region& region, std::size_t max_faults = 100,
-                                          const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API std::vector<Fault> validate(
+    const Region& region, std::size_t max_faults = 100,
+    const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

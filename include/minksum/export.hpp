@@ -1,0 +1,14 @@
+// Which names a shared library shows: those of the public headers, and no others.
+#pragma once
+
+// MINKSUM_SHARED is defined for users of the shared library, MINKSUM_BUILDING while it is built;
+// CMake's targets see to both.
+#if defined(_WIN32) && defined(MINKSUM_BUILDING)
+#define MINKSUM_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(MINKSUM_SHARED)
+#define MINKSUM_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define MINKSUM_API __attribute__((visibility("default")))
+#else
+#define MINKSUM_API
+#endif
