@@ -8,19 +8,26 @@ if(TARGET minksum_io)
   list(APPEND MINKSUM_COMPONENTS minksum_io)
 endif()
 
+if(TARGET minksum_c)
+  list(APPEND MINKSUM_COMPONENTS minksum_c)
+endif()
+
 install(TARGETS ${MINKSUM_COMPONENTS} EXPORT minksumTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT minksumTargets NAMESPACE minksum:: DESTINATION ${MINKSUM_CMAKE_DIR})
 
-# io.hpp promises what only minksum_io keeps.
-if(TARGET minksum_io)
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
-else()
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-    PATTERN "io.hpp" EXCLUDE)
+# io.hpp promises what only minksum_io keeps, and minksum_c.h what minksum_c does.
+set(left_out)
+if(NOT TARGET minksum_io)
+  list(APPEND left_out PATTERN "io.hpp" EXCLUDE)
 endif()
+if(NOT TARGET minksum_c)
+  list(APPEND left_out PATTERN "minksum_c.h" EXCLUDE)
+endif()
+install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" ${left_out})
 if(TARGET minksum_program)
   install(TARGETS minksum_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

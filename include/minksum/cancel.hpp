@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 
 namespace minksum {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/validity.hpp"
 

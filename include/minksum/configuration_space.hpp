@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/measure.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/transform.hpp"

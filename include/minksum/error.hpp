@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 
 namespace minksum {
 

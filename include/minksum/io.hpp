@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "minksum/cancel.hpp"
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 

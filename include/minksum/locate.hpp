@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "minksum/cancel.hpp"
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/geometry.hpp"
 
 namespace minksum {

@@ -8,7 +8,7 @@
 
 #include "minksum/cancel.hpp"
 #include "minksum/error.hpp"
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
 #include "minksum/resolve.hpp"

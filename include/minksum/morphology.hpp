@@ -1,7 +1,7 @@
 // Mathematical morphology: dilation, erosion, opening and closing by a structuring element.
 #pragma once
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/minkowski_sum.hpp"
 
 namespace minksum {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/locate.hpp"
 #include "minksum/minkowski_sum.hpp"
 

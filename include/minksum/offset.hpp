@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/round.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/region.hpp"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 
 namespace minksum {
 

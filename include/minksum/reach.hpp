@@ -2,7 +2,7 @@
 #pragma once
 
 #include "minksum/configuration_space.hpp"
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 
 namespace minksum {
 

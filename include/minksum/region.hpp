@@ -12,7 +12,7 @@
 
 #include "minksum/detail/shared_arrays.hpp"
 #include "minksum/error.hpp"
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/rational.hpp"
 
 namespace minksum {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "minksum/cancel.hpp"
-#include "minksum/export.hpp"
+#include "minksum/export.h"
 #include "minksum/region.hpp"
 
 namespace minksum {

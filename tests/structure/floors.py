@@ -36,6 +36,7 @@ ROOMS = [
     ("src/operations", 6, "A folder for each group of public operations: sum, morphology, offset, "
                           "no-fit polygons, penetration depth, configuration space."),
     ("src/io", 7, "Readers and writers of files, one file a format. Sees the public headers alone."),
+    ("c", 8, "The C interface. Sees the public headers alone."),
     ("cli", 8, "The program. Sees the public headers alone."),
 ]
 FLOOR = {room: floor for room, floor, _ in ROOMS}
@@ -58,7 +59,7 @@ EXCEPTIONS = {
         "the parts of a table are validated once, which has no public form",
 }
 # Code outside of src that sees the public headers alone, so that it shares no mistake with src.
-OUTSIDE = ["cli", "bench", "examples", "tests/reference", "tests/support", "tests/property",
+OUTSIDE = ["c", "cli", "bench", "examples", "tests/reference", "tests/support", "tests/property",
            "tests/real", "tests/oracle"]
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.M)
@@ -187,8 +188,8 @@ class House:
 
 def room_of(path):
     parts = path.split("/")
-    if parts[0] == "cli":
-        return "cli"
+    if parts[0] in FLOOR:
+        return parts[0]
     room = "/".join(parts[:2])
     return room if len(parts) > 2 and room in FLOOR else None
 

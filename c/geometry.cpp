@@ -1,0 +1,205 @@
+// Geometries of the C interface: made from arrays, read into arrays, read and written as text.
+#include <cstdlib>
+#include <cstring>
+#include <span>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "handles.hpp"
+
+namespace minksum::c {
+
+minksum_status tell(minksum_error* error, minksum_status status, const std::string& message,
+                    const Error* cause) {
+  if (error == nullptr) return status;
+  *error = {};
+  error->status = status;
+  const Culprit culprit = cause != nullptr ? cause->culprit() : Culprit{};
+  error->operand = culprit.operand;
+  error->polygon = culprit.polygon;
+  error->ring = culprit.ring;
+  error->vertex = culprit.vertex;
+  if (const auto* read = dynamic_cast<const io::ReadError*>(cause)) {
+    error->line = read->line();
+    error->column = read->column();
+  }
+  if (cause != nullptr && cause->limit()) {
+    cause->limit()->name.copy(error->limit, sizeof error->limit - 1);
+    error->limit_value = cause->limit()->value;
+  }
+  message.copy(error->message, sizeof error->message - 1);
+  return status;
+}
+
+minksum_status tell_exception(minksum_error* error) {
+  try {
+    throw;
+  } catch (const Error& cause) {
+    constexpr minksum_status kStatus[] = {MINKSUM_BAD_INPUT, MINKSUM_LIMIT_EXCEEDED,
+                                          MINKSUM_CANCELLED, MINKSUM_INTERNAL};
+    return tell(error, kStatus[static_cast<int>(cause.code())], cause.what(), &cause);
+  } catch (const std::bad_alloc&) {
+    const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
+    return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
+  } catch (const std::exception& cause) {
+    return tell(error, MINKSUM_INTERNAL, cause.what());
+  } catch (...) {
+    return tell(error, MINKSUM_INTERNAL, "an unknown exception");
+  }
+}
+
+namespace {
+
+std::vector<Point> points_of(const double* xy, std::size_t n) {
+  require(xy != nullptr || n == 0, "there are points, and no array of coordinates");
+  std::vector<Point> points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) points.push_back({xy[2 * i], xy[2 * i + 1]});
+  return points;
+}
+
+void copy_points(std::span<const Point> points, double*& xy) {
+  for (const Point& point : points) {
+    *xy++ = point.x.to_double();
+    *xy++ = point.y.to_double();
+  }
+}
+
+void copy(const std::vector<std::int64_t>& from, std::int64_t* to) {
+  if (to != nullptr) std::ranges::copy(from, to);
+}
+
+}  // namespace
+}  // namespace minksum::c
+
+using namespace minksum;     // NOLINT(google-build-using-namespace)
+using namespace minksum::c;  // NOLINT(google-build-using-namespace)
+
+void minksum_options_init(minksum_options* options) {
+  const Limits limits;
+  *options = {limits.max_segments, limits.max_crossings, MINKSUM_FILL_AUTOMATIC, 0, 0, nullptr,
+              nullptr};
+}
+
+const char* minksum_version(void) { return MINKSUM_VERSION; }
+
+minksum_status minksum_geometry_empty(minksum_geometry** result, minksum_error* error) {
+  return made(result, error, [] { return Geometry(); });
+}
+
+minksum_status minksum_geometry_polygon(const double* xy, size_t n, minksum_geometry** result,
+                                        minksum_error* error) {
+  return made(result, error, [&] {
+    require(xy != nullptr || n == 0, "there are points, and no array of coordinates");
+    const std::int64_t ring[] = {0, static_cast<std::int64_t>(n)};
+    const std::int64_t polygon[] = {0, 1};
+    return Geometry(Region::from_flat({xy, 2 * n}, ring, polygon));
+  });
+}
+
+minksum_status minksum_geometry_polygons(const double* xy, const int64_t* ring_offsets,
+                                         size_t rings, const int64_t* polygon_offsets,
+                                         size_t polygons, minksum_geometry** result,
+                                         minksum_error* error) {
+  return made(result, error, [&] {
+    require(ring_offsets != nullptr && polygon_offsets != nullptr, "an array of offsets is NULL");
+    const std::int64_t points = ring_offsets[rings];
+    require(points >= 0 && (xy != nullptr || points == 0),
+            "there are points, and no array of coordinates");
+    return Geometry(Region::from_flat({xy, 2 * static_cast<std::size_t>(points)},
+                                      {ring_offsets, rings + 1}, {polygon_offsets, polygons + 1}));
+  });
+}
+
+minksum_status minksum_geometry_add_polyline(minksum_geometry* geometry, const double* xy, size_t n,
+                                             minksum_error* error) {
+  return guarded(error, [&] {
+    require(geometry != nullptr, "an argument is NULL");
+    require(n >= 2, "a polyline has two points or more");
+    geometry->value.polylines.push_back(points_of(xy, n));
+  });
+}
+
+minksum_status minksum_geometry_add_points(minksum_geometry* geometry, const double* xy, size_t n,
+                                           minksum_error* error) {
+  return guarded(error, [&] {
+    require(geometry != nullptr, "an argument is NULL");
+    const std::vector<Point> points = points_of(xy, n);
+    geometry->value.points.insert(geometry->value.points.end(), points.begin(), points.end());
+  });
+}
+
+minksum_status minksum_geometry_copy(const minksum_geometry* geometry, minksum_geometry** result,
+                                     minksum_error* error) {
+  return made(result, error, [&] { return value_of(geometry); });
+}
+
+void minksum_geometry_free(minksum_geometry* geometry) { delete geometry; }
+
+int minksum_geometry_equal(const minksum_geometry* a, const minksum_geometry* b) {
+  return a->value == b->value ? 1 : 0;
+}
+
+minksum_counts minksum_geometry_counts(const minksum_geometry* geometry) {
+  const Geometry& value = geometry->value;
+  minksum_counts counts{value.region.polygon_count(), value.region.ring_count(),
+                        value.region.vertex_count(),  value.polylines.size(),
+                        0,                            value.points.size()};
+  for (const Polyline& line : value.polylines) counts.polyline_vertices += line.size();
+  return counts;
+}
+
+void minksum_geometry_get_polygons(const minksum_geometry* geometry, double* xy,
+                                   int64_t* ring_offsets, int64_t* polygon_offsets) {
+  const FlatRegion flat = geometry->value.region.flat();
+  if (xy != nullptr) std::ranges::copy(flat.coordinates, xy);
+  copy(flat.ring_offsets, ring_offsets);
+  copy(flat.polygon_offsets, polygon_offsets);
+}
+
+void minksum_geometry_get_polylines(const minksum_geometry* geometry, double* xy,
+                                    int64_t* offsets) {
+  std::int64_t end = 0;
+  if (offsets != nullptr) *offsets++ = 0;
+  for (const Polyline& line : geometry->value.polylines) {
+    if (xy != nullptr) copy_points(line, xy);
+    end += static_cast<std::int64_t>(line.size());
+    if (offsets != nullptr) *offsets++ = end;
+  }
+}
+
+void minksum_geometry_get_points(const minksum_geometry* geometry, double* xy) {
+  copy_points(geometry->value.points, xy);
+}
+
+minksum_status minksum_read(const char* text, size_t length, minksum_geometry** result,
+                            minksum_error* error) {
+  return made(result, error, [&] {
+    require(text != nullptr, "an argument is NULL");
+    return io::read_geometry(std::string_view(text, length));
+  });
+}
+
+minksum_status minksum_write(const minksum_geometry* geometry, minksum_format format,
+                             minksum_style style, int digits, char** text, size_t* length,
+                             minksum_error* error) {
+  return guarded(error, [&] {
+    require(text != nullptr, "the result has nowhere to go");
+    *text = nullptr;
+    constexpr io::Format kFormats[] = {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
+                                       io::Format::kSvg};
+    const auto index = as<std::size_t>(format, MINKSUM_SVG);
+    const auto kind = as<io::Coordinates::Style>(style, MINKSUM_DECIMALS);
+    std::ostringstream out;
+    out.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
+    io::write(out, value_of(geometry), kFormats[index], io::Coordinates{kind, digits, {}});
+    const std::string written = std::move(out).str();
+    *text = static_cast<char*>(std::malloc(written.size() + 1));
+    if (*text == nullptr) throw std::bad_alloc();
+    std::memcpy(*text, written.c_str(), written.size() + 1);
+    if (length != nullptr) *length = written.size();
+  });
+}
+
+void minksum_text_free(char* text) { std::free(text); }

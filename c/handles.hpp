@@ -1,0 +1,103 @@
+// What the handles of the C interface hold, and how exceptions become errors.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "minksum/io.hpp"
+#include "minksum/minksum.hpp"
+#include "minksum_c.h"
+
+struct minksum_geometry {
+  minksum::Geometry value;
+};
+struct minksum_prepared {
+  minksum::PreparedRegion value;
+};
+struct minksum_locator {
+  minksum::PointLocator value;
+};
+struct minksum_no_fit_table {
+  minksum::NoFitTable value;
+};
+struct minksum_space {
+  minksum::ConfigurationSpace value;
+  double tolerance;
+};
+
+namespace minksum::c {
+
+/// An argument that is not what it must be.
+[[noreturn]] inline void refuse(const char* what) { throw Error(ErrorCode::kBadInput, what); }
+
+inline void require(bool good, const char* what) {
+  if (!good) refuse(what);
+}
+
+/// Fills `error`, which may be null, and returns its status.
+minksum_status tell(minksum_error* error, minksum_status status, const std::string& message,
+                    const Error* cause = nullptr);
+/// The same for the exception that is being handled.
+minksum_status tell_exception(minksum_error* error);
+
+/// Runs `work`, from which no exception gets out.
+template <class Work>
+minksum_status guarded(minksum_error* error, const Work& work) noexcept {
+  try {
+    work();
+    return tell(error, MINKSUM_OK, {});
+  } catch (...) {
+    return tell_exception(error);
+  }
+}
+/// The same for a function that makes a handle.
+template <class Handle, class Make>
+minksum_status made(Handle** result, minksum_error* error, const Make& make) noexcept {
+  if (result == nullptr) return tell(error, MINKSUM_BAD_INPUT, "the result has nowhere to go");
+  *result = nullptr;
+  return guarded(error, [&] { *result = new Handle{make()}; });
+}
+
+template <class Handle>
+const auto& value_of(const Handle* handle) {
+  require(handle != nullptr, "an argument is NULL");
+  return handle->value;
+}
+
+/// An enumerator of C as that of C++ at the same position.
+template <class To, class From>
+To as(From value, From last) {
+  require(static_cast<int>(value) >= 0 && value <= last, "an enumerator that does not exist");
+  return static_cast<To>(value);
+}
+inline RoundingSide as_side(minksum_side side) { return as<RoundingSide>(side, MINKSUM_INSIDE); }
+
+/// Options by the names that those of most operations share.
+template <class Options>
+Options options_of(const minksum_options* given) {
+  Options options;
+  if (given == nullptr) return options;
+  if constexpr (requires { options.fill; }) {
+    options.fill = as<FillRule>(given->fill, MINKSUM_FILL_STRICT);
+  }
+  if constexpr (requires { options.regularize; }) options.regularize = given->regularize != 0;
+  if constexpr (requires { options.limits; }) {
+    options.limits = {given->max_segments, given->max_crossings};
+  }
+  if constexpr (requires { options.threads; }) options.threads = given->threads;
+  if (given->stop != nullptr) {
+    options.cancel = CancelToken::polling(
+        [stop = given->stop, context = given->context] { return stop(context) != 0; });
+  }
+  return options;
+}
+/// The cancel token alone.
+inline std::optional<CancelToken> cancel_of(const minksum_options* given) {
+  return options_of<ResolveOptions>(given).cancel;
+}
+
+}  // namespace minksum::c

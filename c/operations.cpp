@@ -1,0 +1,251 @@
+// Operations of the C interface: sums and what is made of them, and questions about sets.
+#include <array>
+#include <cmath>
+
+#include "handles.hpp"
+
+using namespace minksum;     // NOLINT(google-build-using-namespace)
+using namespace minksum::c;  // NOLINT(google-build-using-namespace)
+
+namespace {
+
+using Handle = minksum_geometry;
+
+/// A function of two sets, by its options.
+template <class Options, class Operation>
+minksum_status binary(const Handle* a, const Handle* b, const minksum_options* options,
+                      Handle** result, minksum_error* error, Operation operation) {
+  return made(result, error, [&] {
+    return Geometry(operation(value_of(a), value_of(b), options_of<Options>(options)));
+  });
+}
+
+/// A boolean operation of areas, each read by the fill rule.
+template <class Operation>
+minksum_status of_areas(const Handle* a, const Handle* b, const minksum_options* options,
+                        Handle** result, minksum_error* error, Operation operation) {
+  return made(result, error, [&] {
+    ResolveOptions reading = options_of<ResolveOptions>(options);
+    reading.regularize = true;
+    reading.operand = 0;
+    const Region first = resolve(value_of(a), reading).region;
+    reading.operand = 1;
+    const Region second = resolve(value_of(b), reading).region;
+    return Geometry(operation(first, second, reading.cancel));
+  });
+}
+
+}  // namespace
+
+minksum_status minksum_sum(const Handle* a, const Handle* b, const minksum_options* options,
+                           Handle** result, minksum_error* error) {
+  return binary<Options>(a, b, options, result, error, [](const auto& p, const auto& q, auto o) {
+    return minkowski_sum(p, q, o);
+  });
+}
+minksum_status minksum_dilate(const Handle* a, const Handle* b, const minksum_options* options,
+                              Handle** result, minksum_error* error) {
+  return binary<MorphologyOptions>(a, b, options, result, error, dilate);
+}
+minksum_status minksum_erode(const Handle* a, const Handle* b, const minksum_options* options,
+                             Handle** result, minksum_error* error) {
+  return binary<MorphologyOptions>(a, b, options, result, error, erode);
+}
+minksum_status minksum_open(const Handle* a, const Handle* b, const minksum_options* options,
+                            Handle** result, minksum_error* error) {
+  return binary<MorphologyOptions>(a, b, options, result, error, minksum::open);
+}
+minksum_status minksum_close(const Handle* a, const Handle* b, const minksum_options* options,
+                             Handle** result, minksum_error* error) {
+  return binary<MorphologyOptions>(a, b, options, result, error, minksum::close);
+}
+
+minksum_status minksum_unite(const Handle* a, const Handle* b, const minksum_options* options,
+                             Handle** result, minksum_error* error) {
+  return made(result, error, [&] {
+    ResolveOptions reading = options_of<ResolveOptions>(options);
+    std::array<Geometry, 2> both;
+    reading.operand = 0;
+    both[0] = resolve(value_of(a), reading);
+    reading.operand = 1;
+    both[1] = resolve(value_of(b), reading);
+    return unite(both, reading.cancel);
+  });
+}
+minksum_status minksum_intersect(const Handle* a, const Handle* b, const minksum_options* options,
+                                 Handle** result, minksum_error* error) {
+  return of_areas(a, b, options, result, error, intersect);
+}
+minksum_status minksum_subtract(const Handle* a, const Handle* b, const minksum_options* options,
+                                Handle** result, minksum_error* error) {
+  return of_areas(a, b, options, result, error, subtract);
+}
+minksum_status minksum_symmetric_difference(const Handle* a, const Handle* b,
+                                            const minksum_options* options, Handle** result,
+                                            minksum_error* error) {
+  return of_areas(a, b, options, result, error, symmetric_difference);
+}
+
+minksum_status minksum_prepare(const Handle* geometry, const minksum_options* options,
+                               minksum_prepared** result, minksum_error* error) {
+  return made(result, error, [&] {
+    const Geometry& given = value_of(geometry);
+    require(!given.has_thin_parts(), "what is prepared has no polylines and points");
+    return PreparedRegion(given.region, cancel_of(options));
+  });
+}
+void minksum_prepared_free(minksum_prepared* prepared) { delete prepared; }
+minksum_status minksum_sum_prepared(const minksum_prepared* a, const minksum_prepared* b,
+                                    const minksum_options* options, Handle** result,
+                                    minksum_error* error) {
+  return made(result, error, [&] {
+    return Geometry(minkowski_sum(value_of(a), value_of(b), options_of<Options>(options)));
+  });
+}
+
+void minksum_offset_options_init(minksum_offset_options* offset_options) {
+  *offset_options = {MINKSUM_JOIN_ROUND, MINKSUM_CAP_ROUND, MINKSUM_NEAREST,
+                     OffsetOptions().miter_limit.to_double(), 0};
+}
+minksum_status minksum_offset(const Handle* geometry, double distance,
+                              const minksum_offset_options* offset_options,
+                              const minksum_options* options, Handle** result,
+                              minksum_error* error) {
+  return made(result, error, [&] {
+    auto all = options_of<OffsetOptions>(options);
+    if (offset_options != nullptr) {
+      all.join = as<Join>(offset_options->join, MINKSUM_JOIN_BEVEL);
+      all.cap = as<Cap>(offset_options->cap, MINKSUM_CAP_SQUARE);
+      all.side = as_side(offset_options->side);
+      all.miter_limit = offset_options->miter_limit;
+      if (offset_options->tolerance != 0) all.tolerance = offset_options->tolerance;
+    }
+    return offset(value_of(geometry), distance, all);
+  });
+}
+minksum_status minksum_disc(double radius, double tolerance, minksum_side side, Handle** result,
+                            minksum_error* error) {
+  return made(result, error, [&] { return Geometry(disc(radius, tolerance, as_side(side))); });
+}
+
+minksum_status minksum_resolve(const Handle* geometry, const minksum_options* options,
+                               Handle** result, minksum_error* error) {
+  return made(result, error, [&] {
+    return resolve(value_of(geometry), options_of<ResolveOptions>(options));
+  });
+}
+minksum_status minksum_round(const Handle* geometry, minksum_side side, int decimals,
+                             const minksum_options* options, Handle** result,
+                             minksum_error* error) {
+  return made(result, error, [&] {
+    auto rounding = options_of<RoundOptions>(options);
+    rounding.side = as_side(side);
+    if (decimals >= 0) rounding.decimals = decimals;
+    return minksum::round(value_of(geometry), rounding);
+  });
+}
+minksum_status minksum_transform(const Handle* geometry, const double m[6],
+                                 const minksum_options* options, Handle** result,
+                                 minksum_error* error) {
+  return made(result, error, [&] {
+    require(m != nullptr, "an argument is NULL");
+    const Affine map{m[0], m[1], m[2], m[3], m[4], m[5]};
+    return transform(value_of(geometry), map, cancel_of(options));
+  });
+}
+
+minksum_status minksum_validate(const Handle* geometry, const minksum_options* options,
+                                minksum_error* faults, size_t capacity, size_t* count,
+                                minksum_error* error) {
+  return guarded(error, [&] {
+    require(count != nullptr, "the result has nowhere to go");
+    *count = 0;
+    require(faults != nullptr || capacity == 0, "an argument is NULL");
+    const auto found = validate(value_of(geometry).region, capacity, cancel_of(options));
+    for (const Fault& fault : found) {
+      const Error cause(ErrorCode::kBadInput, to_string(fault), fault.place);
+      tell(&faults[(*count)++], MINKSUM_BAD_INPUT, cause.what(), &cause);
+    }
+  });
+}
+minksum_status minksum_area(const Handle* geometry, double* area, minksum_error* error) {
+  return guarded(error, [&] {
+    require(area != nullptr, "the result has nowhere to go");
+    *area = approximate_area(value_of(geometry).region);
+  });
+}
+minksum_status minksum_bounding_box(const Handle* geometry, double box[4], int* found,
+                                    minksum_error* error) {
+  return guarded(error, [&] {
+    require(box != nullptr && found != nullptr, "the result has nowhere to go");
+    const auto exact = bounding_box(value_of(geometry).region);
+    *found = exact ? 1 : 0;
+    const Box sides = exact.value_or(Box{});
+    box[0] = sides.min.x.to_double();
+    box[1] = sides.min.y.to_double();
+    box[2] = sides.max.x.to_double();
+    box[3] = sides.max.y.to_double();
+  });
+}
+
+minksum_status minksum_locator_new(const Handle* geometry, const minksum_options* options,
+                                   minksum_locator** result, minksum_error* error) {
+  return made(result, error,
+              [&] { return PointLocator(value_of(geometry), cancel_of(options)); });
+}
+void minksum_locator_free(minksum_locator* locator) { delete locator; }
+minksum_status minksum_locate(const minksum_locator* locator, double x, double y,
+                              minksum_location* location, minksum_error* error) {
+  return guarded(error, [&] {
+    require(location != nullptr, "the result has nowhere to go");
+    *location = static_cast<minksum_location>(value_of(locator).locate({x, y}));
+  });
+}
+
+minksum_status minksum_penetration_depth(const Handle* a, const Handle* b,
+                                         const minksum_options* options, minksum_depth* depth,
+                                         minksum_error* error) {
+  return guarded(error, [&] {
+    require(depth != nullptr, "the result has nowhere to go");
+    *depth = {};
+    const auto found =
+        penetration_depth(value_of(a), value_of(b), options_of<DepthOptions>(options));
+    if (!found) return;
+    *depth = {1,
+              found->overlapping ? 1 : 0,
+              {found->vector.x.to_double(), found->vector.y.to_double()},
+              found->distance};
+  });
+}
+minksum_status minksum_time_of_impact(const Handle* a, const Handle* b, const double direction[2],
+                                      const minksum_options* options, double* factor, int* found,
+                                      minksum_error* error) {
+  return guarded(error, [&] {
+    require(factor != nullptr && found != nullptr, "the result has nowhere to go");
+    require(direction != nullptr, "an argument is NULL");
+    *factor = 0;
+    *found = 0;
+    const auto time = time_of_impact(value_of(a), value_of(b), {direction[0], direction[1]},
+                                     options_of<DepthOptions>(options));
+    if (!time) return;
+    *found = 1;
+    *factor = time->to_double();
+  });
+}
+
+minksum_status minksum_check_sum(const Handle* result, const Handle* a, const Handle* b,
+                                 double within, const minksum_options* options,
+                                 minksum_sum_check* check, minksum_error* error) {
+  return guarded(error, [&] {
+    require(check != nullptr, "the result has nowhere to go");
+    *check = {};
+    CheckOptions checking;
+    const Limits limits = checking.limits;  // of the proof; the caller's are those of sums
+    checking = options_of<CheckOptions>(options);
+    checking.limits = limits;
+    checking.within = within;
+    const SumCheck found = check_sum(value_of(result), value_of(a), value_of(b), checking);
+    const int proved = found.proof == Proof::kHolds ? 1 : found.proof == Proof::kRefuted ? 0 : -1;
+    *check = {found.ok() ? 1 : 0, found.faults.size(), found.points, found.disagreements, proved};
+  });
+}

@@ -1,0 +1,142 @@
+// The C interface for parts to be placed, and for robots.
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "handles.hpp"
+
+using namespace minksum;     // NOLINT(google-build-using-namespace)
+using namespace minksum::c;  // NOLINT(google-build-using-namespace)
+
+namespace {
+
+NestingOptions nesting_options(const double reference[2], const minksum_options* options) {
+  auto nesting = options_of<NestingOptions>(options);
+  if (reference != nullptr) nesting.reference = Point{reference[0], reference[1]};
+  return nesting;
+}
+
+template <class Options>
+Options space_options_of(const minksum_space_options* given, const minksum_options* options) {
+  auto space = options_of<Options>(options);
+  if (given == nullptr) return space;
+  space.reference = {given->reference[0], given->reference[1]};
+  if (given->workspace != nullptr) space.workspace = given->workspace->value;
+  space.tight = given->tight != 0;
+  return space;
+}
+
+double tolerance_of(const minksum_space_options* given) {
+  minksum_space_options standard;
+  minksum_space_options_init(&standard);
+  return given != nullptr ? given->tolerance : standard.tolerance;
+}
+
+}  // namespace
+
+minksum_status minksum_no_fit_polygon(const minksum_geometry* fixed, const minksum_geometry* moving,
+                                      const double reference[2], const minksum_options* options,
+                                      minksum_geometry** result, minksum_error* error) {
+  return made(result, error, [&] {
+    return no_fit_polygon(value_of(fixed), value_of(moving), nesting_options(reference, options));
+  });
+}
+minksum_status minksum_inner_fit_polygon(const minksum_geometry* bin, const minksum_geometry* part,
+                                         const double reference[2], const minksum_options* options,
+                                         minksum_geometry** result, minksum_error* error) {
+  return made(result, error, [&] {
+    return inner_fit_polygon(value_of(bin), value_of(part), nesting_options(reference, options));
+  });
+}
+
+minksum_status minksum_no_fit_table_new(const minksum_geometry* const* parts, size_t count,
+                                        int turns, int tight, const minksum_options* options,
+                                        minksum_no_fit_table** result, minksum_error* error) {
+  return made(result, error, [&] {
+    require(parts != nullptr || count == 0, "an argument is NULL");
+    std::vector<Geometry> copies;
+    for (const minksum_geometry* part : std::span(parts, count)) copies.push_back(value_of(part));
+    auto all = options_of<NoFitTableOptions>(options);
+    all.turns = turns;
+    all.tight = tight != 0;
+    return NoFitTable(copies, all);
+  });
+}
+void minksum_no_fit_table_free(minksum_no_fit_table* table) { delete table; }
+minksum_status minksum_no_fit_table_at(const minksum_no_fit_table* table, size_t fixed,
+                                       int fixed_turn, size_t moving, int moving_turn,
+                                       minksum_geometry** result, minksum_error* error) {
+  return made(result, error, [&] {
+    return value_of(table).at({fixed, fixed_turn}, {moving, moving_turn});
+  });
+}
+
+void minksum_space_options_init(minksum_space_options* space_options) {
+  *space_options = {{0, 0}, nullptr, 0, ReachOptions().tolerance};
+}
+
+minksum_status minksum_space_new(const minksum_geometry* robot, const minksum_geometry* obstacles,
+                                 const minksum_space_options* space_options,
+                                 const minksum_options* options, minksum_space** result,
+                                 minksum_error* error) {
+  if (result == nullptr) return tell(error, MINKSUM_BAD_INPUT, "the result has nowhere to go");
+  *result = nullptr;
+  return guarded(error, [&] {
+    *result = new minksum_space{
+        ConfigurationSpace(value_of(robot), value_of(obstacles),
+                           space_options_of<ConfigurationOptions>(space_options, options)),
+        tolerance_of(space_options)};
+  });
+}
+void minksum_space_free(minksum_space* space) { delete space; }
+minksum_status minksum_space_slice(const minksum_space* space, double degrees,
+                                   minksum_geometry** obstacles, minksum_geometry** free_space,
+                                   minksum_error* error) {
+  if (obstacles == nullptr) return tell(error, MINKSUM_BAD_INPUT, "the result has nowhere to go");
+  if (free_space != nullptr) *free_space = nullptr;
+  Geometry free;
+  const minksum_status status = made(obstacles, error, [&] {
+    const Turn turn = nearest_turn(degrees, (value_of(space), space->tolerance));
+    Slice slice = space->value.slice(turn, free_space != nullptr);
+    free = std::move(slice.free);
+    return std::move(slice.obstacles);
+  });
+  if (status != MINKSUM_OK || free_space == nullptr) return status;
+  const minksum_status second = made(free_space, error, [&] { return std::move(free); });
+  if (second == MINKSUM_OK) return second;
+  minksum_geometry_free(*obstacles);
+  *obstacles = nullptr;
+  return second;
+}
+
+minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_geometry* obstacles,
+                                 minksum_configuration from, minksum_configuration to,
+                                 size_t angles, int certain,
+                                 const minksum_space_options* space_options,
+                                 const minksum_options* options, minksum_reach* result,
+                                 minksum_error* error) {
+  return guarded(error, [&] {
+    require(result != nullptr, "the result has nowhere to go");
+    *result = {};
+    auto all = space_options_of<ReachOptions>(space_options, options);
+    all.angles = angles;
+    all.certain = certain != 0;
+    all.tolerance = tolerance_of(space_options);
+    const Reach found = reach(value_of(robot), value_of(obstacles), {{from.x, from.y}, from.degrees},
+                              {{to.x, to.y}, to.degrees}, all);
+    if (!found.path.empty()) {
+      result->path = static_cast<minksum_configuration*>(
+          std::calloc(found.path.size(), sizeof(minksum_configuration)));
+      if (result->path == nullptr) throw std::bad_alloc();
+    }
+    for (const Waypoint& waypoint : found.path) {
+      result->path[result->count++] = {waypoint.at.x.to_double(), waypoint.at.y.to_double(),
+                                       waypoint.turn.degrees};
+    }
+    result->reachable = found.reachable ? 1 : 0;
+  });
+}
+void minksum_reach_free(minksum_reach* reach) {
+  std::free(reach->path);
+  *reach = {};
+}
