@@ -27,8 +27,32 @@ class Guarantees(Page, ProgramTest):
     page_name = "guarantees.md"
 
 
+def compiler():
+    """What the tree was compiled with, with its flags."""
+    return [*os.environ.get("MINKSUM_CXX", "c++").split(),
+            *os.environ.get("MINKSUM_CXXFLAGS", "").split()]
+
+
+def built(*names):
+    """Libraries of the tree that was built."""
+    return [pathlib.Path(PROGRAM).resolve().parent / name for name in names]
+
+
 class Install(Page, ProgramTest):
     page_name = "install.md"
+
+    def test_c(self):
+        """The example in C is compiled by a compiler for C, and linked as the page says."""
+        code, expected = re.search(r"^```c\n(.*?)^```$\n\n^```text\n(.*?)^```$", self.page,
+                                   re.M | re.S).groups()
+        (self.folder / "app.c").write_text(code)
+        subprocess.run(["cc", "-std=c11", "-Wall", "-Wextra", "-Werror", f"-I{SOURCE / 'include'}",
+                        "-c", "app.c"], check=True, cwd=self.folder)
+        subprocess.run([*compiler(), "app.o", *built("c/libminksum_c.a", "src/io/libminksum_io.a",
+                                                     "src/libminksum.a"), "-o", "app"],
+                       check=True, cwd=self.folder)
+        done = subprocess.run([self.folder / "app"], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout, expected)
 
 
 class Performance(Page, ProgramTest):
@@ -55,11 +79,9 @@ class Tutorial(Page, ProgramTest):
         calls = "".join(f'example_{i}();\nstd::cout << "--\\n";\n' for i in range(len(examples)))
         program = self.folder / "app.cpp"
         program.write_text(f"{head}{functions}int main() {{\n{calls}}}\n")
-        libraries = pathlib.Path(PROGRAM).resolve().parent / "src"
-        subprocess.run([*os.environ.get("MINKSUM_CXX", "c++").split(),
-                        *os.environ.get("MINKSUM_CXXFLAGS", "").split(), "-std=c++20",
-                        f"-I{SOURCE / 'include'}", program, libraries / "io/libminksum_io.a",
-                        libraries / "libminksum.a", "-o", self.folder / "app"], check=True)
+        subprocess.run([*compiler(), "-std=c++20", f"-I{SOURCE / 'include'}", program,
+                        *built("src/io/libminksum_io.a", "src/libminksum.a"),
+                        "-o", self.folder / "app"], check=True)
         done = subprocess.run([self.folder / "app"], capture_output=True, text=True,
                               cwd=self.folder, timeout=60, check=True)
         self.assertEqual(done.stdout.split("--\n")[:-1], [expected for _, expected in examples])
