@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "minksum/io.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
 #include "peers/peers.hpp"
 #include "peers/stopwatch.hpp"

@@ -10,8 +10,8 @@ using namespace minksum::c;  // NOLINT(google-build-using-namespace)
 
 namespace {
 
-NestingOptions nesting_options(const double reference[2], const minksum_options* options) {
-  auto nesting = options_of<NestingOptions>(options);
+NoFitOptions no_fit_options(const double reference[2], const minksum_options* options) {
+  auto nesting = options_of<NoFitOptions>(options);
   if (reference != nullptr) nesting.reference = Point{reference[0], reference[1]};
   return nesting;
 }
@@ -38,14 +38,14 @@ minksum_status minksum_no_fit_polygon(const minksum_geometry* fixed, const minks
                                       const double reference[2], const minksum_options* options,
                                       minksum_geometry** result, minksum_error* error) {
   return made(result, error, [&] {
-    return no_fit_polygon(value_of(fixed), value_of(moving), nesting_options(reference, options));
+    return no_fit_polygon(value_of(fixed), value_of(moving), no_fit_options(reference, options));
   });
 }
 minksum_status minksum_inner_fit_polygon(const minksum_geometry* bin, const minksum_geometry* part,
                                          const double reference[2], const minksum_options* options,
                                          minksum_geometry** result, minksum_error* error) {
   return made(result, error, [&] {
-    return inner_fit_polygon(value_of(bin), value_of(part), nesting_options(reference, options));
+    return inner_fit_polygon(value_of(bin), value_of(part), no_fit_options(reference, options));
   });
 }
 

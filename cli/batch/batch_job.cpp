@@ -97,16 +97,16 @@ bool is_list(std::string_view value) {
   });
 }
 
-std::vector<TypedOption> parse_options(std::string_view text) {
-  std::vector<TypedOption> options;
+std::vector<OptionText> parse_options(std::string_view text) {
+  std::vector<OptionText> options;
   if (text.empty()) return options;
   const auto members = json_members(text);
   if (!members) throw usage("'options' is an object");
   for (const auto& [name, value] : *members) {
-    if (std::ranges::find(options, name, &TypedOption::name) != options.end()) {
+    if (std::ranges::find(options, name, &OptionText::name) != options.end()) {
       throw usage("the option '" + name + "' is there twice");
     }
-    TypedOption option{name, {}};
+    OptionText option{name, {}};
     if (value == "false") {
       option.is_off = true;
     } else if (value == "true") {
@@ -198,7 +198,7 @@ Digest digest_of_settings(const BatchArguments& arguments) {
   const ProcessLimits& limits = arguments.limits;
   Digest digest;
   digest.add(MINKSUM_VERSION);
-  for (const TypedOption& option : arguments.defaults) {
+  for (const OptionText& option : arguments.defaults) {
     for (const std::string& word : option.words) digest.add(word);
   }
   for (const std::uint64_t limit :

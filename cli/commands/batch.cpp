@@ -146,11 +146,11 @@ int run_batch(const BatchArguments& arguments) {
 
 void add_batch(Program& program) {
   const auto arguments = std::make_shared<BatchArguments>();
-  const auto typed = std::make_shared<TypedBatch>();
+  const auto typed = std::make_shared<BatchText>();
   program.add(add_batch(program.line, *arguments, *typed, program.limits),
               [&program, arguments, typed] {
                 arguments->limits = program.limits;
-                settle(*arguments, *typed);
+                convert(*arguments, *typed);
                 return run_batch(*arguments);
               });
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/operations.hpp"
+#include "batch/named_operations.hpp"
 #include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/result_options.hpp"
@@ -24,21 +24,21 @@ struct BatchArguments : ResultArguments {
   bool no_output = false;  ///< pairs: compute only
   std::string stats;       ///< empty = none
   FillRule fill = FillRule::kAutomatic;
-  std::vector<TypedOption> defaults;  ///< for jobs
+  std::vector<OptionText> defaults;  ///< for jobs
   ProcessLimits limits;               ///< seconds are those of a job
 };
 
 /// These options as they are typed.
-struct TypedBatch : TypedResult {
+struct BatchText : ResultText {
   double seconds = 0;
 };
 
 /// Adds the subcommand; parsing fills the other three. The limit on time is not the process's.
-Command add_batch(CommandLine& line, BatchArguments& arguments, TypedBatch& typed,
+Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed,
                   ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(BatchArguments& arguments, const TypedBatch& typed);
+void convert(BatchArguments& arguments, const BatchText& typed);
 
 /// Takes note of the outputs, of which none may be another, nor JOBS. Throws a Failure.
 void expect_files(const BatchArguments& arguments, OutputFiles& files);

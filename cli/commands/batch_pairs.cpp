@@ -8,7 +8,7 @@
 #include "batch/batch_run.hpp"
 #include "commands/batch.hpp"
 #include "commands/commands.hpp"
-#include "commands/uses.hpp"
+#include "commands/operations.hpp"
 #include "minksum/prepared_region.hpp"
 #include "options/turns.hpp"
 #include "output/json_members.hpp"
@@ -186,7 +186,7 @@ class PairRunner {
     Geometry polygon;
     sum(fixed, moving, turn, cancel, worker, polygon);
     polygon.region = std::move(worker.sum);
-    NestingArguments nesting = nesting_;
+    NoFitArguments nesting = nesting_;
     nesting.cancel = cancel;
     const Geometry shown = rounded_fit_polygon(nesting, polygon);
     worker.sum = std::move(polygon.region);
@@ -196,7 +196,7 @@ class PairRunner {
   const BatchArguments& arguments_;
   const Parts& parts_;
   std::string digest_;
-  NestingArguments nesting_;
+  NoFitArguments nesting_;
   std::vector<std::string> names_;  // as JSON
   std::vector<std::string> turns_;
   Watchdog watchdog_;

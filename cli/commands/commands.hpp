@@ -11,7 +11,7 @@
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/morphology.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
 
@@ -79,13 +79,13 @@ struct MorphologyArguments : ResultArguments {
 };
 
 /// `minksum nfp FIXED MOVING ...` and `minksum ifp BIN PART ...`
-struct NestingArguments : ResultArguments {
+struct NoFitArguments : ResultArguments {
   bool inner_fit = false;
   std::string operands[2];
   std::vector<Point> placements;  ///< to be told about, if there are any, instead of the polygon
   std::string picture;            ///< empty = none
   io::ReadLimits limits;
-  NestingOptions options;
+  NoFitOptions options;
 };
 
 /// `minksum depth A B ...`
@@ -103,7 +103,7 @@ int run_sum(const SumArguments& arguments);
 int run_info(const InfoArguments& arguments);
 int run_check(const CheckArguments& arguments);
 int run_morphology(const MorphologyArguments& arguments);
-int run_nesting(const NestingArguments& arguments);
+int run_no_fit(const NoFitArguments& arguments);
 int run_depth(const DepthArguments& arguments);
 
 }  // namespace minksum::cli

@@ -167,7 +167,7 @@ std::vector<Turn> range_of_turns(const std::string& text, double tolerance) {
 
 }  // namespace
 
-Command add_cspace(CommandLine& line, CspaceArguments& arguments, TypedCspace& typed,
+Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& typed,
                    ProcessLimits& limits) {
   const Command command = line.add_command(
       "cspace", "Configuration space: where a robot that moves and turns meets obstacles");
@@ -194,9 +194,9 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, TypedCspace& t
   return command;
 }
 
-void settle(CspaceArguments& arguments, const TypedCspace& typed) {
-  settle_robot(arguments, typed, arguments.options);
-  settle_result(arguments.result, typed.result);
+void convert(CspaceArguments& arguments, const CspaceText& typed) {
+  convert_robot(arguments, typed, arguments.options);
+  convert_result(arguments.result, typed.result);
   if (arguments.picture == "-") {
     throw Failure(kWrongUsage, "--svg needs a file, not standard output");
   }
@@ -229,7 +229,7 @@ int run_cspace(const CspaceArguments& arguments) {
 
 void add_cspace(Program& program) {
   const auto arguments = std::make_shared<CspaceArguments>();
-  const auto typed = std::make_shared<TypedCspace>();
+  const auto typed = std::make_shared<CspaceText>();
   program.add(add_cspace(program.line, *arguments, *typed, program.limits), arguments, typed,
               run_cspace);
 }

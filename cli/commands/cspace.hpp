@@ -17,17 +17,17 @@ struct CspaceArguments : RobotArguments {
   ConfigurationOptions options;
 };
 
-struct TypedCspace : TypedRobot {
-  TypedResult result;
+struct CspaceText : RobotText {
+  ResultText result;
   std::string angles;
   std::string theta;
   double tolerance = 1e-3;
 };
 
-Command add_cspace(CommandLine& line, CspaceArguments& arguments, TypedCspace& typed,
+Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& typed,
                    ProcessLimits& limits);
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(CspaceArguments& arguments, const TypedCspace& typed);
+void convert(CspaceArguments& arguments, const CspaceText& typed);
 int run_cspace(const CspaceArguments& arguments);
 
 }  // namespace minksum::cli

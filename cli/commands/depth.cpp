@@ -3,11 +3,11 @@
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/operations.hpp"
 #include "commands/subcommands.hpp"
-#include "commands/uses.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
-#include "options/uses_options.hpp"
+#include "options/operation_options.hpp"
 #include "output/faults.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -34,7 +34,7 @@ Feature feature(const char* operand, const Region& region, std::size_t vertex) {
   throw Error(ErrorCode::kInternal, "a contact names a vertex that there is not");
 }
 
-Contacts contacts_of(const EdgeOrigin& origin, const Geometry& a, const Geometry& b) {
+ContactList contacts_of(const EdgeOrigin& origin, const Geometry& a, const Geometry& b) {
   const bool of_first = origin.edge_operand == Operand::kFirst;
   const auto of = [&](bool first, std::size_t vertex) {
     return feature(first ? "A" : "B", first ? a.region : b.region, vertex);
@@ -47,7 +47,7 @@ const char* relation_of(const Depth& depth) {
   return depth.squared.sign() == 0 ? "touching" : "apart";
 }
 
-void write_text(std::ostream& out, const DepthArguments& arguments, const DepthFindings& findings) {
+void write_text(std::ostream& out, const DepthArguments& arguments, const DepthReport& findings) {
   const Depth& depth = findings.depth;
   out << "relation  " << relation_of(depth) << "\nx         " << readable(depth.vector.x)
       << "\ny         " << readable(depth.vector.y) << "\nsquared   " << readable(depth.squared)
@@ -90,10 +90,10 @@ void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b,
 
 }  // namespace
 
-DepthFindings find_depth(const DepthArguments& arguments, const Geometry& a, const Geometry& b) {
+DepthReport find_depth(const DepthArguments& arguments, const Geometry& a, const Geometry& b) {
   std::optional<Depth> depth = penetration_depth(a, b, arguments.options);
   if (!depth) fail_about_empty_operand(arguments, a);
-  DepthFindings findings{std::move(*depth), {}, {}};
+  DepthReport findings{std::move(*depth), {}, {}};
   if (findings.depth.contact) {
     findings.contacts.emplace(contacts_of(*findings.depth.contact, a, b));
   }
@@ -103,7 +103,7 @@ DepthFindings find_depth(const DepthArguments& arguments, const Geometry& a, con
   return findings;
 }
 
-Json depth_json(const DepthArguments& arguments, const DepthFindings& findings) {
+Json depth_json(const DepthArguments& arguments, const DepthReport& findings) {
   const Depth& depth = findings.depth;
   Json json{{"relation", relation_of(depth)},
             {"vector", {depth.vector.x.to_double(), depth.vector.y.to_double()}},
@@ -132,7 +132,7 @@ int run_depth(const DepthArguments& arguments) {
   const Geometry b =
       read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
   try {
-    const DepthFindings findings = find_depth(arguments, a, b);
+    const DepthReport findings = find_depth(arguments, a, b);
     if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth, files);
     write_standard_output([&](std::ostream& out) {
       if (arguments.json) {
@@ -150,7 +150,7 @@ int run_depth(const DepthArguments& arguments) {
 
 void add_depth(Program& program) {
   const auto arguments = std::make_shared<DepthArguments>();
-  const auto typed = std::make_shared<TypedDepth>();
+  const auto typed = std::make_shared<DepthText>();
   program.add(add_depth(program.line, *arguments, *typed, program.limits), arguments, typed,
               run_depth);
 }

@@ -131,7 +131,7 @@ Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& lim
   return command;
 }
 
-void settle(DrawArguments& arguments) {
+void convert(DrawArguments& arguments) {
   require_printable("--title", arguments.title);
   for (const std::string& caption : arguments.captions) require_printable("--caption", caption);
   if (arguments.output == "-") arguments.output.clear();
@@ -172,7 +172,7 @@ void add_draw(Program& program) {
   const auto arguments = std::make_shared<DrawArguments>();
   program.add(add_draw(program.line, *arguments, program.limits), [&program, arguments] {
     arguments->limits = program.limits.read;
-    settle(*arguments);
+    convert(*arguments);
     return run_draw(*arguments);
   });
 }

@@ -33,7 +33,7 @@ struct DrawArguments {
 Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(DrawArguments& arguments);
+void convert(DrawArguments& arguments);
 
 /// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
 int run_draw(const DrawArguments& arguments);

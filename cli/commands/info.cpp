@@ -23,18 +23,18 @@ namespace {
 
 constexpr std::size_t kMaxFaults = 100;
 // What the polygons mean, by the fill rule.
-struct Meaning {
+struct ResolvedOperand {
   Geometry geometry;
   Rational area;
 };
 
-struct Findings {
+struct OperandReport {
   const Geometry& geometry;
   std::optional<Box> box;
   Rational area;
   std::size_t bits = 0;
   std::vector<Fault> faults;
-  std::optional<Meaning> meaning;  ///< none if the rule is strict and there are faults
+  std::optional<ResolvedOperand> meaning;  ///< none if the rule is strict and there are faults
 };
 
 // All vertices as rings: for measures of a region that do not ask what its rings are like.
@@ -51,10 +51,10 @@ Region all_vertices(const Geometry& geometry) {
   return all;
 }
 
-Findings examine(const Geometry& geometry, const ResolveOptions& options) {
+OperandReport examine(const Geometry& geometry, const ResolveOptions& options) {
   const Region all = geometry.has_thin_parts() ? all_vertices(geometry) : Region();
   const Region& vertices = geometry.has_thin_parts() ? all : geometry.region;
-  Findings findings{geometry,
+  OperandReport findings{geometry,
                     bounding_box(vertices),
                     area(geometry.region),
                     coordinate_bits(vertices),
@@ -67,7 +67,7 @@ Findings examine(const Geometry& geometry, const ResolveOptions& options) {
   return findings;
 }
 
-void write_text(std::ostream& out, const Findings& findings, FillRule fill) {
+void write_text(std::ostream& out, const OperandReport& findings, FillRule fill) {
   const Geometry& geometry = findings.geometry;
   out << "parts     " << geometry.region.polygon_count() << "\nholes     "
       << geometry.region.hole_count() << "\nvertices  " << geometry.region.vertex_count() << '\n';
@@ -112,7 +112,7 @@ void add_area(Json& json, const Rational& area) {
   json["area_exact"] = area.to_string();
 }
 
-void write_json(std::ostream& out, const InfoArguments& arguments, const Findings& findings) {
+void write_json(std::ostream& out, const InfoArguments& arguments, const OperandReport& findings) {
   Json json;
   json["file"] = arguments.file;
   add_sizes(json, findings.geometry);
@@ -156,7 +156,7 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
 
 int run_info(const InfoArguments& arguments) {
   const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
-  const Findings findings = examine(geometry, arguments.resolve);
+  const OperandReport findings = examine(geometry, arguments.resolve);
   write_standard_output([&](std::ostream& out) {
     if (arguments.json) {
       write_json(out, arguments, findings);

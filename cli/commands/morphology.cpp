@@ -3,10 +3,10 @@
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/operations.hpp"
 #include "commands/subcommands.hpp"
-#include "commands/uses.hpp"
 #include "minksum/resolve.hpp"
-#include "options/uses_options.hpp"
+#include "options/operation_options.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -81,7 +81,7 @@ void add_morphology(Program& program) {
   using enum MorphologyArguments::Operation;
   for (const auto operation : {kDilate, kErode, kOpen, kClose}) {
     const auto arguments = std::make_shared<MorphologyArguments>();
-    const auto typed = std::make_shared<TypedMorphology>();
+    const auto typed = std::make_shared<MorphologyText>();
     arguments->operation = operation;
     program.add(add_morphology(program.line, operation, *arguments, *typed, program.limits),
                 arguments, typed, run_morphology);

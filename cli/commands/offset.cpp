@@ -43,7 +43,7 @@ void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& r
 
 }  // namespace
 
-Command add_offset(CommandLine& line, OffsetArguments& arguments, TypedOffset& typed,
+Command add_offset(CommandLine& line, OffsetArguments& arguments, OffsetText& typed,
                    ProcessLimits& limits) {
   const Command command = line.add_command("offset", "A grown or shrunk by a distance");
   command.footer(kFooter);
@@ -80,11 +80,11 @@ Command add_offset(CommandLine& line, OffsetArguments& arguments, TypedOffset& t
   return command;
 }
 
-void settle(OffsetArguments& arguments, const TypedOffset& typed) {
+void convert(OffsetArguments& arguments, const OffsetText& typed) {
   if (arguments.picture == "-") {
     throw Failure(kWrongUsage, "--svg needs a file, not standard output");
   }
-  settle_result(arguments, typed);
+  convert_result(arguments, typed);
   OffsetOptions& options = arguments.options;
   arguments.distance = parse_number("--distance", typed.distance);
   choose(kJoins, typed.join, options.join);
@@ -129,7 +129,7 @@ int run_offset(const OffsetArguments& arguments) {
 
 void add_offset(Program& program) {
   const auto arguments = std::make_shared<OffsetArguments>();
-  const auto typed = std::make_shared<TypedOffset>();
+  const auto typed = std::make_shared<OffsetText>();
   program.add(add_offset(program.line, *arguments, *typed, program.limits), arguments, typed,
               run_offset);
 }

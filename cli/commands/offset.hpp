@@ -21,7 +21,7 @@ struct OffsetArguments : ResultArguments {
 };
 
 /// Options as they are typed; turned into OffsetArguments when all of them are known.
-struct TypedOffset : TypedResult {
+struct OffsetText : ResultText {
   std::string distance;
   std::string join;
   std::string cap;
@@ -31,11 +31,11 @@ struct TypedOffset : TypedResult {
 };
 
 /// Adds the subcommand; parsing fills the other three.
-Command add_offset(CommandLine& line, OffsetArguments& arguments, TypedOffset& typed,
+Command add_offset(CommandLine& line, OffsetArguments& arguments, OffsetText& typed,
                    ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(OffsetArguments& arguments, const TypedOffset& typed);
+void convert(OffsetArguments& arguments, const OffsetText& typed);
 
 /// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
 int run_offset(const OffsetArguments& arguments);

@@ -1,50 +1,47 @@
-// Operations by name, with options by name: what `minksum batch` runs.
+// What the subcommands for uses of sums compute, apart from files: `minksum batch` does the same.
+// All throw Error; its culprit names the operand.
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "batch/in_order.hpp"
-#include "minksum/cancel.hpp"
-#include "minksum/geometry.hpp"
-#include "minksum/resolve.hpp"
-#include "options/limits.hpp"
+#include "commands/commands.hpp"
+#include "output/json.hpp"
 
 namespace minksum::cli {
 
-/// An option and how it is typed: "coords", {"--coords=exact"}; "tight", {"--tight"}.
-struct TypedOption {
-  std::string name;
-  std::vector<std::string> words;
-  bool is_off = false;  ///< "tight": false; there are no words
+/// Dilation, erosion, opening or closing, exactly.
+[[nodiscard]] Geometry morphology(const MorphologyArguments& arguments, const Geometry& a,
+                                  const Geometry& b);
+
+/// The no-fit or inner-fit polygon with its tight places, exactly.
+[[nodiscard]] Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
+                                   const Geometry& moving);
+/// That polygon as it is to be written; tight places are rounded to the nearest.
+[[nodiscard]] Geometry rounded_fit_polygon(const NoFitArguments& arguments,
+                                           const Geometry& polygon);
+/// "free", "touching" or "overlapping" for each of the placements that were asked for.
+[[nodiscard]] std::vector<const char*> contacts(const NoFitArguments& arguments,
+                                                const Geometry& fixed, const Geometry& moving);
+
+/// Where in its operand a vertex is.
+struct Feature {
+  const char* operand;
+  Culprit place;
 };
-
-/// An operation with its options, for any operands and any thread.
-struct ReadyOperation {
-  int operands = 2;  ///< of one, `run` does not look at b
-  /// The members of a result, as JSON: `"result":...`. Throws Error.
-  std::function<std::string(const Geometry& a, const Geometry& b,
-                            const std::optional<CancelToken>& cancel, Worker& worker)>
-      run;
-  FillRule fill = FillRule::kAutomatic;  ///< how it reads operands
-  io::ReadLimits limits;
-  double seconds = 0;  ///< 0 = no limit
+/// What touches: an edge, by its first vertex, and a vertex.
+struct ContactList {
+  Feature edge;
+  Feature vertex;
 };
-
-/// The operation by this name. Options are those of the subcommand of that name, but for those that
-/// name files. `defaults` are options for operations that know them, unless `typed` says else.
-/// Throws a Failure for wrong usage.
-[[nodiscard]] ReadyOperation ready_operation(const std::string& name,
-                                             const std::vector<TypedOption>& typed,
-                                             const std::vector<TypedOption>& defaults,
-                                             const ProcessLimits& limits);
-
-/// The geometry, rounded already, as JSON: {"wkt":"..."}, or as GeoJSON.
-[[nodiscard]] std::string geometry_json(const Geometry& geometry, io::Format format,
-                                        const io::Coordinates& coordinates);
+/// How two shapes stand to each other.
+struct DepthReport {
+  Depth depth;
+  std::optional<ContactList> contacts;
+  std::optional<Rational> impact;  ///< if asked for, and if there is one
+};
+[[nodiscard]] DepthReport find_depth(const DepthArguments& arguments, const Geometry& a,
+                                       const Geometry& b);
+/// With the keys that docs/operations.md describes.
+[[nodiscard]] Json depth_json(const DepthArguments& arguments, const DepthReport& findings);
 
 }  // namespace minksum::cli

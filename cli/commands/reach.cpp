@@ -101,7 +101,7 @@ Configuration parse_configuration(const std::string& option, const std::string& 
 
 }  // namespace
 
-Command add_reach(CommandLine& line, ReachArguments& arguments, TypedReach& typed,
+Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed,
                   ProcessLimits& limits) {
   const Command command = line.add_command(
       "reach", "Whether a robot that moves and turns gets from one place to another, and how");
@@ -129,8 +129,8 @@ Command add_reach(CommandLine& line, ReachArguments& arguments, TypedReach& type
   return command;
 }
 
-void settle(ReachArguments& arguments, const TypedReach& typed) {
-  settle_robot(arguments, typed, arguments.options);
+void convert(ReachArguments& arguments, const ReachText& typed) {
+  convert_robot(arguments, typed, arguments.options);
   for (const auto& [option, file] :
        {std::pair{"-o", &arguments.output}, std::pair{"--svg", &arguments.picture}}) {
     if (*file == "-") {
@@ -171,7 +171,7 @@ int run_reach(const ReachArguments& arguments) {
 
 void add_reach(Program& program) {
   const auto arguments = std::make_shared<ReachArguments>();
-  const auto typed = std::make_shared<TypedReach>();
+  const auto typed = std::make_shared<ReachText>();
   program.add(add_reach(program.line, *arguments, *typed, program.limits), arguments, typed,
               run_reach);
 }

@@ -16,16 +16,16 @@ struct ReachArguments : RobotArguments {
   ReachOptions options;
 };
 
-struct TypedReach : TypedRobot {
+struct ReachText : RobotText {
   std::string from;
   std::string to;
   std::string angles;
 };
 
-Command add_reach(CommandLine& line, ReachArguments& arguments, TypedReach& typed,
+Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed,
                   ProcessLimits& limits);
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(ReachArguments& arguments, const TypedReach& typed);
+void convert(ReachArguments& arguments, const ReachText& typed);
 int run_reach(const ReachArguments& arguments);
 
 /// The scene, and the robot on its way, if there is one.

@@ -23,14 +23,14 @@ struct Program {
     run_of[command.name()] = std::move(run);
   }
   /// Adds a subcommand that computes sums: the limits are set, and what no option can see by itself
-  /// is settled, before it runs.
+  /// is converted, before it runs.
   template <class Arguments, class Typed>
   void add(const Command& command, const std::shared_ptr<Arguments>& arguments,
            const std::shared_ptr<Typed>& typed, int (*run)(const Arguments&)) {
     add(command, [this, arguments, typed, run] {
       arguments->limits = limits.read;
       arguments->options.limits = limits.sum;
-      settle(*arguments, *typed);
+      convert(*arguments, *typed);
       return run(*arguments);
     });
   }
@@ -41,7 +41,7 @@ void add_sum(Program& program);
 void add_info(Program& program);
 void add_check(Program& program);
 void add_morphology(Program& program);
-void add_nesting(Program& program);
+void add_no_fit(Program& program);
 void add_offset(Program& program);
 void add_depth(Program& program);
 void add_cspace(Program& program);
@@ -51,7 +51,7 @@ void add_batch(Program& program);
 
 /// In the order in which `--help` shows them.
 inline constexpr void (*kSubcommands[])(Program&) = {
-    add_sum,   add_info,   add_check, add_morphology, add_nesting, add_offset,
+    add_sum,   add_info,   add_check, add_morphology, add_no_fit, add_offset,
     add_depth, add_cspace, add_reach, add_draw,       add_batch};
 
 }  // namespace minksum::cli

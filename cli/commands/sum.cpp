@@ -153,7 +153,7 @@ int run_sum(const SumArguments& arguments) {
 
 void add_sum(Program& program) {
   const auto arguments = std::make_shared<SumArguments>();
-  const auto typed = std::make_shared<TypedSum>();
+  const auto typed = std::make_shared<SumText>();
   program.add(add_sum(program.line, *arguments, *typed, program.limits), arguments, typed, run_sum);
 }
 

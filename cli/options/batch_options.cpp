@@ -40,7 +40,7 @@ void add_pair_options(const Command& command, BatchArguments& arguments) {
 
 }  // namespace
 
-Command add_batch(CommandLine& line, BatchArguments& arguments, TypedBatch& typed,
+Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed,
                   ProcessLimits& limits) {
   const Command command = line.add_command("batch", "Many operations, on all cores");
   command.footer(kFooter);
@@ -61,8 +61,8 @@ Command add_batch(CommandLine& line, BatchArguments& arguments, TypedBatch& type
   return command;
 }
 
-void settle(BatchArguments& arguments, const TypedBatch& typed) {
-  settle_result(arguments, typed);
+void convert(BatchArguments& arguments, const BatchText& typed) {
+  convert_result(arguments, typed);
   if (arguments.format != io::Format::kGeoJson || typed.format.empty()) {
     arguments.format = io::Format::kWkt;  // whatever the output's name ends in
   }

@@ -47,7 +47,7 @@ io::Format choose_format(const std::string& typed, const std::string& output) {
   return found == kFormats.end() ? io::Format::kWkt : found->second;
 }
 
-void add_result_options(const Command& command, ResultArguments& arguments, TypedResult& typed,
+void add_result_options(const Command& command, ResultArguments& arguments, ResultText& typed,
                         const std::string& result) {
   command
       .add_option("-o,--output", arguments.output,
@@ -71,7 +71,7 @@ void add_result_options(const Command& command, ResultArguments& arguments, Type
       .type_name("SIDE");
 }
 
-void settle_result(ResultArguments& arguments, const TypedResult& typed) {
+void convert_result(ResultArguments& arguments, const ResultText& typed) {
   if (arguments.output == "-") arguments.output.clear();
   arguments.coordinates = parse_coordinates(typed.coordinates);
   if (!typed.round.empty()) {

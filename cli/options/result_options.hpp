@@ -11,18 +11,18 @@
 namespace minksum::cli {
 
 /// These options as they are typed; turned into ResultArguments when all of them are known.
-struct TypedResult {
+struct ResultText {
   std::string format;
   std::string coordinates = "double";
   std::string round;
 };
 
 /// Adds -o, --format, --coords and --round; `result` is what messages call it: "sum".
-void add_result_options(const Command& command, ResultArguments& arguments, TypedResult& typed,
+void add_result_options(const Command& command, ResultArguments& arguments, ResultText& typed,
                         const std::string& result);
 
 /// Fills `arguments`. Throws a Failure for wrong usage.
-void settle_result(ResultArguments& arguments, const TypedResult& typed);
+void convert_result(ResultArguments& arguments, const ResultText& typed);
 
 /// What --round and --side take.
 [[nodiscard]] const std::map<std::string, RoundingSide>& rounding_sides();

@@ -8,7 +8,7 @@
 
 namespace minksum::cli {
 
-void add_robot_options(const Command& command, RobotArguments& arguments, TypedRobot& typed,
+void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
                        ConfigurationOptions& options) {
   command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
   const auto add_file = [&command](const char* name, std::string& file, const char* what) {
@@ -28,7 +28,7 @@ void add_robot_options(const Command& command, RobotArguments& arguments, TypedR
   add_fill_option(command, options.fill);
 }
 
-void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
+void convert_robot(const RobotArguments& arguments, const RobotText& typed,
                   ConfigurationOptions& options) {
   const auto& operands = arguments.operands;
   const auto inputs = std::count(std::begin(operands), std::end(operands), "-") +

@@ -19,14 +19,14 @@ struct RobotArguments {
 };
 
 /// Options as they are typed.
-struct TypedRobot {
+struct RobotText {
   std::string reference;
 };
 
-void add_robot_options(const Command& command, RobotArguments& arguments, TypedRobot& typed,
+void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
                        ConfigurationOptions& options);
 /// Throws a Failure for wrong usage.
-void settle_robot(const RobotArguments& arguments, const TypedRobot& typed,
+void convert_robot(const RobotArguments& arguments, const RobotText& typed,
                   ConfigurationOptions& options);
 
 /// More slices than anybody waits for.

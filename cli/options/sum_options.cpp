@@ -37,7 +37,7 @@ void add_operand_options(const Command& sum, Options& options) {
       .group(group);
 }
 
-void add_output_options(const Command& sum, SumArguments& arguments, TypedSum& typed) {
+void add_output_options(const Command& sum, SumArguments& arguments, SumText& typed) {
   add_result_options(sum, arguments, typed, "sum");
   sum.add_flag("--keep-properties", arguments.keep_properties,
                "GeoJSON: a Feature with the properties of P, which is one");
@@ -49,7 +49,7 @@ void add_output_options(const Command& sum, SumArguments& arguments, TypedSum& t
       .type_name("DIR");
 }
 
-void add_test_options(const Command& sum, SumArguments& arguments, TypedSum& typed) {
+void add_test_options(const Command& sum, SumArguments& arguments, SumText& typed) {
   const char* const group = "For tests (the result is the same)";
   sum.add_flag("--no-cover", typed.no_cover, "No cover: build the whole arrangement").group(group);
   sum.add_option("--grid", arguments.options.grid,
@@ -70,14 +70,14 @@ void add_test_options(const Command& sum, SumArguments& arguments, TypedSum& typ
   sum.add_flag("--check", arguments.options.check, "Check each stage's result (slow)").group(group);
 }
 
-void settle_output(SumArguments& arguments, const TypedSum& typed) {
-  settle_result(arguments, typed);
+void convert_output(SumArguments& arguments, const SumText& typed) {
+  convert_result(arguments, typed);
   if (arguments.keep_properties && arguments.format != io::Format::kGeoJson) {
     throw usage("--keep-properties needs --format geojson");
   }
 }
 
-void settle_tight(SumArguments& arguments) {
+void convert_tight(SumArguments& arguments) {
   if (arguments.tight == "-" && arguments.output.empty()) {
     throw usage("--tight - needs -o FILE: standard output already takes the sum");
   }
@@ -109,7 +109,7 @@ Option add_fill_option(const Command& command, FillRule& fill) {
   return rule;
 }
 
-Command add_sum(CommandLine& line, SumArguments& arguments, TypedSum& typed,
+Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed,
                 ProcessLimits& limits) {
   const Command sum = line.add_command("sum", "The Minkowski sum of two geometries");
   sum.footer(kSumFooter);
@@ -132,12 +132,12 @@ Command add_sum(CommandLine& line, SumArguments& arguments, TypedSum& typed,
   return sum;
 }
 
-void settle(SumArguments& arguments, const TypedSum& typed) {
+void convert(SumArguments& arguments, const SumText& typed) {
   if (arguments.operands[0] == "-" && arguments.operands[1] == "-") {
     throw usage("P and Q cannot both be standard input");
   }
-  settle_output(arguments, typed);
-  if (!arguments.tight.empty()) settle_tight(arguments);
+  convert_output(arguments, typed);
+  if (!arguments.tight.empty()) convert_tight(arguments);
   if (arguments.stats == "-" && arguments.output.empty()) {
     throw usage("--stats - needs -o FILE: standard output already takes the sum");
   }

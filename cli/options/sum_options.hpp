@@ -9,18 +9,18 @@
 namespace minksum::cli {
 
 /// Options as they are typed; turned into SumArguments when all of them are known.
-struct TypedSum : TypedResult {
+struct SumText : ResultText {
   bool no_cover = false;
   bool no_filter = false;
 };
 
 /// Adds the subcommand; parsing fills the other three.
-Command add_sum(CommandLine& line, SumArguments& arguments, TypedSum& typed, ProcessLimits& limits);
+Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed, ProcessLimits& limits);
 
 /// Adds --fill, for any subcommand.
 Option add_fill_option(const Command& command, FillRule& fill);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(SumArguments& arguments, const TypedSum& typed);
+void convert(SumArguments& arguments, const SumText& typed);
 
 }  // namespace minksum::cli

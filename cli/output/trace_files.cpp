@@ -104,7 +104,7 @@ class TraceWriter {
     picture.text(kMargin, kMargin + 14, "title", title);
     picture.text(kMargin, kMargin + 34, "note", note);
     if (!extent_.empty) {
-      paint(picture, Placement(extent_, kMargin, kMargin + kCaption, scale_));
+      paint(picture, PictureTransform(extent_, kMargin, kMargin + kCaption, scale_));
     }
     save(name + ".svg", std::move(picture).finish());
   }
@@ -133,7 +133,7 @@ class TraceWriter {
     const auto of_first = [](const Segment& s) { return s.edge_of_first; };
     const auto of_second = [](const Segment& s) { return !s.edge_of_first; };
     save_picture("2-convolution", "Convolution", note,
-                 [&](SvgPicture& picture, const Placement& placement) {
+                 [&](SvgPicture& picture, const PictureTransform& placement) {
                    picture.segments(trace_.convolution, placement, "edge-first", of_first);
                    picture.segments(trace_.convolution, placement, "edge-second", of_second);
                    if (!ticked) return;
@@ -152,7 +152,7 @@ class TraceWriter {
                              grouped(trace_.nodes.size()) + " nodes outside the cover";
     const auto any = [](const Segment&) { return true; };
     save_picture("4-arrangement", "Arrangement outside the cover", note,
-                 [&](SvgPicture& picture, const Placement& placement) {
+                 [&](SvgPicture& picture, const PictureTransform& placement) {
                    picture.segments(trace_.pieces, placement, "edge-first", any);
                    picture.dots(trace_.nodes, placement, trace_.nodes.size() > 5000 ? 0.6 : 1.2,
                                 "node");
@@ -166,7 +166,7 @@ class TraceWriter {
   void write_loops() const {
     save_picture("5-loops", "Orientable loops",
                  grouped(trace_.loops.size()) + " loops, on the convolution's segments",
-                 [this](SvgPicture& picture, const Placement& placement) {
+                 [this](SvgPicture& picture, const PictureTransform& placement) {
                    picture.segments(trace_.pieces, placement, "dropped",
                                     [](const Segment&) { return true; });
                    paint_loops(picture, placement, "accepted", "accepted", "accepted");
@@ -186,7 +186,7 @@ class TraceWriter {
     save_picture("6-rejected", "Rejected loops",
                  grouped(by_nesting) + " by nesting (pink), " + grouped(by_collision) +
                      " by collision (yellow)",
-                 [this](SvgPicture& picture, const Placement& placement) {
+                 [this](SvgPicture& picture, const PictureTransform& placement) {
                    picture.region(drawing_.sum.region, placement, "pale");
                    paint_loops(picture, placement, "", "nesting", "collision");
                  });
@@ -199,7 +199,7 @@ class TraceWriter {
 
   void write_result() const {
     save_picture("7-result", "Result: P ⊕ Q", summary(drawing_.sum),
-                 [this](SvgPicture& picture, const Placement& placement) {
+                 [this](SvgPicture& picture, const PictureTransform& placement) {
                    picture.geometry(drawing_.sum, placement, "sum");
                    if (drawing_.tight != nullptr) {
                      picture.thin_parts(*drawing_.tight, placement, "tight");
@@ -212,7 +212,7 @@ class TraceWriter {
   }
 
   // An empty style leaves that kind of loop out.
-  void paint_loops(SvgPicture& picture, const Placement& placement, const char* accepted,
+  void paint_loops(SvgPicture& picture, const PictureTransform& placement, const char* accepted,
                    const char* nesting, const char* collision) const {
     const char* const styles[] = {accepted, nesting, collision};
     for (const Trace::Loop& loop : trace_.loops) {
@@ -238,7 +238,7 @@ void TraceWriter::write_cover() const {
           ? "no cover was used: every segment counts"
           : grouped(covered) + " of " + grouped(std::uint64_t{grid.columns} * grid.rows) +
                 " cells are certainly inside; segments that touch no other are grey";
-  save_picture("3-cover", "Cover", note, [&](SvgPicture& picture, const Placement& placement) {
+  save_picture("3-cover", "Cover", note, [&](SvgPicture& picture, const PictureTransform& placement) {
     picture.cells(grid, placement, "covered");
     const auto kept = [](bool first) {
       return [first](const Segment& s) { return s.kept && s.edge_of_first == first; };

@@ -40,7 +40,7 @@ CspacePicture::CspacePicture(const ConfigurationSpace& space, const Geometry& ob
     : boundary_(space.boundary()),
       obstacles_(resolve(obstacles, {options.fill, false, options.cancel})),
       robot_(space.robot()),
-      corner_{boundary_.max.x - space.reach(), boundary_.max.y - space.reach()} {
+      corner_{boundary_.max.x - space.radius(), boundary_.max.y - space.radius()} {
   if (options.workspace) {
     workspace_ = resolve(*options.workspace, {options.fill, true, options.cancel}).region;
   }
@@ -53,7 +53,7 @@ double CspacePicture::height_for(double width) const {
 
 void CspacePicture::draw(SvgPicture& picture, const Slice& slice, double left, double top,
                          double width) const {
-  const Placement placement(extent_, left, top + kLabel, fitting_scale(extent_, width, width));
+  const PictureTransform placement(extent_, left, top + kLabel, fitting_scale(extent_, width, width));
   picture.text(left, top + kLabel - 8, "title", label_of(slice.turn));
   const Region ground = as_region(boundary_);
   picture.region(ground, placement, "pale");

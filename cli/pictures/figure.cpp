@@ -58,7 +58,7 @@ struct Layout {
 
   [[nodiscard]] double drawing_left() const { return left + (width - extent.width() * scale) / 2; }
   [[nodiscard]] double drawing_top() const { return top + (height - extent.height() * scale) / 2; }
-  [[nodiscard]] Placement placement() const {
+  [[nodiscard]] PictureTransform placement() const {
     return {extent, drawing_left(), drawing_top(), scale};
   }
 };
@@ -155,7 +155,7 @@ void draw_entry(SvgPicture& picture, const LegendEntry& entry) {
     picture.lines({&line, 1}, "thin " + style);
   } else {
     const Trace::Vertex dot{entry.left + kSwatch / 2, -middle};
-    picture.dots({&dot, 1}, Placement({}, 0, 0, 1), 3, "dot " + style);
+    picture.dots({&dot, 1}, PictureTransform({}, 0, 0, 1), 3, "dot " + style);
   }
   double baseline = entry.top + 13;
   for (const std::string& line : entry.lines) {
@@ -170,7 +170,7 @@ void draw_axes(SvgPicture& picture, const Layout& layout) {
   std::vector<PictureLine> lines{{layout.left, layout.top, layout.left, bottom},
                                  {layout.left, bottom, right, bottom}};
   if (!layout.extent.empty) {
-    const Placement placement = layout.placement();
+    const PictureTransform placement = layout.placement();
     for (const Tick& tick : layout.x_ticks) {
       const double x = placement.x(tick.value);
       lines.push_back({x, bottom, x, bottom + kTickLength});
@@ -219,7 +219,7 @@ void number_vertices(SvgPicture& picture, const std::vector<Trace::Vertex>& vert
   }
 }
 
-void number_vertices(SvgPicture& picture, const Geometry& geometry, const Placement& placement) {
+void number_vertices(SvgPicture& picture, const Geometry& geometry, const PictureTransform& placement) {
   const auto in_picture = [&placement](const Point& point) {
     return Trace::Vertex{placement.x(point.x.to_double()), placement.y(point.y.to_double())};
   };
@@ -245,7 +245,7 @@ void number_vertices(SvgPicture& picture, const Geometry& geometry, const Placem
   }
 }
 
-void draw_layers(SvgPicture& picture, const Figure& figure, const Placement& placement) {
+void draw_layers(SvgPicture& picture, const Figure& figure, const PictureTransform& placement) {
   for (const Layer& layer : figure.layers) {
     const Region& region = layer.geometry.region;
     if (!region.empty()) picture.region(region, placement, layer.style);
@@ -291,7 +291,7 @@ void add_number(std::vector<FaultLabel>& labels, double x, double y, std::size_t
 }
 
 // Marks with numbers, which the list below the frame explains.
-void mark_faults(SvgPicture& picture, const Figure& figure, const Placement& placement) {
+void mark_faults(SvgPicture& picture, const Figure& figure, const PictureTransform& placement) {
   constexpr double kRadius = 7;
   std::size_t number = 0;
   std::vector<FaultLabel> labels;
@@ -374,7 +374,7 @@ std::string figure_picture(const Figure& figure) {
   for (const LegendEntry& entry : entries) draw_entry(picture, entry);
   if (figure.axes) draw_axes(picture, layout);
   if (!layout.extent.empty) {
-    const Placement placement = layout.placement();
+    const PictureTransform placement = layout.placement();
     draw_layers(picture, figure, placement);
     mark_faults(picture, figure, placement);
   }

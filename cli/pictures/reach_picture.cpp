@@ -94,7 +94,7 @@ std::string reach_picture(const ReachArguments& arguments, const ReachOptions& o
   SvgPicture picture(width, extent.height() * scale + 2 * kMargin + kCaption, "Reach");
   picture.text(kMargin, kMargin + 14, "title", found.reachable ? "Reachable" : "Not reachable");
   picture.text(kMargin, kMargin + 32, "note", note_on(found));
-  const Placement placement(extent, kMargin, kMargin + kCaption, scale);
+  const PictureTransform placement(extent, kMargin, kMargin + kCaption, scale);
   if (!workspace.empty()) picture.region(workspace, placement, "pale");
   picture.geometry(obstacles, placement, "first");
   for (const Region& ghost : ghosts) picture.region(ghost, placement, "edge-second");

@@ -62,7 +62,7 @@ Layout lay_out(const Drawing& drawing, const Geometry* sum) {
 }
 
 // Where one of the three is drawn, and how.
-struct Place {
+struct PictureFrame {
   const Extent& extent;
   double left;
   double top;
@@ -71,14 +71,14 @@ struct Place {
   const char* style;
 };
 
-void draw(SvgPicture& picture, const Geometry& geometry, const Place& place,
+void draw(SvgPicture& picture, const Geometry& geometry, const PictureFrame& place,
           const Geometry* tight = nullptr, const Geometry* below = nullptr) {
   picture.text(place.left, place.top + 14, "title", place.name);
   std::string note = summary(geometry);
   if (tight != nullptr) note += "; tight places: " + (tight->empty() ? "none" : summary(*tight));
   picture.text(place.left, place.top + 32, "note", note);
   if (place.extent.empty) return;
-  const Placement placement(place.extent, place.left, place.top + kCaption, place.scale);
+  const PictureTransform placement(place.extent, place.left, place.top + kCaption, place.scale);
   if (below != nullptr) picture.geometry(*below, placement, "first");
   picture.geometry(geometry, placement, place.style);
   if (tight != nullptr) picture.thin_parts(*tight, placement, "tight");
@@ -90,7 +90,7 @@ std::string picture_of(const Drawing& drawing, const Geometry* sum) {
   SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? captions.title : "P and Q");
   draw(picture, drawing.p,
        {layout.extents[0], kMargin, kMargin, layout.scale, captions.p, "first"});
-  const Place second{layout.extents[1],
+  const PictureFrame second{layout.extents[1],
                      kMargin,
                      kMargin + kCaption + layout.height(0) + kGap,
                      layout.scale,
@@ -99,7 +99,7 @@ std::string picture_of(const Drawing& drawing, const Geometry* sum) {
   if (layout.has_q) draw(picture, drawing.q, second);
   if (drawing.mark) {
     picture.thin_parts({{}, {}, {*drawing.mark}},
-                       Placement(second.extent, second.left, second.top + kCaption, second.scale),
+                       PictureTransform(second.extent, second.left, second.top + kCaption, second.scale),
                        "mark");
   }
   if (sum != nullptr) {

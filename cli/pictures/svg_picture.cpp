@@ -111,7 +111,7 @@ Extent extent_of(const Geometry& geometry) {
   return extent;
 }
 
-Placement::Placement(const Extent& extent, double left, double top, double scale)
+PictureTransform::PictureTransform(const Extent& extent, double left, double top, double scale)
     : min_x_(extent.min_x), max_y_(extent.max_y), left_(left), top_(top), scale_(scale) {
   const bool drawable = std::isfinite(scale) && std::isfinite(extent.width() * scale) &&
                         std::isfinite(extent.height() * scale);
@@ -157,7 +157,7 @@ void SvgPicture::begin_picture(double width, double height, std::string_view tit
   text_ += "\">\n<title>" + escaped(title) + "</title>\n";
 }
 
-void SvgPicture::region(const Region& region, const Placement& placement, std::string_view style) {
+void SvgPicture::region(const Region& region, const PictureTransform& placement, std::string_view style) {
   begin_path(std::string("region ").append(style));
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {
@@ -178,7 +178,7 @@ void SvgPicture::region(const Region& region, const Placement& placement, std::s
   end_path();
 }
 
-void SvgPicture::thin_parts(const Geometry& geometry, const Placement& placement,
+void SvgPicture::thin_parts(const Geometry& geometry, const PictureTransform& placement,
                             std::string_view style) {
   if (!geometry.polylines.empty()) {
     begin_path(std::string("thin ").append(style));
@@ -206,7 +206,7 @@ void SvgPicture::thin_parts(const Geometry& geometry, const Placement& placement
   dots(points, placement, kRadius, std::string("dot ").append(style));
 }
 
-void SvgPicture::ring(std::span<const Trace::Vertex> vertices, const Placement& placement,
+void SvgPicture::ring(std::span<const Trace::Vertex> vertices, const PictureTransform& placement,
                       std::string_view style) {
   if (vertices.empty()) return;
   begin_path(style);
@@ -216,12 +216,12 @@ void SvgPicture::ring(std::span<const Trace::Vertex> vertices, const Placement& 
   end_path();
 }
 
-void SvgPicture::add_segment(const Trace::Segment& segment, const Placement& placement) {
+void SvgPicture::add_segment(const Trace::Segment& segment, const PictureTransform& placement) {
   move_to(placement.x(segment.from.x), placement.y(segment.from.y));
   line_to(placement.x(segment.to.x), placement.y(segment.to.y));
 }
 
-void SvgPicture::add_tick(const Trace::Segment& segment, const Placement& placement) {
+void SvgPicture::add_tick(const Trace::Segment& segment, const PictureTransform& placement) {
   const double x0 = placement.x(segment.from.x);
   const double y0 = placement.y(segment.from.y);
   const double dx = placement.x(segment.to.x) - x0;
@@ -235,7 +235,7 @@ void SvgPicture::add_tick(const Trace::Segment& segment, const Placement& placem
   line_to(x - dy / length * kTickLength, y + dx / length * kTickLength);
 }
 
-void SvgPicture::dots(std::span<const Trace::Vertex> points, const Placement& placement,
+void SvgPicture::dots(std::span<const Trace::Vertex> points, const PictureTransform& placement,
                       double radius, std::string_view style) {
   text_.append("<g class=\"").append(style).append("\">\n");
   for (const Trace::Vertex& point : points) {
@@ -251,7 +251,7 @@ void SvgPicture::dots(std::span<const Trace::Vertex> points, const Placement& pl
   text_ += "</g>\n";
 }
 
-void SvgPicture::cells(const Trace::Grid& grid, const Placement& placement,
+void SvgPicture::cells(const Trace::Grid& grid, const PictureTransform& placement,
                        std::string_view style) {
   begin_path(style);
   for (std::uint32_t row = 0; row < grid.rows; ++row) {

@@ -38,11 +38,11 @@ struct PictureLine {
 };
 
 /// Where the plane lies in the picture: x right, y up, the same scale both ways.
-class Placement {
+class PictureTransform {
  public:
   /// The extent's upper left corner comes to (left, top), `scale` picture units to one of its own.
   /// Throws Error(kLimitExceeded) if doubles cannot hold that.
-  Placement(const Extent& extent, double left, double top, double scale);
+  PictureTransform(const Extent& extent, double left, double top, double scale);
   [[nodiscard]] double x(double world) const { return left_ + (world - min_x_) * scale_; }
   [[nodiscard]] double y(double world) const { return top_ + (max_y_ - world) * scale_; }
 
@@ -67,18 +67,18 @@ class SvgPicture {
   /// middle, end.
   SvgPicture(double width, double height, std::string_view title, Theme theme);
 
-  void region(const Region& region, const Placement& placement, std::string_view style);
+  void region(const Region& region, const PictureTransform& placement, std::string_view style);
   /// Polylines as strokes and points as dots, thicker than outlines, in the colour of the style.
-  void thin_parts(const Geometry& geometry, const Placement& placement, std::string_view style);
-  void geometry(const Geometry& geometry, const Placement& placement, std::string_view style) {
+  void thin_parts(const Geometry& geometry, const PictureTransform& placement, std::string_view style);
+  void geometry(const Geometry& geometry, const PictureTransform& placement, std::string_view style) {
     if (!geometry.region.empty()) region(geometry.region, placement, style);
     thin_parts(geometry, placement, style);
   }
-  void ring(std::span<const Trace::Vertex> vertices, const Placement& placement,
+  void ring(std::span<const Trace::Vertex> vertices, const PictureTransform& placement,
             std::string_view style);
   /// All segments that `chosen` accepts, as one path.
   template <typename Chosen>
-  void segments(std::span<const Trace::Segment> segments, const Placement& placement,
+  void segments(std::span<const Trace::Segment> segments, const PictureTransform& placement,
                 std::string_view style, Chosen chosen) {
     begin_path(style);
     for (const Trace::Segment& segment : segments) {
@@ -88,7 +88,7 @@ class SvgPicture {
   }
   /// A tick to the right of each segment's middle: its outer side.
   template <typename Chosen>
-  void ticks(std::span<const Trace::Segment> segments, const Placement& placement,
+  void ticks(std::span<const Trace::Segment> segments, const PictureTransform& placement,
              std::string_view style, Chosen chosen) {
     begin_path(style);
     for (const Trace::Segment& segment : segments) {
@@ -96,10 +96,10 @@ class SvgPicture {
     }
     end_path();
   }
-  void dots(std::span<const Trace::Vertex> points, const Placement& placement, double radius,
+  void dots(std::span<const Trace::Vertex> points, const PictureTransform& placement, double radius,
             std::string_view style);
   /// Runs of marked cells of a grid, merged row by row.
-  void cells(const Trace::Grid& grid, const Placement& placement, std::string_view style);
+  void cells(const Trace::Grid& grid, const PictureTransform& placement, std::string_view style);
   void text(double x, double y, std::string_view style, std::string_view words);
   void lines(std::span<const PictureLine> lines, std::string_view style);
   void box(double left, double top, double width, double height, std::string_view style);
@@ -113,8 +113,8 @@ class SvgPicture {
   void end_path();
   void move_to(double x, double y);
   void line_to(double x, double y);
-  void add_segment(const Trace::Segment& segment, const Placement& placement);
-  void add_tick(const Trace::Segment& segment, const Placement& placement);
+  void add_segment(const Trace::Segment& segment, const PictureTransform& placement);
+  void add_tick(const Trace::Segment& segment, const PictureTransform& placement);
   void number(double value);
 
   std::string text_;

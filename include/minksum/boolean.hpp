@@ -20,7 +20,7 @@ namespace minksum {
 [[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
                                          const std::optional<CancelToken>& cancel = {});
 
-/// The operations on legal regions (see `validate`), regularized: closures of what has area.
+/// The operations on valid regions (see `validate`), regularized: closures of what has area.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
                                        const std::optional<CancelToken>& cancel = {});
 [[nodiscard]] MINKSUM_API Region intersect(const Region& a, const Region& b,

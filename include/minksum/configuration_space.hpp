@@ -84,14 +84,14 @@ class MINKSUM_API ConfigurationSpace {
                      const ConfigurationOptions& options = {});
 
   /// The box of (x, y) to which free space is confined: that of the workspace; else of the
-  /// obstacles, larger by twice the robot's reach and a little, so that it can go all around them.
+  /// obstacles, larger by twice the robot's radius and a little, so that it can go all around them.
   /// All obstacles of slices without a workspace are strictly inside.
   [[nodiscard]] const Box& boundary() const { return boundary_; }
   /// Enlarges the boundary, if it is not that of a workspace, so that the robot can go
   /// around `point`.
   void include(const Point& point);
   /// The robot's largest distance from its reference point is no larger.
-  [[nodiscard]] const Rational& reach() const;
+  [[nodiscard]] const Rational& radius() const;
   /// The robot's area, its reference point at the origin.
   [[nodiscard]] const Region& robot() const;
   /// The same space for the robot ⊕ `by`, with a boundary of its own: points that this one's was

@@ -13,7 +13,7 @@
 #include "minksum/measure.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/morphology.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/offset.hpp"
 #include "minksum/prepared_region.hpp"
 #include "minksum/rational.hpp"

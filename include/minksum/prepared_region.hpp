@@ -9,16 +9,16 @@
 
 namespace minksum {
 
-/// A legal operand with all that is independent of the other one done: validated, cleaned, on its
+/// A valid operand with all that is independent of the other one done: validated, cleaned, on its
 /// integer grid, its edge directions sorted.
 ///
 /// Worth its while where one shape meets several others: nesting parts, a robot among obstacles.
 /// Immutable: any number of threads may use one at the same time. Copies share one state.
 class MINKSUM_API PreparedRegion {
  public:
-  /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no legal operand (see
+  /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no valid operand (see
   /// `validate`), Error(kLimitExceeded) as `validate` does, and Error(kCancelled). An empty region
-  /// is legal. O(n log n) for n vertices, plus close pairs of edges.
+  /// is valid. O(n log n) for n vertices, plus close pairs of edges.
   explicit PreparedRegion(Region region, const std::optional<CancelToken>& cancel = {});
 
   [[nodiscard]] const Region& region() const;

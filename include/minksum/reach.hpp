@@ -43,14 +43,14 @@ struct Reach {
 /// configurations. The free parts of a slice (polygons of its free space) are nodes of a graph;
 /// those of neighbouring slices whose insides have a point in common are joined: there the robot
 /// can turn by one step. The answer is exact for this graph. Of the paths that it looks at
-/// (Dijkstra 1959; by length, and for turns that of the arc at the robot's reach) it takes the
+/// (Dijkstra 1959; by length, and for turns that of the arc at the robot's radius) it takes the
 /// shortest, which need not be the shortest that there is. Each of its moves was found to lie in
 /// the closed free part by exact arithmetic. It may touch obstacles. Ways that leave the robot no
 /// play do not count: gaps of exactly its width, and points where two free parts touch. Where the
 /// robot is already, it gets in any case.
 ///
 /// Between two slices nothing is known, unless `certain` is set: then slices are those of the robot
-/// grown by ρ = r·tan δ, with r its reach and 2δ the largest step (or δ the tolerance of an end's
+/// grown by ρ = r·tan δ, with r its radius and 2δ the largest step (or δ the tolerance of an end's
 /// turn, if that is more). Proof: at any angle between two neighbours, the nearer one is at most δ
 /// away; a turn by δ about the reference point moves each point of the robot by at most
 /// 2r·sin(δ/2) ≤ r·tan δ; so the turned robot is in the neighbour's robot ⊕ disc(ρ). The disc is

@@ -13,7 +13,7 @@ namespace minksum {
 /// together go counter-clockwise around the point.
 enum class FillRule {
   /// Each polygon is what its outer ring encloses or passes through, less what its holes enclose.
-  /// The set is the union of all polygons. So a hole only ever takes away, and legal polygons (see
+  /// The set is the union of all polygons. So a hole only ever takes away, and valid polygons (see
   /// `validate`) mean what OGC says. A ring encloses the points around which it winds, whatever its
   /// direction. A hole does not take away its own ring: where two holes share an edge, that edge
   /// stays as a polyline. Single points that holes leave between them do not stay.
@@ -22,7 +22,7 @@ enum class FillRule {
   kNonZero,   ///< w is not 0; rings directed as they are given, and so for the next two
   kPositive,  ///< w > 0
   kNegative,  ///< w < 0
-  kStrict,    ///< polygons must be legal: else Error(kBadInput) that names the fault's place
+  kStrict,    ///< polygons must be valid: else Error(kBadInput) that names the fault's place
 };
 /// "automatic", "evenodd", "nonzero", "positive", "negative", "strict".
 [[nodiscard]] MINKSUM_API const char* to_string(FillRule rule);

@@ -38,7 +38,7 @@ struct RoundingReport {
 };
 
 /// A region whose coordinates are doubles, or decimals with so many digits; valid by OGC's rules,
-/// and canonical (see Region). The exact one must be legal (see `validate`).
+/// and canonical (see Region). The exact one must be valid (see `validate`).
 ///
 /// Let u be a decimal step, or the last place of the coordinates' largest as a double.
 /// - kNearest: every coordinate to the nearest by itself, if that keeps the region valid and its
@@ -66,7 +66,7 @@ struct RoundingReport {
 ///
 /// O(n log n) for n vertices where nothing has to be snapped, as `validate`; else that of a sum
 /// with a square (for a side) and of `resolve`. Thin parts take a few times that of `resolve`,
-/// where hulls may overlap. Throws Error: kBadInput if the region is not legal; kLimitExceeded,
+/// where hulls may overlap. Throws Error: kBadInput if the region is not valid; kLimitExceeded,
 /// also if a coordinate or its rounded value is beyond the range of doubles; kCancelled.
 [[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& options = {},
                                        RoundingReport* report = nullptr);

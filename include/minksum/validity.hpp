@@ -1,4 +1,4 @@
-// Is a region a legal operand, and if not, where not?
+// Is a region a valid operand, and if not, where not?
 #pragma once
 
 #include <optional>
@@ -26,10 +26,10 @@ struct Fault {
 /// long.
 [[nodiscard]] MINKSUM_API std::string to_string(const Fault& fault);
 
-/// All reasons why `region` is no legal operand, at most `max_faults` of them; none = legal. Every
+/// All reasons why `region` is no valid operand, at most `max_faults` of them; none = valid. Every
 /// two edges that cross or overlap are a fault of their own.
 ///
-/// Legal are the polygons and multipolygons that OGC calls valid: rings of three or more vertices
+/// Valid are the polygons and multipolygons that OGC calls valid: rings of three or more vertices
 /// not all in one line, each a simple closed curve; no two rings cross or share a piece of an edge
 /// (touching at points is fine); holes inside their outer ring and not inside each other; polygons
 /// with disjoint interiors. Orientation, repeated vertices and vertices in the middle of straight

@@ -12,7 +12,7 @@ namespace {
 
 using overlay::Winding;
 
-// A point of a legal region has an odd number of its rings around it, whatever their directions.
+// A point of a valid region has an odd number of its rings around it, whatever their directions.
 bool in_first(const Winding& w) { return w.first % 2 != 0; }
 bool in_second(const Winding& w) { return w.second % 2 != 0; }
 

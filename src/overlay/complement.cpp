@@ -16,7 +16,7 @@ namespace minksum {
 namespace {
 
 /// Whether a box has another one, touching allowed.
-bool has(const Bounds& outer, const Bounds& inner) {
+bool has(const ErrorBounds& outer, const ErrorBounds& inner) {
   return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 &&
          outer.y1 >= inner.y1;
 }
@@ -24,11 +24,11 @@ bool has(const Bounds& outer, const Bounds& inner) {
 constexpr std::size_t kNone = ~std::size_t{0};
 
 /// A ring of the region.
-struct RingPlace {
+struct RingIndex {
   std::size_t polygon;
   bool is_hole;
   IndexRange vertices;
-  Bounds bounds{};
+  ErrorBounds bounds{};
   std::size_t first = 0;  ///< its lexicographically smallest vertex
   bool counter_clockwise = true;
   std::size_t around = kNone;  ///< of an outer ring: the hole that it lies in
@@ -75,7 +75,7 @@ class InsideOut {
     }
     return nearly_straight_.size() <= region_.vertex_count() / kExactTurnsOf + 1;
   }
-  void measure(RingPlace& ring) {
+  void measure(RingIndex& ring) {
     ring.first = ring.vertices.front();
     for (const std::size_t v : ring.vertices) {
       cancellation_.check(4);
@@ -112,7 +112,7 @@ class InsideOut {
   [[nodiscard]] bool place_rings() {
     const double margin = 4 * std::max(places_.error(), largest_of_box() * 0x1p-52);
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      const Bounds& b = rings_[r].bounds;
+      const ErrorBounds& b = rings_[r].bounds;
       if (b.x0 > box_.x0 + margin && b.y0 > box_.y0 + margin && b.x1 < box_.x1 - margin &&
           b.y1 < box_.y1 - margin) {
         continue;
@@ -127,7 +127,7 @@ class InsideOut {
   }
   /// Whether a ring certainly goes around the box: each edge lies beyond one side of it, or has it
   /// on the ring's inner side, and the box is inside.
-  [[nodiscard]] bool is_around_box(const RingPlace& ring, double margin) const {
+  [[nodiscard]] bool is_around_box(const RingIndex& ring, double margin) const {
     const std::array<Vec<double>, 4> corners{
         {{box_.x0, box_.y0}, {box_.x1, box_.y0}, {box_.x1, box_.y1}, {box_.x0, box_.y1}}};
     if (!(ring.bounds.x0 < box_.x0 - margin && ring.bounds.y0 < box_.y0 - margin &&
@@ -166,7 +166,7 @@ class InsideOut {
   [[nodiscard]] bool lie_over_each_other() const {
     constexpr double kMostInColumn = 400;
     double across = 0;
-    for (const RingPlace& ring : rings_) {
+    for (const RingIndex& ring : rings_) {
       for (const std::size_t v : ring.vertices) {
         across += std::abs(places_[ring.next(v)].x - places_[v].x);
       }
@@ -177,10 +177,10 @@ class InsideOut {
   [[nodiscard]] bool touches_itself() {
     if (lie_over_each_other()) return true;
     std::vector<std::size_t> next(region_.vertex_count());
-    const Bounds& all = places_.bounds();
+    const ErrorBounds& all = places_.bounds();
     BoxPairScratch scratch;
     BoxPairs pairs(all.x1 - all.x0, all.y1 - all.y0, 4 * places_.error(), scratch);
-    for (const RingPlace& ring : rings_) {
+    for (const RingIndex& ring : rings_) {
       for (const std::size_t v : ring.vertices) {
         next[v] = ring.next(v);
         const Vec<double>& a = places_[v];
@@ -212,12 +212,12 @@ class InsideOut {
       if (rings_[r].is_hole) holes.push_back(r);
     }
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      RingPlace& ring = rings_[r];
+      RingIndex& ring = rings_[r];
       if (ring.is_hole || r == frame_) continue;
       steps += holes.size();
       cancellation_.check(holes.size());
       for (const std::size_t h : holes) {
-        const RingPlace& hole = rings_[h];
+        const RingIndex& hole = rings_[h];
         if (hole.polygon == ring.polygon || !has(hole.bounds, ring.bounds)) continue;
         // Of holes around a ring, one lies in the other.
         if (ring.around != kNone && has(hole.bounds, rings_[ring.around].bounds)) {
@@ -235,7 +235,7 @@ class InsideOut {
     }
     return true;
   }
-  [[nodiscard]] std::optional<bool> is_inside(const RingPlace& ring, const RingPlace& hole) const {
+  [[nodiscard]] std::optional<bool> is_inside(const RingIndex& ring, const RingIndex& hole) const {
     constexpr std::size_t kTries = 8;
     for (std::size_t k = 0; k < std::min(kTries, ring.vertices.size()); ++k) {
       if (const auto inside = places_.is_inside(ring.vertices.front() + k, hole.vertices)) {
@@ -280,7 +280,7 @@ class InsideOut {
       for (const std::size_t s : inner[r]) write(rings_[s], false);
     }
   }
-  void write(const RingPlace& ring, bool counter_clockwise) {
+  void write(const RingIndex& ring, bool counter_clockwise) {
     result_.begin_ring();
     std::size_t v = ring.first;
     do {
@@ -296,9 +296,9 @@ class InsideOut {
   mutable Cancellation cancellation_;  ///< counts what is asked, too
   const Box& exact_box_;
   const Region& region_;
-  Bounds box_;
-  Places places_;
-  std::vector<RingPlace> rings_;
+  ErrorBounds box_;
+  ApproximatePoints places_;
+  std::vector<RingIndex> rings_;
   std::vector<Corner> nearly_straight_;
   std::size_t frame_ = kNone;  ///< the ring around the box
   Region result_;

@@ -9,7 +9,7 @@
 
 namespace minksum {
 
-/// The box less a legal region, in canonical form, where it has the region's rings, the other way
+/// The box less a valid region, in canonical form, where it has the region's rings, the other way
 /// round: if the region touches itself nowhere, and each ring is strictly inside the box, but for
 /// one that may be around it. Doubles tell that it is so, and the rings are copied: O(n log n) for
 /// n vertices, next to no arithmetic on exact coordinates. Nothing if it is not so, or not certain,

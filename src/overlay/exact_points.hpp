@@ -20,13 +20,13 @@ struct Ends {
 };
 
 /// A point of the overlay: a given point, or where two segments cross.
-struct Place {
+struct ExactLocation {
   Ends first;
   Ends second;
   bool is_crossing = false;
 
-  static Place of_point(PointId point) { return {{point, point}, {}, false}; }
-  static Place of_crossing(const Ends& a, const Ends& b) { return {a, b, true}; }
+  static ExactLocation of_point(PointId point) { return {{point, point}, {}, false}; }
+  static ExactLocation of_crossing(const Ends& a, const Ends& b) { return {a, b, true}; }
   [[nodiscard]] PointId point() const { return first.low; }
 };
 
@@ -50,10 +50,10 @@ class ExactPoints {
 
   /// By x, then by y.
   [[nodiscard]] virtual Sign compare(PointId a, PointId b) const = 0;
-  [[nodiscard]] virtual Sign compare(const Place& a, const Place& b) const = 0;
+  [[nodiscard]] virtual Sign compare(const ExactLocation& a, const ExactLocation& b) const = 0;
   /// Positive if the point lies on the left of the line from low to high.
   [[nodiscard]] virtual Sign orientation(const Ends& line, PointId point) const = 0;
-  [[nodiscard]] virtual Sign orientation(const Ends& line, const Place& place) const = 0;
+  [[nodiscard]] virtual Sign orientation(const Ends& line, const ExactLocation& place) const = 0;
   /// Positive if t's direction is counter-clockwise of s's, within half a turn.
   [[nodiscard]] virtual Sign cross(const Ends& s, const Ends& t) const = 0;
   /// The sign of a ring's signed area.
@@ -65,13 +65,13 @@ class ExactPoints {
 
   /// The nearest doubles, in a unit and from an origin of the rung's own; what underflows is off by
   /// less than kAbsoluteError.
-  [[nodiscard]] virtual Approximation approximate(const Place& place) const = 0;
+  [[nodiscard]] virtual Approximation approximate(const ExactLocation& place) const = 0;
   static constexpr double kAbsoluteError = 0x1p-1020;
   /// Whether given points are integers in that unit.
   [[nodiscard]] virtual bool on_grid() const = 0;
 
   /// The place in the coordinates that were given.
-  [[nodiscard]] virtual Point exact(const Place& place) const = 0;
+  [[nodiscard]] virtual Point exact(const ExactLocation& place) const = 0;
 };
 
 }  // namespace minksum::overlay

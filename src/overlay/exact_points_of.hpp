@@ -120,7 +120,7 @@ class ExactPointsOf final : public ExactPoints {
 
   [[nodiscard]] Sign compare(PointId a, PointId b) const override {
     if constexpr (kHomogeneous) {
-      return compare(Place::of_point(a), Place::of_point(b));
+      return compare(ExactLocation::of_point(a), ExactLocation::of_point(b));
     } else {
       const Own& p = points_[a];
       const Own& q = points_[b];
@@ -128,7 +128,7 @@ class ExactPointsOf final : public ExactPoints {
       return p.y == q.y ? kZero : p.y < q.y ? kNegative : kPositive;
     }
   }
-  [[nodiscard]] Sign compare(const Place& a, const Place& b) const override {
+  [[nodiscard]] Sign compare(const ExactLocation& a, const ExactLocation& b) const override {
     const Homogeneous p = homogeneous(a);
     const Homogeneous q = homogeneous(b);
     const Sign by_x = compare(p.x, p.w, q.x, q.w);
@@ -145,7 +145,7 @@ class ExactPointsOf final : public ExactPoints {
     }
     return sign_of(sum);
   }
-  [[nodiscard]] Sign orientation(const Ends& line, const Place& place) const override {
+  [[nodiscard]] Sign orientation(const Ends& line, const ExactLocation& place) const override {
     if (!place.is_crossing) return orientation(line, place.point());
     const Coefficients l = line_of(line);
     const Homogeneous p = homogeneous(place);
@@ -183,7 +183,7 @@ class ExactPointsOf final : public ExactPoints {
   }
 
   [[nodiscard]] bool on_grid() const override { return !kHomogeneous; }
-  [[nodiscard]] Approximation approximate(const Place& place) const override {
+  [[nodiscard]] Approximation approximate(const ExactLocation& place) const override {
     if constexpr (std::is_same_v<Length, std::int64_t>) {
       if (!place.is_crossing) {
         const Own& p = points_[place.point()];
@@ -198,7 +198,7 @@ class ExactPointsOf final : public ExactPoints {
     };
     return {nearest(to_big(p.x)), nearest(to_big(p.y))};
   }
-  [[nodiscard]] Point exact(const Place& place) const override {
+  [[nodiscard]] Point exact(const ExactLocation& place) const override {
     const Homogeneous p = homogeneous(place);
     const BigInt w = to_big(p.w);
     return {given(to_big(p.x), w, frame_.offset_x), given(to_big(p.y), w, frame_.offset_y)};
@@ -243,7 +243,7 @@ class ExactPointsOf final : public ExactPoints {
     }
     return line;
   }
-  [[nodiscard]] Homogeneous homogeneous(const Place& place) const {
+  [[nodiscard]] Homogeneous homogeneous(const ExactLocation& place) const {
     if (!place.is_crossing) {
       const Own& p = points_[place.point()];
       if constexpr (kHomogeneous) {

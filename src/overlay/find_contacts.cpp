@@ -87,8 +87,8 @@ class ContactFinder {
 
   void add(SegmentId s) {
     cancellation_.check(4);
-    const ApproximatePlace& a = predicates_.point(ends(s).low);
-    const ApproximatePlace& b = predicates_.point(ends(s).high);
+    const ApproximateLocation& a = predicates_.point(ends(s).low);
+    const ApproximateLocation& b = predicates_.point(ends(s).high);
     const auto low = [](const Bounded& u, const Bounded& v) {
       return std::min(u.value - 2 * u.error, v.value - 2 * v.error);
     };

@@ -13,7 +13,7 @@
 namespace minksum::overlay {
 
 /// A place with coordinates that know their error.
-struct ApproximatePlace {
+struct ApproximateLocation {
   Bounded x;
   Bounded y;
 };
@@ -35,13 +35,13 @@ class Predicates {
   /// Keeps these points only, and numbers them in this order.
   void pick(std::span<const PointId> points) {
     exact_->pick(points);
-    std::vector<ApproximatePlace> picked;
+    std::vector<ApproximateLocation> picked;
     picked.reserve(points.size());
     for (const PointId p : points) picked.push_back(points_[p]);
     points_ = std::move(picked);
   }
 
-  [[nodiscard]] const ApproximatePlace& point(PointId p) const { return points_[p]; }
+  [[nodiscard]] const ApproximateLocation& point(PointId p) const { return points_[p]; }
   /// For one exact answer, whose work is counted.
   [[nodiscard]] const ExactPoints& exact() const {
     cancellation_->check(work_);
@@ -54,8 +54,8 @@ class Predicates {
         cross(points_[line.low], points_[line.high], points_[line.low], points_[p]);
     return area.certain() ? area.sign() : exact().orientation(line, p);
   }
-  [[nodiscard]] Sign orientation(const Ends& line, const ApproximatePlace& at,
-                                 const Place& place) const {
+  [[nodiscard]] Sign orientation(const Ends& line, const ApproximateLocation& at,
+                                 const ExactLocation& place) const {
     const Bounded area = cross(points_[line.low], points_[line.high], points_[line.low], at);
     return area.certain() ? area.sign() : exact().orientation(line, place);
   }
@@ -68,8 +68,8 @@ class Predicates {
     return sign != kZero ? sign : exact().compare(a, b);
   }
   /// By x, then by y.
-  [[nodiscard]] Sign compare(const ApproximatePlace& a, const Place& a_place,
-                             const ApproximatePlace& b, const Place& b_place) const {
+  [[nodiscard]] Sign compare(const ApproximateLocation& a, const ExactLocation& a_place,
+                             const ApproximateLocation& b, const ExactLocation& b_place) const {
     const Sign sign = by_filter(a, b);
     return sign != kZero ? sign : exact().compare(a_place, b_place);
   }
@@ -87,23 +87,23 @@ class Predicates {
 
   /// Where two segments cross: in doubles if these are good for it, else rounded from the exact
   /// place.
-  [[nodiscard]] ApproximatePlace crossing(const Ends& s, const Ends& t) const {
-    const ApproximatePlace& a = points_[s.low];
-    const ApproximatePlace& b = points_[s.high];
-    const ApproximatePlace& c = points_[t.low];
-    const ApproximatePlace& d = points_[t.high];
+  [[nodiscard]] ApproximateLocation crossing(const Ends& s, const Ends& t) const {
+    const ApproximateLocation& a = points_[s.low];
+    const ApproximateLocation& b = points_[s.high];
+    const ApproximateLocation& c = points_[t.low];
+    const ApproximateLocation& d = points_[t.high];
     const Bounded part = cross(a, c, c, d) / cross(a, b, c, d);
     const Bounded width = b.x - a.x;
     const Bounded height = b.y - a.y;
     constexpr double kGoodEnough = 0x1p-40;
     if (part.error < kGoodEnough) return {a.x + part * width, a.y + part * height};
-    const Approximation at = exact().approximate(Place::of_crossing(s, t));
+    const Approximation at = exact().approximate(ExactLocation::of_crossing(s, t));
     return {rounded(at.x), rounded(at.y)};
   }
 
  private:
   /// kZero where doubles cannot tell.
-  [[nodiscard]] static Sign by_filter(const ApproximatePlace& a, const ApproximatePlace& b) {
+  [[nodiscard]] static Sign by_filter(const ApproximateLocation& a, const ApproximateLocation& b) {
     const Bounded x = a.x - b.x;
     if (x.certain()) return x.sign();
     if (x.error != 0) return kZero;  // else x is certainly the same
@@ -111,15 +111,15 @@ class Predicates {
     return y.certain() ? y.sign() : kZero;
   }
   /// The cross product of b − a and d − c.
-  [[nodiscard]] static Bounded cross(const ApproximatePlace& a, const ApproximatePlace& b,
-                                     const ApproximatePlace& c, const ApproximatePlace& d) {
+  [[nodiscard]] static Bounded cross(const ApproximateLocation& a, const ApproximateLocation& b,
+                                     const ApproximateLocation& c, const ApproximateLocation& d) {
     return (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
   }
   [[nodiscard]] static Bounded rounded(double value) {
     return {value, std::fabs(value) * 0x1p-52 + ExactPoints::kAbsoluteError};
   }
-  [[nodiscard]] ApproximatePlace approximate(PointId p) const {
-    const Approximation at = exact_->approximate(Place::of_point(p));
+  [[nodiscard]] ApproximateLocation approximate(PointId p) const {
+    const Approximation at = exact_->approximate(ExactLocation::of_point(p));
     const auto bounded = [&](double value) {
       // 2^53 itself may be 2^53 + 1, rounded.
       const bool exact = exact_->on_grid() && std::fabs(value) < 0x1p53;
@@ -131,7 +131,7 @@ class Predicates {
   std::unique_ptr<ExactPoints> exact_;
   Cancellation* cancellation_ = nullptr;
   std::uint64_t work_ = 0;
-  std::vector<ApproximatePlace> points_;
+  std::vector<ApproximateLocation> points_;
 };
 
 }  // namespace minksum::overlay

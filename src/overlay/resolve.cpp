@@ -47,9 +47,9 @@ const char* to_string(FillRule rule) {
 
 Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
   if (options.fill == FillRule::kStrict) {
-    require_legal(geometry.region, options.operand, options.cancel);
+    require_valid(geometry.region, options.operand, options.cancel);
   }
-  // One ring encloses what it winds around. Legal polygons directed by their roles wind once around
+  // One ring encloses what it winds around. Valid polygons directed by their roles wind once around
   // each of their points: what OGC says and what the windings say is the same.
   if (options.fill == FillRule::kAutomatic && geometry.region.ring_count() > 1 &&
       !validate(geometry.region, 1, options.cancel).empty()) {

@@ -17,7 +17,7 @@
 namespace minksum {
 
 /// A box in doubles.
-struct Bounds {
+struct ErrorBounds {
   double x0 = HUGE_VAL;
   double y0 = HUGE_VAL;
   double x1 = -HUGE_VAL;
@@ -31,9 +31,9 @@ struct Bounds {
 };
 
 /// Doubles of a region's vertices, each coordinate off by less than `error`, and what they tell.
-class Places {
+class ApproximatePoints {
  public:
-  Places(const Region& region, Cancellation& cancellation)
+  ApproximatePoints(const Region& region, Cancellation& cancellation)
       : region_(region), cancellation_(cancellation) {
     at_.resize(region.vertex_count());
     for (std::size_t v = 0; v < at_.size(); ++v) {
@@ -47,7 +47,7 @@ class Places {
   /// Whether products of two differences neither overflow nor vanish.
   [[nodiscard]] bool usable() const { return error_ > 0x1p-400 && error_ < 0x1p400; }
   [[nodiscard]] const Vec<double>& operator[](std::size_t v) const { return at_[v]; }
-  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+  [[nodiscard]] const ErrorBounds& bounds() const { return bounds_; }
   [[nodiscard]] double error() const { return error_; }
 
   /// The side of the line from a to b that p certainly is on; zero if that is not certain.
@@ -119,7 +119,7 @@ class Places {
   const Region& region_;
   Cancellation& cancellation_;
   std::vector<Vec<double>> at_;
-  Bounds bounds_;
+  ErrorBounds bounds_;
   double error_ = 0;
 };
 

@@ -36,7 +36,7 @@ class Subdivider {
       cancellation_.check(4);
       const Ends& s = segments_.list[c.first].ends;
       const Ends& t = segments_.list[c.second].ends;
-      crossed.push_back({predicates_.crossing(s, t), Place::of_crossing(s, t), false});
+      crossed.push_back({predicates_.crossing(s, t), ExactLocation::of_crossing(s, t), false});
     }
     std::vector<std::uint32_t> order(crossed.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -59,7 +59,7 @@ class Subdivider {
     return predicates_.compare(a.at, a.place, b.at, b.place);
   }
   [[nodiscard]] Node node_at(PointId p) const {
-    return {predicates_.point(p), Place::of_point(p), segments_.belongs[p] != 0};
+    return {predicates_.point(p), ExactLocation::of_point(p), segments_.belongs[p] != 0};
   }
   void add_point(PointId p) {
     cancellation_.check();

@@ -59,8 +59,8 @@ struct Contacts {
 };
 
 struct Node {
-  ApproximatePlace at;
-  Place place;
+  ApproximateLocation at;
+  ExactLocation place;
   bool belongs = false;
 };
 

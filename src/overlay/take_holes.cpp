@@ -22,7 +22,7 @@ Region copied(const Region& from, const IndexRange& rings) {
   for (const std::size_t ring : rings) append_ring(from, ring, region);
   return region;
 }
-bool is_legal(const Region& region, const ResolveOptions& options) {
+bool is_valid(const Region& region, const ResolveOptions& options) {
   return validate(region, 1, options.cancel).empty();
 }
 
@@ -87,7 +87,7 @@ class PolygonReader {
 
   [[nodiscard]] Hole read_hole(std::size_t ring) const {
     Hole hole{copied(region_, {ring, ring + 1}), {}};
-    if (is_legal(hole.area, options_)) return hole;
+    if (is_valid(hole.area, options_)) return hole;
     std::vector<Chain> chains;
     for_each_ring(hole.area, [&](Chain chain, bool) {
       chain.weight.first = 1;
@@ -124,7 +124,7 @@ Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options
     const IndexRange rings = region.rings_of(polygon);
     if (rings.empty()) continue;
     read.push_back({copied(region, rings), {}, {}});
-    if (!is_legal(read.back().region, options)) {
+    if (!is_valid(read.back().region, options)) {
       read.back() = PolygonReader(region, rings, options).run();
     }
     list_by_role(read.back().region, chains, [](Chain& chain) { chain.weight.first = 1; });

@@ -11,13 +11,13 @@ namespace minksum {
 namespace {
 
 /// A point exactly, and in doubles that are off by at most `error`.
-struct Place {
+struct QueryPoint {
   Point exact;
   double x;
   double y;
   double error;
 
-  explicit Place(Point point)
+  explicit QueryPoint(Point point)
       : exact(std::move(point)),
         x(exact.x.to_double()),
         y(exact.y.to_double()),
@@ -42,7 +42,7 @@ struct PointLocator::State {
     std::uint32_t right;
   };
 
-  std::vector<Place> places;
+  std::vector<QueryPoint> places;
   std::vector<std::uint32_t> heights;      ///< places, one a height, from below
   std::vector<std::vector<Level>> levels;  ///< by height: vertices and level edges
   std::uint64_t work = 0;                  ///< of a decision, at most: see Cancellation
@@ -176,7 +176,7 @@ struct PointLocator::State {
     level.resize(kept);
   }
 
-  [[nodiscard]] bool on_level(std::size_t height, const Place& at) const {
+  [[nodiscard]] bool on_level(std::size_t height, const QueryPoint& at) const {
     const auto& level = levels[height];
     const auto after = std::partition_point(level.begin(), level.end(), [&](const Level& range) {
       return compare_x(places[range.left], at) <= 0;
@@ -184,7 +184,7 @@ struct PointLocator::State {
     return after != level.begin() && compare_x(at, places[(after - 1)->right]) <= 0;
   }
 
-  [[nodiscard]] Location locate(const Place& at) const {
+  [[nodiscard]] Location locate(const QueryPoint& at) const {
     const auto above = std::partition_point(
         heights.begin(), heights.end(),
         [&](std::uint32_t v) { return compare_y(places[v], at) <= 0; });
@@ -219,7 +219,7 @@ PointLocator::PointLocator(const Geometry& geometry, const std::optional<CancelT
 }
 
 Location PointLocator::locate(const Point& point) const {
-  return state_->places.empty() ? Location::kOutside : state_->locate(Place(point));
+  return state_->places.empty() ? Location::kOutside : state_->locate(QueryPoint(point));
 }
 
 }  // namespace minksum

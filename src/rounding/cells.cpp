@@ -11,14 +11,14 @@
 namespace minksum {
 namespace {
 
-Rational finite_value(const Place& place, const Target& target) {
+Rational finite_value(const RoundedCoordinate& place, const Target& target) {
   if (!target.is_decimal() && !std::isfinite(place.value)) fail_beyond_doubles();
   return value_of(place, target);
 }
 
 /// The two places around a coordinate; the same twice if it is a place.
 std::pair<Rational, Rational> places_around(const Rational& value, const Target& target) {
-  const Place nearest = nearest_place(value, target);
+  const RoundedCoordinate nearest = nearest_place(value, target);
   Rational place = finite_value(nearest, target);
   if (place == value) return {place, place};
   const bool up = place < value;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "minksum/region.hpp"
-#include "rounding/place.hpp"
+#include "rounding/round_vertices.hpp"
 
 namespace minksum {
 

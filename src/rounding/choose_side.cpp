@@ -166,14 +166,14 @@ class RingChooser {
     return found;
   }
 
-  [[nodiscard]] double size_of_cell(const Place& place) const {
+  [[nodiscard]] double size_of_cell(const RoundedCoordinate& place) const {
     return target_.is_decimal() ? 1 : next_place(place, true, target_).value - place.value;
   }
   /// No place is closer to the vertex than the nearest one: so nothing cancels here, and the offset
   /// has a relative error below 2^-50.
   void set_offsets(Corner& corner) const {
     const RoundedVertex& nearest = nearest_[corner.source];
-    const auto difference = [&](const Place& from, const Place& to) {
+    const auto difference = [&](const RoundedCoordinate& from, const RoundedCoordinate& to) {
       return target_.is_decimal()
                  ? static_cast<double>(static_cast<std::int64_t>(BigInt(from.integer - to.integer)))
                  : from.value - to.value;
@@ -191,7 +191,7 @@ class RingChooser {
   }
   /// Next to 0 a nearest offset stands for anything smaller than all doubles.
   template <class Exact>
-  static void make_sure(double nearest_off, Exact exact, const Place& place, double& off) {
+  static void make_sure(double nearest_off, Exact exact, const RoundedCoordinate& place, double& off) {
     if (nearest_off == 0 || std::abs(off) >= kSmallestOffset || !std::isfinite(place.value)) return;
     const int sign = (exact() - Rational(place.value)).sign();
     off = sign * std::max(std::abs(off), std::numeric_limits<double>::denorm_min());
@@ -238,7 +238,7 @@ class RingChooser {
   static double error_bound(const RoundedVertex& p, const RoundedVertex& v,
                             const RoundedVertex& end, bool rounded) {
     constexpr double kLargestInteger = 0x1p53;
-    for (const Place* place : {&p.x, &p.y, &v.x, &v.y}) {
+    for (const RoundedCoordinate* place : {&p.x, &p.y, &v.x, &v.y}) {
       if (!place->integer.is_zero() && !(std::abs(place->value) < kLargestInteger)) return HUGE_VAL;
     }
     for (const double off : {p.off_x, p.off_y, v.off_x, v.off_y}) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "minksum/round.hpp"
-#include "rounding/place.hpp"
+#include "rounding/round_vertices.hpp"
 
 namespace minksum {
 
@@ -14,8 +14,8 @@ struct Sided {
 };
 
 /// Moves vertices to places of the target such that the moved rings enclose the exact region
-/// (kOutside), or are enclosed in it (kInside), if they are those of a legal region with the same
-/// orientations (see `settle`). Vertices that are exact stay. No point between an edge and its
+/// (kOutside), or are enclosed in it (kInside), if they are those of a valid region with the same
+/// orientations (see `check_topology`). Vertices that are exact stay. No point between an edge and its
 /// moved one is farther than √2 · `step` from the edge, for cells of the target no larger than
 /// `step`. `nearest` are the vertices' nearest places. Nothing if some vertex finds no place. O(n).
 ///
@@ -29,7 +29,7 @@ struct Sided {
 /// instants, finitely many, at which an edge has no length it covers a single point; a region is
 /// the closure of its other points.) These four signs are tested for every edge, exactly. So
 /// winding numbers never fall: what had 1 has 1 or more in the end, and the moved region, if it is
-/// legal, is where they are 1.
+/// valid, is where they are 1.
 ///
 /// One vertex may go to two places: it counts as two, with an edge of no length between them. A
 /// convex vertex always has one or two corners of its cell to go to, as far as t = 0 goes: they lie

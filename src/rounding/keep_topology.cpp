@@ -34,23 +34,23 @@ class Classes {
   std::vector<std::size_t> parent_;
 };
 
-class Settler {
+class TopologyChecker {
  public:
-  Settler(const Region& exact, const Region& moved, Cancellation& cancellation)
+  TopologyChecker(const Region& exact, const Region& moved, Cancellation& cancellation)
       : cancellation_(cancellation),
         exact_(exact),
         moved_(moved),
         keeps_origins_(exact.has_origins() && exact.vertex_count() == moved.vertex_count()) {}
 
-  Settlement run() {
-    if (moved_.empty()) return {Settled::kKept, {}};
+  TopologyCheck run() {
+    if (moved_.empty()) return {TopologyVerdict::kKept, {}};
     std::vector<Fault> faults;
     load_sites(moved_, {}, cancellation_, operand_);
     clean_rings({}, cancellation_, scratch_, operand_, faults);
     if (!faults.empty() || turned_over()) return {};
     find_faults(1, cancellation_, scratch_, operand_, faults);
     if (!faults.empty()) return {};
-    return {interiors_connected() ? Settled::kKept : Settled::kCut, write()};
+    return {interiors_connected() ? TopologyVerdict::kKept : TopologyVerdict::kCut, write()};
   }
 
  private:
@@ -177,8 +177,8 @@ class Settler {
 
 }  // namespace
 
-Settlement settle(const Region& exact, const Region& moved, Cancellation& cancellation) {
-  return Settler(exact, moved, cancellation).run();
+TopologyCheck check_topology(const Region& exact, const Region& moved, Cancellation& cancellation) {
+  return TopologyChecker(exact, moved, cancellation).run();
 }
 
 }  // namespace minksum

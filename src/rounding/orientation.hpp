@@ -7,7 +7,7 @@
 
 namespace minksum {
 
-/// Whether a ring of a legal region runs counter-clockwise. O(n).
+/// Whether a ring of a valid region runs counter-clockwise. O(n).
 [[nodiscard]] bool counter_clockwise(const Region& region, std::size_t ring,
                                      Cancellation& cancellation);
 

@@ -34,8 +34,8 @@ std::vector<std::size_t> topology(const Region& region) {
 
 // -- Thin parts ----------------------------------------------------------------------------------
 Point nearest_point(const Point& p, const Target& target) {
-  const Place x = nearest_place(p.x, target);
-  const Place y = nearest_place(p.y, target);
+  const RoundedCoordinate x = nearest_place(p.x, target);
+  const RoundedCoordinate y = nearest_place(p.y, target);
   if (!target.is_decimal() && !(std::isfinite(x.value) && std::isfinite(y.value))) {
     fail_beyond_doubles();
   }

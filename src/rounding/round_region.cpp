@@ -21,8 +21,8 @@ double in_units(double length, const Target& target) {
 }
 
 [[noreturn]] void refuse(const Region& region, const RoundOptions& options) {
-  require_legal(region, -1, options.cancel);
-  throw Error(ErrorCode::kInternal, "a legal region did not settle", {}, "round");
+  require_valid(region, -1, options.cancel);
+  throw Error(ErrorCode::kInternal, "a valid region did not check_topology", {}, "round");
 }
 
 Region resolved(const Region& region, const RoundOptions& options) {
@@ -69,9 +69,9 @@ double half_place(const RoundedVertices& vertices, const Target& target) {
 
 Region canonical(const Region& region, const RoundOptions& options) {
   Cancellation cancellation(options.cancel);
-  Settlement same = settle(region, region, cancellation);
-  if (same.outcome == Settled::kInvalid) refuse(region, options);
-  if (same.outcome == Settled::kCut) return resolved(same.region, options);
+  TopologyCheck same = check_topology(region, region, cancellation);
+  if (same.outcome == TopologyVerdict::kInvalid) refuse(region, options);
+  if (same.outcome == TopologyVerdict::kCut) return resolved(same.region, options);
   return std::move(same.region);
 }
 
@@ -92,12 +92,12 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
   } else {
     moved = {with_vertices(region, vertices, target, cancellation), largest_move(vertices)};
   }
-  Settlement settled = settle(region, moved.region, cancellation);
-  if (settled.outcome == Settled::kInvalid) return {};
-  if (settled.outcome == Settled::kCut) settled.region = resolved(settled.region, options);
+  TopologyCheck checked = check_topology(region, moved.region, cancellation);
+  if (checked.outcome == TopologyVerdict::kInvalid) return {};
+  if (checked.outcome == TopologyVerdict::kCut) checked.region = resolved(checked.region, options);
   report.largest_move = in_units(moved.largest_move, target);
   report.bound = diagonal(half * (options.side != RoundingSide::kNearest ? 2 : 1));
-  return std::move(settled.region);
+  return std::move(checked.region);
 }
 
 Geometry round_by_snapping(const Geometry& geometry, const Target& target,

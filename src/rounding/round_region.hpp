@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "minksum/round.hpp"
-#include "rounding/place.hpp"
+#include "rounding/round_vertices.hpp"
 
 namespace minksum {
 
@@ -14,8 +14,8 @@ namespace minksum {
 /// step.
 [[nodiscard]] double half_place(const RoundedVertices& vertices, const Target& target);
 
-/// A legal region in canonical form, valid by OGC's rules: cut interiors in pieces of their own.
-/// Throws Error(kBadInput) if it is not legal.
+/// A valid region in canonical form by OGC's rules: cut interiors in pieces of their own.
+/// Throws Error(kBadInput) if it is not valid.
 [[nodiscard]] Region canonical(const Region& region, const RoundOptions& options);
 
 /// Vertex by vertex; nothing if that is not valid, or not safe. The report lacks `topology_kept`,

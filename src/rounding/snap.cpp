@@ -125,8 +125,8 @@ class Snapper {
     }
   }
 
-  [[nodiscard]] Place place(const BigInt& centre) const {
-    Place place;
+  [[nodiscard]] RoundedCoordinate place(const BigInt& centre) const {
+    RoundedCoordinate place;
     if (grid_.target.is_decimal()) {
       place.integer = centre;
       return place;

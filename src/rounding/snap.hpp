@@ -3,7 +3,7 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
-#include "rounding/place.hpp"
+#include "rounding/round_vertices.hpp"
 
 namespace minksum {
 

@@ -32,7 +32,7 @@ void count(const Workspace::State& w, const Predicates& predicates, Statistics& 
                                                    : statistics.by_fixed_width) = counts.by_kernel;
 }
 
-void prepare(const Given& p, const Given& q, const Options& options, Cancellation& cancellation,
+void prepare(const CallerOperand& p, const CallerOperand& q, const Options& options, Cancellation& cancellation,
              Workspace::State& w) {
   std::array<const PreparedOperand*, 2> ready{p.operand, q.operand};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
@@ -68,10 +68,10 @@ void convolve(Workspace::State& w, const Options& options, Cancellation& cancell
                                 cancellation, w.convolution_scratch, w.convolution);
 }
 
-void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
+void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
                    const Options& options, Cancellation& cancellation, Workspace::State& w) {
   std::vector<Fault> faults;
-  prepare_operand(legal, options, 0, cancellation, w.operand_scratch, w.prepared[1], faults);
+  prepare_operand(valid, options, 0, cancellation, w.operand_scratch, w.prepared[1], faults);
   if (!faults.empty()) reject(faults[0], 1);
   combine_operands(p, w.prepared[1], options, narrow, cancellation, w.operands);
 }
@@ -146,7 +146,7 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
   }
 }
 
-void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
+void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options, Workspace::State& w,
                   Region& result) {
   StageRunner runner(options);
   runner.run(Stage::kOperands, [&] { prepare(p, q, options, runner.cancellation(), w); });

@@ -44,19 +44,19 @@ struct PreparedRegion::State {
 };
 
 /// One of the two that are to be summed: prepared before, or now.
-struct Given {
+struct CallerOperand {
   const Region& region;
   const PreparedOperand* operand = nullptr;
   const SmallOperand* small = nullptr;  ///< if it is known to be one
 };
 
 /// The sum of two that are not empty, by Method::kReduced or kFull.
-void run_pipeline(const Given& p, const Given& q, const Options& options, Workspace::State& w,
+void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options, Workspace::State& w,
                   Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
-/// Combines a prepared operand with one that is legal.
-void prepare_legal(const PreparedOperand& p, const Region& legal, NarrowHoles narrow,
+/// Combines a prepared operand with one that is valid.
+void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
                    const Options& options, Cancellation& cancellation, Workspace::State& w);
 /// Lists the convolution, or where there is much of it a sample.
 void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation);

@@ -40,7 +40,7 @@ void reject(const Fault& fault, int operand) {
   throw Error(ErrorCode::kBadInput, to_string(fault), culprit);
 }
 
-void require_legal(const Region& region, int operand, const std::optional<CancelToken>& cancel) {
+void require_valid(const Region& region, int operand, const std::optional<CancelToken>& cancel) {
   const std::vector<Fault> faults = validate(region, 1, cancel);
   if (!faults.empty()) reject(faults.front(), operand);
 }

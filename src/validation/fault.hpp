@@ -1,4 +1,4 @@
-// What is thrown for an operand that is not legal.
+// What is thrown for an operand that is not valid.
 #pragma once
 
 #include "minksum/validity.hpp"
@@ -7,8 +7,8 @@ namespace minksum {
 
 /// Throws Error(kBadInput) that tells of a fault of this operand (Culprit::operand).
 [[noreturn]] void reject(const Fault& fault, int operand);
-/// Throws that for the first fault of a region that is not legal (see `validate`).
-void require_legal(const Region& region, int operand,
+/// Throws that for the first fault of a region that is not valid (see `validate`).
+void require_valid(const Region& region, int operand,
                    const std::optional<CancelToken>& cancel = {});
 
 }  // namespace minksum

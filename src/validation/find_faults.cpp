@@ -1,4 +1,4 @@
-// What makes an operand illegal: edges that meet where they must not, rings in the wrong place.
+// What makes an operand invalid: edges that meet where they must not, rings in the wrong place.
 #include <algorithm>
 #include <cmath>
 #include <span>

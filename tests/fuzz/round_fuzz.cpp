@@ -1,4 +1,4 @@
-// Rounding: bytes become a region with rational vertices; whatever it is rounded to is legal,
+// Rounding: bytes become a region with rational vertices; whatever it is rounded to is valid,
 // canonical as far as rounding again changes nothing, close to it, and on the right side of it.
 #include <cstddef>
 #include <cstdint>
@@ -78,7 +78,7 @@ void try_rounding(const Region& exact, const RoundOptions& options) {
     expect(truth, exact, options, rounded, what);
   };
   require(on_target(rounded, options), "coordinates are of the target");
-  require(validate(rounded, 1).empty(), "it is legal");
+  require(validate(rounded, 1).empty(), "it is valid");
   require(report.largest_move <= report.bound, "it keeps its bound");
   RoundingReport again;
   require(round(rounded, options, &again) == rounded && again.exact,

@@ -61,7 +61,7 @@ void expect_sum(const Region& p, const Region& q, const char* setting, const Opt
       fail(p, q, std::string("the sum is the signed one, ") + setting);
     }
   } catch (const Error& error) {
-    fail(p, q, std::string("legal operands have a sum, ") + setting + ": " + error.what());
+    fail(p, q, std::string("valid operands have a sum, ") + setting + ": " + error.what());
   }
 }
 
@@ -109,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     expected = minkowski_sum(p, q, options);
   } catch (const Error& error) {
-    fail(p, q, std::string("legal operands have a signed sum: ") + error.what());
+    fail(p, q, std::string("valid operands have a signed sum: ") + error.what());
   }
   try_settings(p, q, expected, grid);
   Workspace workspace;

@@ -148,7 +148,7 @@ TEST(ConfigurationSpace, ReferencePoint) {
         as_geometry(pair.p));
     const Turn turn = nearest_turn(random_angle(random));
     EXPECT_EQ(space.slice(turn).obstacles, home.slice(turn).obstacles);
-    const Rational& reach = space.reach();
+    const Rational& reach = space.radius();
     for (std::size_t v = 0; v < pair.q.vertex_count(); ++v) {
       const Point p = pair.q.point(v);
       const Point d{p.x - options.reference.x, p.y - options.reference.y};
@@ -177,7 +177,7 @@ TEST(ConfigurationSpace, NothingInTheWay) {
   const Slice slice = space.slice(nearest_turn(30), true);
   EXPECT_TRUE(slice.obstacles.empty());
   EXPECT_EQ(slice.free.region, resolve(as_geometry(test::rectangle(-10, -10, 10, 10))).region);
-  EXPECT_EQ(space.reach(), Rational(5));
+  EXPECT_EQ(space.radius(), Rational(5));
 }
 
 // Squares of its coordinates are beyond all doubles.
@@ -187,8 +187,8 @@ TEST(ConfigurationSpace, RobotsOfAnySize) {
     const Rational size(Decimal{1, exponent});
     const Region robot = test::scaled(square, size);
     const ConfigurationSpace space(as_geometry(robot), as_geometry(square));
-    EXPECT_GE(space.reach() * space.reach(), size * size * Rational(2));
-    EXPECT_LE(space.reach(), size * Rational(3, 2));
+    EXPECT_GE(space.radius() * space.radius(), size * size * Rational(2));
+    EXPECT_LE(space.radius(), size * Rational(3, 2));
     EXPECT_EQ(space.slice(nearest_turn(0)).obstacles.region,
               minkowski_sum(square, reflect(robot)));
   }

@@ -54,7 +54,7 @@ Doubles random_outline(Random& random) {
     }
     std::sort(points.begin() + 1, points.end());
     do {
-      if (reference::legal_fault(from_rationals(points)).empty()) return points;
+      if (reference::validity_fault(from_rationals(points)).empty()) return points;
     } while (std::next_permutation(points.begin() + 1, points.end()));
   }
 }
@@ -94,7 +94,7 @@ TEST(Doubles, OneExponentWithFullMantissas) {
     };
     const Region p = from_doubles(jittered(random_star_shaped(random, 8, 24)));
     const Region q = from_doubles(jittered(random_star_shaped(random, 8, 24)));
-    if (!reference::legal_fault(p).empty() || !reference::legal_fault(q).empty()) continue;
+    if (!reference::validity_fault(p).empty() || !reference::validity_fault(q).empty()) continue;
     SCOPED_TRACE(note(seed, p, q));
     EXPECT_EQ(minkowski_sum(p, q), reference::brute_force_sum(p, q));
   }

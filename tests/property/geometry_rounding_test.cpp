@@ -100,7 +100,7 @@ void check(const Geometry& exact, const RoundOptions& options, bool by_reference
   tally.exact += report.exact ? 1 : 0;
   tally.snapped += report.snapped ? 1 : 0;
   tally.thin += rounded.has_thin_parts() ? 1U : 0U;
-  // On the target, legal, resolved, on its side, and exact if it says so.
+  // On the target, valid, resolved, on its side, and exact if it says so.
   EXPECT_EQ(broken_rounding(exact, options, report, rounded), "");
   EXPECT_EQ(report.exact, rounded == exact);
   if (report.exact) {

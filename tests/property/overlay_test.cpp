@@ -81,7 +81,7 @@ TEST(Overlay, ResolveOfFractionsIsAsByBruteForce) {
   }
 }
 
-// Rings of legal regions mean the same by any rule that does not ask for their direction.
+// Rings of valid regions mean the same by any rule that does not ask for their direction.
 TEST(Overlay, LegalRegionsAreWhatTheyAre) {
   const int count = count_from_environment(1000);
   for (int i = 0; i < count && !HasFailure(); ++i) {

@@ -71,7 +71,7 @@ Rational Judge::margin_of(const ReachScene& scene) const {
                              reference::direction_of(turns_[(i + 1) % turns_.size()]));
     largest = std::max(largest, half.value());
   }
-  return plain.reach() * reference::to_rational(largest);
+  return plain.radius() * reference::to_rational(largest);
 }
 
 reference::SliceGraph& Judge::graph() {

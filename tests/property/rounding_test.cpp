@@ -76,7 +76,7 @@ class Checker {
 
   /// The same and more, by slow means that share nothing with the library.
   void check_by_reference() const {
-    EXPECT_EQ(reference::legal_fault(rounded_), "");
+    EXPECT_EQ(reference::validity_fault(rounded_), "");
     EXPECT_EQ(reference::canonical_fault(rounded_), "");
     EXPECT_FALSE(is_far(rounded_));
     const auto lost = reference::brute_force_boolean(

@@ -50,7 +50,7 @@ Region carved(Random& random, bool halves) {
     }
   }
   const Region around = frame(holes, 1);
-  return reference::legal_fault(around).empty() ? around : cells;
+  return reference::validity_fault(around).empty() ? around : cells;
 }
 
 Region small_part(Random& random) {

@@ -96,7 +96,7 @@ class Runner {
     options.side = side;
     options.decimals = decimals;
     const Region rounded = round(exact, options);
-    expect(name, validate(rounded, 1).empty(), what + ": not legal");
+    expect(name, validate(rounded, 1).empty(), what + ": not valid");
     if (!decimals) expect(name, test::geos_fault(rounded).empty(), what + ": not valid by GEOS");
     if (side == RoundingSide::kOutside) expect(name, contains(rounded, exact), what);
     if (side == RoundingSide::kInside) expect(name, contains(exact, rounded), what);

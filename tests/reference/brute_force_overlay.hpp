@@ -13,12 +13,12 @@
 
 namespace minksum::reference {
 
-/// As minksum::resolve, but for kStrict, which it takes for legal.
+/// As minksum::resolve, but for kStrict, which it takes for valid.
 [[nodiscard]] Geometry brute_force_resolve(const Geometry& geometry, FillRule rule,
                                            bool regularize = false);
 
 /// The closure of the points for which `keep(in a, in b)` says yes and that are on no edge. Regions
-/// must be legal.
+/// must be valid.
 [[nodiscard]] Region brute_force_boolean(const Region& a, const Region& b,
                                          const std::function<bool(bool, bool)>& keep);
 

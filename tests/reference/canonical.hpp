@@ -22,10 +22,10 @@ struct Piece {
 /// The same for directed rings (interior on the left) whose edges meet only at vertices.
 [[nodiscard]] Region link_rings(const Loops& rings);
 
-/// The canonical form of a legal region in any form.
+/// The canonical form of a valid region in any form.
 [[nodiscard]] Region canonical(const Region& region);
 
-/// All rings of a legal region, directed with the interior on the left, without repeated
+/// All rings of a valid region, directed with the interior on the left, without repeated
 /// vertices, their edges split wherever a vertex of any ring lies on them.
 [[nodiscard]] Loops directed_and_noded(const std::vector<Loops>& polygons);
 

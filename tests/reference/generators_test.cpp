@@ -1,4 +1,4 @@
-// What the generators make is legal, varied and the same everywhere.
+// What the generators make is valid, varied and the same everywhere.
 #include "support/generators.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace {
 
-using minksum::reference::legal_fault;
+using minksum::reference::validity_fault;
 using namespace minksum::test;
 
 TEST(Generators, MakeLegalRegionsOfAllSorts) {
@@ -24,7 +24,7 @@ TEST(Generators, MakeLegalRegionsOfAllSorts) {
     const Pair pair = random_pair(random);
     ++kinds[pair.kind];
     for (const minksum::Region* region : {&pair.p, &pair.q}) {
-      ASSERT_EQ(legal_fault(*region), "") << "seed " << seed << ' ' << to_text(*region);
+      ASSERT_EQ(validity_fault(*region), "") << "seed " << seed << ' ' << to_text(*region);
       with_holes += region->hole_count() > 0 ? 1 : 0;
       with_parts += region->polygon_count() > 1 ? 1 : 0;
     }
@@ -36,10 +36,10 @@ TEST(Generators, MakeLegalRegionsOfAllSorts) {
 
 TEST(Generators, LargerShapesAreLegal) {
   Random random(7);
-  EXPECT_EQ(legal_fault(comb(30, 2, 9)), "");
-  EXPECT_EQ(legal_fault(spiral(12)), "");
-  EXPECT_EQ(legal_fault(spiky_star(random, 50, 100000)), "");
-  EXPECT_EQ(legal_fault(round_polygon(64, 1000000)), "");
+  EXPECT_EQ(validity_fault(comb(30, 2, 9)), "");
+  EXPECT_EQ(validity_fault(spiral(12)), "");
+  EXPECT_EQ(validity_fault(spiky_star(random, 50, 100000)), "");
+  EXPECT_EQ(validity_fault(round_polygon(64, 1000000)), "");
   EXPECT_EQ(spiral(12).vertex_count(), 96U);
 }
 

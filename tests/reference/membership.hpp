@@ -5,7 +5,7 @@
 
 namespace minksum::reference {
 
-/// Where a point is with respect to a legal region.
+/// Where a point is with respect to a valid region.
 [[nodiscard]] Side locate(const Pt& p, const Region& region);
 
 /// Is x in P ⊕ Q (closed)? It is iff P meets x - Q. Every edge against every edge.

@@ -23,7 +23,7 @@ namespace minksum::reference {
 
 enum class Collision { kNone, kObstacle, kWorkspace };
 
-/// A robot, and all that is in its way. Regions must be legal; obstacles may overlap one another in
+/// A robot, and all that is in its way. Regions must be valid; obstacles may overlap one another in
 /// any way.
 class PlacedRobot {
  public:

@@ -13,7 +13,7 @@ namespace minksum::reference {
 /// and x − Q meet, they do in an open set, and so in a point that is inside a piece of each. P ⊕ Q
 /// is the union S of all A ⊕ B. What is in S and not in U lies on edges of these sums. On each edge
 /// that is the rest when the open sums are taken away: intervals and points. They are tight where
-/// both sides are in S. Operands must be legal. Meant for up to a few dozen vertices.
+/// both sides are in S. Operands must be valid. Meant for up to a few dozen vertices.
 [[nodiscard]] Geometry brute_force_tight_places(const Region& p, const Region& q);
 
 }  // namespace minksum::reference

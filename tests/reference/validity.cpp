@@ -146,7 +146,7 @@ std::string nesting_fault(const std::vector<Loops>& polygons, const Sides& sides
 
 }  // namespace
 
-std::string legal_fault(const Region& region) {
+std::string validity_fault(const Region& region) {
   std::vector<Loops> polygons = to_loops(region);
   Loops rings;
   for (Loops& loops : polygons) {
@@ -165,10 +165,10 @@ std::string legal_fault(const Region& region) {
 }
 
 std::string canonical_fault(const Region& region) {
-  std::string fault = legal_fault(region);
+  std::string fault = validity_fault(region);
   if (!fault.empty()) return fault;
   try {
-    if (!(canonical(region) == region)) return "legal, but not in canonical form";
+    if (!(canonical(region) == region)) return "valid, but not in canonical form";
   } catch (const std::logic_error& error) {
     return std::string("the boundary does not link up: ") + error.what();
   }

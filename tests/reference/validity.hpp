@@ -1,4 +1,4 @@
-// Is a region legal, is it canonical: decided exactly, by testing every edge against every edge.
+// Is a region valid, is it canonical: decided exactly, by testing every edge against every edge.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace minksum::reference {
 
-/// Why `region` is no legal operand (see minksum::validate); empty if it is.
-[[nodiscard]] std::string legal_fault(const Region& region);
+/// Why `region` is no valid operand (see minksum::validate); empty if it is.
+[[nodiscard]] std::string validity_fault(const Region& region);
 
 /// Why `region` is no canonical result (see minksum::Region); empty if it is. Slow for more than
 /// some thousand vertices.

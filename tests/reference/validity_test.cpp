@@ -10,27 +10,27 @@ namespace {
 
 using minksum::Region;
 using minksum::reference::canonical_fault;
-using minksum::reference::legal_fault;
+using minksum::reference::validity_fault;
 using namespace minksum::test;
 
 const Outline kBox{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
 TEST(LegalFault, AcceptsWhatIsLegal) {
-  EXPECT_EQ(legal_fault(Region{}), "");
-  EXPECT_EQ(legal_fault(make_polygon(kBox, {{{2, 2}, {4, 2}, {2, 4}}})), "");
+  EXPECT_EQ(validity_fault(Region{}), "");
+  EXPECT_EQ(validity_fault(make_polygon(kBox, {{{2, 2}, {4, 2}, {2, 4}}})), "");
   // Any orientation, repeated vertices, straight vertices.
-  EXPECT_EQ(legal_fault(make_polygon({{0, 8}, {8, 8}, {8, 8}, {8, 0}, {4, 0}, {0, 0}})), "");
+  EXPECT_EQ(validity_fault(make_polygon({{0, 8}, {8, 8}, {8, 8}, {8, 0}, {4, 0}, {0, 0}})), "");
   // A hole that touches the outer ring in a vertex; two holes that touch each other.
-  EXPECT_EQ(legal_fault(make_polygon(kBox, {{{0, 4}, {2, 2}, {4, 4}}, {{4, 4}, {6, 2}, {6, 6}}})),
+  EXPECT_EQ(validity_fault(make_polygon(kBox, {{{0, 4}, {2, 2}, {4, 4}}, {{4, 4}, {6, 2}, {6, 6}}})),
             "");
   // A part in a hole of another part, touching it.
-  EXPECT_EQ(legal_fault(make_region(
+  EXPECT_EQ(validity_fault(make_region(
                 {{kBox, {{2, 2}, {6, 2}, {6, 6}, {2, 6}}}, {{{2, 2}, {5, 3}, {3, 5}}}})),
             "");
 }
 
 TEST(LegalFault, RejectsWhatIsNot) {
-  const auto rejects = [](const Region& region) { return !legal_fault(region).empty(); };
+  const auto rejects = [](const Region& region) { return !validity_fault(region).empty(); };
   EXPECT_TRUE(rejects(make_polygon({{0, 0}, {1, 1}})));
   EXPECT_TRUE(rejects(make_polygon({{0, 0}, {1, 1}, {2, 2}})));
   EXPECT_TRUE(rejects(make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));

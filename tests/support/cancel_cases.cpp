@@ -179,7 +179,7 @@ std::vector<Binary> binary_operations() {
   add_sum("sum, arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; });
   add_sum("sum, no filter", [](Options& o) { o.filter = false; });
   add("no-fit polygon", [](const Geometry& a, const Geometry& b, const Cancel& c) {
-    NestingOptions options;
+    NoFitOptions options;
     options.reference = Point{};
     options.cancel = c;
     const NoFitPolygon polygon(a, b, options);

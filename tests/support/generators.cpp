@@ -18,7 +18,7 @@ int random_size(Random& random) {
 
 Region star_of(Random& random) {
   Region star = spiky_star(random, random.between(3, 6), 24);
-  return reference::legal_fault(star).empty() ? star : random_triangle(random, 8);
+  return reference::validity_fault(star).empty() ? star : random_triangle(random, 8);
 }
 
 struct Kind {
@@ -69,7 +69,7 @@ Region two_parts(Random& random) {
   for (int attempt = 0; attempt < 10; ++attempt) {
     const int dx = random.between(-8, 20);
     Region both = together(a, moved(b, dx, random.between(-8, 20)));
-    if (reference::legal_fault(both).empty()) return both;
+    if (reference::validity_fault(both).empty()) return both;
   }
   return together(a, moved(b, 60, 0));
 }

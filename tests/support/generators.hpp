@@ -15,7 +15,7 @@ struct Pair {
   std::string kind;  ///< for messages
 };
 
-/// A small legal region of a random kind: 3 to about 16 vertices on a grid of up to 24, often a
+/// A small valid region of a random kind: 3 to about 16 vertices on a grid of up to 24, often a
 /// very small one, so that collinear runs, parallel edges and coincidences are frequent.
 [[nodiscard]] Region random_region(Random& random, std::string* kind = nullptr);
 /// The same with one part only.

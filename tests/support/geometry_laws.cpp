@@ -184,7 +184,7 @@ std::string broken_rounding(const Geometry& exact, const RoundOptions& options,
                   rounded, exact);
   };
   if (!on_target(rounded, options)) return fault("coordinates are of the target");
-  if (!validate(rounded.region, 1).empty()) return fault("what is rounded is legal");
+  if (!validate(rounded.region, 1).empty()) return fault("what is rounded is valid");
   if (!(resolve(rounded) == rounded)) return fault("what is rounded is resolved");
   if (report.largest_move > report.bound) return fault("rounding keeps its bound");
   if (report.exact && !(rounded == exact)) return fault("what is exact is as it was");

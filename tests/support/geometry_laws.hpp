@@ -36,7 +36,7 @@ struct SumCase {
                                          const std::function<Point(const Point&)>& map);
 /// A result is resolved by its definition; large ones are not asked.
 [[nodiscard]] std::string broken_form(const Geometry& result);
-/// Rounded to doubles, 3 decimals and integers, on each side: on the target, legal, resolved, and
+/// Rounded to doubles, 3 decimals and integers, on each side: on the target, valid, resolved, and
 /// containing or contained.
 [[nodiscard]] std::string broken_rounding(const Geometry& exact);
 /// What is wrong with one rounded geometry.

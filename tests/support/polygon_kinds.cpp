@@ -31,14 +31,14 @@ Outline random_vertices(Random& random, int count, int size) {
   return points;
 }
 
-// Tries until `make` gives a legal outline; a triangle if luck fails.
+// Tries until `make` gives a valid outline; a triangle if luck fails.
 template <class Make>
-Region until_legal(Random& random, int size, Make&& make) {
+Region until_valid(Random& random, int size, Make&& make) {
   for (int attempt = 0; attempt < 50; ++attempt) {
     const Outline outline = make();
     if (outline.size() < 3) continue;
     Region region = make_polygon(outline);
-    if (reference::legal_fault(region).empty()) return region;
+    if (reference::validity_fault(region).empty()) return region;
   }
   return random_triangle(random, size);
 }
@@ -53,7 +53,7 @@ Region random_triangle(Random& random, int size) {
 }
 
 Region random_star_shaped(Random& random, int count, int size) {
-  return until_legal(random, size, [&] {
+  return until_valid(random, size, [&] {
     const Vertex centre{size / 2, size / 2};
     Outline points = random_vertices(random, count, size);
     std::erase(points, centre);
@@ -72,7 +72,7 @@ Region random_star_shaped(Random& random, int count, int size) {
 }
 
 Region random_two_opt(Random& random, int count, int size) {
-  return until_legal(random, size, [&] {
+  return until_valid(random, size, [&] {
     Outline p = random_vertices(random, count, size);
     const std::size_t n = p.size();
     const auto crosses = [&](std::size_t i, std::size_t j) {
@@ -98,7 +98,7 @@ Region random_two_opt(Random& random, int count, int size) {
 }
 
 Region random_convex(Random& random, int count, int size) {
-  return until_legal(random, size, [&] {
+  return until_valid(random, size, [&] {
     reference::IntLoop<std::int64_t> points;
     for (const Vertex& v : random_vertices(random, count, size)) points.push_back({v.x, v.y});
     Outline hull;
@@ -201,7 +201,7 @@ Region random_with_holes(Random& random, int size, int holes) {
       const Region hole = moved(random_two_opt(random, random.between(3, 5), small + 1), dx, dy);
       Polygon more = polygon;
       more.holes.push_back(hole.polygon(0).outer);
-      if (!reference::legal_fault(Region(more)).empty()) continue;
+      if (!reference::validity_fault(Region(more)).empty()) continue;
       polygon = std::move(more);
       break;
     }

@@ -1,4 +1,4 @@
-// Kinds of polygons on integer grids, legal by construction or by an exact check.
+// Kinds of polygons on integer grids, valid by construction or by an exact check.
 #pragma once
 
 #include "minksum/region.hpp"

@@ -145,7 +145,7 @@ void make_cast(Random& random, RobotScene& scene) {
   Region room = transform(scene.robot, scene.turn.map());
   if (random.one_in(2)) {
     const Region more = together(room, moved(scene.robot, 3 * random.between(4, 12), 0));
-    if (reference::legal_fault(more).empty()) room = more;
+    if (reference::validity_fault(more).empty()) room = more;
   }
   scene.options.workspace = Geometry{std::move(room), {}, {}};
   if (random.one_in(3)) add_walls(random, scene.obstacles, 12);

@@ -10,7 +10,7 @@ namespace minksum::test {
 
 struct RobotScene {
   Region robot;
-  Geometry obstacles;            ///< its parts may overlap; its region is legal
+  Geometry obstacles;            ///< its parts may overlap; its region is valid
   ConfigurationOptions options;  ///< with the reference point and, now and then, a workspace
   std::size_t angles = 1;        ///< of a full turn
   double tolerance = 1e-3;       ///< of each turn, degrees

@@ -105,7 +105,7 @@ class Planner {
         reach_(reach.to_double()),
         cancel_(cancel),
         cancellation_(cancel) {
-    for (const FreeParts& slice : slices_) settled_.emplace_back(slice.parts.size(), false);
+    for (const FreeParts& slice : slices_) finished_.emplace_back(slice.parts.size(), false);
   }
 
   [[nodiscard]] std::size_t part_count() const {
@@ -135,8 +135,8 @@ class Planner {
       Step step = std::move(open_.back());
       open_.pop_back();
       if (step.slice == kNone) return path_to(step);
-      if (settled_[step.slice][step.part]) continue;
-      if (step.known || make_known(step)) settle(std::move(step), last);
+      if (finished_[step.slice][step.part]) continue;
+      if (step.known || make_known(step)) finish(std::move(step), last);
     }
     return {};
   }
@@ -188,8 +188,8 @@ class Planner {
     return false;
   }
 
-  void settle(Step step, std::size_t last) {
-    settled_[step.slice][step.part] = true;
+  void finish(Step step, std::size_t last) {
+    finished_[step.slice][step.part] = true;
     const std::size_t index = done_.size();
     done_.push_back(std::move(step));
     const Step& here = done_.back();
@@ -205,7 +205,7 @@ class Planner {
       const double cost = here.cost + std::abs(angle) * reach_;
       for (std::size_t p = 0; p < slices_[s].parts.size(); ++p) {
         cancellation_.check(8);
-        if (!settled_[s][p]) offer({cost, index, s, p, false, {}, {}});
+        if (!finished_[s][p]) offer({cost, index, s, p, false, {}, {}});
       }
     }
   }
@@ -249,7 +249,7 @@ class Planner {
   double reach_;
   const std::optional<CancelToken>& cancel_;
   Cancellation cancellation_;
-  std::vector<std::vector<bool>> settled_;
+  std::vector<std::vector<bool>> finished_;
   std::vector<Step> open_;  ///< a heap
   std::vector<Step> done_;
   std::size_t offered_ = 0;
@@ -286,7 +286,7 @@ Reach reach(const Geometry& robot, const Geometry& obstacles, const Configuratio
   regular.tight = false;  // ways without play do not count
   ConfigurationSpace space(robot, obstacles, regular);
   if (options.certain) {
-    result.margin = margin_of(turns, space.reach(), std::max(first.off, last.off));
+    result.margin = margin_of(turns, space.radius(), std::max(first.off, last.off));
     if (result.margin.sign() > 0) space = space.grown(octagon(result.margin));
   }
   space.include(from.at);
@@ -297,7 +297,7 @@ Reach reach(const Geometry& robot, const Geometry& obstacles, const Configuratio
   space.for_each_slice(
       turns, true, [&](std::size_t i, Slice& slice) { parts[i] = parts_of(slice, options.cancel); },
       [](std::size_t, Slice&) {});
-  Planner planner(std::move(parts), from, to, space.reach(), options.cancel);
+  Planner planner(std::move(parts), from, to, space.radius(), options.cancel);
   result.slices = turns.size();
   result.parts = planner.part_count();
   result.path = planner.find(planner.slice_of(first), planner.slice_of(last));

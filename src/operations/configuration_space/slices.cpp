@@ -17,7 +17,7 @@ namespace minksum {
 struct ConfigurationSpace::State {
   ConfigurationOptions options;
   Region robot;           ///< its reference point at the origin
-  Rational reach;
+  Rational radius;
   Geometry obstacles;
   Region workspace;
   Geometry forbidden;                 ///< obstacles, and what is outside of the workspace
@@ -45,7 +45,7 @@ Options sum_options(const ConfigurationOptions& options) {
 }
 
 /// A rational that is not below the largest distance from the origin.
-Rational reach_of(const Region& robot, const std::optional<CancelToken>& cancel) {
+Rational radius_of(const Region& robot, const std::optional<CancelToken>& cancel) {
   Cancellation cancellation(cancel);
   Rational squared;
   Rational largest;  // coordinate
@@ -58,7 +58,7 @@ Rational reach_of(const Region& robot, const std::optional<CancelToken>& cancel)
   const double root = std::sqrt(squared.to_double());
   for (const double candidate : {root, root * (1 + 0x1p-40)}) {
     if (!std::isfinite(candidate)) break;
-    if (const Rational reach(candidate); reach * reach >= squared) return reach;
+    if (const Rational radius(candidate); radius * radius >= squared) return radius;
   }
   return largest * Rational(3, 2);
 }
@@ -147,18 +147,18 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
 
 void ConfigurationSpace::set_up(State state) {
   const std::optional<CancelToken>& cancel = state.options.cancel;
-  state.reach = reach_of(state.robot, cancel);
+  state.radius = radius_of(state.robot, cancel);
   state.forbidden = state.obstacles;
   if (state.options.workspace) {
     // A robot inside the workspace has its reference point in the boundary, and one that has it
-    // there is within twice the reach of the box: the frame's outer side is never seen.
-    boundary_ = widened(*bounding_box(state.workspace, cancel), state.reach);
-    const Region frame = as_region(widened(boundary_, state.reach * Rational(2)));
+    // there is within twice the radius of the box: the frame's outer side is never seen.
+    boundary_ = widened(*bounding_box(state.workspace, cancel), state.radius);
+    const Region frame = as_region(widened(boundary_, state.radius * Rational(2)));
     const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, cancel), {}, {}}};
     state.forbidden = unite(both, cancel);
   } else {
     const auto box = box_of(state.obstacles, cancel);
-    boundary_ = widened(box ? *box : Box{}, state.reach * Rational(2));
+    boundary_ = widened(box ? *box : Box{}, state.radius * Rational(2));
   }
   state.prepared = PreparedRegion(state.forbidden.region, cancel);
   state_ = std::make_shared<const State>(std::move(state));
@@ -175,13 +175,13 @@ ConfigurationSpace ConfigurationSpace::grown(const Region& by) const {
 void ConfigurationSpace::include(const Point& point) {
   if (state_->options.workspace) return;
   std::optional<Box> box = boundary_;
-  const Rational& by = state_->reach;
+  const Rational& by = state_->radius;
   enlarge(box, {point.x - by, point.y - by});
   enlarge(box, {point.x + by, point.y + by});
   boundary_ = *box;
 }
 
-const Rational& ConfigurationSpace::reach() const { return state_->reach; }
+const Rational& ConfigurationSpace::radius() const { return state_->radius; }
 const Region& ConfigurationSpace::robot() const { return state_->robot; }
 
 bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
@@ -223,7 +223,7 @@ void ConfigurationSpace::for_each_slice(
   if (turns.size() >= kManySlices && !state_->forbidden.region.empty() &&
       !state_->forbidden.has_thin_parts()) {
     const Region typical = turned_mirror(state_->robot, turns.front(), state_->options);
-    shared = share_raster(state_->prepared, typical, 2 * state_->reach.to_double(),
+    shared = share_raster(state_->prepared, typical, 2 * state_->radius.to_double(),
                           sum_options(state_->options));
   }
   const auto make = [&](std::size_t i, Workspace& workspace) {

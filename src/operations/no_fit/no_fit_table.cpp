@@ -6,7 +6,7 @@
 
 #include "machine/cancellation.hpp"
 #include "machine/in_order.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
 #include "operations/no_fit/table_part.hpp"
 #include "operations/sum/fixed_sum.hpp"

@@ -43,11 +43,11 @@ bool TablePart::read_small_part() {
 }
 
 Region TablePart::covered() const {
-  // Resolving takes as long as some sums: what is legal already goes without.
-  const bool legal = !small_.empty() || (is_by_role(options_->fill) &&
+  // Resolving takes as long as some sums: what is valid already goes without.
+  const bool valid = !small_.empty() || (is_by_role(options_->fill) &&
                                          validate(given_->region, 1, options_->cancel).empty());
   const Region area =
-      legal ? given_->region
+      valid ? given_->region
             : resolve(*given_, {options_->fill, true, options_->cancel, static_cast<int>(index_)})
                   .region;
   if (area.empty() || given_->region.empty()) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/prepared_region.hpp"
 #include "sum/small/small_operand.hpp"
 
@@ -17,7 +17,7 @@ namespace minksum {
 class TablePart {
  public:
   /// `given` and `options` must live as long. Throws Error(kBadInput) with the part's index if it
-  /// has no area or is no legal operand.
+  /// has no area or is no valid operand.
   TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options);
 
   /// As many as the table's turns; of one turn, there is the point mirror as well.

@@ -18,12 +18,12 @@ bool at_least(const Rational& a, const Rational& b, const Rational& c) {
 }
 
 /// The angle θ by which the path turns left from one edge to the next, from 0 to 180 degrees.
-struct Turn {
+struct Bend {
   Rational sine;  // these two times `length`
   Rational cosine;
   Rational squared;  // length²
 
-  Turn(const OffsetEdge& first, const OffsetEdge& second)
+  Bend(const OffsetEdge& first, const OffsetEdge& second)
       : sine(cross(first.along, second.along)),
         cosine(dot(first.along, second.along)),
         squared(first.squared * second.squared) {}
@@ -148,7 +148,7 @@ Point Corners::beyond(const Point& outwards, double tangent,
 
 /// The vector to where both moved edges meet: along the first by d·tan θ/2.
 std::vector<Point> Corners::miter(const OffsetEdge& first, const OffsetEdge& second) const {
-  const Turn turn(first, second);
+  const Bend turn(first, second);
   const double tangent = turn.half();
   const Rational low = Rational(tangent) - epsilon_;
   const Rational high = Rational(tangent) + epsilon_;
@@ -161,7 +161,7 @@ std::vector<Point> Corners::miter(const OffsetEdge& first, const OffsetEdge& sec
 /// Along the first edge by d·tan θ/4, and as much back along the second: there the cut at right
 /// angles to the bisector meets them.
 std::vector<Point> Corners::square(const OffsetEdge& first, const OffsetEdge& second) const {
-  const Turn turn(first, second);
+  const Bend turn(first, second);
   const double tangent = turn.quarter();
   const Rational low = Rational(tangent) - epsilon_;
   const Rational high = Rational(tangent) + epsilon_;

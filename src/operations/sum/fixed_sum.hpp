@@ -1,5 +1,5 @@
-// Sums of prepared regions for who knows more of them: that the other operand is legal, as images
-// of a legal one are, or that it takes the stages.
+// Sums of prepared regions for who knows more of them: that the other operand is valid, as images
+// of a valid one are, or that it takes the stages.
 #pragma once
 
 #include "minksum/prepared_region.hpp"
@@ -7,15 +7,15 @@
 
 namespace minksum {
 
-/// minkowski_sum(fixed, legal). `shared`, if it is not null, is for sums of `fixed`.
-Outcome minkowski_sum(const PreparedRegion& fixed, const Region& legal, const SharedRaster* shared,
+/// minkowski_sum(fixed, valid). `shared`, if it is not null, is for sums of `fixed`.
+Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
                       const Options& options, Workspace& workspace, Region& result);
 
 /// minkowski_sum(p, q) by the stages, for operands whose sum `sum_small` has left to them.
 Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result);
 
-/// What sums of `fixed` with others like `typical`, which is legal and not empty, can share; see
+/// What sums of `fixed` with others like `typical`, which is valid and not empty, can share; see
 /// `share_raster`.
 [[nodiscard]] std::optional<SharedRaster> share_raster(const PreparedRegion& fixed,
                                                        const Region& typical, double widest,

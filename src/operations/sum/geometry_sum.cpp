@@ -95,7 +95,7 @@ class Reader {
   [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
   [[nodiscard]] bool is_as_given() const { return as_given_; }
 
-  /// Legal polygons without thin parts are used as given, unless a rule says what they mean.
+  /// Valid polygons without thin parts are used as given, unless a rule says what they mean.
   void read() {
     const bool by_rule =
         options_.fill != FillRule::kAutomatic && options_.fill != FillRule::kStrict;
@@ -114,7 +114,7 @@ class Reader {
     if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
       return;
     }
-    // Rings that are not legal may add polylines.
+    // Rings that are not valid may add polylines.
     if (!validate(given_.region, 1, options_.cancel).empty()) return;
     resolved_.polylines.clear();
     for (const Polyline& line : given_.polylines) {
@@ -128,7 +128,7 @@ class Reader {
                                  {options_.fill, options_.regularize, options_.cancel, operand_});
     geometry_ = &resolved_;
     if (!partial_.take(operand_, resolved_.region)) {
-      throw Error(ErrorCode::kInternal, "a resolved operand is not legal", {}, "operands");
+      throw Error(ErrorCode::kInternal, "a resolved operand is not valid", {}, "operands");
     }
   }
 

@@ -14,7 +14,7 @@ class PartialSums {
  public:
   virtual ~PartialSums() = default;
 
-  /// Makes a region ready to be an operand (0 or 1) of the sums below; false if it is no legal one.
+  /// Makes a region ready to be an operand (0 or 1) of the sums below; false if it is no valid one.
   /// It must live as long as these sums are asked for.
   virtual bool take(int operand, const Region& region) = 0;
   /// The sum of both regions. The statistics are its.

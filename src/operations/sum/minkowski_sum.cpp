@@ -31,10 +31,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void require_legal(const Given& p, const Given& q, const Options& options) {
+void require_valid(const CallerOperand& p, const CallerOperand& q, const Options& options) {
   for (const int i : {0, 1}) {
-    const Given& given = i == 0 ? p : q;
-    if (given.operand == nullptr) minksum::require_legal(given.region, i, options.cancel);
+    const CallerOperand& given = i == 0 ? p : q;
+    if (given.operand == nullptr) minksum::require_valid(given.region, i, options.cancel);
   }
 }
 
@@ -81,13 +81,13 @@ bool may_be_small(const Options& o) {
 }
 
 /// Null if it is none.
-const SmallOperand* small_of(const Given& given, SmallOperand& memory) {
+const SmallOperand* small_of(const CallerOperand& given, SmallOperand& memory) {
   if (given.small != nullptr) return given.small;
   if (given.operand != nullptr) return nullptr;  // it was looked for when that was made
   return read_small(given.region, SmallHoles::kNone, memory) ? &memory : nullptr;
 }
 
-bool run_small(const Given& p, const Given& q, const Options& options, SmallScratch& scratch,
+bool run_small(const CallerOperand& p, const CallerOperand& q, const Options& options, SmallScratch& scratch,
                Region& result) {
   if (!may_be_small(options)) return false;
   Cancellation(options).look();
@@ -98,7 +98,7 @@ bool run_small(const Given& p, const Given& q, const Options& options, SmallScra
   return small_q != nullptr && sum_small(*small_p, *small_q, scratch, result);
 }
 
-void run(const Given& p, const Given& q, const Options& options, Workspace::State& state,
+void run(const CallerOperand& p, const CallerOperand& q, const Options& options, Workspace::State& state,
          Region& result) {
   const std::optional<Clock::time_point> begin =
       options.statistics != nullptr ? std::optional(Clock::now()) : std::nullopt;
@@ -107,10 +107,10 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
   if (options.tight != nullptr) *options.tight = Geometry{};
   require_method_for_tight(options);
   if (p.region.empty() || q.region.empty()) {
-    require_legal(p, q, options);
+    require_valid(p, q, options);
     result.clear();
   } else if (options.method == Method::kSigned) {
-    require_legal(p, q, options);
+    require_valid(p, q, options);
     Statistics unwanted;
     Statistics& statistics = options.statistics != nullptr ? *options.statistics : unwanted;
     signed_convolution_sum(p.region, q.region, options, statistics, result);
@@ -122,7 +122,7 @@ void run(const Given& p, const Given& q, const Options& options, Workspace::Stat
   }
 }
 
-Region run(const Given& p, const Given& q, const Options& options) {
+Region run(const CallerOperand& p, const CallerOperand& q, const Options& options) {
   Workspace workspace;
   Region result;
   run(p, q, options, workspace.state(), result);
@@ -143,7 +143,7 @@ Outcome without_exceptions(Work work, Clear clear) {
     return {Error(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"})};
   }
 }
-Outcome run_without_exceptions(const Given& p, const Given& q, const Options& options,
+Outcome run_without_exceptions(const CallerOperand& p, const CallerOperand& q, const Options& options,
                                Workspace& workspace, Region& result) {
   const auto work = [&] {
     require_two_results(options, result);
@@ -185,7 +185,7 @@ class Sums final : public PartialSums {
   }
   void add_regions(Region& sum) override { run(taken(0), taken(1), options_, state_, sum); }
   void sweep(int operand, std::span<const Polyline> polylines, Region& sum) override {
-    const Given area = taken(static_cast<std::size_t>(operand));
+    const CallerOperand area = taken(static_cast<std::size_t>(operand));
     if (options_.method == Method::kSigned) {
       signed_convolution_sum(area.region, polylines, quiet_, sum);
     } else if (operand == 0) {
@@ -220,11 +220,11 @@ class Sums final : public PartialSums {
     return std::chrono::duration<double>(time).count();
   }
   /// What is small is prepared where it is summed with what is not.
-  [[nodiscard]] Given taken(std::size_t i) const {
+  [[nodiscard]] CallerOperand taken(std::size_t i) const {
     if (is_small_[i]) return {*regions_[i], nullptr, &small_[i]};
     return {*regions_[i], &state_.prepared[i]};
   }
-  Given walk(std::size_t i, std::span<const Polyline> polylines) {
+  CallerOperand walk(std::size_t i, std::span<const Polyline> polylines) {
     walk_there_and_back(polylines, cancellation_, state_.walks[i]);
     prepare_thin_operand(state_.walks[i], options_, cancellation_, state_.operand_scratch,
                          state_.thin[i]);
@@ -252,7 +252,7 @@ void run(const Geometry& p, const Geometry& q, const Options& options, Workspace
   sums.count_time();
 }
 
-Given given(const PreparedRegion& region) {
+CallerOperand given(const PreparedRegion& region) {
   return {region.region(), &region.state().operand, region.state().small.get()};
 }
 
@@ -278,24 +278,24 @@ const Region& PreparedRegion::region() const { return state_->region; }
 Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
   const Kept first(p, options, nullptr);
   const Kept second(q, options, nullptr);
-  return run(Given{*first}, Given{*second}, options);
+  return run(CallerOperand{*first}, CallerOperand{*second}, options);
 }
 Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
   return run(given(p), given(q), options);
 }
 Region minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options) {
   const Kept first(p, options, nullptr);
-  return run(Given{*first}, given(q), options);
+  return run(CallerOperand{*first}, given(q), options);
 }
 Region minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options) {
   const Kept second(q, options, nullptr);
-  return run(given(p), Given{*second}, options);
+  return run(given(p), CallerOperand{*second}, options);
 }
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
   const Kept first(p, options, &result);
   const Kept second(q, options, &result);
-  return run_without_exceptions(Given{*first}, Given{*second}, options, workspace, result);
+  return run_without_exceptions(CallerOperand{*first}, CallerOperand{*second}, options, workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
@@ -304,28 +304,28 @@ Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Op
 Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
   const Kept first(p, options, &result);
-  return run_without_exceptions(Given{*first}, given(q), options, workspace, result);
+  return run_without_exceptions(CallerOperand{*first}, given(q), options, workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
   const Kept second(q, options, &result);
-  return run_without_exceptions(given(p), Given{*second}, options, workspace, result);
+  return run_without_exceptions(given(p), CallerOperand{*second}, options, workspace, result);
 }
 Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
   return run_without_exceptions({p.region(), &p.state().operand}, {q.region(), &q.state().operand},
                                 options, workspace, result);
 }
-Outcome minkowski_sum(const PreparedRegion& fixed, const Region& legal, const SharedRaster* shared,
+Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
                       const Options& options, Workspace& workspace, Region& result) {
   Workspace::State& w = workspace.state();
   const auto run_all = [&] {
     if (options.statistics != nullptr) *options.statistics = Statistics{};
     if (options.tight != nullptr) *options.tight = Geometry{};
-    if (fixed.region().empty() || legal.empty()) return result.clear();
+    if (fixed.region().empty() || valid.empty()) return result.clear();
     StageRunner runner(options);
     runner.run(Stage::kOperands, [&] {
-      prepare_legal(fixed.state().operand, legal, NarrowHoles::kFill, options,
+      prepare_valid(fixed.state().operand, valid, NarrowHoles::kFill, options,
                     runner.cancellation(), w);
     });
     run_stages(options, shared, runner, w, result);
@@ -339,7 +339,7 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
   Workspace::State& w = workspace.state();
   Cancellation cancellation(options);
   try {
-    prepare_legal(fixed.state().operand, typical, NarrowHoles::kKeep, options, cancellation, w);
+    prepare_valid(fixed.state().operand, typical, NarrowHoles::kKeep, options, cancellation, w);
     convolve(w, options, cancellation);
     return share_raster(w.operands, widest, options, cancellation, w.cover_scratch, w.convolution);
   } catch (const Error& error) {

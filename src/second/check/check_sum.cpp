@@ -8,7 +8,7 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/measure.hpp"
-#include "second/check/placement.hpp"
+#include "second/check/placed_operand.hpp"
 
 namespace minksum {
 namespace checking {
@@ -68,9 +68,9 @@ class Witness {
  private:
   Cancellation& cancellation_;
   EdgeTree result_;
-  Placement sum_;
-  std::optional<Placement> near_result_;  ///< if the result may be off: whether x is near it
-  std::optional<Placement> near_sum_;     ///< likewise
+  PlacedOperand sum_;
+  std::optional<PlacedOperand> near_result_;  ///< if the result may be off: whether x is near it
+  std::optional<PlacedOperand> near_sum_;     ///< likewise
   SumCheck& check_;
 };
 

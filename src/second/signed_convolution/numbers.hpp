@@ -31,7 +31,7 @@ using Int512 = boost::multiprecision::int512_t;
 /// of the exact coordinate, so that unequal keys tell the order and equal points have equal keys.
 inline constexpr unsigned kKeyBits = 62;
 
-struct SmallNumbers {
+struct NarrowNumbers {
   using Coordinate = std::int64_t;
   using Product = std::int64_t;
   using Scaled = Int128;

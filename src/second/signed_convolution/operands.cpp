@@ -19,7 +19,7 @@ struct ExactPolygon {
   std::vector<ExactRing> rings;  // the outer ring first
 };
 
-std::vector<ExactPolygon> read(const GivenOperand& given, Cancellation& cancellation) {
+std::vector<ExactPolygon> read(const CallerOperand& given, Cancellation& cancellation) {
   std::vector<ExactPolygon> polygons;
   for (const Polyline& polyline : given.polylines) {
     ExactRing walk(polyline);
@@ -274,7 +274,7 @@ void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank c
 
 }  // namespace
 
-IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q,
+IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
                               Cancellation& cancellation) {
   const std::vector<ExactPolygon> exact_p = read(p, cancellation);
   const std::vector<ExactPolygon> exact_q = read(q, cancellation);

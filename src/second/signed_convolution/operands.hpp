@@ -53,14 +53,14 @@ struct IntegerOperands {
 };
 
 /// An operand as it is given: a valid region, or polylines as in a resolved Geometry; not empty.
-struct GivenOperand {
-  GivenOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
-  explicit GivenOperand(std::span<const Polyline> given) : polylines(given) {}
+struct CallerOperand {
+  CallerOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
+  explicit CallerOperand(std::span<const Polyline> given) : polylines(given) {}
   const Region* region = nullptr;  ///< or
   std::span<const Polyline> polylines;
 };
 
-[[nodiscard]] IntegerOperands make_operands(const GivenOperand& p, const GivenOperand& q,
+[[nodiscard]] IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
                                             Cancellation& cancellation);
 
 /// Throws Error(kInternal) unless the operands are as described above: oriented or walks, no

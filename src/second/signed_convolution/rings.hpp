@@ -27,7 +27,7 @@ struct BoundaryRing {
 };
 
 /// A closed walk along the boundary of one component of the sum's interior.
-struct BoundaryWalk {
+struct BoundaryTrace {
   NodeId leftmost = 0;        ///< its lexicographically smallest node
   std::size_t outer = kNone;  ///< its outer ring, if it has one (it never has two)
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -35,7 +35,7 @@ struct BoundaryWalk {
 
 struct BoundaryRings {
   std::vector<BoundaryRing> rings;
-  std::vector<BoundaryWalk> walks;
+  std::vector<BoundaryTrace> walks;
 };
 
 /// An outer ring and its holes, by index.
@@ -83,7 +83,7 @@ class RingBuilder {
   // Whenever the walk comes back to a node, what it went through since is a ring of its own.
   void walk_from(HalfEdge start) {
     const std::size_t walk = result_.walks.size();
-    result_.walks.push_back({arrangement_.origin(start), BoundaryWalk::kNone});
+    result_.walks.push_back({arrangement_.origin(start), BoundaryTrace::kNone});
     std::vector<HalfEdge> path;
     HalfEdge h = start;
     do {
@@ -112,7 +112,7 @@ class RingBuilder {
     if (first != leftmost && geometry_.compare_xy(first, leftmost) < 0) leftmost = first;
     ring.outer = turn(ring.edges.back(), ring.edges.front()) > 0;
     if (ring.outer) {
-      if (result_.walks[walk].outer != BoundaryWalk::kNone) {
+      if (result_.walks[walk].outer != BoundaryTrace::kNone) {
         broken("a component of the sum has two outer rings");
       }
       result_.walks[walk].outer = result_.rings.size();
@@ -181,8 +181,8 @@ class PolygonBuilder {
       outers_.push_back(describe(i));
     }
     std::vector<std::size_t> outer_of_walk;
-    for (const BoundaryWalk& walk : boundary_.walks) {
-      outer_of_walk.push_back(walk.outer != BoundaryWalk::kNone ? walk.outer
+    for (const BoundaryTrace& walk : boundary_.walks) {
+      outer_of_walk.push_back(walk.outer != BoundaryTrace::kNone ? walk.outer
                                                                 : around(walk.leftmost));
     }
     for (std::size_t i = 0; i < boundary_.rings.size(); ++i) {
@@ -217,17 +217,17 @@ class PolygonBuilder {
   // is in the interior of the sum, hence on no ring and in the same component as the holes.
   [[nodiscard]] std::size_t around(NodeId node) const {
     const Key& key = geometry_.key(node);
-    std::size_t best = BoundaryWalk::kNone;
+    std::size_t best = BoundaryTrace::kNone;
     for (const OuterRing& outer : outers_) {
       cancellation_.check();
       if (key.x < outer.min.x || outer.max.x < key.x) continue;
       if (key.y < outer.min.y || outer.max.y < key.y) continue;
       if (!holds_left_of(outer.ring, node)) continue;
-      if (best == BoundaryWalk::kNone || doubled_area(outer.ring) < doubled_area(best)) {
+      if (best == BoundaryTrace::kNone || doubled_area(outer.ring) < doubled_area(best)) {
         best = outer.ring;
       }
     }
-    if (best == BoundaryWalk::kNone) broken("a hole of the sum is in no outer ring");
+    if (best == BoundaryTrace::kNone) broken("a hole of the sum is in no outer ring");
     return best;
   }
 

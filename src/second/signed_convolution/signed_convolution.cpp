@@ -50,7 +50,7 @@ void solve(const Input& input, const Options& options, Cancellation& cancellatio
   // Polylines along one direction: all pieces cancel.
   if (arrangement.pieces.empty()) return;
   cancellation.enter(Stage::kLoops);
-  const InsideFlags inside = WindingWalk<N>(geometry, arrangement, input.layers).run();
+  const InsideFlags inside = WindingTrace<N>(geometry, arrangement, input.layers).run();
   const BoundaryRings boundary = RingBuilder<N>(geometry, arrangement, inside).run();
   const auto polygons = PolygonBuilder<N>(geometry, arrangement, boundary).run();
   statistics.loops = boundary.rings.size();
@@ -64,11 +64,11 @@ void solve(const Input& input, const Options& options, Cancellation& cancellatio
 Arithmetic pick(unsigned bits, Arithmetic least) {
   const bool wider = least == Arithmetic::kWide || least == Arithmetic::kArbitrary;
   if (wider || bits > MediumNumbers::kBits) return Arithmetic::kArbitrary;
-  if (least == Arithmetic::kMedium || bits > SmallNumbers::kBits) return Arithmetic::kMedium;
+  if (least == Arithmetic::kMedium || bits > NarrowNumbers::kBits) return Arithmetic::kMedium;
   return Arithmetic::kNarrow;
 }
 
-void compute(const GivenOperand& p, const GivenOperand& q, const Options& options,
+void compute(const CallerOperand& p, const CallerOperand& q, const Options& options,
              Statistics& statistics, Region& result) {
   StageTimer timer(statistics);
   Cancellation cancellation(options);
@@ -90,7 +90,7 @@ void compute(const GivenOperand& p, const GivenOperand& q, const Options& option
   statistics.arithmetic = pick(operands.bits, options.arithmetic);
   switch (statistics.arithmetic) {
     case Arithmetic::kNarrow:
-      return solve<SmallNumbers>(input, options, cancellation, statistics, timer, result);
+      return solve<NarrowNumbers>(input, options, cancellation, statistics, timer, result);
     case Arithmetic::kMedium:
       return solve<MediumNumbers>(input, options, cancellation, statistics, timer, result);
     default:
@@ -98,7 +98,7 @@ void compute(const GivenOperand& p, const GivenOperand& q, const Options& option
   }
 }
 
-void compute_or_clear(const GivenOperand& p, const GivenOperand& q, const Options& options,
+void compute_or_clear(const CallerOperand& p, const CallerOperand& q, const Options& options,
                       Statistics& statistics, Region& result) {
   try {
     compute(p, q, options, statistics, result);
@@ -144,7 +144,7 @@ void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const 
   result.clear();
   if (p.empty() || q.empty()) return;
   Statistics unasked;
-  signed_sum::compute_or_clear(p, signed_sum::GivenOperand(q), options, unasked, result);
+  signed_sum::compute_or_clear(p, signed_sum::CallerOperand(q), options, unasked, result);
 }
 
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
@@ -152,7 +152,7 @@ void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polylin
   result = {};
   if (p.empty() || q.empty()) return;
   Statistics unasked;
-  signed_sum::compute_or_clear(signed_sum::GivenOperand(p), signed_sum::GivenOperand(q), options,
+  signed_sum::compute_or_clear(signed_sum::CallerOperand(p), signed_sum::CallerOperand(q), options,
                                unasked, result.region);
   Cancellation cancellation(options);
   for (const Polyline& a : p) {

@@ -52,9 +52,9 @@ using InsideFlags = std::vector<bool>;
 }
 
 template <class N>
-class WindingWalk {
+class WindingTrace {
  public:
-  WindingWalk(const Geometry<N>& geometry, const Arrangement& arrangement,
+  WindingTrace(const Geometry<N>& geometry, const Arrangement& arrangement,
               std::span<const Layer> layers)
       : geometry_(geometry),
         cancellation_(geometry.cancellation()),

@@ -114,7 +114,7 @@ struct JoinedSegments {
 
 /// A segment's line, as the cross product with the direction of its rank, rounded, and its ends
 /// along that.
-struct PlaceOnLine {
+struct LinePosition {
   double line;
   double from;
   double to;
@@ -125,7 +125,7 @@ struct PlaceOnLine {
 /// Memory for joining.
 struct JoinScratch {
   std::vector<SiteId> edge_of_rank;
-  std::vector<PlaceOnLine> places;
+  std::vector<LinePosition> places;
   std::vector<KeptSegment> members;
   std::vector<KeptSegment> result;
   std::vector<JoinedSegments> joined;

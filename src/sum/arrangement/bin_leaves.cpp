@@ -34,7 +34,7 @@ void keep_listed(const Operands& o, const Convolution& convolution, const Cover&
 }
 
 /// The box of a segment near a leaf, in units of the leaf's side from its lower left corner.
-CellBox box_near(const KeptSegment& s, const UniformGrid& grid, const CoverLeaf& leaf) {
+CellBox box_near(const KeptSegment& s, const UniformGrid& grid, const QuadtreeLeaf& leaf) {
   const CellLine line(s, grid.inverse);
   const Vec<double> a = line.start;
   const Vec<double> b{s.b.x * grid.inverse, s.b.y * grid.inverse};
@@ -65,7 +65,7 @@ void bin_leaves(const Operands& operands, const Convolution& convolution, const 
   scratch.leaf_end.clear();
   make_room(scratch.in_cells, cover.leaf_segments.size(), cancellation);
   std::uint32_t i = 0;
-  for (const CoverLeaf& leaf : cover.leaves) {
+  for (const QuadtreeLeaf& leaf : cover.leaves) {
     for (; i < leaf.end; ++i) {
       cancellation.check(2);
       const KeptId id = scratch.kept_id[cover.leaf_segments[i]];

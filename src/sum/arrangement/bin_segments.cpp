@@ -13,9 +13,9 @@ namespace minksum {
 namespace {
 
 /// How far segments go, all together.
-class Extent {
+class SegmentSpread {
  public:
-  Extent(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation)
+  SegmentSpread(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation)
       : width_(o.extent[0].x + o.extent[1].x),
         height_(o.extent[0].y + o.extent[1].y),
         count_(static_cast<double>(kept.size())) {
@@ -82,7 +82,7 @@ class Binner {
       place_once(visible);
     }
     join_lines(o_, joins, cancellation_, scratch_.join, kept_);
-    const Extent extent(o_, kept_, cancellation_);
+    const SegmentSpread extent(o_, kept_, cancellation_);
     grid_ = covers_any_ ? cover_.grid : extent.grid();
     scratch_.swept = !covers_any_ && extent.boxes_are_small();
     scratch_.extent = extent.size();

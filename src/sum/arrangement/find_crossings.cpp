@@ -74,7 +74,7 @@ class CrossingFinder {
   void solve_leaves() {
     std::uint32_t begin = 0;
     for (std::size_t i = 0; i < cover_.leaves.size(); ++i) {
-      const CoverLeaf& leaf = cover_.leaves[i];
+      const QuadtreeLeaf& leaf = cover_.leaves[i];
       const std::uint32_t end = scratch_.leaf_end[i];
       solve_square(std::exchange(begin, end), end, leaf.column, leaf.row, leaf.side);
     }
@@ -91,7 +91,7 @@ class CrossingFinder {
   }
 
   /// The cells of a row share their bounds, to the last bit, so that they tile the plane.
-  [[nodiscard]] Part part_of_square(std::int32_t side) const {
+  [[nodiscard]] SegmentExtent part_of_square(std::int32_t side) const {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
       return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
     };
@@ -99,12 +99,12 @@ class CrossingFinder {
             bound(column_ + side, grid_.columns), bound(row_ + side, grid_.rows)};
   }
 
-  void solve(Items items, const Part& part, int depth) {
+  void solve(Items items, const SegmentExtent& part, int depth) {
     if (items.size() <= kFew) return all_pairs(items, part);
     if (depth == kMaxDepth || !divide(items, part, depth)) sweep(items, part);
   }
 
-  void all_pairs(Items items, const Part& part) {
+  void all_pairs(Items items, const SegmentExtent& part) {
     meeter_.enter(part);
     for (std::size_t i = 1; i < items.size(); ++i) {
       cancellation_.check(1 + i / 2);
@@ -116,7 +116,7 @@ class CrossingFinder {
   }
 
   /// All pairs whose boxes overlap, from left to right: for parts that dividing did not thin out.
-  void sweep(Items items, const Part& part) {
+  void sweep(Items items, const SegmentExtent& part) {
     meeter_.enter(part);
     auto& order = scratch_.sweep_order;
     resize_in_pieces(order, items.size(), cancellation_);
@@ -141,7 +141,7 @@ class CrossingFinder {
   }
 
   /// Solves the four quarters of a part; false (and nothing done) if that would not separate much.
-  bool divide(Items items, const Part& part, int depth) {
+  bool divide(Items items, const SegmentExtent& part, int depth) {
     const double side = std::ldexp(grid_.cell, -depth - 1);
     const Vec<double> low{part.x0 > -HUGE_VAL ? part.x0 : column_ * grid_.cell,
                           part.y0 > -HUGE_VAL ? part.y0 : row_ * grid_.cell};
@@ -161,7 +161,7 @@ class CrossingFinder {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const bool right = (quarter & 1) != 0;
       const bool upper = (quarter & 2) != 0;
-      const Part child{right ? mid.x : part.x0, upper ? mid.y : part.y0, right ? part.x1 : mid.x,
+      const SegmentExtent child{right ? mid.x : part.x0, upper ? mid.y : part.y0, right ? part.x1 : mid.x,
                        upper ? part.y1 : mid.y};
       // The recursion may move the vector of vectors, not the lists themselves.
       const Items inside = scratch_.stack[level + quarter];

@@ -14,9 +14,9 @@ Vec<Int128> exact(const Vec<double>& v) {
 }
 
 /// Places of segments on lines, in order: by line, and along it.
-class PlaceLister {
+class NodeLister {
  public:
-  PlaceLister(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation,
+  NodeLister(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation,
               JoinScratch& scratch)
       : o_(o),
         kept_(kept),
@@ -44,7 +44,7 @@ class PlaceLister {
     }
     doubles_tell_ ? sort<true>() : sort<false>();
   }
-  [[nodiscard]] bool same_line(const PlaceOnLine& s, const PlaceOnLine& t) const {
+  [[nodiscard]] bool same_line(const LinePosition& s, const LinePosition& t) const {
     return s.rank == t.rank && s.line == t.line &&
            (doubles_tell_ || exact_line(s) == exact_line(t));
   }
@@ -53,7 +53,7 @@ class PlaceLister {
   template <bool kDoublesTell>
   void sort() {
     std::sort(scratch_.places.begin(), scratch_.places.end(),
-              cancellation_.counting([&](const PlaceOnLine& s, const PlaceOnLine& t) {
+              cancellation_.counting([&](const LinePosition& s, const LinePosition& t) {
                 if (s.rank != t.rank) return s.rank < t.rank;
                 if (s.line != t.line) return s.line < t.line;
                 if constexpr (!kDoublesTell) {
@@ -68,7 +68,7 @@ class PlaceLister {
     const SiteId e = scratch_.edge_of_rank[rank];
     return {o_.sites.dx[e], o_.sites.dy[e]};
   }
-  [[nodiscard]] Int128 exact_line(const PlaceOnLine& place) const {
+  [[nodiscard]] Int128 exact_line(const LinePosition& place) const {
     return cross(exact(direction(place.rank)), exact(kept_[place.id].a));
   }
 
@@ -92,7 +92,7 @@ void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, Join
   scratch.joined.clear();
   scratch.members.clear();
   if (!wanted) return;
-  PlaceLister lister(o, kept, cancellation, scratch);
+  NodeLister lister(o, kept, cancellation, scratch);
   lister.run();
   auto& members = scratch.members;
   auto& result = scratch.result;
@@ -101,7 +101,7 @@ void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, Join
   result.reserve(places.size());
   for (std::size_t i = 0; i < places.size();) {
     cancellation.check();
-    const PlaceOnLine& start = places[i];
+    const LinePosition& start = places[i];
     const std::size_t first = members.size();
     members.push_back(kept[start.id]);
     double reach = start.to;

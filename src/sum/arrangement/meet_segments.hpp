@@ -8,7 +8,7 @@
 namespace minksum {
 
 /// A part of the plane. Those of a grid tile it half-open: each point is in exactly one of them.
-struct Part {
+struct SegmentExtent {
   double x0 = -HUGE_VAL;
   double y0 = -HUGE_VAL;
   double x1 = HUGE_VAL;
@@ -29,7 +29,7 @@ class SegmentMeeter {
                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
 
   /// From here on, points in this part are wanted.
-  void enter(const Part& part) { part_ = part; }
+  void enter(const SegmentExtent& part) { part_ = part; }
   /// Unites ends that coincide, adds crossings and events. s < t. O(1): four orientations at most.
   void meet(KeptId s, KeptId t);
   /// Segments are listed in every part within this distance.
@@ -92,7 +92,7 @@ class SegmentMeeter {
   double slack_;
   bool exact_;  ///< cross products have no rounding
   bool trust_;
-  Part part_;
+  SegmentExtent part_;
 };
 
 }  // namespace minksum

@@ -134,7 +134,7 @@ struct Exact {
 };
 
 /// Counts, in integers, what `classify_block` was unsure of.
-void settle(const QuadCell& cell, std::size_t begin, std::size_t end, const SegmentStack& stack,
+void decide_exactly(const QuadCell& cell, std::size_t begin, std::size_t end, const SegmentStack& stack,
             std::array<Tally, 4>& tallies) {
   const std::int64_t half = cell.half / 2;
   for (std::size_t i = begin; i < end; ++i) {
@@ -197,7 +197,7 @@ std::array<Tally, 4> classify(const QuadCell& cell, std::int64_t margin, std::si
       tallies[k].reduced += (sums[k] >> 16) & 0xFF;
       tallies[k].winding += sums[k] >> 24;
     }
-    if (unsure != 0) settle(cell, i, i + count, stack, tallies);
+    if (unsure != 0) decide_exactly(cell, i, i + count, stack, tallies);
   }
   return tallies;
 }

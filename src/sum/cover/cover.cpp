@@ -236,7 +236,7 @@ namespace {
 
 std::optional<std::string> check_leaves(const Cover& cover) {
   std::uint32_t end = 0;
-  for (const CoverLeaf& leaf : cover.leaves) {
+  for (const QuadtreeLeaf& leaf : cover.leaves) {
     if (leaf.column < 0 || leaf.row < 0 || leaf.column >= cover.grid.columns ||
         leaf.row >= cover.grid.rows || cover.is_covered(leaf.column, leaf.row)) {
       return "a leaf is where none can be";

@@ -16,7 +16,7 @@ namespace minksum {
 
 /// A square of cells that a division left uncovered. Its segments are listed in
 /// `Cover::leaf_segments`, from the end of the leaf before it to its own.
-struct CoverLeaf {
+struct QuadtreeLeaf {
   std::int32_t column;  ///< of the lower left cell
   std::int32_t row;
   std::int32_t side;  ///< in cells
@@ -37,7 +37,7 @@ struct Cover {
   Bitmap covered;       ///< of the grid's size if active
   bool by_translates = true;  ///< nothing else has marked cells
   bool divided = false;
-  std::vector<CoverLeaf> leaves;
+  std::vector<QuadtreeLeaf> leaves;
   std::vector<std::uint32_t> leaf_segments;  ///< indices into the convolution
 
   [[nodiscard]] std::uint64_t covered_count() const;

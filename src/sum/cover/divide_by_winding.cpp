@@ -143,7 +143,7 @@ class Divider {
       if (column >= cover_.grid.columns || row >= cover_.grid.rows) continue;
       const Tally& tally = tallies[k];
       const std::int32_t winding = cell.winding + tally.winding;
-      const CoverLeaf leaf{column, row, side / 2, 0};
+      const QuadtreeLeaf leaf{column, row, side / 2, 0};
       if (winding > tally.losing + tally.doubtful || is_known(column, row, side / 2)) {
         mark(column, row, side / 2);
       } else if (tally.reduced == 0) {
@@ -167,7 +167,7 @@ class Divider {
     return stack_.fill_up(to);
   }
 
-  void add_leaf(CoverLeaf leaf, std::size_t begin, std::size_t end, std::int32_t bit) {
+  void add_leaf(QuadtreeLeaf leaf, std::size_t begin, std::size_t end, std::int32_t bit) {
     make_room(cover_.leaf_segments, end - begin, cancellation_);
     in_pieces(end - begin, cancellation_, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = begin + from; i < begin + to; ++i) {

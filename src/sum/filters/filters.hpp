@@ -21,7 +21,7 @@ struct FilteredLoops {
 
 /// Judges every loop. First by nesting (Behar and Lien, section IV-D): the sum of two connected
 /// operands is connected, so inside its outer boundary no positive loop can be true. Then by one
-/// collision test each. With several polygons in an operand islands are legal: collision alone
+/// collision test each. With several polygons in an operand islands are valid: collision alone
 /// decides.
 void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                   Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered);

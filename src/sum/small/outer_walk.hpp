@@ -33,19 +33,19 @@ struct SmallFraction {
 }
 
 /// By meeting on the right, which walk turned there, and as its how manieth turn.
-struct SmallTurns {
-  struct Turn {
+struct RightMeetings {
+  struct WalkStep {
     std::uint16_t walk;  ///< 0: none
     std::uint16_t number;
   };
-  std::array<Turn, std::max(SmallMeetingSets::kMax, SmallMeetingLists::kMax)> of;
+  std::array<WalkStep, std::max(SmallMeetingSets::kMax, SmallMeetingLists::kMax)> of;
 };
 
 /// Walks along the boundary of the unbounded face, the sum on its left. One use.
 template <class Number, class Meetings>
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, const Meetings& meetings, SmallTurns& turns,
+  OuterWalk(const SmallSegments& segments, const Meetings& meetings, RightMeetings& turns,
             SmallBoundary& boundary)
       : s_(segments), m_(meetings), turns_(turns), boundary_(boundary) {
     m_.for_each_number(s_.size, [&](std::size_t meeting) { turns_.of[meeting] = {0, 0}; });
@@ -58,7 +58,7 @@ class OuterWalk {
     boundary_.between = 0;
     const std::uint32_t first = first_segment(start_x, start_y);
     if (first == kNone) return false;
-    Place place{first, {0, 1}};
+    WalkLocation place{first, {0, 1}};
     std::uint32_t taken = 0;
     do {
       corner(place);
@@ -81,13 +81,13 @@ class OuterWalk {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   /// A segment, and how much of its way has been passed.
-  struct Place {
+  struct WalkLocation {
     std::uint32_t segment = kNone;
     SmallFraction passed{0, 1};
   };
   /// Where the walk goes on.
   struct Next {
-    Place place;
+    WalkLocation place;
     Number turn = 0;  ///< negative: to the right
     std::size_t meeting = 0;
   };
@@ -108,7 +108,7 @@ class OuterWalk {
   [[nodiscard]] static SmallFraction fraction(Number above, Number below) {
     return {static_cast<std::int64_t>(above), static_cast<std::int64_t>(below)};
   }
-  void corner(const Place& place) {
+  void corner(const WalkLocation& place) {
     boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
     if (place.passed.above != 0) ++boundary_.between;
   }
@@ -124,7 +124,7 @@ class OuterWalk {
 
   /// The first ray counter-clockwise from where the walk came: to the right at the first place that
   /// offers it, else at the end, as far to the right as may be.
-  [[nodiscard, gnu::always_inline]] Next next_after(const Place& place) {
+  [[nodiscard, gnu::always_inline]] Next next_after(const WalkLocation& place) {
     const std::uint32_t at = place.segment;
     Next next;
     SmallFraction best{0, 0};
@@ -153,7 +153,7 @@ class OuterWalk {
       const Number c = turn(at, t);
       if (c == 0) {
         // What goes on straight is before all that turns to the left.
-        const Place along = straight_on(at, t);
+        const WalkLocation along = straight_on(at, t);
         if (along.segment == kNone) return;
         const bool is_straight = next.turn == 0 && next.place.segment != kNone;
         if (!is_straight || s_.is_before(next.place.segment, t)) next = {along, 0, 0};
@@ -175,7 +175,7 @@ class OuterWalk {
     return c < 0 || (c == 0 && s_.is_before(t, other));
   }
   /// Of a segment on the same line: where the end of `at` is on it, if it leads on from there.
-  [[nodiscard, gnu::noinline]] Place straight_on(std::uint32_t at, std::uint32_t t) const {
+  [[nodiscard, gnu::noinline]] WalkLocation straight_on(std::uint32_t at, std::uint32_t t) const {
     // Seen along the axis that the line is closer to.
     const bool by_x = std::abs(s_.dx[t]) >= std::abs(s_.dy[t]);
     const double whole = by_x ? s_.dx[t] : s_.dy[t];
@@ -208,13 +208,13 @@ class OuterWalk {
     std::uint16_t count = 0;
     turns_.of[meeting] = {walk, count++};
     ++taken;
-    Place place{to, fraction(start_of(to, from), -turn(from, to))};
+    WalkLocation place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
       if (++looks_ > 6 * s_.size + 400) return false;  // the stages are faster then
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
-        SmallTurns::Turn& turn = turns_.of[next.meeting];
+        RightMeetings::WalkStep& turn = turns_.of[next.meeting];
         if (turn.walk != 0) return turn.walk != walk || count - turn.number < 3;
         turn = {walk, count++};
         ++taken;
@@ -229,7 +229,7 @@ class OuterWalk {
 
   const SmallSegments& s_;
   const Meetings& m_;
-  SmallTurns& turns_;
+  RightMeetings& turns_;
   SmallBoundary& boundary_;
   std::uint32_t looks_ = 0;  ///< at places and at ends, by walks that look for holes
 };

@@ -46,7 +46,7 @@ bool find_longest(SmallOperand& s) {
     s.longest = std::max({s.longest, std::abs(x[i] - x[before]), std::abs(y[i] - y[before])});
     before = i;
   }
-  return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumbers::kNone;
+  return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumberType::kNone;
 }
 
 /// The vertices of a ring as they are given, on a grid that is set; false if they are no short
@@ -193,7 +193,7 @@ bool is_simple_ring(const SmallOperand& s) {
       widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
 }
 
-/// Reads the holes; false if they are many or not clearly legal, or some two rings touch.
+/// Reads the holes; false if they are many or not clearly valid, or some two rings touch.
 bool read_holes(const Region& region, SmallOperand& s) {
   const std::size_t count = region.ring_count() - 1;
   if (count > SmallOperand::kMaxHoles) return false;
@@ -208,9 +208,9 @@ bool read_holes(const Region& region, SmallOperand& s) {
     }
     set_edges(hole);
     boxes.emplace_back(hole);
-    const SmallNumbers numbers =
+    const SmallNumberType numbers =
         small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
-    if (numbers != SmallNumbers::kDoubles || !boxes[k].is_in(s.extent) ||
+    if (numbers != SmallNumberType::kDoubles || !boxes[k].is_in(s.extent) ||
         !is_simple_ring<double>(hole) || !holds(s, hole) || do_meet(hole, s)) {
       return false;
     }
@@ -239,7 +239,7 @@ bool read_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
   set_edges(s);
   s.turning = s.convex ? 1 : mean_turning(s);
   const bool wide =
-      small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) == SmallNumbers::kIntegers;
+      small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) == SmallNumberType::kIntegers;
   return (wide ? is_simple_ring<std::int64_t>(s) : is_simple_ring<double>(s)) &&
          read_holes(region, s);
 }

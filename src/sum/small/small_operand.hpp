@@ -71,22 +71,22 @@ class SmallOperand {
 
 /// The numbers that hold all cross products of edges up to so long and of them with differences
 /// of points of a box so wide.
-enum class SmallNumbers : std::uint8_t { kDoubles, kIntegers, kNone };
+enum class SmallNumberType : std::uint8_t { kDoubles, kIntegers, kNone };
 
-[[nodiscard]] inline SmallNumbers small_numbers(double longest, double width) {
+[[nodiscard]] inline SmallNumberType small_numbers(double longest, double width) {
   // A cross product is at most twice this. Integers take vectors that not all machines have.
   const double product = longest * width;
-  if (product <= 0x1p52) return SmallNumbers::kDoubles;
+  if (product <= 0x1p52) return SmallNumberType::kDoubles;
   const bool fits = product < 0x1p62 && width <= SmallOperand::kWidest;
-  return fits && widest_vectors() == Vectors::kAvx512 ? SmallNumbers::kIntegers
-                                                      : SmallNumbers::kNone;
+  return fits && widest_vectors() == Vectors::kAvx512 ? SmallNumberType::kIntegers
+                                                      : SmallNumberType::kNone;
 }
 
 /// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages:
 /// it is worth it for operands that are used again.
 enum class SmallHoles : std::uint8_t { kNone, kSome };
 
-/// Whether a region is such an operand, and legal; fills `small` if so. What is not clearly one is
+/// Whether a region is such an operand, and valid; fills `small` if so. What is not clearly one is
 /// not: faults are left to `validate`. O(n²) for n vertices, with a small constant.
 bool read_small(const Region& region, SmallHoles may_have, SmallOperand& small);
 

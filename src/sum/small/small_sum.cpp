@@ -16,7 +16,7 @@ struct SmallScratch::State {
   SmallOrder order;
   SmallMeetingSets sets;
   SmallMeetingLists lists;
-  SmallTurns turns;
+  RightMeetings turns;
   SmallBoundary boundary;
 };
 
@@ -217,11 +217,11 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
            sum_small(fine_p, fine_q, scratch, result);
   }
   const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
-  const SmallNumbers numbers = small_numbers(std::max(p.longest, q.longest), width);
-  if (numbers == SmallNumbers::kNone || !are_filled(p.holes, q) || !are_filled(q.holes, p)) {
+  const SmallNumberType numbers = small_numbers(std::max(p.longest, q.longest), width);
+  if (numbers == SmallNumberType::kNone || !are_filled(p.holes, q) || !are_filled(q.holes, p)) {
     return false;
   }
-  const bool wide = numbers == SmallNumbers::kIntegers;
+  const bool wide = numbers == SmallNumberType::kIntegers;
   if (p.convex && q.convex) {
     if (wide) {
       merge_convex<std::int64_t>(p, q, result);

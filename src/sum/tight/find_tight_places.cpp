@@ -15,9 +15,9 @@ class TightFinder {
         scratch_(scratch),
         test_(operands, trees, predicates, scratch) {}
 
-  [[nodiscard]] bool is_free(const Placement& x) { return !test_.overlaps(x); }
-  [[nodiscard]] static Placement at(const Node& node) { return {&node, {}, node.at, node.error}; }
-  [[nodiscard]] Placement at(const Probe& probe) const {
+  [[nodiscard]] bool is_free(const ContactPosition& x) { return !test_.overlaps(x); }
+  [[nodiscard]] static ContactPosition at(const Node& node) { return {&node, {}, node.at, node.error}; }
+  [[nodiscard]] ContactPosition at(const Probe& probe) const {
     const RoundingBounds& bounds = predicates_.bounds();
     const double error = bounds.position + bounds.magnitude * 0x1p-49;
     return {nullptr, probe, predicates_.position(probe), error};

@@ -14,7 +14,7 @@ OverlapTest::OverlapTest(const Operands& operands, BoxTrees& trees, Predicates& 
   scratch_.met.assign(o_.rings.size(), 0);
 }
 
-bool OverlapTest::overlaps(const Placement& x) {
+bool OverlapTest::overlaps(const ContactPosition& x) {
   x_ = x;
   ++number_;
   const RoundingBounds& bounds = predicates_.bounds();
@@ -31,12 +31,12 @@ bool OverlapTest::near(const BoxTree::Box& p, const BoxTree::Box& q) const {
 template <class Visit>
 bool OverlapTest::any_part(SiteId edge, int operand, Visit visit) const {
   const TouchingRings& touching = scratch_.touching[operand];
-  Part part{edge, edge, o_.sites.next[edge],
+  EdgePart part{edge, edge, o_.sites.next[edge],
             touching.last_edge.empty() ? o_.previous[edge] : touching.last_edge[edge]};
   auto cut = std::lower_bound(touching.cuts.begin(), touching.cuts.end(), edge,
                               [](const EdgeCut& c, SiteId e) { return c.edge < e; });
   for (; cut != touching.cuts.end() && cut->edge == edge; ++cut) {
-    if (visit(Part{edge, part.from, cut->at, part.last})) return true;
+    if (visit(EdgePart{edge, part.from, cut->at, part.last})) return true;
     part.from = cut->at;
     part.last = cut->last;
   }
@@ -49,8 +49,8 @@ bool OverlapTest::leaves_overlap(std::size_t leaf_p, std::size_t leaf_q) {
   predicates_.cancellation().check(2 * BoxTree::kLeafEdges * BoxTree::kLeafEdges);
   for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
     for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
-      const bool overlap = any_part(e, 0, [&](const Part& of_p) {
-        return any_part(f, 1, [&](const Part& of_q) { return parts_overlap(of_p, of_q); });
+      const bool overlap = any_part(e, 0, [&](const EdgePart& of_p) {
+        return any_part(f, 1, [&](const EdgePart& of_q) { return parts_overlap(of_p, of_q); });
       });
       if (overlap) return true;
     }
@@ -58,7 +58,7 @@ bool OverlapTest::leaves_overlap(std::size_t leaf_p, std::size_t leaf_q) {
   return false;
 }
 
-bool OverlapTest::parts_overlap(const Part& e, const Part& f) {
+bool OverlapTest::parts_overlap(const EdgePart& e, const EdgePart& f) {
   const Sign f_from = side(e.edge, f.from);
   const Sign f_to = side(e.edge, f.to);
   if (f_from == f_to && f_from != kZero) return false;
@@ -76,7 +76,7 @@ bool OverlapTest::parts_overlap(const Part& e, const Part& f) {
   return e_from == kZero && f_to != kZero && meet(corner(e), half_plane(f));
 }
 
-bool OverlapTest::overlap_on_line(const Part& e, const Part& f) {
+bool OverlapTest::overlap_on_line(const EdgePart& e, const EdgePart& f) {
   const Axis axis = predicates_.component(e.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
   const Sign forward = predicates_.component(e.edge, axis);
   // Where the ends of f are, seen from those of e, along e.
@@ -94,13 +94,13 @@ bool OverlapTest::overlap_on_line(const Part& e, const Part& f) {
   return from_from == -from_to && meet(corner(e), half_plane(f));
 }
 
-OverlapTest::Arc OverlapTest::corner(const Part& part) const {
+OverlapTest::Arc OverlapTest::corner(const EdgePart& part) const {
   const DirectionRank out = o_.rank[part.edge];
   const DirectionRank in = o_.rank[part.last];
   return o_.operand_of(part.edge) == 0 ? Arc{o_.place[out], o_.reverse_place[in]}
                                        : Arc{o_.reverse_place[out], o_.place[in]};
 }
-OverlapTest::Arc OverlapTest::half_plane(const Part& part) const {
+OverlapTest::Arc OverlapTest::half_plane(const EdgePart& part) const {
   const DirectionRank rank = o_.rank[part.edge];
   return o_.operand_of(part.edge) == 0 ? Arc{o_.place[rank], o_.reverse_place[rank]}
                                        : Arc{o_.reverse_place[rank], o_.place[rank]};

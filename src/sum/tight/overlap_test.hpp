@@ -8,7 +8,7 @@
 namespace minksum {
 
 /// A point of the plane of sums: a node, or a point of a segment (the probe's, not off it).
-struct Placement {
+struct ContactPosition {
   const Node* node = nullptr;
   Probe probe{};
   Vec<double> at{};
@@ -33,11 +33,11 @@ class OverlapTest {
  public:
   OverlapTest(const Operands& operands, BoxTrees& trees, Predicates& predicates,
               TightScratch& scratch);
-  [[nodiscard]] bool overlaps(const Placement& x);
+  [[nodiscard]] bool overlaps(const ContactPosition& x);
 
  private:
   /// A part of an edge between touching points. Its corner starts with it and ends with `last`.
-  struct Part {
+  struct EdgePart {
     SiteId edge;
     SiteId from;
     SiteId to;
@@ -52,22 +52,22 @@ class OverlapTest {
   /// Whether a box of P and one of x − Q may meet.
   [[nodiscard]] bool near(const BoxTree::Box& p, const BoxTree::Box& q) const;
   [[nodiscard]] bool leaves_overlap(std::size_t leaf_p, std::size_t leaf_q);
-  [[nodiscard]] bool parts_overlap(const Part& e, const Part& f);
-  [[nodiscard]] bool overlap_on_line(const Part& e, const Part& f);
+  [[nodiscard]] bool parts_overlap(const EdgePart& e, const EdgePart& f);
+  [[nodiscard]] bool overlap_on_line(const EdgePart& e, const EdgePart& f);
   [[nodiscard]] bool a_ring_is_inside(int operand);
   [[nodiscard]] bool is_inside(std::size_t ring, int operand);
   [[nodiscard]] bool has_inside(int operand, SiteId vertex);
 
   template <class Visit>
   [[nodiscard]] bool any_part(SiteId edge, int operand, Visit visit) const;
-  void touch(const Part& e, const Part& f) {
+  void touch(const EdgePart& e, const EdgePart& f) {
     scratch_.met[scratch_.ring_of[e.edge]] = number_;
     scratch_.met[scratch_.ring_of[f.edge]] = number_;
   }
   /// The corner of P that starts with a part, or of x − Q, which is turned by half a circle; and
   /// what is inside along the part.
-  [[nodiscard]] Arc corner(const Part& part) const;
-  [[nodiscard]] Arc half_plane(const Part& part) const;
+  [[nodiscard]] Arc corner(const EdgePart& part) const;
+  [[nodiscard]] Arc half_plane(const EdgePart& part) const;
   [[nodiscard]] bool meet(const Arc& a, const Arc& b) const;
 
   /// On which side of an edge moved by a vertex x lies.
@@ -79,7 +79,7 @@ class OverlapTest {
   BoxTrees& trees_;
   Predicates& predicates_;
   TightScratch& scratch_;
-  Placement x_;
+  ContactPosition x_;
   double doubt_ = 0;
   std::uint32_t number_ = 0;
 };

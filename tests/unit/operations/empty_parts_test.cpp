@@ -13,7 +13,7 @@
 #include "minksum/io.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/morphology.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/offset.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"

@@ -111,8 +111,8 @@ TEST(OverlayExactPoints, AllRungsAgreeWithRationals) {
       EXPECT_EQ(rung->area_sign(ring),
                 sign_of(reference::doubled_area({exact.begin(), exact.begin() + 5})));
       if (parallel(0) || parallel(4)) continue;
-      const Place u = Place::of_crossing({0, 1}, {2, 3});
-      const Place v = Place::of_crossing({4, 5}, {6, 7});
+      const ExactLocation u = ExactLocation::of_crossing({0, 1}, {2, 3});
+      const ExactLocation v = ExactLocation::of_crossing({4, 5}, {6, 7});
       const reference::Pt at_u = crossing(0);
       const reference::Pt at_v = crossing(4);
       EXPECT_EQ(rung->compare(u, v) == kNegative, at_u < at_v);

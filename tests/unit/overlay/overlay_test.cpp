@@ -77,7 +77,7 @@ TEST(Resolve, AntennaThroughAHole) {
   EXPECT_EQ(wound.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}, {{2, 3}, {4, 3}}}));
 }
 
-// -- The automatic rule for polygons that are not legal ------------------------------------------
+// -- The automatic rule for polygons that are not valid ------------------------------------------
 
 TEST(Holes, OneThatCrossesItsShellTakesAwayOnly) {
   const Region region =

@@ -233,16 +233,16 @@ TEST(Round, SidesHaveNames) {
 TEST(Settle, Judges) {
   Cancellation never;
   const Region exact = make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{1, 4}, {4, 3}, {7, 4}}});
-  EXPECT_EQ(settle(exact, exact, never).outcome, Settled::kKept);
+  EXPECT_EQ(check_topology(exact, exact, never).outcome, TopologyVerdict::kKept);
   const auto moved = [](const Outline& hole) {
     return make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {hole});
   };
-  EXPECT_EQ(settle(exact, moved({{0, 4}, {4, 3}, {7, 4}}), never).outcome, Settled::kKept);
-  EXPECT_EQ(settle(exact, moved({{0, 4}, {4, 3}, {8, 4}}), never).outcome, Settled::kCut);
-  EXPECT_EQ(settle(exact, moved({{1, 4}, {4, 5}, {7, 4}}), never).outcome, Settled::kInvalid);
-  EXPECT_EQ(settle(exact, moved({{1, 4}, {4, 4}, {7, 4}}), never).outcome, Settled::kInvalid);
-  EXPECT_EQ(settle(exact, moved({{-1, 4}, {4, 3}, {7, 4}}), never).outcome, Settled::kInvalid);
-  EXPECT_EQ(settle(exact, moved({{11, 4}, {14, 3}, {17, 4}}), never).outcome, Settled::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{0, 4}, {4, 3}, {7, 4}}), never).outcome, TopologyVerdict::kKept);
+  EXPECT_EQ(check_topology(exact, moved({{0, 4}, {4, 3}, {8, 4}}), never).outcome, TopologyVerdict::kCut);
+  EXPECT_EQ(check_topology(exact, moved({{1, 4}, {4, 5}, {7, 4}}), never).outcome, TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{1, 4}, {4, 4}, {7, 4}}), never).outcome, TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{-1, 4}, {4, 3}, {7, 4}}), never).outcome, TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{11, 4}, {14, 3}, {17, 4}}), never).outcome, TopologyVerdict::kInvalid);
 }
 
 TEST(Settle, ThreeRingsAtOnePointCutNothing) {
@@ -250,7 +250,7 @@ TEST(Settle, ThreeRingsAtOnePointCutNothing) {
   const Region exact =
       make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
                    {{{4, 4}, {5, 4}, {4, 5}}, {{4, 4}, {3, 4}, {4, 3}}, {{4, 4}, {3, 5}, {3, 6}}});
-  EXPECT_EQ(settle(exact, exact, never).outcome, Settled::kKept);
+  EXPECT_EQ(check_topology(exact, exact, never).outcome, TopologyVerdict::kKept);
 }
 
 TEST(Settle, AChainOfHolesCutsAtItsEnd) {
@@ -260,8 +260,8 @@ TEST(Settle, AChainOfHolesCutsAtItsEnd) {
         {{0, 0}, {9, 0}, {9, 9}, {0, 9}},
         {{{0, 4}, {3, 3}, {3, 5}}, {{3, 4}, {6, 3}, {6, 5}}, {{6, 4}, {last, 3}, {8, 5}}});
   };
-  EXPECT_EQ(settle(with(8), with(8), never).outcome, Settled::kKept);
-  EXPECT_EQ(settle(with(8), with(9), never).outcome, Settled::kCut);
+  EXPECT_EQ(check_topology(with(8), with(8), never).outcome, TopologyVerdict::kKept);
+  EXPECT_EQ(check_topology(with(8), with(9), never).outcome, TopologyVerdict::kCut);
 }
 
 TEST(HotPixels, AreHalfOpen) {

@@ -131,14 +131,14 @@ TEST(SignedThinOperand, IsClosedAndChecked) {
   using namespace minksum::signed_sum;
   const Geometry hook = make_lines(kHook);
   Cancellation never;
-  const IntegerOperands operands = make_operands(kTriangle, GivenOperand(hook.polylines), never);
+  const IntegerOperands operands = make_operands(kTriangle, CallerOperand(hook.polylines), never);
   EXPECT_NO_THROW(check(operands));
   const std::vector<Layer> layers = make_layers(operands, never);
   ASSERT_EQ(layers.size(), 2U);
   const std::vector<SignedSegment> segments = signed_segments(operands, layers, {}, never);
   EXPECT_TRUE(is_closed(layers, segments, never));
   const auto rejects = [&](auto damage) {
-    IntegerOperands damaged = make_operands(kTriangle, GivenOperand(hook.polylines), never);
+    IntegerOperands damaged = make_operands(kTriangle, CallerOperand(hook.polylines), never);
     damage(damaged.q[0].outer);
     try {
       check(damaged);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "region/turned.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "reference/membership.hpp"
-#include "second/check/placement.hpp"
+#include "second/check/placed_operand.hpp"
 #include "support/generators.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -116,7 +116,7 @@ TEST(Check, PointsFindPlantedErrorsByThemselves) {
 TEST(Check, NamesInvalidResults) {
   const Region bow_tie = make_polygon({{0, 0}, {15, 16}, {15, 0}, {0, 16}});
   EXPECT_FALSE(check(bow_tie).faults.empty());
-  // Two rings that touch twice: legal as an operand, but not by OGC's rules.
+  // Two rings that touch twice: valid as an operand, but not by OGC's rules.
   const Region cut = make_polygon({{0, 0}, {15, 0}, {15, 16}, {0, 16}},
                                   {{{0, 8}, {7, 9}, {15, 8}, {7, 7}}});
   EXPECT_FALSE(check(cut).faults.empty());
@@ -152,7 +152,7 @@ TEST(Check, PlacementsAgreeWithTheReference) {
     const Region p = test::random_region(random);
     const Region q = test::random_region(random);
     Cancellation never;
-    const checking::Placement placement({p, {}, {}}, {q, {}, {}}, never);
+    const checking::PlacedOperand placement({p, {}, {}}, {q, {}, {}}, never);
     for (int k = 0; k < 40; ++k) {
       // Halves: half of the points are on edges' lines, where touching decides.
       const Point x{Rational(random.between(-4, 100), 2), Rational(random.between(-4, 100), 2)};
@@ -166,7 +166,7 @@ TEST(Check, PlacementsOfThinParts) {
   const Geometry cross{{}, {{{0, 0}, {4, 0}}, {{2, -2}, {2, 2}}}, {{9, 9}}};
   const Geometry square{rectangle(0, 0, 1, 1), {}, {}};
   Cancellation never;
-  const checking::Placement placement(cross, square, never);
+  const checking::PlacedOperand placement(cross, square, never);
   const auto in_sum = [&](int x2, int y2) {
     return placement.in_sum({Rational(x2, 2), Rational(y2, 2)});
   };
@@ -178,7 +178,7 @@ TEST(Check, PlacementsOfThinParts) {
   EXPECT_TRUE(in_sum(18, 18));
   EXPECT_TRUE(in_sum(19, 19));
   EXPECT_FALSE(in_sum(21, 19));
-  const checking::Placement lines(cross, cross, never);
+  const checking::PlacedOperand lines(cross, cross, never);
   EXPECT_TRUE(lines.in_sum({Rational(18), Rational(18)}));   // the point twice
   EXPECT_TRUE(lines.in_sum({Rational(5), Rational(1)}));     // crossing segments
   EXPECT_TRUE(lines.in_sum({Rational(8), Rational(0)}));     // ends

@@ -15,11 +15,11 @@ class SignedArrangement : public testing::Test {};
 struct RungNames {
   template <class N>
   static std::string GetName(int) {
-    if (std::is_same_v<N, SmallNumbers>) return "Small";
+    if (std::is_same_v<N, NarrowNumbers>) return "Small";
     return std::is_same_v<N, MediumNumbers> ? "Medium" : "Arbitrary";
   }
 };
-using Rungs = testing::Types<SmallNumbers, MediumNumbers, ArbitraryNumbers>;
+using Rungs = testing::Types<NarrowNumbers, MediumNumbers, ArbitraryNumbers>;
 TYPED_TEST_SUITE(SignedArrangement, Rungs, RungNames);
 
 template <class Wide>
@@ -137,7 +137,7 @@ TYPED_TEST(SignedArrangement, WindingWalkRejectsImpossibleNumbers) {
   Stages<TypeParam> stages(square, square);
   for (Delta& delta : stages.arrangement.deltas) delta.change = -delta.change;
   ASSERT_TRUE(is_balanced(stages.arrangement));
-  WindingWalk<TypeParam> walk(stages.geometry, stages.arrangement, stages.layers);
+  WindingTrace<TypeParam> walk(stages.geometry, stages.arrangement, stages.layers);
   EXPECT_THROW((void)walk.run(), Error);
 }
 
@@ -145,7 +145,7 @@ TYPED_TEST(SignedArrangement, RingBuilderRejectsOpenBoundaries) {
   const Region square = test::parse_wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
   Stages<TypeParam> stages(square, square);
   InsideFlags inside =
-      WindingWalk<TypeParam>(stages.geometry, stages.arrangement, stages.layers).run();
+      WindingTrace<TypeParam>(stages.geometry, stages.arrangement, stages.layers).run();
   RingBuilder<TypeParam> sound(stages.geometry, stages.arrangement, inside);
   EXPECT_EQ(sound.run().rings.size(), 1U);
   for (HalfEdge h = 0; h < inside.size(); ++h) {

@@ -218,7 +218,7 @@ TEST(Cover, LeavesListTheirSegments) {
     std::vector<std::vector<std::uint32_t>> leaves_at(64 * 64);
     std::uint32_t begin = 0;
     std::vector<std::vector<std::uint32_t>> list_of;
-    for (const CoverLeaf& leaf : c.cover.leaves) {
+    for (const QuadtreeLeaf& leaf : c.cover.leaves) {
       for (std::int32_t j = leaf.row; j < leaf.row + leaf.side; ++j) {
         for (std::int32_t i = leaf.column; i < leaf.column + leaf.side; ++i) {
           leaves_at[static_cast<std::size_t>(j * 64 + i)].push_back(

@@ -12,7 +12,7 @@
 
 namespace minksum {
 
-struct NestingOptions {
+struct NoFitOptions {
   /// The point of the moving part that says where it is; without it the part's first
   /// vertex, as given.
   std::optional<Point> reference;
@@ -27,13 +27,13 @@ struct NestingOptions {
 /// of both shapes are dropped. Orientation of rings has no meaning. Throws as minkowski_sum does,
 /// and Error(kBadInput) if `moving` has no vertex to be the reference point.
 [[nodiscard]] MINKSUM_API Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
-                                                  const NestingOptions& options = {});
+                                                  const NoFitOptions& options = {});
 
 /// The inner-fit polygon of `part` in `bin`: the placements t of the reference point that put the
 /// part into the bin (touching is allowed). It is (bin ⊖ part) + reference, with the placements
 /// that leave no play as polylines and points. Empty if the part does not fit.
 [[nodiscard]] MINKSUM_API Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
-                                                     const NestingOptions& options = {});
+                                                     const NoFitOptions& options = {});
 
 /// How a placed part relates to a fixed one.
 enum class Contact { kFree, kTouching, kOverlapping };
@@ -41,7 +41,7 @@ enum class Contact { kFree, kTouching, kOverlapping };
 /// A no-fit polygon to be asked many times. Copies share it; any number of threads may ask.
 class MINKSUM_API NoFitPolygon {
  public:
-  NoFitPolygon(const Geometry& fixed, const Geometry& moving, const NestingOptions& options = {});
+  NoFitPolygon(const Geometry& fixed, const Geometry& moving, const NoFitOptions& options = {});
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The relation at placement t of the reference point, exactly; O(log² n).
@@ -90,7 +90,7 @@ class MINKSUM_API NoFitTable {
   [[nodiscard]] int turns() const;
   /// The placements of the reference point of `moving` where it meets `fixed`, whose reference
   /// point is at the origin: as no_fit_polygon gives them for the parts turned and moved so. In
-  /// canonical form, always; its origins speak of the parts as given where they are legal, else of
+  /// canonical form, always; its origins speak of the parts as given where they are valid, else of
   /// their resolved areas. O(size of the result), without arithmetic but for tight places. Throws
   /// Error(kBadInput) for a part or a turn that is none of the table's; Error(kCancelled).
   [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving,

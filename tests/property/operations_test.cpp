@@ -7,7 +7,7 @@
 #include "minksum/boolean.hpp"
 #include "minksum/depth.hpp"
 #include "minksum/morphology.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
 #include "reference/membership.hpp"
 #include "support/generators.hpp"
@@ -130,7 +130,7 @@ TEST(NoFitPolygon, SaysHowPlacedPartsStand) {
   int counts[3] = {0, 0, 0};
   for (int i = 0; i < kPairs; ++i) {
     const test::Pair pair = test::random_pair(random);
-    NestingOptions options;
+    NoFitOptions options;
     if (i % 2 == 0) options.reference = Point{Rational(1, 3), Rational(-2)};
     const Point reference = options.reference.value_or(pair.q.point(0));
     const NoFitPolygon nfp(as_geometry(pair.p), as_geometry(pair.q), options);

@@ -2,7 +2,7 @@
 // each shape of some folders with a small element and with the next shape, by law, by definition
 // and beside a raster.
 //
-//   uses_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices N]
+//   operations_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices N]
 //            [--raster N] [--placements N]
 //
 // Prints a row a shape; exit code 1 if anything is wrong, 2 without shapes.
@@ -18,7 +18,7 @@
 #include "minksum/depth.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/morphology.hpp"
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
 #include "real/shape_run.hpp"
 #include "reference/membership.hpp"
@@ -171,13 +171,13 @@ class Runner {
   void check_placements(const Region& fixed, const Region& moving) {
     const NoFitPolygon nfp(as_geometry(fixed), as_geometry(moving));
     const Point reference = moving.point(0);
-    const Region legal = resolve(as_geometry(fixed)).region;
+    const Region valid = resolve(as_geometry(fixed)).region;
     const auto check = [&](const Point& t) {
       const Region placed = transform(
           moving, Affine::translation(t.x - reference.x, t.y - reference.y));
-      const bool overlap = !intersect(legal, placed).empty();
+      const bool overlap = !intersect(valid, placed).empty();
       const reference::Pt origin{reference::Number(0), reference::Number(0)};
-      const bool meet = overlap || reference::contains_sum(legal, reflect(placed), origin);
+      const bool meet = overlap || reference::contains_sum(valid, reflect(placed), origin);
       const Contact expected = overlap ? Contact::kOverlapping
                                : meet  ? Contact::kTouching
                                        : Contact::kFree;
@@ -206,11 +206,11 @@ class Runner {
         next, Affine::translation(size.min.x - other.min.x + size.width * Rational(1, 2),
                                   size.min.y - other.min.y + size.height * Rational(1, 3)));
     const auto depth = penetration_depth(as_geometry(shape), as_geometry(moved));
-    const Region legal = resolve(as_geometry(shape)).region;
+    const Region valid = resolve(as_geometry(shape)).region;
     const auto overlap_at = [&](const Rational& part) {
       const Affine way =
           Affine::translation(depth->vector.x * part, depth->vector.y * part);
-      return !intersect(legal, transform(moved, way)).empty();
+      return !intersect(valid, transform(moved, way)).empty();
     };
     expect(depth->overlapping == overlap_at(Rational(0)), "whether shapes overlap");
     expect(!overlap_at(Rational(1)), "the depth's vector separates");
@@ -225,7 +225,7 @@ class Runner {
   void check_slices(const Region& shape, const Region& next) {
     const double ratio = Size(shape).longer().to_double() / Size(next).longer().to_double();
     const Region robot = test::scaled(next, short_number(ratio / 10));
-    const Region legal = resolve(as_geometry(shape)).region;
+    const Region valid = resolve(as_geometry(shape)).region;
     const ConfigurationSpace space(as_geometry(robot), as_geometry(shape));
     std::vector<Turn> turns;
     for (const int degrees : {0, 37, 90, 121, 160, 200, 270, 333}) {
@@ -239,7 +239,7 @@ class Runner {
         const Point at{size.min.x + size.width * Rational(random_.between(-20, 1020), 1000),
                        size.min.y + size.height * Rational(random_.between(-20, 1020), 1000)};
         const Region placed = transform(turned, Affine::translation(at.x, at.y));
-        const bool collides = !intersect(legal, placed).empty();
+        const bool collides = !intersect(valid, placed).empty();
         expect((obstacles.locate(at) == Location::kInside) == collides, "a configuration");
         ++(collides ? colliding_ : apart_);
       }
@@ -283,7 +283,7 @@ int main(int count, char** values) {
   try {
     return run(count, values);
   } catch (const std::exception& error) {
-    std::cerr << "uses_run: " << error.what() << '\n';
+    std::cerr << "operations_run: " << error.what() << '\n';
     return 1;
   }
 }

@@ -1,4 +1,4 @@
-#include "minksum/nesting.hpp"
+#include "minksum/no_fit.hpp"
 
 #include <utility>
 
@@ -8,12 +8,12 @@
 namespace minksum {
 namespace {
 
-Geometry read(const Geometry& geometry, const NestingOptions& options, int operand) {
+Geometry read(const Geometry& geometry, const NoFitOptions& options, int operand) {
   return resolve(geometry, {options.fill, true, options.cancel, operand});
 }
 
 /// The reference point of a shape as it was given.
-Point reference_of(const Geometry& moving, const NestingOptions& options) {
+Point reference_of(const Geometry& moving, const NoFitOptions& options) {
   if (options.reference) return *options.reference;
   if (!moving.region.empty()) return moving.region.point(0);
   Culprit second;
@@ -22,14 +22,14 @@ Point reference_of(const Geometry& moving, const NestingOptions& options) {
 }
 
 /// Moved by `by`; the form stays canonical.
-Geometry moved(const Geometry& geometry, const Point& by, const NestingOptions& options) {
+Geometry moved(const Geometry& geometry, const Point& by, const NoFitOptions& options) {
   return transform(geometry, Affine::translation(by.x, by.y), options.cancel);
 }
 
 }  // namespace
 
 Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
-                        const NestingOptions& options) {
+                        const NoFitOptions& options) {
   const Point reference = reference_of(moving, options);
   Geometry tight;
   Options sum;
@@ -44,7 +44,7 @@ Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
 }
 
 Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
-                           const NestingOptions& options) {
+                           const NoFitOptions& options) {
   const Point reference = reference_of(part, options);
   MorphologyOptions erosion;
   erosion.tight = true;
@@ -54,7 +54,7 @@ Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
 }
 
 NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,
-                           const NestingOptions& options)
+                           const NoFitOptions& options)
     : geometry_(no_fit_polygon(fixed, moving, options)),
       locator_({geometry_.region, {}, {}}, options.cancel),
       tight_({{}, geometry_.polylines, geometry_.points}, options.cancel) {}

@@ -1,4 +1,4 @@
-#include "second/check/placement.hpp"
+#include "second/check/placed_operand.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation)
   return odd;
 }
 
-bool Placement::in_sum(const Point& x) const {
+bool PlacedOperand::in_sum(const Point& x) const {
   if (p_.empty() || q_.empty()) return false;
   const Corner at(x);
   if (edges_meet(at)) return true;
@@ -80,7 +80,7 @@ bool Placement::in_sum(const Point& x) const {
   return false;
 }
 
-bool Placement::edges_meet(const Corner& x) const {
+bool PlacedOperand::edges_meet(const Corner& x) const {
   std::vector<std::pair<std::size_t, std::size_t>> stack{{1, 1}};
   while (!stack.empty()) {
     cancellation_.check(4);
@@ -102,7 +102,7 @@ bool Placement::edges_meet(const Corner& x) const {
   return false;
 }
 
-bool Placement::leaves_meet(const Corner& x, std::size_t leaf_p, std::size_t leaf_q) const {
+bool PlacedOperand::leaves_meet(const Corner& x, std::size_t leaf_p, std::size_t leaf_q) const {
   for (std::size_t f = q_.first_edge(leaf_q); f < q_.last_edge(leaf_q); ++f) {
     const Corner c(x, q_.corner(q_.edges()[f].from));
     const Corner d(x, q_.corner(q_.edges()[f].to));

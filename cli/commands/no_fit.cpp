@@ -3,10 +3,10 @@
 #include <ostream>
 
 #include "commands/commands.hpp"
+#include "commands/operations.hpp"
 #include "commands/subcommands.hpp"
-#include "commands/uses.hpp"
 #include "minksum/resolve.hpp"
-#include "options/uses_options.hpp"
+#include "options/operation_options.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -33,7 +33,7 @@ Geometry thin_parts_of(const Geometry& geometry) {
   return {{}, geometry.polylines, geometry.points};
 }
 
-void draw(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
+void draw(const NoFitArguments& arguments, const Geometry& fixed, const Geometry& moving,
           const Geometry& polygon, OutputFiles& files) {
   const ResolveOptions reading{arguments.options.fill, true, {}};
   const Geometry area = without_thin_parts(polygon);
@@ -49,7 +49,7 @@ void draw(const NestingArguments& arguments, const Geometry& fixed, const Geomet
   files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
 }
 
-void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
+void write_contacts(const NoFitArguments& arguments, const Geometry& fixed,
                     const Geometry& moving) {
   const std::vector<const char*> answers = contacts(arguments, fixed, moving);
   write_standard_output([&](std::ostream& out) {
@@ -57,7 +57,7 @@ void write_contacts(const NestingArguments& arguments, const Geometry& fixed,
   });
 }
 
-void write_polygon(const NestingArguments& arguments, const Geometry& fixed, const Geometry& moving,
+void write_polygon(const NoFitArguments& arguments, const Geometry& fixed, const Geometry& moving,
                    OutputFiles& files) {
   const Geometry polygon = fit_polygon(arguments, fixed, moving);
   write_geometry(files, arguments, made_for(arguments.output, [&] {
@@ -73,13 +73,13 @@ void write_polygon(const NestingArguments& arguments, const Geometry& fixed, con
 
 }  // namespace
 
-Geometry fit_polygon(const NestingArguments& arguments, const Geometry& fixed,
+Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
                      const Geometry& moving) {
   return arguments.inner_fit ? inner_fit_polygon(fixed, moving, arguments.options)
                              : no_fit_polygon(fixed, moving, arguments.options);
 }
 
-Geometry rounded_fit_polygon(const NestingArguments& arguments, const Geometry& polygon) {
+Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& polygon) {
   if (arguments.inner_fit) return rounded(polygon, arguments);
   // The tight places of a no-fit polygon are within its area, so that they cannot be rounded with
   // it as parts of one set.
@@ -92,7 +92,7 @@ Geometry rounded_fit_polygon(const NestingArguments& arguments, const Geometry& 
   return result;
 }
 
-std::vector<const char*> contacts(const NestingArguments& arguments, const Geometry& fixed,
+std::vector<const char*> contacts(const NoFitArguments& arguments, const Geometry& fixed,
                                   const Geometry& moving) {
   const NoFitPolygon polygon(fixed, moving, arguments.options);
   std::vector<const char*> answers;
@@ -102,7 +102,7 @@ std::vector<const char*> contacts(const NestingArguments& arguments, const Geome
   return answers;
 }
 
-int run_nesting(const NestingArguments& arguments) {
+int run_no_fit(const NoFitArguments& arguments) {
   OutputFiles files;
   files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
@@ -122,13 +122,13 @@ int run_nesting(const NestingArguments& arguments) {
   return kFine;
 }
 
-void add_nesting(Program& program) {
+void add_no_fit(Program& program) {
   for (const bool inner_fit : {false, true}) {
-    const auto arguments = std::make_shared<NestingArguments>();
-    const auto typed = std::make_shared<TypedNesting>();
+    const auto arguments = std::make_shared<NoFitArguments>();
+    const auto typed = std::make_shared<NoFitText>();
     arguments->inner_fit = inner_fit;
-    program.add(add_nesting(program.line, inner_fit, *arguments, *typed, program.limits), arguments,
-                typed, run_nesting);
+    program.add(add_no_fit(program.line, inner_fit, *arguments, *typed, program.limits), arguments,
+                typed, run_no_fit);
   }
 }
 

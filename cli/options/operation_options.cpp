@@ -1,4 +1,4 @@
-#include "options/uses_options.hpp"
+#include "options/operation_options.hpp"
 
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
@@ -50,7 +50,7 @@ void require_file(const std::string& picture) {
 }  // namespace
 
 Command add_morphology(CommandLine& line, Operation operation, MorphologyArguments& arguments,
-                       TypedMorphology& typed, ProcessLimits& limits) {
+                       MorphologyText& typed, ProcessLimits& limits) {
   const Words words = words_of(operation);
   const Command command = line.add_command(words.name, words.what);
   command.footer(kFilesFooter);
@@ -67,8 +67,8 @@ Command add_morphology(CommandLine& line, Operation operation, MorphologyArgumen
   return command;
 }
 
-Command add_nesting(CommandLine& line, bool inner_fit, NestingArguments& arguments,
-                    TypedNesting& typed, ProcessLimits& limits) {
+Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
+                    NoFitText& typed, ProcessLimits& limits) {
   const Command command =
       inner_fit ? line.add_command("ifp", "Inner-fit polygon: placements of a part in a bin")
                 : line.add_command("nfp", "No-fit polygon: placements at which parts overlap");
@@ -101,7 +101,7 @@ Command add_nesting(CommandLine& line, bool inner_fit, NestingArguments& argumen
   return command;
 }
 
-Command add_depth(CommandLine& line, DepthArguments& arguments, TypedDepth& typed,
+Command add_depth(CommandLine& line, DepthArguments& arguments, DepthText& typed,
                   ProcessLimits& limits) {
   const Command command =
       line.add_command("depth", "Penetration depth or distance, and the time of impact");
@@ -118,17 +118,17 @@ Command add_depth(CommandLine& line, DepthArguments& arguments, TypedDepth& type
   return command;
 }
 
-void settle(MorphologyArguments& arguments, const TypedMorphology& typed) {
+void convert(MorphologyArguments& arguments, const MorphologyText& typed) {
   require_one_standard_input(arguments.operands, "A and B");
   require_file(arguments.picture);
-  settle_result(arguments, typed);
+  convert_result(arguments, typed);
 }
 
-void settle(NestingArguments& arguments, const TypedNesting& typed) {
+void convert(NoFitArguments& arguments, const NoFitText& typed) {
   require_one_standard_input(arguments.operands,
                              arguments.inner_fit ? "BIN and PART" : "FIXED and MOVING");
   require_file(arguments.picture);
-  settle_result(arguments, typed);
+  convert_result(arguments, typed);
   if (!typed.reference.empty()) {
     arguments.options.reference = parse_point("--reference", typed.reference);
   }
@@ -137,7 +137,7 @@ void settle(NestingArguments& arguments, const TypedNesting& typed) {
   }
 }
 
-void settle(DepthArguments& arguments, const TypedDepth& typed) {
+void convert(DepthArguments& arguments, const DepthText& typed) {
   require_one_standard_input(arguments.operands, "A and B");
   require_file(arguments.picture);
   if (typed.along.empty()) return;

@@ -17,20 +17,20 @@ struct Target {
   std::optional<int> decimals;
 
   [[nodiscard]] bool is_decimal() const { return decimals.has_value(); }
-  /// The unit of `Place` and of `RoundedVertex::off`: 1, or one decimal step.
+  /// The unit of `RoundedCoordinate` and of `RoundedVertex::off`: 1, or one decimal step.
   [[nodiscard]] Rational unit() const;
 };
 
 /// A coordinate of the target, in its unit.
-struct Place {
+struct RoundedCoordinate {
   double value = 0;  ///< itself; of a decimal, the double nearest to `integer`
   BigInt integer;    ///< of a decimal only
 };
 
 /// A vertex, where it goes, and how far that is.
 struct RoundedVertex {
-  Place x;
-  Place y;
+  RoundedCoordinate x;
+  RoundedCoordinate y;
   /// Exact less rounded, in the target's unit: the nearest double, but 0 only if there is no
   /// difference.
   double off_x = 0;
@@ -50,19 +50,19 @@ using RoundedVertices = std::vector<RoundedVertex>;
                                              Cancellation& cancellation);
 
 /// The same for one coordinate; infinite if it is beyond the doubles.
-[[nodiscard]] Place nearest_place(const Rational& value, const Target& target);
+[[nodiscard]] RoundedCoordinate nearest_place(const Rational& value, const Target& target);
 
 /// The number that a place means.
-[[nodiscard]] Rational value_of(const Place& place, const Target& target);
+[[nodiscard]] Rational value_of(const RoundedCoordinate& place, const Target& target);
 /// The place next to this one, up or down. Beyond the largest double comes infinity.
-[[nodiscard]] Place next_place(const Place& place, bool up, const Target& target);
+[[nodiscard]] RoundedCoordinate next_place(const RoundedCoordinate& place, bool up, const Target& target);
 
 /// A place some steps away; a step of doubles is `step` there, if that is a place.
-[[nodiscard]] Place shifted_place(const Place& place, double steps, double step,
+[[nodiscard]] RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps, double step,
                                   const Target& target);
 
 /// Appends a vertex.
-void add_vertex(Region& region, const Place& x, const Place& y, const Target& target);
+void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y, const Target& target);
 /// A region of the same rings with the rounded vertices.
 [[nodiscard]] Region with_vertices(const Region& region, const RoundedVertices& vertices,
                                    const Target& target, Cancellation& cancellation);

@@ -1,4 +1,4 @@
-#include "rounding/place.hpp"
+#include "rounding/round_vertices.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,15 +91,15 @@ BigInt nearest_integer(BigInt& numerator, const BigInt& denominator) {
   return negative ? BigInt(-quotient) : quotient;
 }
 
-Place decimal_place(BigInt integer) {
-  Place place;
+RoundedCoordinate decimal_place(BigInt integer) {
+  RoundedCoordinate place;
   place.value = bit_length(integer) < 64 ? static_cast<double>(static_cast<std::int64_t>(integer))
                                          : nearest_double(integer.sign() < 0, mp::abs(integer), 1);
   place.integer = std::move(integer);
   return place;
 }
 
-Place round_decimal(const Region& region, const StoredCoordinate& c, int decimals, double& off) {
+RoundedCoordinate round_decimal(const Region& region, const StoredCoordinate& c, int decimals, double& off) {
   constexpr int kShort = 18;
   const int tens = c.exp10 + decimals;
   off = 0;
@@ -110,7 +110,7 @@ Place round_decimal(const Region& region, const StoredCoordinate& c, int decimal
   Scaled exact = scaled(region, c, decimals);
   if (exact.exp2 > 0) exact.numerator <<= static_cast<unsigned>(exact.exp2);
   if (exact.exp2 < 0) exact.denominator <<= static_cast<unsigned>(-exact.exp2);
-  Place place = decimal_place(nearest_integer(exact.numerator, exact.denominator));
+  RoundedCoordinate place = decimal_place(nearest_integer(exact.numerator, exact.denominator));
   off = signed_double(exact.numerator, exact.denominator, 0);
   return place;
 }
@@ -129,7 +129,7 @@ RoundedVertices round_vertices(const Region& region, const Target& target,
   const std::size_t digits =
       target.is_decimal() ? 4 * static_cast<std::size_t>(*target.decimals) : 64;
   RoundedVertices result(region.vertex_count());
-  const auto round_one = [&](std::size_t v, const StoredCoordinate& c, Place& place, double& off) {
+  const auto round_one = [&](std::size_t v, const StoredCoordinate& c, RoundedCoordinate& place, double& off) {
     if (target.is_decimal()) {
       place = round_decimal(region, c, *target.decimals, off);
       return;
@@ -148,32 +148,32 @@ RoundedVertices round_vertices(const Region& region, const Target& target,
   return result;
 }
 
-Place nearest_place(const Rational& value, const Target& target) {
+RoundedCoordinate nearest_place(const Rational& value, const Target& target) {
   if (!target.is_decimal()) return {value.to_double(), {}};
   const Rational steps = value / target.unit();
   BigInt numerator = RationalAccess::numerator(steps);
   return decimal_place(nearest_integer(numerator, RationalAccess::denominator(steps)));
 }
 
-Rational value_of(const Place& place, const Target& target) {
+Rational value_of(const RoundedCoordinate& place, const Target& target) {
   if (!target.is_decimal()) return Rational(place.value);
   return RationalAccess::make(place.integer, power_of_ten(static_cast<unsigned>(*target.decimals)));
 }
 
-Place next_place(const Place& place, bool up, const Target& target) {
+RoundedCoordinate next_place(const RoundedCoordinate& place, bool up, const Target& target) {
   if (target.is_decimal()) return decimal_place(BigInt(place.integer + (up ? 1 : -1)));
   const double next = std::nextafter(place.value, up ? HUGE_VAL : -HUGE_VAL);
   return {next == 0 ? 0.0 : next, {}};
 }
 
-Place shifted_place(const Place& place, double steps, double step, const Target& target) {
+RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps, double step, const Target& target) {
   if (target.is_decimal()) {
     return decimal_place(BigInt(place.integer + static_cast<std::int64_t>(steps)));
   }
   return {place.value + steps * step + 0.0, {}};
 }
 
-void add_vertex(Region& region, const Place& x, const Place& y, const Target& target) {
+void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y, const Target& target) {
   if (!target.is_decimal()) {
     region.add_vertex(x.value, y.value);
     return;

@@ -13,10 +13,10 @@ namespace minksum::checking {
 ///
 /// x is in P ⊕ Q if and only if P meets x − Q. Two closed sets meet if and only if two of their
 /// edges do, or else one holds a connected part of the other: any one point of it.
-class Placement {
+class PlacedOperand {
  public:
   /// Both resolved.
-  Placement(const Geometry& p, const Geometry& q, Cancellation& cancellation)
+  PlacedOperand(const Geometry& p, const Geometry& q, Cancellation& cancellation)
       : cancellation_(cancellation), p_(p, cancellation), q_(q, cancellation) {}
   [[nodiscard]] bool in_sum(const Point& x) const;
 

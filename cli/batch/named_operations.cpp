@@ -1,12 +1,12 @@
-#include "commands/operations.hpp"
+#include "batch/named_operations.hpp"
 
 #include <algorithm>
 #include <sstream>
 
 #include "commands/offset.hpp"
-#include "commands/uses.hpp"
+#include "commands/operations.hpp"
+#include "options/operation_options.hpp"
 #include "options/sum_options.hpp"
-#include "options/uses_options.hpp"
 #include "output/result_file.hpp"
 #include "process/failure.hpp"
 
@@ -23,10 +23,10 @@ using Cancel = std::optional<CancelToken>;
 // A subcommand of its own, which reads one list of options.
 class Parser {
  public:
-  Parser(const char* name, int operands, const std::vector<TypedOption>& options) : name_(name) {
+  Parser(const char* name, int operands, const std::vector<OptionText>& options) : name_(name) {
     words_ = {name};
     words_.insert(words_.end(), static_cast<std::size_t>(operands), "FILE");
-    for (const TypedOption& option : options) {
+    for (const OptionText& option : options) {
       words_.insert(words_.end(), option.words.begin(), option.words.end());
     }
   }
@@ -55,13 +55,13 @@ std::string result_json(const Geometry& geometry, const ResultArguments& argumen
 
 Made make_sum(Parser& parser, ProcessLimits& limits) {
   SumArguments arguments;
-  TypedSum typed;
+  SumText typed;
   bool tight = false;
   const Command command = add_sum(parser.line(), arguments, typed, limits);
   command.remove_option("--tight");  // which names a file
   command.add_flag("--tight", tight);
   parser.parse();
-  settle(arguments, typed);
+  convert(arguments, typed);
   require_json_format(arguments);
   if (tight && arguments.options.method != Method::kReduced) {
     throw Failure(kWrongUsage, "--tight needs the reduced method");
@@ -88,11 +88,11 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
 template <MorphologyArguments::Operation operation>
 Made make_morphology(Parser& parser, ProcessLimits& limits) {
   MorphologyArguments arguments;
-  TypedMorphology typed;
+  MorphologyText typed;
   arguments.operation = operation;
   add_morphology(parser.line(), operation, arguments, typed, limits);
   parser.parse();
-  settle(arguments, typed);
+  convert(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
   const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
@@ -106,17 +106,17 @@ Made make_morphology(Parser& parser, ProcessLimits& limits) {
 
 template <bool inner_fit>
 Made make_nesting(Parser& parser, ProcessLimits& limits) {
-  NestingArguments arguments;
-  TypedNesting typed;
+  NoFitArguments arguments;
+  NoFitText typed;
   arguments.inner_fit = inner_fit;
-  add_nesting(parser.line(), inner_fit, arguments, typed, limits);
+  add_no_fit(parser.line(), inner_fit, arguments, typed, limits);
   parser.parse();
-  settle(arguments, typed);
+  convert(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
   const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
                                Worker&) {
-    NestingArguments mine = arguments;
+    NoFitArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
     if (mine.placements.empty()) {
       return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
@@ -130,10 +130,10 @@ Made make_nesting(Parser& parser, ProcessLimits& limits) {
 
 Made make_depth(Parser& parser, ProcessLimits& limits) {
   DepthArguments arguments;
-  TypedDepth typed;
+  DepthText typed;
   add_depth(parser.line(), arguments, typed, limits);
   parser.parse();
-  settle(arguments, typed);
+  convert(arguments, typed);
   arguments.options.limits = limits.sum;
   const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
                                Worker&) {
@@ -146,10 +146,10 @@ Made make_depth(Parser& parser, ProcessLimits& limits) {
 
 Made make_offset(Parser& parser, ProcessLimits& limits) {
   OffsetArguments arguments;
-  TypedOffset typed;
+  OffsetText typed;
   add_offset(parser.line(), arguments, typed, limits);
   parser.parse();
-  settle(arguments, typed);
+  convert(arguments, typed);
   require_json_format(arguments);
   arguments.options.limits = limits.sum;
   const auto run = [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
@@ -214,8 +214,8 @@ bool has_own_option(const Entry& entry, const std::string& name) {
 }
 
 // Options of a job are checked against the list: the subcommand would take names of files, too.
-void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
-  for (const TypedOption& option : typed) {
+void require_known(const Entry& entry, const std::vector<OptionText>& typed) {
+  for (const OptionText& option : typed) {
     const bool is_limit = std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions);
     if (!is_limit && !has_own_option(entry, option.name)) {
       throw Failure(kWrongUsage,
@@ -229,23 +229,23 @@ void require_known(const Entry& entry, const std::vector<TypedOption>& typed) {
   }
 }
 
-bool holds(const std::vector<TypedOption>& options, const std::string& name) {
-  return std::ranges::find(options, name, &TypedOption::name) != options.end();
+bool holds(const std::vector<OptionText>& options, const std::string& name) {
+  return std::ranges::find(options, name, &OptionText::name) != options.end();
 }
-bool asks_for(const std::vector<TypedOption>& options, const std::string& flag) {
-  const auto found = std::ranges::find(options, flag, &TypedOption::name);
+bool asks_for(const std::vector<OptionText>& options, const std::string& flag) {
+  const auto found = std::ranges::find(options, flag, &OptionText::name);
   return found != options.end() && !found->is_off;
 }
 
 }  // namespace
 
-ReadyOperation ready_operation(const std::string& name, const std::vector<TypedOption>& typed,
-                               const std::vector<TypedOption>& defaults,
+ReadyOperation ready_operation(const std::string& name, const std::vector<OptionText>& typed,
+                               const std::vector<OptionText>& defaults,
                                const ProcessLimits& limits) {
   const Entry& entry = entry_of(name);
   require_known(entry, typed);
-  std::vector<TypedOption> all = typed;
-  for (const TypedOption& option : defaults) {
+  std::vector<OptionText> all = typed;
+  for (const OptionText& option : defaults) {
     const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
     if (at && holds(typed, "at")) continue;  // its answers are no geometry
     if (option.name == "fill" && asks_for(typed, "strict")) continue;

@@ -11,30 +11,30 @@
 
 namespace minksum::cli {
 
-struct TypedMorphology : TypedResult {};
+struct MorphologyText : ResultText {};
 
-/// Options as they are typed; turned into NestingArguments when all of them are known.
-struct TypedNesting : TypedResult {
+/// Options as they are typed; turned into NoFitArguments when all of them are known.
+struct NoFitText : ResultText {
   std::string reference;
   std::vector<std::string> placements;
 };
 
-struct TypedDepth {
+struct DepthText {
   std::string along;
 };
 
 /// Each adds a subcommand by this name; parsing fills the other three.
 Command add_morphology(CommandLine& line, MorphologyArguments::Operation operation,
-                       MorphologyArguments& arguments, TypedMorphology& typed,
+                       MorphologyArguments& arguments, MorphologyText& typed,
                        ProcessLimits& limits);
-Command add_nesting(CommandLine& line, bool inner_fit, NestingArguments& arguments,
-                    TypedNesting& typed, ProcessLimits& limits);
-Command add_depth(CommandLine& line, DepthArguments& arguments, TypedDepth& typed,
+Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
+                    NoFitText& typed, ProcessLimits& limits);
+Command add_depth(CommandLine& line, DepthArguments& arguments, DepthText& typed,
                   ProcessLimits& limits);
 
 /// What no option can see by itself. Throws a Failure for wrong usage.
-void settle(MorphologyArguments& arguments, const TypedMorphology& typed);
-void settle(NestingArguments& arguments, const TypedNesting& typed);
-void settle(DepthArguments& arguments, const TypedDepth& typed);
+void convert(MorphologyArguments& arguments, const MorphologyText& typed);
+void convert(NoFitArguments& arguments, const NoFitText& typed);
+void convert(DepthArguments& arguments, const DepthText& typed);
 
 }  // namespace minksum::cli

@@ -117,7 +117,7 @@ void try_placements(const Case& c, int x, int y) {
   const Region a = area_of(c.a, c);
   const Region b = area_of(c.b, c);
   if (a.empty() || b.empty()) return;
-  NestingOptions nesting;
+  NoFitOptions nesting;
   nesting.fill = c.fill;
   nesting.reference = Point{};
   const NoFitPolygon nfp(c.a, c.b, nesting);
