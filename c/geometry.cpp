@@ -78,8 +78,8 @@ using namespace minksum::c;  // NOLINT(google-build-using-namespace)
 
 void minksum_options_init(minksum_options* options) {
   const Limits limits;
-  *options = {limits.max_segments, limits.max_crossings, MINKSUM_FILL_AUTOMATIC, 0, 0, nullptr,
-              nullptr};
+  *options = {
+      limits.max_segments, limits.max_crossings, MINKSUM_FILL_AUTOMATIC, 0, 0, nullptr, nullptr};
 }
 
 const char* minksum_version(void) { return MINKSUM_VERSION; }
@@ -143,9 +143,12 @@ int minksum_geometry_equal(const minksum_geometry* a, const minksum_geometry* b)
 
 minksum_counts minksum_geometry_counts(const minksum_geometry* geometry) {
   const Geometry& value = geometry->value;
-  minksum_counts counts{value.region.polygon_count(), value.region.ring_count(),
-                        value.region.vertex_count(),  value.polylines.size(),
-                        0,                            value.points.size()};
+  minksum_counts counts{value.region.polygon_count(),
+                        value.region.ring_count(),
+                        value.region.vertex_count(),
+                        value.polylines.size(),
+                        0,
+                        value.points.size()};
   for (const Polyline& line : value.polylines) counts.polyline_vertices += line.size();
   return counts;
 }

@@ -130,9 +130,8 @@ minksum_status minksum_disc(double radius, double tolerance, minksum_side side, 
 
 minksum_status minksum_resolve(const Handle* geometry, const minksum_options* options,
                                Handle** result, minksum_error* error) {
-  return made(result, error, [&] {
-    return resolve(value_of(geometry), options_of<ResolveOptions>(options));
-  });
+  return made(result, error,
+              [&] { return resolve(value_of(geometry), options_of<ResolveOptions>(options)); });
 }
 minksum_status minksum_round(const Handle* geometry, minksum_side side, int decimals,
                              const minksum_options* options, Handle** result,
@@ -190,8 +189,7 @@ minksum_status minksum_bounding_box(const Handle* geometry, double box[4], int* 
 
 minksum_status minksum_locator_new(const Handle* geometry, const minksum_options* options,
                                    minksum_locator** result, minksum_error* error) {
-  return made(result, error,
-              [&] { return PointLocator(value_of(geometry), cancel_of(options)); });
+  return made(result, error, [&] { return PointLocator(value_of(geometry), cancel_of(options)); });
 }
 void minksum_locator_free(minksum_locator* locator) { delete locator; }
 minksum_status minksum_locate(const minksum_locator* locator, double x, double y,

@@ -122,8 +122,8 @@ minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_ge
     all.angles = angles;
     all.certain = certain != 0;
     all.tolerance = tolerance_of(space_options);
-    const Reach found = reach(value_of(robot), value_of(obstacles), {{from.x, from.y}, from.degrees},
-                              {{to.x, to.y}, to.degrees}, all);
+    const Reach found = reach(value_of(robot), value_of(obstacles),
+                              {{from.x, from.y}, from.degrees}, {{to.x, to.y}, to.degrees}, all);
     if (!found.path.empty()) {
       result->path = static_cast<minksum_configuration*>(
           std::calloc(found.path.size(), sizeof(minksum_configuration)));

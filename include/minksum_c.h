@@ -148,10 +148,10 @@ MINKSUM_API void minksum_text_free(char *text);
 
 /* -- Sums and what is made of them ------------------------------------------------------------ */
 
-#define MINKSUM_BINARY(name)                                                                     \
-  MINKSUM_API minksum_status minksum_##name(const minksum_geometry *a, const minksum_geometry *b, \
-                                            const minksum_options *options,                       \
-                                            minksum_geometry **result, minksum_error *error)
+#define MINKSUM_BINARY(name)                                                        \
+  MINKSUM_API minksum_status minksum_##name(                                        \
+      const minksum_geometry *a, const minksum_geometry *b,                         \
+      const minksum_options *options, minksum_geometry **result, minksum_error *error)
 MINKSUM_BINARY(sum);    /* a ⊕ b */
 MINKSUM_BINARY(dilate); /* the same */
 MINKSUM_BINARY(erode);  /* where b can be put inside a */
@@ -186,7 +186,11 @@ typedef enum minksum_join {
   MINKSUM_JOIN_SQUARE,
   MINKSUM_JOIN_BEVEL
 } minksum_join;
-typedef enum minksum_cap { MINKSUM_CAP_ROUND = 0, MINKSUM_CAP_BUTT, MINKSUM_CAP_SQUARE } minksum_cap;
+typedef enum minksum_cap {
+  MINKSUM_CAP_ROUND = 0,
+  MINKSUM_CAP_BUTT,
+  MINKSUM_CAP_SQUARE
+} minksum_cap;
 
 typedef struct minksum_offset_options {
   minksum_join join;

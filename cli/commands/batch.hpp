@@ -24,7 +24,7 @@ struct BatchArguments : ResultArguments {
   bool no_output = false;  ///< pairs: compute only
   std::string stats;       ///< empty = none
   FillRule fill = FillRule::kAutomatic;
-  std::vector<OptionText> defaults;  ///< for jobs
+  std::vector<OptionText> defaults;   ///< for jobs
   ProcessLimits limits;               ///< seconds are those of a job
 };
 

@@ -55,11 +55,11 @@ OperandReport examine(const Geometry& geometry, const ResolveOptions& options) {
   const Region all = geometry.has_thin_parts() ? all_vertices(geometry) : Region();
   const Region& vertices = geometry.has_thin_parts() ? all : geometry.region;
   OperandReport findings{geometry,
-                    bounding_box(vertices),
-                    area(geometry.region),
-                    coordinate_bits(vertices),
-                    validate(geometry.region, kMaxFaults),
-                    {}};
+                         bounding_box(vertices),
+                         area(geometry.region),
+                         coordinate_bits(vertices),
+                         validate(geometry.region, kMaxFaults),
+                         {}};
   if (options.fill != FillRule::kStrict || findings.faults.empty()) {
     findings.meaning.emplace().geometry = resolve(geometry, options);
     findings.meaning->area = area(findings.meaning->geometry.region);

@@ -40,7 +40,7 @@ struct DepthReport {
   std::optional<Rational> impact;  ///< if asked for, and if there is one
 };
 [[nodiscard]] DepthReport find_depth(const DepthArguments& arguments, const Geometry& a,
-                                       const Geometry& b);
+                                     const Geometry& b);
 /// With the keys that docs/operations.md describes.
 [[nodiscard]] Json depth_json(const DepthArguments& arguments, const DepthReport& findings);
 

@@ -67,8 +67,8 @@ Command add_morphology(CommandLine& line, Operation operation, MorphologyArgumen
   return command;
 }
 
-Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
-                    NoFitText& typed, ProcessLimits& limits) {
+Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments, NoFitText& typed,
+                   ProcessLimits& limits) {
   const Command command =
       inner_fit ? line.add_command("ifp", "Inner-fit polygon: placements of a part in a bin")
                 : line.add_command("nfp", "No-fit polygon: placements at which parts overlap");

@@ -27,8 +27,8 @@ struct DepthText {
 Command add_morphology(CommandLine& line, MorphologyArguments::Operation operation,
                        MorphologyArguments& arguments, MorphologyText& typed,
                        ProcessLimits& limits);
-Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
-                    NoFitText& typed, ProcessLimits& limits);
+Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments, NoFitText& typed,
+                   ProcessLimits& limits);
 Command add_depth(CommandLine& line, DepthArguments& arguments, DepthText& typed,
                   ProcessLimits& limits);
 

@@ -29,7 +29,7 @@ void add_robot_options(const Command& command, RobotArguments& arguments, RobotT
 }
 
 void convert_robot(const RobotArguments& arguments, const RobotText& typed,
-                  ConfigurationOptions& options) {
+                   ConfigurationOptions& options) {
   const auto& operands = arguments.operands;
   const auto inputs = std::count(std::begin(operands), std::end(operands), "-") +
                       (arguments.workspace == "-" ? 1 : 0);

@@ -27,7 +27,7 @@ void add_robot_options(const Command& command, RobotArguments& arguments, RobotT
                        ConfigurationOptions& options);
 /// Throws a Failure for wrong usage.
 void convert_robot(const RobotArguments& arguments, const RobotText& typed,
-                  ConfigurationOptions& options);
+                   ConfigurationOptions& options);
 
 /// More slices than anybody waits for.
 inline constexpr int kMostTurns = 1'000'000;

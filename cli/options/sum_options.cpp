@@ -109,8 +109,7 @@ Option add_fill_option(const Command& command, FillRule& fill) {
   return rule;
 }
 
-Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed,
-                ProcessLimits& limits) {
+Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed, ProcessLimits& limits) {
   const Command sum = line.add_command("sum", "The Minkowski sum of two geometries");
   sum.footer(kSumFooter);
   sum.add_option("P", arguments.operands[0], "The first operand").required().type_name("FILE");

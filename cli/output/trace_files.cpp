@@ -238,16 +238,17 @@ void TraceWriter::write_cover() const {
           ? "no cover was used: every segment counts"
           : grouped(covered) + " of " + grouped(std::uint64_t{grid.columns} * grid.rows) +
                 " cells are certainly inside; segments that touch no other are grey";
-  save_picture("3-cover", "Cover", note, [&](SvgPicture& picture, const PictureTransform& placement) {
-    picture.cells(grid, placement, "covered");
-    const auto kept = [](bool first) {
-      return [first](const Segment& s) { return s.kept && s.edge_of_first == first; };
-    };
-    picture.segments(trace_.convolution, placement, "dropped",
-                     [](const Segment& s) { return !s.kept; });
-    picture.segments(trace_.convolution, placement, "edge-first", kept(true));
-    picture.segments(trace_.convolution, placement, "edge-second", kept(false));
-  });
+  save_picture("3-cover", "Cover", note,
+               [&](SvgPicture& picture, const PictureTransform& placement) {
+                 picture.cells(grid, placement, "covered");
+                 const auto kept = [](bool first) {
+                   return [first](const Segment& s) { return s.kept && s.edge_of_first == first; };
+                 };
+                 picture.segments(trace_.convolution, placement, "dropped",
+                                  [](const Segment& s) { return !s.kept; });
+                 picture.segments(trace_.convolution, placement, "edge-first", kept(true));
+                 picture.segments(trace_.convolution, placement, "edge-second", kept(false));
+               });
   files_.write(folder_ + "/3-cover.json", [&grid](std::ostream& out) {
     out << "{\"min_x\":" << shortest(grid.min_x) << ",\"min_y\":" << shortest(grid.min_y)
         << ",\"cell\":" << shortest(grid.cell) << ",\"columns\":" << grid.columns

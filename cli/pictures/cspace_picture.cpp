@@ -53,7 +53,8 @@ double CspacePicture::height_for(double width) const {
 
 void CspacePicture::draw(SvgPicture& picture, const Slice& slice, double left, double top,
                          double width) const {
-  const PictureTransform placement(extent_, left, top + kLabel, fitting_scale(extent_, width, width));
+  const PictureTransform placement(extent_, left, top + kLabel,
+                                   fitting_scale(extent_, width, width));
   picture.text(left, top + kLabel - 8, "title", label_of(slice.turn));
   const Region ground = as_region(boundary_);
   picture.region(ground, placement, "pale");

@@ -219,7 +219,8 @@ void number_vertices(SvgPicture& picture, const std::vector<Trace::Vertex>& vert
   }
 }
 
-void number_vertices(SvgPicture& picture, const Geometry& geometry, const PictureTransform& placement) {
+void number_vertices(SvgPicture& picture, const Geometry& geometry,
+                     const PictureTransform& placement) {
   const auto in_picture = [&placement](const Point& point) {
     return Trace::Vertex{placement.x(point.x.to_double()), placement.y(point.y.to_double())};
   };

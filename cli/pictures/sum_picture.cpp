@@ -90,17 +90,14 @@ std::string picture_of(const Drawing& drawing, const Geometry* sum) {
   SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? captions.title : "P and Q");
   draw(picture, drawing.p,
        {layout.extents[0], kMargin, kMargin, layout.scale, captions.p, "first"});
-  const PictureFrame second{layout.extents[1],
-                     kMargin,
-                     kMargin + kCaption + layout.height(0) + kGap,
-                     layout.scale,
-                     captions.q,
-                     "second"};
+  const PictureFrame second{
+      layout.extents[1], kMargin,    kMargin + kCaption + layout.height(0) + kGap,
+      layout.scale,      captions.q, "second"};
   if (layout.has_q) draw(picture, drawing.q, second);
   if (drawing.mark) {
-    picture.thin_parts({{}, {}, {*drawing.mark}},
-                       PictureTransform(second.extent, second.left, second.top + kCaption, second.scale),
-                       "mark");
+    picture.thin_parts(
+        {{}, {}, {*drawing.mark}},
+        PictureTransform(second.extent, second.left, second.top + kCaption, second.scale), "mark");
   }
   if (sum != nullptr) {
     draw(picture, *sum,

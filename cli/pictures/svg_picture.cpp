@@ -157,7 +157,8 @@ void SvgPicture::begin_picture(double width, double height, std::string_view tit
   text_ += "\">\n<title>" + escaped(title) + "</title>\n";
 }
 
-void SvgPicture::region(const Region& region, const PictureTransform& placement, std::string_view style) {
+void SvgPicture::region(const Region& region, const PictureTransform& placement,
+                        std::string_view style) {
   begin_path(std::string("region ").append(style));
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {

@@ -69,8 +69,10 @@ class SvgPicture {
 
   void region(const Region& region, const PictureTransform& placement, std::string_view style);
   /// Polylines as strokes and points as dots, thicker than outlines, in the colour of the style.
-  void thin_parts(const Geometry& geometry, const PictureTransform& placement, std::string_view style);
-  void geometry(const Geometry& geometry, const PictureTransform& placement, std::string_view style) {
+  void thin_parts(const Geometry& geometry, const PictureTransform& placement,
+                  std::string_view style);
+  void geometry(const Geometry& geometry, const PictureTransform& placement,
+                std::string_view style) {
     if (!geometry.region.empty()) region(geometry.region, placement, style);
     thin_parts(geometry, placement, style);
   }

@@ -191,7 +191,8 @@ class RingChooser {
   }
   /// Next to 0 a nearest offset stands for anything smaller than all doubles.
   template <class Exact>
-  static void make_sure(double nearest_off, Exact exact, const RoundedCoordinate& place, double& off) {
+  static void make_sure(double nearest_off, Exact exact, const RoundedCoordinate& place,
+                        double& off) {
     if (nearest_off == 0 || std::abs(off) >= kSmallestOffset || !std::isfinite(place.value)) return;
     const int sign = (exact() - Rational(place.value)).sign();
     off = sign * std::max(std::abs(off), std::numeric_limits<double>::denorm_min());

@@ -15,8 +15,8 @@ struct Sided {
 
 /// Moves vertices to places of the target such that the moved rings enclose the exact region
 /// (kOutside), or are enclosed in it (kInside), if they are those of a valid region with the same
-/// orientations (see `check_topology`). Vertices that are exact stay. No point between an edge and its
-/// moved one is farther than √2 · `step` from the edge, for cells of the target no larger than
+/// orientations (see `check_topology`). Vertices that are exact stay. No point between an edge and
+/// its moved one is farther than √2 · `step` from the edge, for cells of the target no larger than
 /// `step`. `nearest` are the vertices' nearest places. Nothing if some vertex finds no place. O(n).
 ///
 /// Proof (kOutside; kInside is the same for the complement, whose boundary runs the other way). Let

@@ -27,6 +27,6 @@ struct TopologyCheck {
 /// boundary with interior on both sides; without any, each hole can be taken away in turn, as an
 /// area that touches the rest in one point at most.
 [[nodiscard]] TopologyCheck check_topology(const Region& exact, const Region& moved,
-                                Cancellation& cancellation);
+                                           Cancellation& cancellation);
 
 }  // namespace minksum

@@ -99,7 +99,8 @@ RoundedCoordinate decimal_place(BigInt integer) {
   return place;
 }
 
-RoundedCoordinate round_decimal(const Region& region, const StoredCoordinate& c, int decimals, double& off) {
+RoundedCoordinate round_decimal(const Region& region, const StoredCoordinate& c, int decimals,
+                                double& off) {
   constexpr int kShort = 18;
   const int tens = c.exp10 + decimals;
   off = 0;
@@ -129,7 +130,8 @@ RoundedVertices round_vertices(const Region& region, const Target& target,
   const std::size_t digits =
       target.is_decimal() ? 4 * static_cast<std::size_t>(*target.decimals) : 64;
   RoundedVertices result(region.vertex_count());
-  const auto round_one = [&](std::size_t v, const StoredCoordinate& c, RoundedCoordinate& place, double& off) {
+  const auto round_one = [&](std::size_t v, const StoredCoordinate& c, RoundedCoordinate& place,
+                             double& off) {
     if (target.is_decimal()) {
       place = round_decimal(region, c, *target.decimals, off);
       return;
@@ -166,14 +168,16 @@ RoundedCoordinate next_place(const RoundedCoordinate& place, bool up, const Targ
   return {next == 0 ? 0.0 : next, {}};
 }
 
-RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps, double step, const Target& target) {
+RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps, double step,
+                                const Target& target) {
   if (target.is_decimal()) {
     return decimal_place(BigInt(place.integer + static_cast<std::int64_t>(steps)));
   }
   return {place.value + steps * step + 0.0, {}};
 }
 
-void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y, const Target& target) {
+void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y,
+                const Target& target) {
   if (!target.is_decimal()) {
     region.add_vertex(x.value, y.value);
     return;

@@ -55,14 +55,16 @@ using RoundedVertices = std::vector<RoundedVertex>;
 /// The number that a place means.
 [[nodiscard]] Rational value_of(const RoundedCoordinate& place, const Target& target);
 /// The place next to this one, up or down. Beyond the largest double comes infinity.
-[[nodiscard]] RoundedCoordinate next_place(const RoundedCoordinate& place, bool up, const Target& target);
+[[nodiscard]] RoundedCoordinate next_place(const RoundedCoordinate& place, bool up,
+                                           const Target& target);
 
 /// A place some steps away; a step of doubles is `step` there, if that is a place.
-[[nodiscard]] RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps, double step,
-                                  const Target& target);
+[[nodiscard]] RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps,
+                                              double step, const Target& target);
 
 /// Appends a vertex.
-void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y, const Target& target);
+void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y,
+                const Target& target);
 /// A region of the same rings with the rounded vertices.
 [[nodiscard]] Region with_vertices(const Region& region, const RoundedVertices& vertices,
                                    const Target& target, Cancellation& cancellation);

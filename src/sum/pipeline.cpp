@@ -32,8 +32,8 @@ void count(const Workspace::State& w, const Predicates& predicates, Statistics& 
                                                    : statistics.by_fixed_width) = counts.by_kernel;
 }
 
-void prepare(const CallerOperand& p, const CallerOperand& q, const Options& options, Cancellation& cancellation,
-             Workspace::State& w) {
+void prepare(const CallerOperand& p, const CallerOperand& q, const Options& options,
+             Cancellation& cancellation, Workspace::State& w) {
   std::array<const PreparedOperand*, 2> ready{p.operand, q.operand};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (ready[i] != nullptr) continue;
@@ -146,8 +146,8 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
   }
 }
 
-void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options, Workspace::State& w,
-                  Region& result) {
+void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options,
+                  Workspace::State& w, Region& result) {
   StageRunner runner(options);
   runner.run(Stage::kOperands, [&] { prepare(p, q, options, runner.cancellation(), w); });
   run_stages(options, nullptr, runner, w, result);

@@ -51,8 +51,8 @@ struct CallerOperand {
 };
 
 /// The sum of two that are not empty, by Method::kReduced or kFull.
-void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options, Workspace::State& w,
-                  Region& result);
+void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options,
+                  Workspace::State& w, Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
 /// Combines a prepared operand with one that is valid.

@@ -77,8 +77,9 @@ TEST(Erosion, IsWhatItsDefinitionSays) {
     const auto expect = [&](const Point& x) {
       const bool fits = contains(a, at(b, x));
       inside += fits ? 1 : 0;
-      EXPECT_EQ(locator.locate(x) != Location::kOutside, fits)
-          << test::to_text(a) << '\n' << test::to_text(b) << '\n' << x.x << ' ' << x.y;
+      EXPECT_EQ(locator.locate(x) != Location::kOutside, fits) << test::to_text(a) << '\n'
+                                                               << test::to_text(b) << '\n'
+                                                               << x.x << ' ' << x.y;
     };
     for (int k = 0; k < 40; ++k) expect(random_point(random));
     for (std::size_t v = 0; v < erosion.region.vertex_count(); ++v) expect(erosion.region.point(v));
@@ -137,8 +138,8 @@ TEST(NoFitPolygon, SaysHowPlacedPartsStand) {
     const auto expect = [&](const Point& t) {
       const Region placed = at(pair.q, {t.x - reference.x, t.y - reference.y});
       const bool overlap = !intersect(pair.p, placed).empty();
-      const bool meet = reference::contains_sum(
-          pair.p, reflect(placed), {reference::Number(0), reference::Number(0)});
+      const bool meet = reference::contains_sum(pair.p, reflect(placed),
+                                                {reference::Number(0), reference::Number(0)});
       const Contact expected = overlap ? Contact::kOverlapping
                                : meet  ? Contact::kTouching
                                        : Contact::kFree;
@@ -194,8 +195,8 @@ TEST(PenetrationDepth, ItsVectorSeparatesAndLessDoesNot) {
     EXPECT_FALSE(intersect(pair.p, at(b, shorter)).empty()) << message(pair);
     // No other direction is shorter.
     const Rational tenth(depth->distance * 0.999 / 5);
-    for (const auto& [x, y] : {std::pair{5, 0}, {-5, 0}, {0, 5}, {0, -5}, {3, 4}, {-3, 4}, {3, -4},
-                               {-3, -4}}) {
+    for (const auto& [x, y] :
+         {std::pair{5, 0}, {-5, 0}, {0, 5}, {0, -5}, {3, 4}, {-3, 4}, {3, -4}, {-3, -4}}) {
       const Point way{Rational(x) * tenth, Rational(y) * tenth};
       EXPECT_FALSE(intersect(pair.p, at(b, way)).empty()) << message(pair);
     }
@@ -222,8 +223,7 @@ bool touch(const Region& a, const Region& b, const Point& shift, const EdgeOrigi
   const Point d{w.x - u.x, w.y - u.y};
   const Point e{p.x - u.x, p.y - u.y};
   const Rational along = d.x * e.x + d.y * e.y;
-  return (d.x * e.y - d.y * e.x).sign() == 0 && along.sign() >= 0 &&
-         along <= d.x * d.x + d.y * d.y;
+  return (d.x * e.y - d.y * e.x).sign() == 0 && along.sign() >= 0 && along <= d.x * d.x + d.y * d.y;
 }
 
 TEST(PenetrationDepth, NamesWhatTouches) {

@@ -2,7 +2,8 @@
 // each shape of some folders with a small element and with the next shape, by law, by definition
 // and beside a raster.
 //
-//   operations_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices N]
+//   operations_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices
+//   N]
 //            [--raster N] [--placements N]
 //
 // Prints a row a shape; exit code 1 if anything is wrong, 2 without shapes.
@@ -173,8 +174,8 @@ class Runner {
     const Point reference = moving.point(0);
     const Region valid = resolve(as_geometry(fixed)).region;
     const auto check = [&](const Point& t) {
-      const Region placed = transform(
-          moving, Affine::translation(t.x - reference.x, t.y - reference.y));
+      const Region placed =
+          transform(moving, Affine::translation(t.x - reference.x, t.y - reference.y));
       const bool overlap = !intersect(valid, placed).empty();
       const reference::Pt origin{reference::Number(0), reference::Number(0)};
       const bool meet = overlap || reference::contains_sum(valid, reflect(placed), origin);
@@ -208,8 +209,7 @@ class Runner {
     const auto depth = penetration_depth(as_geometry(shape), as_geometry(moved));
     const Region valid = resolve(as_geometry(shape)).region;
     const auto overlap_at = [&](const Rational& part) {
-      const Affine way =
-          Affine::translation(depth->vector.x * part, depth->vector.y * part);
+      const Affine way = Affine::translation(depth->vector.x * part, depth->vector.y * part);
       return !intersect(valid, transform(moved, way)).empty();
     };
     expect(depth->overlapping == overlap_at(Rational(0)), "whether shapes overlap");
@@ -264,16 +264,16 @@ int run(int count, char** values) {
   const auto number = [](int& target) {
     return [&target](const std::string& value) { target = std::stoi(value); };
   };
-  arguments.shapes.read_options(count, values, {{"--raster", number(arguments.raster)},
-                                                {"--placements", number(arguments.placements)}});
+  arguments.shapes.read_options(
+      count, values,
+      {{"--raster", number(arguments.raster)}, {"--placements", number(arguments.placements)}});
   const auto data = test::data_path();
   if (!data) return 2;
   Runner runner(arguments);
   const auto valid = [](const test::DataFile& file) { return file.is_valid; };
-  arguments.shapes.for_each(*data, valid, [&](const std::string& name, const Region& shape,
-                                              const std::string&, const Region& next) {
-    runner.run(name, shape, next);
-  });
+  arguments.shapes.for_each(*data, valid,
+                            [&](const std::string& name, const Region& shape, const std::string&,
+                                const Region& next) { runner.run(name, shape, next); });
   return runner.finish();
 }
 

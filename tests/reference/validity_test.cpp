@@ -21,8 +21,8 @@ TEST(LegalFault, AcceptsWhatIsLegal) {
   // Any orientation, repeated vertices, straight vertices.
   EXPECT_EQ(validity_fault(make_polygon({{0, 8}, {8, 8}, {8, 8}, {8, 0}, {4, 0}, {0, 0}})), "");
   // A hole that touches the outer ring in a vertex; two holes that touch each other.
-  EXPECT_EQ(validity_fault(make_polygon(kBox, {{{0, 4}, {2, 2}, {4, 4}}, {{4, 4}, {6, 2}, {6, 6}}})),
-            "");
+  EXPECT_EQ(
+      validity_fault(make_polygon(kBox, {{{0, 4}, {2, 2}, {4, 4}}, {{4, 4}, {6, 2}, {6, 6}}})), "");
   // A part in a hole of another part, touching it.
   EXPECT_EQ(validity_fault(make_region(
                 {{kBox, {{2, 2}, {6, 2}, {6, 6}, {2, 6}}}, {{{2, 2}, {5, 3}, {3, 5}}}})),

@@ -78,7 +78,8 @@ TEST(Face, ArraysGoInAndOut) {
 TEST(Face, FlatArraysThatDoNotFitAreRefused) {
   using Offsets = std::vector<std::int64_t>;
   const std::vector<double> xy{0, 0, 1, 0, 0, 1};
-  const auto fails = [](const std::vector<double>& c, const Offsets& rings, const Offsets& polygons) {
+  const auto fails = [](const std::vector<double>& c, const Offsets& rings,
+                        const Offsets& polygons) {
     EXPECT_THROW(static_cast<void>(Region::from_flat(c, rings, polygons)), Error);
   };
   fails({0, 0, 1}, {0, 1}, {0, 1});

@@ -1,8 +1,7 @@
-#include "minksum/no_fit.hpp"
-
 #include <utility>
 
 #include "minksum/morphology.hpp"
+#include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
 
 namespace minksum {
@@ -43,8 +42,7 @@ Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
   return moved(result, reference, options);
 }
 
-Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
-                           const NoFitOptions& options) {
+Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part, const NoFitOptions& options) {
   const Point reference = reference_of(part, options);
   MorphologyOptions erosion;
   erosion.tight = true;
@@ -61,9 +59,12 @@ NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,
 
 Contact NoFitPolygon::contact(const Point& t) const {
   switch (locator_.locate(t)) {
-    case Location::kOutside: return Contact::kFree;
-    case Location::kBoundary: return Contact::kTouching;
-    case Location::kInside: break;
+    case Location::kOutside:
+      return Contact::kFree;
+    case Location::kBoundary:
+      return Contact::kTouching;
+    case Location::kInside:
+      break;
   }
   return tight_.locate(t) == Location::kBoundary ? Contact::kTouching : Contact::kOverlapping;
 }

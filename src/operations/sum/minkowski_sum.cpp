@@ -87,8 +87,8 @@ const SmallOperand* small_of(const CallerOperand& given, SmallOperand& memory) {
   return read_small(given.region, SmallHoles::kNone, memory) ? &memory : nullptr;
 }
 
-bool run_small(const CallerOperand& p, const CallerOperand& q, const Options& options, SmallScratch& scratch,
-               Region& result) {
+bool run_small(const CallerOperand& p, const CallerOperand& q, const Options& options,
+               SmallScratch& scratch, Region& result) {
   if (!may_be_small(options)) return false;
   Cancellation(options).look();
   std::array<SmallOperand, 2> memory;
@@ -98,8 +98,8 @@ bool run_small(const CallerOperand& p, const CallerOperand& q, const Options& op
   return small_q != nullptr && sum_small(*small_p, *small_q, scratch, result);
 }
 
-void run(const CallerOperand& p, const CallerOperand& q, const Options& options, Workspace::State& state,
-         Region& result) {
+void run(const CallerOperand& p, const CallerOperand& q, const Options& options,
+         Workspace::State& state, Region& result) {
   const std::optional<Clock::time_point> begin =
       options.statistics != nullptr ? std::optional(Clock::now()) : std::nullopt;
   if (options.statistics != nullptr) *options.statistics = Statistics{};
@@ -143,8 +143,8 @@ Outcome without_exceptions(Work work, Clear clear) {
     return {Error(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"})};
   }
 }
-Outcome run_without_exceptions(const CallerOperand& p, const CallerOperand& q, const Options& options,
-                               Workspace& workspace, Region& result) {
+Outcome run_without_exceptions(const CallerOperand& p, const CallerOperand& q,
+                               const Options& options, Workspace& workspace, Region& result) {
   const auto work = [&] {
     require_two_results(options, result);
     run(p, q, options, workspace.state(), result);
@@ -295,7 +295,8 @@ Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
   const Kept first(p, options, &result);
   const Kept second(q, options, &result);
-  return run_without_exceptions(CallerOperand{*first}, CallerOperand{*second}, options, workspace, result);
+  return run_without_exceptions(CallerOperand{*first}, CallerOperand{*second}, options, workspace,
+                                result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {

@@ -1,12 +1,11 @@
 // The check of a sum: validity, points, and the whole by the second method.
-#include "minksum/check.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <random>
 #include <utility>
 
 #include "minksum/boolean.hpp"
+#include "minksum/check.hpp"
 #include "minksum/measure.hpp"
 #include "second/check/placed_operand.hpp"
 

@@ -28,8 +28,7 @@ Box placed(const Corner& x, const Box& box) {
                                  std::abs(box.y0), std::abs(box.y1)});
   const double slack = 2 * x.error + 0x1p-51 * reach;
   if (!std::isfinite(slack)) return kEverything;
-  return {x.x - box.x1 - slack, x.y - box.y1 - slack, x.x - box.x0 + slack,
-          x.y - box.y0 + slack};
+  return {x.x - box.x1 - slack, x.y - box.y1 - slack, x.x - box.x0 + slack, x.y - box.y0 + slack};
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ class PolygonBuilder {
     std::vector<std::size_t> outer_of_walk;
     for (const BoundaryTrace& walk : boundary_.walks) {
       outer_of_walk.push_back(walk.outer != BoundaryTrace::kNone ? walk.outer
-                                                                : around(walk.leftmost));
+                                                                 : around(walk.leftmost));
     }
     for (std::size_t i = 0; i < boundary_.rings.size(); ++i) {
       const BoundaryRing& ring = boundary_.rings[i];

@@ -55,7 +55,7 @@ template <class N>
 class WindingTrace {
  public:
   WindingTrace(const Geometry<N>& geometry, const Arrangement& arrangement,
-              std::span<const Layer> layers)
+               std::span<const Layer> layers)
       : geometry_(geometry),
         cancellation_(geometry.cancellation()),
         arrangement_(arrangement),

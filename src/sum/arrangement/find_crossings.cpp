@@ -161,8 +161,8 @@ class CrossingFinder {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const bool right = (quarter & 1) != 0;
       const bool upper = (quarter & 2) != 0;
-      const SegmentExtent child{right ? mid.x : part.x0, upper ? mid.y : part.y0, right ? part.x1 : mid.x,
-                       upper ? part.y1 : mid.y};
+      const SegmentExtent child{right ? mid.x : part.x0, upper ? mid.y : part.y0,
+                                right ? part.x1 : mid.x, upper ? part.y1 : mid.y};
       // The recursion may move the vector of vectors, not the lists themselves.
       const Items inside = scratch_.stack[level + quarter];
       if (inside.size() >= 2) solve(inside, child, depth + 1);

@@ -17,7 +17,7 @@ Vec<Int128> exact(const Vec<double>& v) {
 class NodeLister {
  public:
   NodeLister(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation,
-              JoinScratch& scratch)
+             JoinScratch& scratch)
       : o_(o),
         kept_(kept),
         cancellation_(cancellation),

@@ -134,8 +134,8 @@ struct Exact {
 };
 
 /// Counts, in integers, what `classify_block` was unsure of.
-void decide_exactly(const QuadCell& cell, std::size_t begin, std::size_t end, const SegmentStack& stack,
-            std::array<Tally, 4>& tallies) {
+void decide_exactly(const QuadCell& cell, std::size_t begin, std::size_t end,
+                    const SegmentStack& stack, std::array<Tally, 4>& tallies) {
   const std::int64_t half = cell.half / 2;
   for (std::size_t i = begin; i < end; ++i) {
     if ((stack.mask[i] & SegmentStack::kUnsure) == 0) continue;

@@ -16,7 +16,9 @@ class TightFinder {
         test_(operands, trees, predicates, scratch) {}
 
   [[nodiscard]] bool is_free(const ContactPosition& x) { return !test_.overlaps(x); }
-  [[nodiscard]] static ContactPosition at(const Node& node) { return {&node, {}, node.at, node.error}; }
+  [[nodiscard]] static ContactPosition at(const Node& node) {
+    return {&node, {}, node.at, node.error};
+  }
   [[nodiscard]] ContactPosition at(const Probe& probe) const {
     const RoundingBounds& bounds = predicates_.bounds();
     const double error = bounds.position + bounds.magnitude * 0x1p-49;

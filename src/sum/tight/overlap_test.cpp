@@ -32,7 +32,7 @@ template <class Visit>
 bool OverlapTest::any_part(SiteId edge, int operand, Visit visit) const {
   const TouchingRings& touching = scratch_.touching[operand];
   EdgePart part{edge, edge, o_.sites.next[edge],
-            touching.last_edge.empty() ? o_.previous[edge] : touching.last_edge[edge]};
+                touching.last_edge.empty() ? o_.previous[edge] : touching.last_edge[edge]};
   auto cut = std::lower_bound(touching.cuts.begin(), touching.cuts.end(), edge,
                               [](const EdgeCut& c, SiteId e) { return c.edge < e; });
   for (; cut != touching.cuts.end() && cut->edge == edge; ++cut) {

@@ -237,12 +237,18 @@ TEST(Settle, Judges) {
   const auto moved = [](const Outline& hole) {
     return make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {hole});
   };
-  EXPECT_EQ(check_topology(exact, moved({{0, 4}, {4, 3}, {7, 4}}), never).outcome, TopologyVerdict::kKept);
-  EXPECT_EQ(check_topology(exact, moved({{0, 4}, {4, 3}, {8, 4}}), never).outcome, TopologyVerdict::kCut);
-  EXPECT_EQ(check_topology(exact, moved({{1, 4}, {4, 5}, {7, 4}}), never).outcome, TopologyVerdict::kInvalid);
-  EXPECT_EQ(check_topology(exact, moved({{1, 4}, {4, 4}, {7, 4}}), never).outcome, TopologyVerdict::kInvalid);
-  EXPECT_EQ(check_topology(exact, moved({{-1, 4}, {4, 3}, {7, 4}}), never).outcome, TopologyVerdict::kInvalid);
-  EXPECT_EQ(check_topology(exact, moved({{11, 4}, {14, 3}, {17, 4}}), never).outcome, TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{0, 4}, {4, 3}, {7, 4}}), never).outcome,
+            TopologyVerdict::kKept);
+  EXPECT_EQ(check_topology(exact, moved({{0, 4}, {4, 3}, {8, 4}}), never).outcome,
+            TopologyVerdict::kCut);
+  EXPECT_EQ(check_topology(exact, moved({{1, 4}, {4, 5}, {7, 4}}), never).outcome,
+            TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{1, 4}, {4, 4}, {7, 4}}), never).outcome,
+            TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{-1, 4}, {4, 3}, {7, 4}}), never).outcome,
+            TopologyVerdict::kInvalid);
+  EXPECT_EQ(check_topology(exact, moved({{11, 4}, {14, 3}, {17, 4}}), never).outcome,
+            TopologyVerdict::kInvalid);
 }
 
 TEST(Settle, ThreeRingsAtOnePointCutNothing) {
