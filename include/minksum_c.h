@@ -132,7 +132,7 @@ typedef enum minksum_format {
 } minksum_format;
 typedef enum minksum_style {
   MINKSUM_DOUBLES = 0, /* the nearest doubles */
-  MINKSUM_EXACT,       /* integers, finite decimals, or p/q */
+  MINKSUM_EXACT,       /* integers, or p/q; finite decimals in GeoJSON */
   MINKSUM_DECIMALS     /* with a number of digits after the point */
 } minksum_style;
 

@@ -101,10 +101,10 @@ static void test_geometries(void) {
 }
 
 static void test_sums(void) {
-  minksum_geometry *square = read("POLYGON ((0 0, 2 0, 2 2, 0 2))");
-  minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3))");
-  minksum_geometry *shifted = read("POLYGON ((1 0, 3 0, 3 2, 1 2))");
-  minksum_geometry *bow_tie = read("POLYGON ((0 0, 4 4, 4 0, 0 4))");
+  minksum_geometry *square = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
+  minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3, 0 0))");
+  minksum_geometry *shifted = read("POLYGON ((1 0, 3 0, 3 2, 1 2, 1 0))");
+  minksum_geometry *bow_tie = read("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))");
   minksum_prepared *p = NULL;
   minksum_prepared *q = NULL;
   minksum_geometry *out = NULL;
@@ -157,9 +157,9 @@ static void test_sums(void) {
 
 static void test_shapes(void) {
   const double turn[6] = {0, -1, 5, 1, 0, 0};
-  minksum_geometry *square = read("POLYGON ((0 0, 2 0, 2 2, 0 2))");
-  minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3))");
-  minksum_geometry *bow_tie = read("POLYGON ((0 0, 4 4, 4 0, 0 4))");
+  minksum_geometry *square = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
+  minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3, 0 0))");
+  minksum_geometry *bow_tie = read("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))");
   minksum_geometry *out = NULL;
   minksum_offset_options how;
   minksum_error faults[3];
@@ -182,7 +182,7 @@ static void test_shapes(void) {
   EXPECT_WKT(minksum_resolve(bow_tie, NULL, &out, &error),
              "MULTIPOLYGON (((0 0, 2 2, 0 4, 0 0)), ((2 2, 4 0, 4 4, 2 2)))");
   EXPECT_WKT(minksum_round(third, MINKSUM_OUTSIDE, 1, NULL, &out, &error),
-             "POLYGON ((0 0, 0.4 0, 0.4 0.4, 0 0.4, 0 0))");
+             "POLYGON ((0 0, 2/5 0, 2/5 2/5, 0 2/5, 0 0))");
   EXPECT_WKT(minksum_transform(square, turn, NULL, &out, &error),
              "POLYGON ((5 0, 5 2, 3 2, 3 0, 5 0))");
   EXPECT(minksum_validate(bow_tie, NULL, faults, 3, &count, &error) == MINKSUM_OK);
@@ -208,9 +208,9 @@ static void test_pairs(void) {
   const double along[2] = {-1, 0};
   const double nowhere[2] = {0, 0};
   const double centre[2] = {0.5, 0.5};
-  minksum_geometry *a = read("POLYGON ((0 0, 2 0, 2 2, 0 2))");
-  minksum_geometry *b = read("POLYGON ((5 0, 6 0, 6 1, 5 1))");
-  minksum_geometry *unit = read("POLYGON ((0 0, 1 0, 1 1, 0 1))");
+  minksum_geometry *a = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
+  minksum_geometry *b = read("POLYGON ((5 0, 6 0, 6 1, 5 1, 5 0))");
+  minksum_geometry *unit = read("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
   const minksum_geometry *parts[2];
   minksum_geometry *out = NULL;
   minksum_no_fit_table *table = NULL;
@@ -226,7 +226,7 @@ static void test_pairs(void) {
   EXPECT(minksum_time_of_impact(a, b, nowhere, NULL, &factor, &found, &error) ==
          MINKSUM_BAD_INPUT);
   EXPECT_WKT(minksum_no_fit_polygon(a, unit, centre, NULL, &out, &error),
-             "POLYGON ((-0.5 -0.5, 2.5 -0.5, 2.5 2.5, -0.5 2.5, -0.5 -0.5))");
+             "POLYGON ((-1/2 -1/2, 5/2 -1/2, 5/2 5/2, -1/2 5/2, -1/2 -1/2))");
   EXPECT_WKT(minksum_inner_fit_polygon(a, unit, NULL, NULL, &out, &error),
              "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
   parts[0] = a;
@@ -248,10 +248,10 @@ static void test_pairs(void) {
 }
 
 static void test_robots(void) {
-  minksum_geometry *robot = read("POLYGON ((0 0, 2 0, 2 1, 0 1))");
+  minksum_geometry *robot = read("POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))");
   minksum_geometry *walls =
-      read("MULTIPOLYGON (((-1 4, 4 4, 4 5, -1 5)), ((6 4, 11 4, 11 5, 6 5)))");
-  minksum_geometry *room = read("POLYGON ((-1 -1, 11 -1, 11 11, -1 11))");
+      read("MULTIPOLYGON (((-1 4, 4 4, 4 5, -1 5, -1 4)), ((6 4, 11 4, 11 5, 6 5, 6 4)))");
+  minksum_geometry *room = read("POLYGON ((-1 -1, 11 -1, 11 11, -1 11, -1 -1))");
   minksum_geometry *obstacles = NULL;
   minksum_geometry *free_space = NULL;
   minksum_space *space = NULL;
