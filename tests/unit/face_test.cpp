@@ -99,7 +99,7 @@ TEST(Face, RegionsPrint) {
   out << region << ' ' << Geometry(region);
   EXPECT_EQ(out.str(), "POLYGON ((0 0, 2 0, 0.5 1, 0 0)) POLYGON ((0 0, 2 0, 0.5 1, 0 0))");
   EXPECT_EQ(io::to_geojson(region),
-            R"({"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [0.5, 1], [0, 0]]]})");
+            R"({"type": "Polygon", "coordinates": [[[0,0], [2,0], [0.5,1], [0,0]]]})");
 }
 
 TEST(Face, ErrorsNameTheLimitThatWasPassed) {
