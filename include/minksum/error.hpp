@@ -41,8 +41,8 @@ struct Culprit {
 /// A limit that was passed and that the caller can do something about.
 struct ExceededLimit {
   /// Its name in this interface, such as "Limits::max_segments". Also "memory"; "doubles" for a
-  /// coordinate that is to be written as a double and is beyond their range; and "pictures" for one
-  /// that is to be drawn.
+  /// coordinate that is to be written as a double and is beyond their range (adaptors: "floats" and
+  /// "integers", too); and "pictures" for one that is to be drawn.
   std::string_view name;
   std::uint64_t value = 0;  ///< what was allowed; 0 if that is no count
 };

@@ -1,0 +1,66 @@
+// Regions for round trips through other libraries, and what both ends are compared by.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "minksum/error.hpp"
+#include "minksum/resolve.hpp"
+#include "support/generators.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/shapes.hpp"
+
+namespace minksum::test {
+
+/// The same set in canonical form.
+inline Region canonical(const Region& region) {
+  ResolveOptions options;
+  options.regularize = true;
+  return resolve(region, options).region;
+}
+
+/// A random valid region in canonical form: several parts and holes are frequent. On integers so
+/// large that what `scrambled` puts between them is of integers, too.
+inline Region random_source(Random& random) {
+  const auto region = [&random] {
+    switch (random.below(3)) {
+      case 0:
+        return random_region(random);
+      case 1:
+        return random_with_holes(random, 24, 4);
+      default:
+        return random_cells(random, 5, 5, true, false);
+    }
+  };
+  return canonical(scaled(region(), Rational(1024)));
+}
+
+/// A square of 9 by 9 with a square hole of 3 by 3, and a triangle beside it.
+inline Region frame_and_triangle() {
+  return make_region({{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}},
+                      {{{20, 0}, {30, 0}, {20, 10}}}});
+}
+
+/// The error that `run` throws; a failure if there is none.
+template <class Run>
+Error error_of(const Run& run) {
+  try {
+    run();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return {ErrorCode::kInternal, "no error"};
+}
+
+/// Polygon, ring and vertex of an error, each "-" where it names none.
+inline std::string place_of(const Error& error) {
+  const auto text = [](std::size_t index) {
+    return index == Culprit::kNone ? "-" : std::to_string(index);
+  };
+  const Culprit& place = error.culprit();
+  return text(place.polygon) + ' ' + text(place.ring) + ' ' + text(place.vertex);
+}
+
+}  // namespace minksum::test
