@@ -67,7 +67,9 @@ TYPED_TEST(BoostGeometry, RoundTrips) {
           ASSERT_LT(bg::area(hole), 0) << to_text(written);
           // A ring that repeats its own first vertex at its end closes itself.
           const bool closed = bg::closure<TypeParam>::value == bg::closed;
-          if (written == region) ASSERT_EQ(bg::equals(hole.front(), hole.back()), closed);
+          if (written == region) {
+            ASSERT_EQ(bg::equals(hole.front(), hole.back()), closed);
+          }
         }
       }
     }
