@@ -7,6 +7,66 @@ import subprocess
 from support import PROGRAM, SOURCE, Page, ProgramTest, main
 
 
+def compiler():
+    """What the tree was compiled with, with its flags."""
+    return [*os.environ.get("MINKSUM_CXX", "c++").split(),
+            *os.environ.get("MINKSUM_CXXFLAGS", "").split()]
+
+
+def built(*names):
+    """Libraries of the tree that was built."""
+    return [pathlib.Path(PROGRAM).resolve().parent / name for name in names]
+
+
+class Adaptors(ProgramTest):
+    """Each program of adaptors.md prints the block below it, where its library is."""
+
+    CLIPPER2 = """\
+        #include <cstdint>
+        #include <vector>
+        namespace Clipper2Lib {
+        struct Point64 { std::int64_t x, y; };
+        using Paths64 = std::vector<std::vector<Point64>>;
+        }"""
+
+    def run_example(self, header, *options):
+        page = (SOURCE / "docs" / "adaptors.md").read_text()
+        examples = dict(re.findall(r"^```cpp\n(#include <(?:[^>]*)>\n.*?)^```$\n\n^```text\n(.*?)^```$",
+                                   page, re.M | re.S))
+        self.assertEqual(len(examples), page.count("```cpp"))
+        code, expected = next(pair for pair in examples.items()
+                              if pair[0].startswith(f"#include <{header}>"))
+        program = self.folder / "app.cpp"
+        program.write_text(code)
+        there = subprocess.run([*compiler(), "-std=c++20", "-E", "-x", "c++", "-", "-o", os.devnull],
+                               input=f"#include <{header}>\n", capture_output=True, text=True,
+                               check=False)
+        if there.returncode and header != "clipper2/clipper.h":
+            self.skipTest(f"{header} is not there")
+        subprocess.run([*compiler(), "-std=c++20", f"-I{SOURCE / 'include'}",
+                        f"-I{self.folder}", program, *built("src/libminksum.a"), *options,
+                        "-o", self.folder / "app"], check=True)
+        done = subprocess.run([self.folder / "app"], capture_output=True, text=True, timeout=60,
+                              check=True)
+        self.assertEqual(done.stdout, expected)
+
+    def test_boost_geometry(self):
+        self.run_example("boost/geometry.hpp", "-DBOOST_ALLOW_DEPRECATED_HEADERS")
+
+    def test_geos(self):
+        self.run_example("geos_c.h", "-lgeos_c")
+
+    def test_clipper2(self):
+        """Types of the same shape stand for Clipper2."""
+        (self.folder / "clipper2").mkdir()
+        (self.folder / "clipper2" / "clipper.h").write_text(self.CLIPPER2)
+        self.run_example("clipper2/clipper.h")
+
+    def test_cgal(self):
+        self.run_example("CGAL/Exact_predicates_exact_constructions_kernel.h", "-frounding-math",
+                         "-lmpfr", "-lgmp")
+
+
 class CommandLine(Page, ProgramTest):
     page_name = "cli.md"
 
@@ -25,17 +85,6 @@ class Glossary(Page, ProgramTest):
 
 class Guarantees(Page, ProgramTest):
     page_name = "guarantees.md"
-
-
-def compiler():
-    """What the tree was compiled with, with its flags."""
-    return [*os.environ.get("MINKSUM_CXX", "c++").split(),
-            *os.environ.get("MINKSUM_CXXFLAGS", "").split()]
-
-
-def built(*names):
-    """Libraries of the tree that was built."""
-    return [pathlib.Path(PROGRAM).resolve().parent / name for name in names]
 
 
 class Install(Page, ProgramTest):

@@ -58,9 +58,15 @@ EXCEPTIONS = {
     ("src/operations/no_fit/no_fit_table.cpp", "src/operations/sum/fixed_sum.hpp"):
         "the parts of a table are validated once, which has no public form",
 }
+# Adaptors are public headers that may include the library that they adapt, as only a user who has
+# it includes them. Some of these libraries are GPL or LGPL, so nothing that is built or installed as
+# a program or a library may reach an adaptor.
+ADAPTORS = "include/minksum/adaptors/"
+ADAPTED = {"boost_geometry.hpp": "boost/", "cgal.hpp": "CGAL/", "geos.hpp": "geos_c.h"}
+SHARED = ADAPTORS + "shared.hpp"  # by all adaptors; it includes no other library
 # Code outside of src that sees the public headers alone, so that it shares no mistake with src.
-OUTSIDE = ["c", "cli", "bench", "examples", "tests/reference", "tests/support", "tests/property",
-           "tests/real", "tests/oracle"]
+OUTSIDE = ["c", "cli", "bench", "examples", "tests/adaptors", "tests/reference", "tests/support",
+           "tests/property", "tests/real", "tests/oracle"]
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.M)
 
@@ -120,6 +126,7 @@ class House:
         own = room_of(name)
         if own is None:
             return self.fault(name, "", "no room has this path")
+        self.check_without_adaptors(name)
         for target, entry in self.reached(name).items():
             shown = target if entry == target else f"{target} (by {entry})"
             other = room_of(target)
@@ -167,14 +174,34 @@ class House:
             self.fault(name, target, "operations use each other through the public headers")
 
     def check_public(self, name):
+        adaptor = name.startswith(ADAPTORS)
+        adapted = ADAPTED.get(name.removeprefix(ADAPTORS)) if adaptor else None
         for target in self.includes[name]:
-            if "/" in target and not target.startswith("include/minksum/"):
-                self.fault(name, target, "public headers include the standard library and each other")
+            if target.startswith(ADAPTORS):
+                if not adaptor:
+                    self.fault(name, target, "adaptors are for users who have the other library")
+                elif target != SHARED:
+                    self.fault(name, target, "an adaptor includes no other adaptor")
+            elif target.startswith("include/minksum/"):
+                continue
+            elif adapted and target.startswith(adapted):
+                continue
+            elif "/" in target or target.endswith(".h"):  # not so the standard library
+                also = f", this one {adapted} as well" if adapted else ""
+                self.fault(name, target,
+                           f"public headers include the standard library and each other{also}")
 
     def check_outside(self, name):
         reached = self.reached(name).items()
         for entry in sorted({entry for target, entry in reached if target.startswith("src/")}):
             self.fault(name, entry, "only the public headers are for this folder")
+        if name.split("/")[0] in FLOOR:
+            self.check_without_adaptors(name)
+
+    def check_without_adaptors(self, name):
+        for target in self.includes[name]:
+            if target.startswith(ADAPTORS):
+                self.fault(name, target, "adaptors are for users who have the other library")
 
     # -- The picture -------------------------------------------------------------------------------
     def arrows(self):
@@ -295,6 +322,11 @@ def page(house):
     rules.append("Inside `src/sum` a stage includes the boundary headers of earlier stages alone. "
                  "The order is " + ", ".join(STAGES) + ".")
     rules.append("The folders of `src/operations` use each other through the public headers.")
+    rules.append("Public headers include the standard library and each other. An adaptor may include "
+                 "the library that it adapts as well: "
+                 + ", ".join(f"`{name}` includes `{what}`" for name, what in ADAPTED.items())
+                 + ". Only a user who has that library includes an adaptor: no room does, nor does "
+                 "another public header.")
     rules.append("Exceptions:")
     text = "\n".join(wrapped("- ", rule) for rule in rules)
     for (name, target), why in EXCEPTIONS.items():

@@ -1,2 +1,5 @@
 #pragma once
 #include <boost/rational.hpp>
+#include <geos_c.h>
+
+#include "minksum/adaptors/geos.hpp"

@@ -1,0 +1,1 @@
+#include "minksum/adaptors/cgal.hpp"
