@@ -59,8 +59,8 @@ EXCEPTIONS = {
         "the parts of a table are validated once, which has no public form",
 }
 # Adaptors are public headers that may include the library that they adapt, as only a user who has
-# it includes them. Some of these libraries are GPL or LGPL, so nothing that is built or installed as
-# a program or a library may reach an adaptor.
+# it includes them. Some of these libraries are GPL or LGPL, so no program and no library that is
+# built here may reach an adaptor.
 ADAPTORS = "include/minksum/adaptors/"
 ADAPTED = {"boost_geometry.hpp": "boost/", "cgal.hpp": "CGAL/", "geos.hpp": "geos_c.h"}
 SHARED = ADAPTORS + "shared.hpp"  # by all adaptors; it includes no other library
