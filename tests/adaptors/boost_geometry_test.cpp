@@ -103,6 +103,15 @@ TYPED_TEST(BoostGeometry, NothingIsNothing) {
   EXPECT_TRUE(to_boost<TypeParam>(begun).empty());
 }
 
+TYPED_TEST(BoostGeometry, LeavesOutEmptyRings) {
+  EXPECT_EQ(canonical(from_boost(to_boost<TypeParam>(with_empty_rings()))), without_empty_rings());
+  const auto single = to_boost<typename TypeParam::value_type>(with_empty_rings());
+  EXPECT_EQ(single.inners().size(), 1U);
+  const Error error = error_of([] { (void)to_boost<TypeParam>(hole_alone()); });
+  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_EQ(place_of(error), "0 0 -");
+}
+
 TEST(BoostGeometryDoubles, ValidRegionsAreValidThere) {
   Random random(seed_from_environment(12));
   for (int i = 0; i < 100; ++i) {

@@ -101,6 +101,14 @@ TYPED_TEST(Cgal, TakesSinglePolygonsAndRanges) {
   EXPECT_EQ(from_cgal(Many<TypeParam>()), Region());
 }
 
+TYPED_TEST(Cgal, LeavesOutEmptyRings) {
+  EXPECT_EQ(from_cgal(to_cgal<Many<TypeParam>>(with_empty_rings())), without_empty_rings());
+  EXPECT_EQ(to_cgal<WithHoles<TypeParam>>(with_empty_rings()).number_of_holes(), 1U);
+  const Error error = error_of([] { (void)to_cgal<Many<TypeParam>>(hole_alone()); });
+  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_EQ(place_of(error), "0 0 -");
+}
+
 TYPED_TEST(Cgal, LeavesOutTheClosingPoint) {
   CGAL::Polygon_2<TypeParam> closed;
   for (const auto& [x, y] : {std::pair(0, 0), {9, 0}, {9, 9}, {0, 0}}) {

@@ -97,6 +97,13 @@ TYPED_TEST(Clipper2, NothingIsNothing) {
   EXPECT_TRUE(to_clipper<TypeParam>(begun).empty());
 }
 
+TYPED_TEST(Clipper2, LeavesOutEmptyRings) {
+  const auto paths = to_clipper<TypeParam>(with_empty_rings());
+  EXPECT_EQ(paths.size(), 2U);
+  EXPECT_EQ(from_clipper(paths, FillRule::kPositive), without_empty_rings());
+  EXPECT_EQ(from_clipper(to_clipper<TypeParam>(hole_alone()), FillRule::kPositive), Region());
+}
+
 TYPED_TEST(Clipper2, RefusesScalesThatAreNotPositive) {
   for (const Rational& scale : {Rational(0), Rational(-1)}) {
     EXPECT_EQ(error_of([&] { (void)to_clipper<TypeParam>(Region(), scale); }).code(),

@@ -105,6 +105,13 @@ TEST_F(Geos, DirectsRings) {
   EXPECT_EQ(there(region), "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1))");
 }
 
+TEST_F(Geos, LeavesOutEmptyRings) {
+  EXPECT_EQ(there(with_empty_rings()), there(without_empty_rings()));
+  const Error error = error_of([&] { (void)to_geos(context_, hole_alone()); });
+  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_EQ(place_of(error), "0 0 -");
+}
+
 TEST_F(Geos, ReadsEveryType) {
   const auto polygon = [](const Geometry& geometry) { return to_text(geometry.region); };
   const Geometry all = back(read(

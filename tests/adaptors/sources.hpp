@@ -42,6 +42,36 @@ inline Region frame_and_triangle() {
                       {{{20, 0}, {30, 0}, {20, 10}}}});
 }
 
+/// A polygon without rings, a triangle with an empty hole and a whole one, and an empty ring alone.
+inline Region with_empty_rings() {
+  Region region;
+  region.begin_polygon();
+  region.begin_polygon();
+  const auto ring = [&region](const Outline& vertices) {
+    region.begin_ring();
+    for (const auto& [x, y] : vertices) region.add_vertex(x, y);
+  };
+  ring({{0, 0}, {9, 0}, {0, 9}});
+  ring({});
+  ring({{1, 1}, {1, 2}, {2, 1}});
+  region.begin_polygon();
+  ring({});
+  return region;
+}
+/// What is left of it without these.
+inline Region without_empty_rings() {
+  return make_polygon({{0, 0}, {9, 0}, {0, 9}}, {{{1, 1}, {1, 2}, {2, 1}}});
+}
+/// A hole in nothing.
+inline Region hole_alone() {
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  region.begin_ring();
+  for (const auto& [x, y] : Outline{{0, 0}, {9, 0}, {0, 9}}) region.add_vertex(x, y);
+  return region;
+}
+
 /// The error that `run` throws; a failure if there is none.
 template <class Run>
 Error error_of(const Run& run) {

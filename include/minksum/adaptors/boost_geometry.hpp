@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "minksum/adaptors/shared.hpp"
 #include "minksum/error.hpp"
@@ -101,13 +102,13 @@ void set_boost_ring(const Region& region, const Culprit& place, RingOrProxy&& ri
 
 template <class Polygon>
 void set_boost_polygon(const Region& region, std::size_t index, Polygon& polygon) {
-  set_boost_ring(region, place_of(index, 0), bg::exterior_ring(polygon));
+  const std::vector<Culprit> rings = rings_of(region, index);
+  set_boost_ring(region, rings.front(), bg::exterior_ring(polygon));
   auto&& holes = bg::interior_rings(polygon);
-  bg::traits::resize<std::remove_reference_t<decltype(holes)>>::apply(
-      holes, region.rings_of(index).size() - 1);
-  std::size_t ring = 1;
+  bg::traits::resize<std::remove_reference_t<decltype(holes)>>::apply(holes, rings.size() - 1);
+  std::size_t next = 1;
   for (auto hole = boost::begin(holes); hole != boost::end(holes); ++hole) {
-    set_boost_ring(region, place_of(index, ring++), *hole);
+    set_boost_ring(region, rings[next++], *hole);
   }
 }
 }  // namespace detail
@@ -139,9 +140,10 @@ template <class BoostGeometry>
 /// A region as a polygon or multipolygon of Boost.Geometry: `to_boost<MultiPolygon>(region)`.
 ///
 /// Rings are closed and directed as the type wants them (`closure`, `point_order`), holes against
-/// their outer ring. Polygons without vertices are left out. So `boost::geometry::is_valid` accepts
-/// what a valid region gives, unless rings of one polygon touch at several points, which is valid
-/// here. Of a ring that crosses itself, the turn at its smallest vertex counts as its direction.
+/// their outer ring. Rings and polygons without vertices are left out. So
+/// `boost::geometry::is_valid` accepts what a valid region gives, unless rings of one polygon touch
+/// at several points, which is valid here. Of a ring that crosses itself, the turn at its smallest
+/// vertex counts as its direction.
 ///
 /// Doubles and floats are the nearest ones. Rounding may make rings cross: call `round` (round.hpp)
 /// first, which keeps them valid. Integers are never rounded: what is not an integer is an error.
@@ -149,7 +151,8 @@ template <class BoostGeometry>
 ///
 /// O(n) for n vertices. Throws Error: kBadInput that names polygon, ring and vertex of a coordinate
 /// that is not an integer, where the type has integers; kBadInput for two or more polygons, where
-/// the type is a polygon; kLimitExceeded for a coordinate beyond the range of its type.
+/// the type is a polygon; kBadInput for a polygon with holes and an empty outer ring;
+/// kLimitExceeded for a coordinate beyond the range of its type.
 template <class BoostGeometry>
 [[nodiscard]] BoostGeometry to_boost(const Region& region) {
   detail::require_plane<BoostGeometry>();

@@ -234,19 +234,17 @@ typename CgalPolygon<Polygon>::Ring make_cgal_ring(const Region& region, const C
 
 template <class Polygon>
 Polygon make_cgal_polygon(const Region& region, std::size_t index) {
-  const std::size_t rings = region.rings_of(index).size();
-  auto outer = make_cgal_ring<Polygon>(region, place_of(index, 0));
-  if (outer.is_empty()) reject_holes_alone(index);
+  const std::vector<Culprit> rings = rings_of(region, index);
+  auto outer = make_cgal_ring<Polygon>(region, rings.front());
   if constexpr (CgalPolygon<Polygon>::kHasHoles) {
     Polygon polygon(std::move(outer));
-    for (std::size_t ring = 1; ring < rings; ++ring) {
-      polygon.add_hole(make_cgal_ring<Polygon>(region, place_of(index, ring)));
+    for (std::size_t i = 1; i < rings.size(); ++i) {
+      polygon.add_hole(make_cgal_ring<Polygon>(region, rings[i]));
     }
     return polygon;
   } else {
-    if (rings > 1) {
-      reject("a polygon with holes is no Polygon_2: polygon " + std::to_string(index),
-             place_of(index, 1));
+    if (rings.size() > 1) {
+      reject("a polygon with holes is no Polygon_2: " + detail::to_string(rings[1]), rings[1]);
     }
     return outer;
   }
@@ -284,8 +282,8 @@ template <class CgalGeometry>
 /// get the nearest; rounding may make rings cross, so call `round` (round.hpp) first, which keeps
 /// them valid. Integers are never rounded: what is not an integer is an error. Outer rings become
 /// counter-clockwise and holes clockwise, as CGAL wants them. The first point is not repeated.
-/// Polygons without vertices are left out. Of a ring that crosses itself, the turn at its smallest
-/// vertex counts as its direction.
+/// Rings and polygons without vertices are left out. Of a ring that crosses itself, the turn at its
+/// smallest vertex counts as its direction.
 ///
 /// O(n) for n vertices; a number of d digits that is no double takes O(d²). Throws Error: kBadInput
 /// where the region does not fit the type: two or more polygons for one, a hole for a Polygon_2, no

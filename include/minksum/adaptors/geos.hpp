@@ -196,10 +196,15 @@ class GeosWriter {
     return owned(GEOSGeom_createLinearRing_r(context_, sequence(points)));
   }
   [[nodiscard]] GeosGeometry write_polygon(const Region& region, std::size_t polygon) const {
-    GeosGeometry outer = write_ring(region, place_of(polygon, 0));
+    GeosGeometry outer;
     std::vector<GeosGeometry> holes;
-    for (std::size_t ring = 1; ring < region.rings_of(polygon).size(); ++ring) {
-      holes.push_back(write_ring(region, place_of(polygon, ring)));
+    for (const Culprit& place : rings_of(region, polygon)) {
+      GeosGeometry ring = write_ring(region, place);
+      if (place.ring == 0) {
+        outer = std::move(ring);
+      } else {
+        holes.push_back(std::move(ring));
+      }
     }
     std::vector<GEOSGeometry*> given = release(holes);
     return owned(GEOSGeom_createPolygon_r(context_, outer.release(), given.data(),
@@ -256,8 +261,8 @@ class GeosWriter {
 ///
 /// Coordinates are the nearest doubles. Rounding may make rings cross: call `round` (round.hpp)
 /// first, which keeps them valid. Rings are closed; outer ones become counter-clockwise and holes
-/// clockwise. Polygons without vertices are left out. A valid region gives a polygon that is valid
-/// to GEOS, unless rings of one polygon touch at several points, which is valid here.
+/// clockwise. Rings and polygons without vertices are left out. A valid region gives a polygon that
+/// is valid to GEOS, unless rings of one polygon touch at several points, which is valid here.
 ///
 /// O(n) for n vertices. The context must live longer than the result. Throws Error: kBadInput for a
 /// ring of fewer than three vertices, which names polygon and ring, for a polyline of fewer than

@@ -261,11 +261,25 @@ inline std::optional<std::size_t> only_polygon(const Region& region, const char*
   return polygons[0];
 }
 
-/// Throws Error(kBadInput) for a polygon that has holes and no outer ring.
+/// Throws Error(kBadInput) for a polygon that has holes, and an outer ring without points.
 [[noreturn]] inline void reject_holes_alone(std::size_t polygon) {
   reject(
       "a polygon has holes, but its outer ring has no points: polygon " + std::to_string(polygon),
       place_of(polygon, 0));
+}
+
+/// The rings of a polygon that have vertices, the outer one first. Throws Error(kBadInput) if that
+/// one has none.
+inline std::vector<Culprit> rings_of(const Region& region, std::size_t polygon) {
+  std::vector<Culprit> rings;
+  std::size_t index = 0;
+  for (const std::size_t ring : region.rings_of(polygon)) {
+    const bool empty = region.vertices_of(ring).empty();
+    if (empty && index == 0) reject_holes_alone(polygon);
+    if (!empty) rings.push_back(place_of(polygon, index));
+    ++index;
+  }
+  return rings;
 }
 
 }  // namespace detail
