@@ -145,6 +145,30 @@ TEST(Clipper2Integers, AreNeverRounded) {
   EXPECT_EQ(error.limit()->name, "integers");
 }
 
+// All coordinates are one double, so only the exact ones tell which way a ring goes.
+TEST(Clipper2Integers, HaveTheDirectionOfTheExactRing) {
+  const Rational large(std::int64_t{1} << 60U);
+  const auto tiny = [&large](const Region& region) {
+    return scaled(moved(region, large, large), Rational(1) / large);
+  };
+  const Rational scale = large * Rational(4);
+  const auto there_and_back = [&scale](const Region& region) {
+    return from_clipper(to_clipper<Paths64>(region, scale), FillRule::kPositive, scale);
+  };
+  Random random(seed_from_environment(25));
+  for (int i = 0; i < 50; ++i) {
+    const Region region = canonical(tiny(scaled(random_source(random), Rational(1, 1024))));
+    ASSERT_EQ(region.x(0), 1);
+    EXPECT_EQ(there_and_back(scrambled(region, random)), region);
+  }
+  // Both clockwise; the first vertex is as far left, or as far down, as a corner, but does not
+  // turn.
+  for (const Outline& outline : {Outline{{0, 5}, {0, 9}, {9, 9}, {9, 0}, {0, 0}},
+                                 Outline{{5, 0}, {0, 0}, {0, 9}, {9, 9}, {9, 0}}}) {
+    EXPECT_EQ(there_and_back(tiny(make_polygon(outline))), tiny(rectangle(0, 0, 9, 9)));
+  }
+}
+
 // As the page says: rounded to decimals, all is whole by a power of ten.
 TEST(Clipper2Integers, TakeWhatWasRounded) {
   Random random(seed_from_environment(23));
