@@ -46,7 +46,8 @@ void require_doubles(const Reach& found) {
       continue;
     }
     throw Error(ErrorCode::kLimitExceeded,
-                "the path is beyond the range of doubles; --json has exact numbers");
+                "the path is beyond the range of doubles; --json has exact numbers", {}, {},
+                ExceededLimit{"pictures"});
   }
 }
 
