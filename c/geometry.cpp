@@ -1,8 +1,10 @@
 // Geometries of the C interface: made from arrays, read into arrays, read and written as text.
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +41,9 @@ minksum_status tell_exception(minksum_error* error) {
     constexpr minksum_status kStatus[] = {MINKSUM_BAD_INPUT, MINKSUM_LIMIT_EXCEEDED,
                                           MINKSUM_CANCELLED, MINKSUM_INTERNAL};
     return tell(error, kStatus[static_cast<int>(cause.code())], cause.what(), &cause);
+  } catch (const std::length_error&) {  // more elements than a list can have
+    const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
+    return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
   } catch (const std::bad_alloc&) {
     const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
     return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
@@ -54,6 +59,7 @@ namespace {
 std::vector<Point> points_of(const double* xy, std::size_t n) {
   require(xy != nullptr || n == 0, "there are points, and no array of coordinates");
   std::vector<Point> points;
+  require(n <= PTRDIFF_MAX / (2 * sizeof(double)), "more points than an array can have");
   points.reserve(n);
   for (std::size_t i = 0; i < n; ++i) points.push_back({xy[2 * i], xy[2 * i + 1]});
   return points;
@@ -64,10 +70,6 @@ void copy_points(std::span<const Point> points, double*& xy) {
     *xy++ = point.x.to_double();
     *xy++ = point.y.to_double();
   }
-}
-
-void copy(const std::vector<std::int64_t>& from, std::int64_t* to) {
-  if (to != nullptr) std::ranges::copy(from, to);
 }
 
 }  // namespace
@@ -138,10 +140,12 @@ minksum_status minksum_geometry_copy(const minksum_geometry* geometry, minksum_g
 void minksum_geometry_free(minksum_geometry* geometry) { delete geometry; }
 
 int minksum_geometry_equal(const minksum_geometry* a, const minksum_geometry* b) {
+  if (a == nullptr || b == nullptr) return a == b ? 1 : 0;
   return a->value == b->value ? 1 : 0;
 }
 
 minksum_counts minksum_geometry_counts(const minksum_geometry* geometry) {
+  if (geometry == nullptr) return {};
   const Geometry& value = geometry->value;
   minksum_counts counts{value.region.polygon_count(),
                         value.region.ring_count(),
@@ -153,27 +157,49 @@ minksum_counts minksum_geometry_counts(const minksum_geometry* geometry) {
   return counts;
 }
 
-void minksum_geometry_get_polygons(const minksum_geometry* geometry, double* xy,
-                                   int64_t* ring_offsets, int64_t* polygon_offsets) {
-  const FlatRegion flat = geometry->value.region.flat();
-  if (xy != nullptr) std::ranges::copy(flat.coordinates, xy);
-  copy(flat.ring_offsets, ring_offsets);
-  copy(flat.polygon_offsets, polygon_offsets);
+minksum_status minksum_geometry_get_polygons(const minksum_geometry* geometry, double* xy,
+                                             int64_t* ring_offsets, int64_t* polygon_offsets,
+                                             minksum_error* error) {
+  return guarded(error, [&] {
+    const Region& region = value_of(geometry).region;
+    std::size_t ring_end = 0;
+    if (ring_offsets != nullptr) *ring_offsets++ = 0;
+    if (polygon_offsets != nullptr) *polygon_offsets++ = 0;
+    for (const std::size_t polygon : region.polygons()) {
+      for (const std::size_t ring : region.rings_of(polygon)) {
+        const IndexRange vertices = region.vertices_of(ring);
+        const std::size_t end = vertices.front() + vertices.size();
+        if (ring_offsets != nullptr) *ring_offsets++ = static_cast<std::int64_t>(end);
+        ring_end = ring + 1;
+      }
+      if (polygon_offsets != nullptr) *polygon_offsets++ = static_cast<std::int64_t>(ring_end);
+    }
+    for (std::size_t v = 0; xy != nullptr && v < region.vertex_count(); ++v) {
+      *xy++ = region.x(v);
+      *xy++ = region.y(v);
+    }
+  });
 }
 
-void minksum_geometry_get_polylines(const minksum_geometry* geometry, double* xy,
-                                    int64_t* offsets) {
-  std::int64_t end = 0;
-  if (offsets != nullptr) *offsets++ = 0;
-  for (const Polyline& line : geometry->value.polylines) {
-    if (xy != nullptr) copy_points(line, xy);
-    end += static_cast<std::int64_t>(line.size());
-    if (offsets != nullptr) *offsets++ = end;
-  }
+minksum_status minksum_geometry_get_polylines(const minksum_geometry* geometry, double* xy,
+                                              int64_t* offsets, minksum_error* error) {
+  return guarded(error, [&] {
+    std::int64_t end = 0;
+    if (offsets != nullptr) *offsets++ = 0;
+    for (const Polyline& line : value_of(geometry).polylines) {
+      if (xy != nullptr) copy_points(line, xy);
+      end += static_cast<std::int64_t>(line.size());
+      if (offsets != nullptr) *offsets++ = end;
+    }
+  });
 }
 
-void minksum_geometry_get_points(const minksum_geometry* geometry, double* xy) {
-  copy_points(geometry->value.points, xy);
+minksum_status minksum_geometry_get_points(const minksum_geometry* geometry, double* xy,
+                                           minksum_error* error) {
+  return guarded(error, [&] {
+    require(xy != nullptr || value_of(geometry).points.empty(), "the result has nowhere to go");
+    copy_points(value_of(geometry).points, xy);
+  });
 }
 
 minksum_status minksum_read(const char* text, size_t length, minksum_geometry** result,
@@ -188,8 +214,8 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
                              minksum_style style, int digits, char** text, size_t* length,
                              minksum_error* error) {
   return guarded(error, [&] {
-    require(text != nullptr, "the result has nowhere to go");
-    *text = nullptr;
+    char*& result = result_at(text);
+    if (length != nullptr) *length = 0;
     constexpr io::Format kFormats[] = {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
                                        io::Format::kSvg};
     const auto index = as<std::size_t>(format, MINKSUM_SVG);
@@ -198,9 +224,9 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
     out.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
     io::write(out, value_of(geometry), kFormats[index], io::Coordinates{kind, digits, {}});
     const std::string written = std::move(out).str();
-    *text = static_cast<char*>(std::malloc(written.size() + 1));
-    if (*text == nullptr) throw std::bad_alloc();
-    std::memcpy(*text, written.c_str(), written.size() + 1);
+    result = static_cast<char*>(std::malloc(written.size() + 1));
+    if (result == nullptr) throw std::bad_alloc();
+    std::memcpy(result, written.c_str(), written.size() + 1);
     if (length != nullptr) *length = written.size();
   });
 }

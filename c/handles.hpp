@@ -62,6 +62,13 @@ minksum_status made(Handle** result, minksum_error* error, const Make& make) noe
   return guarded(error, [&] { *result = new Handle{make()}; });
 }
 
+/// A result that a failure leaves at 0. Throws for NULL.
+template <class Result>
+Result& result_at(Result* result) {
+  if (result == nullptr) refuse("the result has nowhere to go");
+  return *result = {};
+}
+
 template <class Handle>
 const auto& value_of(const Handle* handle) {
   require(handle != nullptr, "an argument is NULL");

@@ -1,4 +1,5 @@
 // Operations of the C interface: sums and what is made of them, and questions about sets.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -157,28 +158,29 @@ minksum_status minksum_validate(const Handle* geometry, const minksum_options* o
                                 minksum_error* faults, size_t capacity, size_t* count,
                                 minksum_error* error) {
   return guarded(error, [&] {
-    require(count != nullptr, "the result has nowhere to go");
-    *count = 0;
+    std::size_t& found_count = result_at(count);
     require(faults != nullptr || capacity == 0, "an argument is NULL");
     const auto found = validate(value_of(geometry).region, capacity, cancel_of(options));
     for (const Fault& fault : found) {
       const Error cause(ErrorCode::kBadInput, to_string(fault), fault.place);
-      tell(&faults[(*count)++], MINKSUM_BAD_INPUT, cause.what(), &cause);
+      tell(&faults[found_count++], MINKSUM_BAD_INPUT, cause.what(), &cause);
     }
   });
 }
 minksum_status minksum_area(const Handle* geometry, double* area, minksum_error* error) {
   return guarded(error, [&] {
-    require(area != nullptr, "the result has nowhere to go");
-    *area = approximate_area(value_of(geometry).region);
+    double& found = result_at(area);
+    found = approximate_area(value_of(geometry).region);
   });
 }
 minksum_status minksum_bounding_box(const Handle* geometry, double box[4], int* found,
                                     minksum_error* error) {
   return guarded(error, [&] {
-    require(box != nullptr && found != nullptr, "the result has nowhere to go");
+    int& is_there = result_at(found);
+    require(box != nullptr, "the result has nowhere to go");
+    std::fill_n(box, 4, 0.0);
     const auto exact = bounding_box(value_of(geometry).region);
-    *found = exact ? 1 : 0;
+    is_there = exact ? 1 : 0;
     const Box sides = exact.value_or(Box{});
     box[0] = sides.min.x.to_double();
     box[1] = sides.min.y.to_double();
@@ -195,8 +197,8 @@ void minksum_locator_free(minksum_locator* locator) { delete locator; }
 minksum_status minksum_locate(const minksum_locator* locator, double x, double y,
                               minksum_location* location, minksum_error* error) {
   return guarded(error, [&] {
-    require(location != nullptr, "the result has nowhere to go");
-    *location = static_cast<minksum_location>(value_of(locator).locate({x, y}));
+    minksum_location& found = result_at(location);
+    found = static_cast<minksum_location>(value_of(locator).locate({x, y}));
   });
 }
 
@@ -204,12 +206,11 @@ minksum_status minksum_penetration_depth(const Handle* a, const Handle* b,
                                          const minksum_options* options, minksum_depth* depth,
                                          minksum_error* error) {
   return guarded(error, [&] {
-    require(depth != nullptr, "the result has nowhere to go");
-    *depth = {};
+    minksum_depth& answer = result_at(depth);
     const auto found =
         penetration_depth(value_of(a), value_of(b), options_of<DepthOptions>(options));
     if (!found) return;
-    *depth = {1,
+    answer = {1,
               found->overlapping ? 1 : 0,
               {found->vector.x.to_double(), found->vector.y.to_double()},
               found->distance};
@@ -219,15 +220,14 @@ minksum_status minksum_time_of_impact(const Handle* a, const Handle* b, const do
                                       const minksum_options* options, double* factor, int* found,
                                       minksum_error* error) {
   return guarded(error, [&] {
-    require(factor != nullptr && found != nullptr, "the result has nowhere to go");
+    double& answer = result_at(factor);
+    int& is_there = result_at(found);
     require(direction != nullptr, "an argument is NULL");
-    *factor = 0;
-    *found = 0;
     const auto time = time_of_impact(value_of(a), value_of(b), {direction[0], direction[1]},
                                      options_of<DepthOptions>(options));
     if (!time) return;
-    *found = 1;
-    *factor = time->to_double();
+    is_there = 1;
+    answer = time->to_double();
   });
 }
 
@@ -235,8 +235,7 @@ minksum_status minksum_check_sum(const Handle* result, const Handle* a, const Ha
                                  double within, const minksum_options* options,
                                  minksum_sum_check* check, minksum_error* error) {
   return guarded(error, [&] {
-    require(check != nullptr, "the result has nowhere to go");
-    *check = {};
+    minksum_sum_check& answer = result_at(check);
     CheckOptions checking;
     const Limits limits = checking.limits;  // of the proof; the caller's are those of sums
     checking = options_of<CheckOptions>(options);
@@ -244,6 +243,6 @@ minksum_status minksum_check_sum(const Handle* result, const Handle* a, const Ha
     checking.within = within;
     const SumCheck found = check_sum(value_of(result), value_of(a), value_of(b), checking);
     const int proved = found.proof == Proof::kHolds ? 1 : found.proof == Proof::kRefuted ? 0 : -1;
-    *check = {found.ok() ? 1 : 0, found.faults.size(), found.points, found.disagreements, proved};
+    answer = {found.ok() ? 1 : 0, found.faults.size(), found.points, found.disagreements, proved};
   });
 }

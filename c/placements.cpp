@@ -92,7 +92,6 @@ void minksum_space_free(minksum_space* space) { delete space; }
 minksum_status minksum_space_slice(const minksum_space* space, double degrees,
                                    minksum_geometry** obstacles, minksum_geometry** free_space,
                                    minksum_error* error) {
-  if (obstacles == nullptr) return tell(error, MINKSUM_BAD_INPUT, "the result has nowhere to go");
   if (free_space != nullptr) *free_space = nullptr;
   Geometry free;
   const minksum_status status = made(obstacles, error, [&] {
@@ -116,8 +115,7 @@ minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_ge
                                  const minksum_options* options, minksum_reach* result,
                                  minksum_error* error) {
   return guarded(error, [&] {
-    require(result != nullptr, "the result has nowhere to go");
-    *result = {};
+    minksum_reach& answer = result_at(result);
     auto all = space_options_of<ReachOptions>(space_options, options);
     all.angles = angles;
     all.certain = certain != 0;
@@ -125,18 +123,19 @@ minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_ge
     const Reach found = reach(value_of(robot), value_of(obstacles),
                               {{from.x, from.y}, from.degrees}, {{to.x, to.y}, to.degrees}, all);
     if (!found.path.empty()) {
-      result->path = static_cast<minksum_configuration*>(
+      answer.path = static_cast<minksum_configuration*>(
           std::calloc(found.path.size(), sizeof(minksum_configuration)));
-      if (result->path == nullptr) throw std::bad_alloc();
+      if (answer.path == nullptr) throw std::bad_alloc();
     }
     for (const Waypoint& waypoint : found.path) {
-      result->path[result->count++] = {waypoint.at.x.to_double(), waypoint.at.y.to_double(),
-                                       waypoint.turn.degrees};
+      answer.path[answer.count++] = {waypoint.at.x.to_double(), waypoint.at.y.to_double(),
+                                     waypoint.turn.degrees};
     }
-    result->reachable = found.reachable ? 1 : 0;
+    answer.reachable = found.reachable ? 1 : 0;
   });
 }
 void minksum_reach_free(minksum_reach* reach) {
+  if (reach == nullptr) return;
   std::free(reach->path);
   *reach = {};
 }

@@ -4,7 +4,7 @@
  *   - Every function that can fail returns a minksum_status and takes a minksum_error, which may be
  *     NULL. On failure the results are NULL or 0, and nothing has to be freed.
  *   - A `minksum_geometry **` at the end of the arguments receives a new geometry. Free it with
- *     minksum_geometry_free. An argument may be used as a result: results are always new.
+ *     minksum_geometry_free. It is overwritten in any case: keep the pointer to an argument.
  *   - Options may be NULL: then the defaults hold. Set up others by minksum_options_init.
  *   - Coordinates in arrays are doubles, x and y of each point in turn. A double means exactly
  *     itself. Exact results are read as text (minksum_write with MINKSUM_EXACT).
@@ -114,15 +114,20 @@ typedef struct minksum_counts {
   size_t points;
 } minksum_counts;
 
+/* All 0 for NULL. */
 MINKSUM_API minksum_counts minksum_geometry_counts(const minksum_geometry *geometry);
 /* Fill arrays of 2 * vertices, rings + 1 and polygons + 1 elements. An array may be NULL. */
-MINKSUM_API void minksum_geometry_get_polygons(const minksum_geometry *geometry, double *xy,
-                                               int64_t *ring_offsets, int64_t *polygon_offsets);
-/* Fill arrays of 2 * polyline_vertices and polylines + 1 elements. */
-MINKSUM_API void minksum_geometry_get_polylines(const minksum_geometry *geometry, double *xy,
-                                                int64_t *offsets);
+MINKSUM_API minksum_status minksum_geometry_get_polygons(const minksum_geometry *geometry,
+                                                         double *xy, int64_t *ring_offsets,
+                                                         int64_t *polygon_offsets,
+                                                         minksum_error *error);
+/* Fill arrays of 2 * polyline_vertices and polylines + 1 elements. An array may be NULL. */
+MINKSUM_API minksum_status minksum_geometry_get_polylines(const minksum_geometry *geometry,
+                                                          double *xy, int64_t *offsets,
+                                                          minksum_error *error);
 /* Fills an array of 2 * points elements. */
-MINKSUM_API void minksum_geometry_get_points(const minksum_geometry *geometry, double *xy);
+MINKSUM_API minksum_status minksum_geometry_get_points(const minksum_geometry *geometry,
+                                                       double *xy, minksum_error *error);
 
 typedef enum minksum_format {
   MINKSUM_WKT = 0,

@@ -27,7 +27,7 @@ struct CheckOptions {
   std::uint64_t seed = 1;
   /// Above these the proof is not tried.
   Limits limits{std::uint64_t{1} << 20, std::uint64_t{1} << 23};
-  std::optional<CancelToken> cancel;
+  std::optional<CancelToken> cancel = {};
 };
 
 /// A point that is in one of result and sum, and further than `within` from the other.

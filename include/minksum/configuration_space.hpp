@@ -38,19 +38,20 @@ struct MINKSUM_API Turn {
 /// exact. Throws Error(kBadInput) for a tolerance that is not in [1e-10, 1], and for more
 /// than 1e6 degrees.
 [[nodiscard]] MINKSUM_API Turn nearest_turn(const Rational& degrees, double tolerance = 1e-3);
-/// 0, 360/n, 2·360/n, ... (n of them). Throws Error(kBadInput) if n is 0.
+/// 0, 360/n, 2·360/n, ... (n of them). Throws Error: kBadInput if n is 0,
+/// kLimitExceeded for more than a million.
 [[nodiscard]] MINKSUM_API std::vector<Turn> full_turn(std::size_t n, double tolerance = 1e-3);
 
 struct ConfigurationOptions {
-  Point reference;  ///< the robot's point that says where it is, and that it turns about
+  Point reference = {};  ///< the robot's point that says where it is, and that it turns about
   /// The robot has to stay inside it; without it, all around the obstacles is free.
-  std::optional<Geometry> workspace;
+  std::optional<Geometry> workspace = {};
   /// Keeps the places of free space where the robot has no play: points and polylines. Obstacles
   /// must not have thin parts then.
   bool tight = false;
   FillRule fill = FillRule::kAutomatic;  ///< how all shapes are read
-  Limits limits;
-  std::optional<CancelToken> cancel;
+  Limits limits = {};
+  std::optional<CancelToken> cancel = {};
   int threads = 0;  ///< for many slices; 0 = one for each core
 };
 

@@ -10,8 +10,8 @@ namespace minksum {
 
 struct DepthOptions {
   FillRule fill = FillRule::kAutomatic;  ///< how both shapes are read; thin parts are dropped
-  Limits limits;
-  std::optional<CancelToken> cancel;
+  Limits limits = {};
+  std::optional<CancelToken> cancel = {};
 };
 
 /// How A and B stand to each other, and the shortest way to change that.

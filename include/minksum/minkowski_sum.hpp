@@ -84,10 +84,10 @@ struct Options {
   bool cover = true;              ///< false: no cover; the whole arrangement is built
   int grid = 0;                   ///< cells along the longer side of the cover's grid; 0 = chosen
   bool check = false;             ///< run each stage's checker on its result (for tests; slow)
-  Limits limits;
-  std::optional<CancelToken> cancel;
+  Limits limits = {};
+  std::optional<CancelToken> cancel = {};
   /// Called at the start of each stage and now and then within; return false to stop.
-  std::function<bool(Stage)> progress;
+  std::function<bool(Stage)> progress = {};
   Statistics* statistics = nullptr;  ///< filled if given
   Trace* trace = nullptr;            ///< filled if given (Method::kReduced and kFull)
 

@@ -11,8 +11,8 @@ struct MorphologyOptions {
   /// play. Without it results are regularized. For elements without thin parts.
   bool tight = false;
   FillRule fill = FillRule::kAutomatic;  ///< how both operands are read
-  Limits limits;
-  std::optional<CancelToken> cancel;
+  Limits limits = {};
+  std::optional<CancelToken> cancel = {};
 };
 
 /// A ⊕ B = { a + b | a ∈ A, b ∈ B }: minkowski_sum by another name.

@@ -15,10 +15,10 @@ namespace minksum {
 struct NoFitOptions {
   /// The point of the moving part that says where it is; without it the part's first
   /// vertex, as given.
-  std::optional<Point> reference;
+  std::optional<Point> reference = {};
   FillRule fill = FillRule::kAutomatic;  ///< how both shapes are read
-  Limits limits;
-  std::optional<CancelToken> cancel;
+  Limits limits = {};
+  std::optional<CancelToken> cancel = {};
 };
 
 /// The no-fit polygon of `moving` around `fixed`: placements t of the reference point. In the
@@ -59,8 +59,8 @@ struct NoFitTableOptions {
   /// Whether tight places are wanted, as polylines and points.
   bool tight = true;
   FillRule fill = FillRule::kAutomatic;  ///< how all parts are read
-  Limits limits;                         ///< of each sum
-  std::optional<CancelToken> cancel;
+  Limits limits = {};                         ///< of each sum
+  std::optional<CancelToken> cancel = {};
   int threads = 0;  ///< 0 = one for each core
 };
 

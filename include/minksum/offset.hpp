@@ -52,12 +52,12 @@ struct OffsetOptions {
   /// The farthest that a miter may reach from its vertex, in multiples of the distance; ≥ 1.
   Rational miter_limit = 2;
   /// How far the result may be off, see `offset`; |distance|/1000 if it is not set.
-  std::optional<Rational> tolerance;
+  std::optional<Rational> tolerance = {};
   /// For round joins and caps: kOutside contains the true offset, kInside is contained in it.
   RoundingSide side = RoundingSide::kNearest;
   FillRule fill = FillRule::kAutomatic;  ///< how the rings of A are read
-  Limits limits;
-  std::optional<CancelToken> cancel;
+  Limits limits = {};
+  std::optional<CancelToken> cancel = {};
 };
 
 /// A grown by `distance` if that is positive, shrunk if it is negative; 0 is `resolve`. A may have

@@ -23,9 +23,17 @@ struct Decimal {
 };
 
 namespace detail {
+/// An integer of up to 64 bits. Some compilers have longer ones, which would be cut short.
+template <class Number>
+concept Integer = std::integral<Number> && sizeof(Number) <= sizeof(std::int64_t);
+/// float or double. A long double would be cut short.
+template <class Number>
+concept Floating = std::same_as<Number, float> || std::same_as<Number, double>;
+template <class Number>
+concept Plain = Integer<Number> || Floating<Number>;
 /// The 64-bit integer that holds every value of another type.
-template <std::integral Integer>
-using Widest = std::conditional_t<std::is_signed_v<Integer>, std::int64_t, std::uint64_t>;
+template <Integer Number>
+using Widest = std::conditional_t<std::is_signed_v<Number>, std::int64_t, std::uint64_t>;
 }  // namespace detail
 
 /// An exact rational number of any size, always in lowest terms with a positive denominator.
@@ -39,14 +47,17 @@ class MINKSUM_API Rational {
   // Numbers convert by themselves, as nothing is lost: NOLINTBEGIN(google-explicit-constructor)
   Rational(std::int64_t value);
   Rational(std::uint64_t value);
-  /// Any other integer.
-  template <std::integral Integer>
-  Rational(Integer value) : Rational(static_cast<detail::Widest<Integer>>(value)) {}
+  /// Any other integer of up to 64 bits.
+  template <detail::Integer Number>
+  Rational(Number value) : Rational(static_cast<detail::Widest<Number>>(value)) {}
   /// Exactly this double. Throws Error(kBadInput) for NaN and infinities.
   Rational(double value);
   // NOLINTEND(google-explicit-constructor)
   /// numerator / denominator. Throws Error(kBadInput) if the denominator is 0.
   Rational(std::int64_t numerator, std::int64_t denominator);
+  /// The same for any other two numbers, exactly.
+  template <detail::Plain N, detail::Plain D>
+  Rational(N numerator, D denominator) : Rational(quotient(numerator, denominator)) {}
   /// Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless the mantissa is 0.
   explicit Rational(Decimal value);
 
@@ -91,6 +102,14 @@ class MINKSUM_API Rational {
   friend class RationalAccess;
   struct Value;
   explicit Rational(std::shared_ptr<const Value> value);
+  template <class N, class D>
+  static Rational quotient(N numerator, D denominator) {
+    if constexpr (std::signed_integral<N> && std::signed_integral<D>) {
+      return {static_cast<std::int64_t>(numerator), static_cast<std::int64_t>(denominator)};
+    } else {
+      return Rational(numerator) / Rational(denominator);
+    }
+  }
   std::shared_ptr<const Value> value_;  // null = zero
 };
 

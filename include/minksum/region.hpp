@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +31,7 @@ using Ring = std::vector<Point>;
 /// A polygon: the closed area inside `outer` less the open areas inside `holes`.
 struct Polygon {
   Ring outer;
-  std::vector<Ring> holes;
+  std::vector<Ring> holes = {};
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
@@ -51,16 +52,24 @@ class IndexRange {
  public:
   class Iterator {
    public:
+    using value_type = std::size_t;
+    using difference_type = std::ptrdiff_t;
+    Iterator() = default;
     explicit Iterator(std::size_t index) : index_(index) {}
     std::size_t operator*() const { return index_; }
     Iterator& operator++() {
       ++index_;
       return *this;
     }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++index_;
+      return before;
+    }
     bool operator==(const Iterator&) const = default;
 
    private:
-    std::size_t index_;
+    std::size_t index_ = 0;
   };
   IndexRange(std::size_t first, std::size_t last) : first_(first), last_(last) {}
   [[nodiscard]] Iterator begin() const { return Iterator(first_); }
@@ -192,14 +201,18 @@ class MINKSUM_API Region {
   /// Doubles mean exactly themselves. Throws Error(kBadInput) naming the vertex for NaN, infinity.
   void add_vertex(double x, double y);
   void add_vertex(std::int64_t x, std::int64_t y);
-  /// Any other two numbers, of one type or of two.
-  template <class X, class Y>
-  requires(std::is_arithmetic_v<X>&& std::is_arithmetic_v<Y>) void add_vertex(X x, Y y) {
+  /// Any other two numbers, of one type or of two: integers of up to 64 bits, floats and doubles.
+  template <detail::Plain X, detail::Plain Y>
+  void add_vertex(X x, Y y) {
     if constexpr (std::signed_integral<X> && std::signed_integral<Y>) {
       add_vertex(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y));
-    } else if constexpr (std::is_same_v<X, float> && std::is_same_v<Y, float>) {
+    } else if constexpr (detail::Floating<X> && detail::Floating<Y>) {
       add_vertex(static_cast<double>(x), static_cast<double>(y));
     } else {
+      const auto near_x = static_cast<double>(x);
+      const auto near_y = static_cast<double>(y);
+      // What is not finite is an error that names the vertex.
+      if (!std::isfinite(near_x) || !std::isfinite(near_y)) return add_vertex(near_x, near_y);
       add_vertex(Rational(x), Rational(y));
     }
   }
@@ -216,7 +229,9 @@ class MINKSUM_API Region {
   [[nodiscard]] IndexRange vertices_of(std::size_t ring) const;
   /// All rings, to loop over: `for (const RingView ring : region.rings())`. Valid while the region
   /// lives and is not changed.
-  [[nodiscard]] auto rings() const;
+  [[nodiscard]] auto rings() const&;
+  /// Not of a region that ends with the expression: give it a name first.
+  void rings() const&& = delete;
 
   // -- Coordinates --------------------------------------------------------------------------
   /// The double nearest to the exact coordinate (ties to even).
@@ -271,7 +286,9 @@ class MINKSUM_API Region {
 /// A ring of a region. Valid while the region lives and is not changed.
 class MINKSUM_API RingView {
  public:
+  RingView() = default;
   RingView(const Region& region, std::size_t index) : region_(&region), index_(index) {}
+  RingView(const Region&& region, std::size_t index) = delete;
 
   /// As in Region::vertices_of.
   [[nodiscard]] std::size_t index() const { return index_; }
@@ -281,30 +298,38 @@ class MINKSUM_API RingView {
   [[nodiscard]] bool is_hole() const;
   [[nodiscard]] std::size_t size() const { return region_->vertices_of(index_).size(); }
   /// The nearest doubles: `for (const auto& [x, y] : ring.points())`.
-  [[nodiscard]] auto points() const {
-    return made([region = region_](std::size_t v) {
-      return ApproximatePoint{region->x(v), region->y(v)};
-    });
-  }
+  [[nodiscard]] auto points() const { return made<ApproximatePointOf>(); }
   /// The same with exact coordinates.
-  [[nodiscard]] auto exact_points() const {
-    return made([region = region_](std::size_t v) { return region->point(v); });
-  }
+  [[nodiscard]] auto exact_points() const { return made<ExactPointOf>(); }
 
  private:
+  struct ApproximatePointOf {
+    const Region* region = nullptr;
+    ApproximatePoint operator()(std::size_t v) const { return {region->x(v), region->y(v)}; }
+  };
+  struct ExactPointOf {
+    const Region* region = nullptr;
+    Point operator()(std::size_t v) const { return region->point(v); }
+  };
   template <class Make>
-  [[nodiscard]] detail::MadeRange<Make> made(const Make& make) const {
+  [[nodiscard]] detail::MadeRange<Make> made() const {
     const IndexRange vertices = region_->vertices_of(index_);
-    return {make, vertices.front(), vertices.front() + vertices.size()};
+    return {Make{region_}, vertices.front(), vertices.front() + vertices.size()};
   }
 
-  const Region* region_;
-  std::size_t index_;
+  const Region* region_ = nullptr;
+  std::size_t index_ = 0;
 };
 
-inline auto Region::rings() const {
-  const auto make = [this](std::size_t ring) { return RingView(*this, ring); };
-  return detail::MadeRange<decltype(make)>(make, 0, ring_count());
+namespace detail {
+struct RingOf {
+  const Region* region = nullptr;
+  RingView operator()(std::size_t ring) const { return {*region, ring}; }
+};
+}  // namespace detail
+
+inline auto Region::rings() const& {
+  return detail::MadeRange<detail::RingOf>({this}, 0, ring_count());
 }
 
 }  // namespace minksum

@@ -31,7 +31,7 @@ struct ResolveOptions {
   FillRule fill = FillRule::kAutomatic;
   /// Drops what has no area: polylines, points, and the thin parts of rings.
   bool regularize = false;
-  std::optional<CancelToken> cancel;
+  std::optional<CancelToken> cancel = {};
   int operand = -1;  ///< which operand errors name (Culprit::operand)
 };
 

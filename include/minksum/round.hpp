@@ -20,8 +20,8 @@ enum class RoundingSide {
 struct RoundOptions {
   RoundingSide side = RoundingSide::kNearest;
   /// Digits after the point, 0 to 4096; without it, to doubles.
-  std::optional<int> decimals;
-  std::optional<CancelToken> cancel;
+  std::optional<int> decimals = {};
+  std::optional<CancelToken> cancel = {};
 };
 
 /// What rounding did.

@@ -84,13 +84,17 @@ static void test_geometries(void) {
   const minksum_counts counts = minksum_geometry_counts(copy);
   EXPECT(counts.polygons == 1 && counts.rings == 2 && counts.vertices == 6);
   EXPECT(counts.polylines == 1 && counts.polyline_vertices == 2 && counts.points == 1);
-  minksum_geometry_get_polygons(copy, xy, ring_offsets, polygon_offsets);
+  EXPECT(minksum_geometry_get_polygons(copy, xy, ring_offsets, polygon_offsets, &error) ==
+         MINKSUM_OK);
   EXPECT(memcmp(xy, with_hole, sizeof with_hole) == 0);
   EXPECT(memcmp(ring_offsets, rings, sizeof rings) == 0);
   EXPECT(memcmp(polygon_offsets, polygons, sizeof polygons) == 0);
-  minksum_geometry_get_polylines(copy, xy, line_offsets);
+  EXPECT(minksum_geometry_get_polylines(copy, xy, line_offsets, &error) == MINKSUM_OK);
   EXPECT(memcmp(xy, path, sizeof path) == 0 && line_offsets[0] == 0 && line_offsets[1] == 2);
-  minksum_geometry_get_points(copy, xy);
+  EXPECT(minksum_geometry_get_points(copy, xy, &error) == MINKSUM_OK);
+  EXPECT(minksum_geometry_get_points(copy, NULL, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(minksum_geometry_add_points(copy, xy, SIZE_MAX, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(minksum_geometry_counts(NULL).points == 0 && !minksum_geometry_equal(copy, NULL));
   EXPECT(xy[0] == 10 && xy[1] == 10);
   minksum_geometry_free(copy);
   minksum_geometry_free(NULL);
@@ -178,6 +182,7 @@ static void test_shapes(void) {
   EXPECT(minksum_offset(square, NAN, NULL, NULL, &out, &error) == MINKSUM_BAD_INPUT);
   EXPECT(minksum_disc(1, 0.01, MINKSUM_OUTSIDE, &out, &error) == MINKSUM_OK);
   EXPECT(minksum_area(out, &area, &error) == MINKSUM_OK && area > 3.1415 && area < 3.21);
+  EXPECT(minksum_area(NULL, &area, &error) == MINKSUM_BAD_INPUT && area == 0);
   minksum_geometry_free(out);
   EXPECT_WKT(minksum_resolve(bow_tie, NULL, &out, &error),
              "MULTIPOLYGON (((0 0, 2 2, 0 4, 0 0)), ((2 2, 4 0, 4 4, 2 2)))");
@@ -197,6 +202,9 @@ static void test_shapes(void) {
   EXPECT(minksum_locate(locator, 2, 1, &location, &error) == MINKSUM_OK &&
          location == MINKSUM_IS_ON_BOUNDARY);
   EXPECT(minksum_locate(locator, 3, 1, &location, &error) == MINKSUM_OK &&
+         location == MINKSUM_IS_OUTSIDE);
+  location = MINKSUM_IS_INSIDE;
+  EXPECT(minksum_locate(locator, NAN, 1, &location, &error) == MINKSUM_BAD_INPUT &&
          location == MINKSUM_IS_OUTSIDE);
   minksum_locator_free(locator);
   minksum_geometry_free(square);
@@ -275,6 +283,9 @@ static void test_robots(void) {
          MINKSUM_OK);
   EXPECT(reach.reachable && reach.count >= 2 && reach.path[reach.count - 1].y == 8);
   minksum_reach_free(&reach);
+  EXPECT(minksum_find_path(robot, walls, from, to, SIZE_MAX, 0, &how, NULL, &reach, &error) ==
+         MINKSUM_LIMIT_EXCEEDED);
+  minksum_reach_free(NULL);
   EXPECT(reach.path == NULL);
   minksum_geometry_free(robot);
   minksum_geometry_free(walls);

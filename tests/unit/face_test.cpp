@@ -1,10 +1,10 @@
 // The calls that a new user writes first compile, and do what they say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <sstream>
 #include <vector>
 
@@ -30,7 +30,21 @@ TEST(Face, NumbersOfAnyTypeAreTakenExactly) {
   EXPECT_EQ(region.exact_y(3).to_string(), "18446744073709551615");
   const Rational size = std::vector<int>(3).size();
   EXPECT_EQ(size, 3);
-  EXPECT_THROW(region.add_vertex(1, std::numeric_limits<double>::quiet_NaN()), Error);
+  EXPECT_EQ(Rational(1, 2.5), Rational(2, 5));
+  EXPECT_EQ(Rational(std::numeric_limits<std::uint64_t>::max(), 1).sign(), 1);
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    const auto names_vertex = [&](auto add) {
+      try {
+        add();
+        ADD_FAILURE() << "it was taken";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.culprit().vertex, 4U);
+      }
+    };
+    names_vertex([&] { region.add_vertex(1, bad); });
+    names_vertex([&] { region.add_vertex(bad, 1.5); });
+  }
 }
 
 TEST(Face, ShapesConvertToWhatIsAskedFor) {
@@ -72,6 +86,9 @@ TEST(Face, ArraysGoInAndOut) {
     EXPECT_EQ(ring.exact_points()[0], region.point(region.vertices_of(ring.index()).front()));
   }
   EXPECT_EQ(read, coordinates);
+  const auto rings = region.rings();
+  EXPECT_EQ(std::ranges::count_if(rings, &RingView::is_hole), 1);
+  EXPECT_EQ(std::vector<RingView>(rings.begin(), rings.end()).size(), 3U);
   EXPECT_EQ(holes, (std::vector<bool>{false, true, false}));
 }
 

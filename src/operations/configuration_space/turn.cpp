@@ -75,6 +75,11 @@ Turn nearest_turn(const Rational& degrees, double tolerance) {
 
 std::vector<Turn> full_turn(std::size_t n, double tolerance) {
   if (n == 0) throw Error(ErrorCode::kBadInput, "a full turn needs at least one angle");
+  // Each makes a slice: a million of them fill gigabytes and take hours.
+  constexpr std::size_t kMostTurns = 1'000'000;
+  if (n > kMostTurns) {
+    throw Error(ErrorCode::kLimitExceeded, "a full turn in more than 1000000 steps");
+  }
   std::vector<Turn> turns;
   turns.reserve(n);
   const Rational step = Rational(360) / Rational(static_cast<std::int64_t>(n));
