@@ -34,6 +34,15 @@ minksum_status tell(minksum_error* error, minksum_status status, const std::stri
   return status;
 }
 
+namespace {
+
+minksum_status tell_out_of_memory(minksum_error* error) {
+  const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
+  return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
+}
+
+}  // namespace
+
 minksum_status tell_exception(minksum_error* error) {
   try {
     throw;
@@ -42,11 +51,9 @@ minksum_status tell_exception(minksum_error* error) {
                                           MINKSUM_CANCELLED, MINKSUM_INTERNAL};
     return tell(error, kStatus[static_cast<int>(cause.code())], cause.what(), &cause);
   } catch (const std::length_error&) {  // more elements than a list can have
-    const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
-    return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
+    return tell_out_of_memory(error);
   } catch (const std::bad_alloc&) {
-    const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
-    return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
+    return tell_out_of_memory(error);
   } catch (const std::exception& cause) {
     return tell(error, MINKSUM_INTERNAL, cause.what());
   } catch (...) {
