@@ -75,7 +75,7 @@ Turn nearest_turn(const Rational& degrees, double tolerance) {
 
 std::vector<Turn> full_turn(std::size_t n, double tolerance) {
   if (n == 0) throw Error(ErrorCode::kBadInput, "a full turn needs at least one angle");
-  // Each makes a slice: a million of them fill gigabytes and take hours.
+  // So that a number by mistake ends with an error, not without memory: each turn makes a slice.
   constexpr std::size_t kMostTurns = 1'000'000;
   if (n > kMostTurns) {
     throw Error(ErrorCode::kLimitExceeded, "a full turn in more than 1000000 steps");
