@@ -1,4 +1,4 @@
-// Helpers on big integers, and the one correctly rounding division.
+// Implements helpers on big integers, and the one correctly rounding division.
 #include "exact/big_integer.hpp"
 
 #include <algorithm>
@@ -50,12 +50,13 @@ std::size_t append_limbs(const BigInt& value, std::vector<std::uint64_t>& limbs)
 
 namespace {
 
-// Rounds (bits + something in (0, 1) if sticky) · 2^exponent; bits has its width in [55, 64].
+// Rounds (bits + r) · 2^exponent, where r is 0, or lies in (0, 1) if `sticky`. The width of `bits`
+// must be in [55, 64].
 double round_to_double(std::uint64_t bits, bool sticky, std::int64_t exponent) {
   constexpr std::int64_t kPrecision = std::numeric_limits<double>::digits;
   constexpr std::int64_t kLowestExponent = std::numeric_limits<double>::min_exponent - kPrecision;
   const int width = 64 - std::countl_zero(bits);
-  // The last place kept is a 53rd bit, or the place of the smallest denormal if that is higher.
+  // The last place kept is the 53rd bit, or the place of the smallest denormal if that is higher.
   const std::int64_t last_place = std::max(exponent + width - kPrecision, kLowestExponent);
   const std::int64_t drop = last_place - exponent;
   if (drop > width) return 0;  // below half of the smallest denormal
@@ -70,7 +71,7 @@ double round_to_double(std::uint64_t bits, bool sticky, std::int64_t exponent) {
   return std::ldexp(static_cast<double>(kept), static_cast<int>(last_place));
 }
 
-// Of at most 128 bits.
+// The value must have at most 128 bits.
 Uint128 as_short(const BigInt& value) {
   constexpr int kLimbBits = std::numeric_limits<mp::limb_type>::digits;
   const auto& backend = value.backend();
@@ -85,8 +86,7 @@ int width_of(Uint128 value) {
                    : 64 - std::countl_zero(static_cast<std::uint64_t>(value));
 }
 
-// The same as for big integers, where the numerator has up to 128 bits and the
-// denominator up to 64.
+// Does what nearest_double does, for a numerator of up to 128 bits and a denominator of up to 64.
 double nearest_to_short(Uint128 numerator, Uint128 denominator, std::int64_t exp2) {
   const int shift = 63 - (width_of(numerator) - width_of(denominator));
   (shift >= 0 ? numerator : denominator) <<= std::abs(shift);
@@ -107,7 +107,7 @@ double nearest_double(bool negative, const BigInt& numerator, const BigInt& deno
   if (excess + exp2 <= 1100 && bit_length(numerator) <= 128 && bit_length(denominator) <= 64) {
     magnitude = nearest_to_short(as_short(numerator), as_short(denominator), exp2);
   } else if (excess + exp2 <= 1100) {
-    // numerator · 2^shift / denominator lies in (2^62, 2^64): enough bits and one limb.
+    // numerator · 2^shift / denominator lies in (2^62, 2^64). It has enough bits and fits one limb.
     const std::int64_t shift = 63 - excess;
     BigInt quotient;
     BigInt remainder;

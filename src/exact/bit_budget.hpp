@@ -1,4 +1,4 @@
-// How many bits each decision needs, and the number types of each rung that hold them.
+// Derives how many bits each decision needs, and gives each rung number types that hold them.
 #pragma once
 
 #include "exact/fraction.hpp"
@@ -6,9 +6,9 @@
 
 namespace minksum {
 
-// Coordinates are in [0, 2^B). Differences within one operand are below 2^B in magnitude, and so
-// are edge vectors d; sums of two coordinates are in [0, 2^(B+1)), differences of two such sums v
-// below 2^(B+1). One bit more holds the sign.
+// Coordinates are in [0, 2^B). So differences within one operand, and with them edge vectors d, are
+// below 2^B in magnitude. Sums of two coordinates are in [0, 2^(B+1)). Differences v of two such
+// sums are below 2^(B+1). One bit more holds the sign.
 //   cross(d, v)                  < 2 · 2^B · 2^(B+1)               = 2^(2B+2)
 //   denominator cross(d, d')     < 2^(2B+1)
 //   order along a segment        N1·D2 − N2·D1 < 2 · 2^(2B+2) · 2^(2B+1)   = 2^(4B+4)
@@ -67,9 +67,9 @@ struct ArbitraryRung {
   using ProbeNumber = Fraction;
 };
 
-/// The floating-point filter decides without any rounding up to these many bits.
+/// Up to these many bits, the floating-point filter decides without any rounding.
 inline constexpr int kExactSumBits = 52;      ///< sums and differences of sums are exact doubles
-inline constexpr int kExactProductBits = 25;  ///< so are the cross products
+inline constexpr int kExactProductBits = 25;  ///< cross products are exact doubles, too
 static_assert(kExactSumBits + 1 <= 53 && cross_bits(kExactProductBits) <= 53);
 
 }  // namespace minksum

@@ -22,7 +22,7 @@ void set_limbs(const BigInteger& magnitude, std::vector<std::uint64_t>& out) {
   boost::multiprecision::export_bits(magnitude, std::back_inserter(out), 64, false);
 }
 
-/// Integer coordinates on a common grid.
+/// Decides with integer coordinates on a common grid.
 template <class Rung>
 class GridKernel final : public KernelOf<Rung> {
   using Base = KernelOf<Rung>;
@@ -114,7 +114,7 @@ class GridKernel final : public KernelOf<Rung> {
     set_limbs((denominator * Lexicographic(unit_.divisor)).magnitude(), out.denominator);
   }
 
-  /// In lowest terms, but for the powers in the unit.
+  /// Sets a value in lowest terms, but for the powers in the unit.
   void set(const Int128& value, ExactCoordinate& out) const {
     const std::int64_t common =
         unit_.divisor == 1
@@ -130,7 +130,7 @@ class GridKernel final : public KernelOf<Rung> {
   GridUnit unit_;
 };
 
-/// Rational coordinates, in the operands' own units.
+/// Decides with rational coordinates, in the operands' own units.
 class RationalKernel final : public KernelOf<ArbitraryRung> {
  public:
   void load(const std::vector<Vec<BigRational>>& sites, SiteId split, const Vec<BigRational>& first,

@@ -1,4 +1,4 @@
-// Exact answers to every question that the pipeline asks about its operands' geometry.
+// Declares the kernel, which answers every question of the pipeline about the operands' geometry.
 #pragma once
 
 #include <memory>
@@ -15,34 +15,36 @@
 
 namespace minksum {
 
-/// A coordinate of a node: numerator / denominator · 2^exp2 · 10^exp10, as little-endian limbs.
+/// A coordinate of a node: numerator / denominator · 2^exp2 · 10^exp10. Both are little-endian
+/// limbs.
 struct ExactCoordinate {
   bool negative = false;
   std::vector<std::uint64_t> numerator;    ///< magnitude, without leading zero limbs
-  std::vector<std::uint64_t> denominator;  ///< the same
+  std::vector<std::uint64_t> denominator;  ///< magnitude, without leading zero limbs
 };
 
 /// Holds the exact coordinates of both operands' sites and decides by them.
 ///
-/// There is one implementation of each formula (kernel_of.hpp) and one instance of it for each rung
-/// of the ladder: 30, 61 and 125 bits of coordinate in fixed-width integers, and rationals of any
-/// size. `Predicates` asks it where the floating-point filter cannot tell.
+/// Each formula is implemented once (kernel_of.hpp). Each rung of the ladder has one instance: 30,
+/// 61 and 125 bits of coordinate in fixed-width integers, and rationals of any size. `Predicates`
+/// asks the kernel where the floating-point filter cannot tell.
 ///
-/// Laws: orientation is antisymmetric in direction and cyclic in its three points; comparisons are
-/// total orders. Tests hold them on every permutation.
+/// Orientation is antisymmetric in direction and cyclic in its three points. Comparisons are total
+/// orders. Tests hold these laws on every permutation.
 class ExactKernel {
  public:
   virtual ~ExactKernel() = default;
   [[nodiscard]] virtual Arithmetic rung() const = 0;
-  /// The units of work (see Cancellation) of a decision.
+  /// Returns the units of work (see Cancellation) of a decision.
   [[nodiscard]] virtual std::uint64_t work() const = 0;
 
   // -- One operand's sites ------------------------------------------------------------------
-  /// Positive if c lies to the left of the line from a to b; the three are of one operand.
+  /// Returns kPositive if c lies to the left of the line from a to b. All three belong to one
+  /// operand.
   [[nodiscard]] virtual Sign orientation(SiteId a, SiteId b, SiteId c) const = 0;
-  /// Sign of (b − a) · (d − c); each difference within one operand.
+  /// Returns the sign of (b − a) · (d − c). Each difference is within one operand.
   [[nodiscard]] virtual Sign dot(SiteId a, SiteId b, SiteId c, SiteId d) const = 0;
-  /// Sign of a − b along an axis.
+  /// Returns the sign of a − b along an axis.
   [[nodiscard]] virtual Sign compare(SiteId a, SiteId b, Axis axis) const = 0;
 
   // -- Edges (once connected) ---------------------------------------------------------------
@@ -50,13 +52,14 @@ class ExactKernel {
   [[nodiscard]] virtual Sign dot(SiteId edge, SiteId other_edge) const = 0;
 
   // -- Sum vertices and segments ------------------------------------------------------------
-  /// Positive if v lies to the left of s.
+  /// Returns kPositive if v lies to the left of s.
   [[nodiscard]] virtual Sign orientation(const Segment& s, const SumVertex& v) const = 0;
   [[nodiscard]] virtual Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) const = 0;
-  /// Order of two points along s.
+  /// Returns the order of two points along s.
   [[nodiscard]] virtual Sign compare_along(const Segment& s, const PointOnSegment& a,
                                            const PointOnSegment& b) const = 0;
-  /// The point's position along s, 0 = start, 1 = end, within a relative error of 2^-48.
+  /// Returns the point's position along s, from 0 at the start to 1 at the end. The relative error
+  /// is at most 2^-48.
   [[nodiscard]] virtual double parameter(const Segment& s, const PointOnSegment& point) const = 0;
 
   // -- Nodes of the arrangement -------------------------------------------------------------
@@ -64,38 +67,42 @@ class ExactKernel {
   [[nodiscard]] virtual Sign orientation(const Segment& s, const NodePoint& node) const = 0;
 
   // -- Probes: the point on the segment itself; `Predicates` breaks ties symbolically ---------
-  /// Positive if the probe lies to the left of the line through v in the direction of `edge`.
+  /// Returns kPositive if the probe lies to the left of the line through v in the direction of
+  /// `edge`.
   [[nodiscard]] virtual Sign probe_orientation(SiteId edge, const SumVertex& v,
                                                const Probe& probe) const = 0;
-  /// Sign of probe − v along an axis.
+  /// Returns the sign of probe − v along an axis.
   [[nodiscard]] virtual Sign probe_compare(const Probe& probe, const SumVertex& v,
                                            Axis axis) const = 0;
 
-  /// The exact position of a node along a segment that it lies on.
+  /// Returns the exact position of a node along a segment that contains the node.
   [[nodiscard]] virtual BigRational exact_parameter(const Segment& s,
                                                     const NodePoint& node) const = 0;
 
   // -- Coordinates --------------------------------------------------------------------------
-  /// The exact coordinates of a node, in the operands' own units.
+  /// Sets `out` to the exact coordinates of a node, in the operands' own units.
   virtual void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const = 0;
-  /// The exact coordinates of a sum vertex, if they are integers of 63 bits (as above).
+  /// Sets `out` to the exact coordinates of a sum vertex, in the same units, if they are integers
+  /// of 63 bits. Returns false otherwise.
   virtual bool integer_coordinates(const SumVertex& v, Vec<std::int64_t>& out) const = 0;
-  /// Exponents that go with them (see ExactCoordinate).
+  /// The exponents of all coordinates (see ExactCoordinate).
   [[nodiscard]] virtual int exp2() const = 0;
   [[nodiscard]] virtual int exp10() const = 0;
-  /// The doubles nearest to all sites (moved and, on the arbitrary rung, scaled) and, once
-  /// connected, to all edge vectors.
+  /// Sets x and y to the doubles nearest to all sites. The sites are moved and, on the arbitrary
+  /// rung, scaled.
   virtual void approximate_sites(std::span<double> x, std::span<double> y,
                                  Cancellation& cancellation) const = 0;
+  /// Does the same for all edge vectors; the sites must be connected.
   virtual void approximate_edges(std::span<double> dx, std::span<double> dy,
                                  Cancellation& cancellation) const = 0;
 
-  /// The edge that starts at each site ends at the site `next` names.
+  /// Sets the edges: the edge that starts at site i ends at site next[i].
   virtual void connect(std::span<const SiteId> next) = 0;
 };
 
-/// One step of an integer grid: 2^exp2 · 10^exp10 / divisor of a region's units. Coordinates with a
-/// common denominator, as a turn by a rational rotation makes them, are integers on such a grid.
+/// One step of an integer grid: 2^exp2 · 10^exp10 / divisor of a region's units. A turn by a
+/// rational rotation makes coordinates with a common denominator, and these are integers on such a
+/// grid.
 struct GridUnit {
   static constexpr int kDivisorBits = 62;
   int exp2 = 0;
@@ -104,11 +111,11 @@ struct GridUnit {
   friend bool operator==(const GridUnit&, const GridUnit&) = default;
 };
 
-/// Coordinates on an integer grid: value = (integer + offset) · unit, where the integers are in
-/// [0, 2^bits).
+/// Coordinates on an integer grid. A value is (integer + offset) · unit; the integers are in [0,
+/// 2^bits).
 struct GridCoordinates {
   static constexpr int kSmallBits = 62;
-  bool small = true;                           ///< which of the two holds the sites
+  bool small = true;                           ///< whether `small_sites` holds the sites
   std::vector<Vec<std::int64_t>> small_sites;  ///< up to kSmallBits bits
   std::vector<Vec<Int128>> large_sites;
   Vec<Int128> extent{};                        ///< the largest of the integers
@@ -125,20 +132,21 @@ struct RationalCoordinates {
   std::size_t bits = 0;                        ///< of the longest numerator or denominator
 };
 
-/// Some of an operand's sites, in their order, times a factor.
+/// Some of an operand's sites, in their order, to be multiplied by a factor.
 struct GridPart {
   const GridCoordinates* grid;
   Int128 factor;
   std::span<const SiteId> sites;
 };
 
-/// A kernel for integer coordinates: those of the parts, one after the other. They must fit the
-/// rung (kNarrow, kMedium or kWide), and the sum of their scaled offsets 127 bits. `unit` is that
-/// of the common grid. Reuses `old` if it is of the same rung.
+/// Makes a kernel for the integer coordinates of the parts, one part after the other. They must fit
+/// the rung (kNarrow, kMedium or kWide), and the sum of their scaled offsets must fit 127 bits.
+/// `unit` is that of the common grid. `old` is used again if it has the same rung.
 void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old);
-/// A kernel for any rational coordinates, none longer than `bits`; `origin_first`, `origin_second`
-/// and `exponent` say how they are approximated: (coordinate − origin of its operand) · 2^exponent.
+/// Makes a kernel for any rational coordinates, none longer than `bits`. The other arguments say
+/// how coordinates are approximated: as (coordinate − origin of its operand) · 2^exponent. Sites
+/// below `split` belong to the first operand.
 void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
                           const Vec<BigRational>& origin_first,
                           const Vec<BigRational>& origin_second, std::size_t bits, int exponent,

@@ -1,4 +1,4 @@
-// Each geometric formula, once, over any number type.
+// Writes each geometric formula once, over any number type.
 #pragma once
 
 namespace minksum {
@@ -10,7 +10,7 @@ struct Vec {
   Number y;
 };
 
-/// Positive if `b` points to the left of `a`.
+/// Returns a positive number if `b` points to the left of `a`.
 template <class Number>
 constexpr Number cross(const Vec<Number>& a, const Vec<Number>& b) {
   return a.x * b.y - a.y * b.x;
@@ -21,15 +21,15 @@ constexpr Number dot(const Vec<Number>& a, const Vec<Number>& b) {
   return a.x * b.x + a.y * b.y;
 }
 
-/// A position along a segment from `from` in direction `d`, as the quotient of the two.
+/// A position along a segment from `from` in direction `d`: from + d · numerator / denominator.
 template <class Number>
 struct Quotient {
   Number numerator;
   Number denominator;
 };
 
-/// Where the line through `to_other` (relative to the segment's start) in direction `e` meets the
-/// segment in direction `d`: from + d·N/D.
+/// Returns where a line meets the segment in direction `d`. The line has the direction `e` and
+/// contains the point `to_other`, relative to the segment's start.
 template <class Number>
 constexpr Quotient<Number> crossing_parameter(const Vec<Number>& d, const Vec<Number>& to_other,
                                               const Vec<Number>& e) {

@@ -1,4 +1,4 @@
-// A rational number whose arithmetic does not look for lowest terms.
+// Defines a rational number whose arithmetic does not look for lowest terms.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace minksum {
 
-/// numerator / denominator, the denominator positive. Predicates ask for signs alone, by formulas
-/// of a few steps: finding lowest terms after each step costs far more than the longer numbers do.
+/// The number numerator / denominator; the denominator is positive. Predicates ask for signs alone,
+/// by formulas of a few steps. Finding lowest terms after each step would cost far more than the
+/// longer numbers do.
 class Fraction {
  public:
   Fraction() = default;

@@ -1,4 +1,4 @@
-// Every exact decision, written once, for any rung of the ladder.
+// Writes every exact decision once, for any rung of the ladder.
 #pragma once
 
 #include <cmath>
@@ -11,15 +11,16 @@ namespace minksum {
 
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
-/// The nearest double to value · 2^exp2.
+/// Returns the double nearest to value · 2^exp2.
 inline double to_double(const Fraction& value, int exp2 = 0) {
   return nearest_double(value.numerator() < 0, BigInt(abs(value.numerator())),
                         BigInt(value.denominator()), exp2);
 }
-/// Relative error under 2^-51. Let t be the magnitude, limb k the highest that is not 0, so that
-/// t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at most. Of the sums, the last one is
-/// rounded by 2^-53 t at most; so is the one before it, as it is below 2^64k or equal; those before
-/// that are smaller by 2^-64 each. That is 3 · 2^-53 t, and next to nothing.
+/// Returns a double with a relative error under 2^-51. Proof: let t be the magnitude, and limb k
+/// the highest that is not 0, so that t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at
+/// most. The last sum is rounded by 2^-53 t at most. So is the sum before the last, because it is
+/// at most 2^64k. The sums before that are smaller by 2^-64 each. The whole error is 3 · 2^-53 t,
+/// and next to nothing more.
 template <std::size_t N>
 double to_double(const WideInt<N>& value) {
   const WideInt<N> magnitude = value.magnitude();
@@ -38,7 +39,8 @@ inline Fraction to_fraction(Int128 value) {
 }
 inline Fraction to_fraction(const Fraction& value) { return value; }
 
-/// The formulas over one rung. Storage and output differ between rungs and are left to subclasses.
+/// Implements the formulas over one rung. Subclasses store the coordinates and give them out, which
+/// differs between rungs.
 template <class Rung>
 class KernelOf : public ExactKernel {
  public:
@@ -194,7 +196,7 @@ class KernelOf : public ExactKernel {
     const Vec<Fraction> d = big(direction(node.first.edge));
     const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
                                                big(direction(node.second.edge)));
-    // Its terms have the same denominators many times over.
+    // Both terms of the result have the same denominators many times over.
     const Fraction lambda((t.numerator / t.denominator).reduced());
     return {at.x + d.x * lambda, at.y + d.y * lambda};
   }
@@ -204,7 +206,7 @@ class KernelOf : public ExactKernel {
     const Fraction exact(*probe.exact);
     return {offset.x + d.x * exact, offset.y + d.y * exact};
   }
-  /// (probe − v) · 2^shift.
+  /// Returns (probe − v) · 2^shift.
   [[nodiscard]] Vec<ProbeNumber> probe_offset(const Probe& probe, const SumVertex& v) const {
     const ProbeNumber scale(std::int64_t{1} << probe.shift);
     const ProbeNumber k(probe.numerator);

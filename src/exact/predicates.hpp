@@ -1,4 +1,4 @@
-// The ladder: a floating-point filter with proven bounds, then the exact kernel.
+// Defines the ladder: a floating-point filter with proven bounds, and then the exact kernel.
 #pragma once
 
 #include <cmath>
@@ -15,18 +15,21 @@ namespace minksum {
 struct ApproximateSites {
   std::vector<double> x;
   std::vector<double> y;
-  std::vector<double> dx;  ///< to the next site of the ring
+  std::vector<double> dx;  ///< from a site to the next site of its ring
   std::vector<double> dy;
   std::vector<SiteId> next;
 };
 
 /// Bounds on the rounding of the numbers that the filter works with.
 ///
-/// Let M bound every coordinate. A stored coordinate is off by at most M·2^-53; a difference of two
-/// sums of two (four coordinates, three roundings of numbers up to 4M) by at most M·2^-49; an edge
-/// vector's component, rounded once, by at most M·2^-53. All are 0 where B ≤ 52 bits. A product is
-/// off by its size times 2^-53, a difference of two by half an ulp more: in all m·2^-51 for
-/// m = |product| + |product|. That is 0 where B ≤ 25 bits.
+/// Let M bound every coordinate. A stored coordinate is off by at most M·2^-53. A difference of two
+/// sums has four coordinates and three roundings of numbers up to 4M, so it is off by at most
+/// M·2^-49. A component of an edge vector is rounded once and is off by at most M·2^-53. These
+/// errors are all 0 where B ≤ 52 bits.
+///
+/// A product is off by its size times 2^-53, and a difference of two products by half an ulp more.
+/// In all that is m·2^-51, where m is the sum of both magnitudes. This error is 0 where B ≤ 25
+/// bits.
 struct RoundingBounds {
   double magnitude = 0;    ///< M
   double difference = 0;   ///< of two sum vertices, per component
@@ -43,7 +46,7 @@ struct RoundingBounds {
     bounds.position = magnitude * 0x1p-48;
     return bounds;
   }
-  /// No number is trusted: everything goes to the exact kernel.
+  /// Returns bounds that trust no number, so that the exact kernel decides everything.
   static RoundingBounds distrustful(double magnitude) {
     RoundingBounds bounds = of(magnitude, false, false);
     bounds.difference = bounds.direction = HUGE_VAL;
@@ -51,14 +54,14 @@ struct RoundingBounds {
   }
 };
 
-/// Which rung took how many decisions.
+/// The counts of decisions that the filter and the kernel took.
 struct LadderCounts {
   std::uint64_t by_filter = 0;
   std::uint64_t by_kernel = 0;
 };
 
-/// All decisions of the pipeline. Inline up to the filter; exact beyond. Not for concurrent use:
-/// each computation has its own (it counts).
+/// Takes all decisions of the pipeline: inline up to the filter, and exactly beyond it. It counts,
+/// so each computation needs its own, and only one thread may use it at a time.
 class Predicates {
  public:
   Predicates(const ApproximateSites& sites, const ExactKernel& kernel, const RoundingBounds& bounds,
@@ -93,8 +96,8 @@ class Predicates {
   }
 
   // -- Decisions ----------------------------------------------------------------------------
-  /// Sign of a cross product `d × v` of an edge vector and a difference of sum vertices, if the
-  /// filter can tell; `exact` otherwise.
+  /// Returns the sign of a cross product `d × v` of an edge vector and a difference of sum
+  /// vertices. The result of `exact` is returned where the filter cannot tell.
   template <class Exact>
   Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, Exact exact) {
     const double left = d.x * v.y;
@@ -120,10 +123,10 @@ class Predicates {
   Sign dot(SiteId edge, SiteId other) {
     const Vec<double> d = direction(edge);
     const Vec<double> e = direction(other);
-    // d · e = d × (e turned by a right angle).
+    // d · e is d × e', where e' is e turned by a right angle.
     return filtered_cross(d, {-e.y, e.x}, [&] { return kernel_->dot(edge, other); });
   }
-  /// Sign of a component of an edge vector.
+  /// Returns the sign of a component of an edge vector.
   Sign component(SiteId edge, Axis axis) {
     const double value = axis == Axis::kX ? sites_->dx[edge] : sites_->dy[edge];
     return filtered_difference(value, bounds_.direction,
@@ -135,7 +138,7 @@ class Predicates {
     return filtered_difference(axis == Axis::kX ? p.x - q.x : p.y - q.y, bounds_.difference,
                                [&] { return kernel_->compare(a, b, axis); });
   }
-  /// Three sites of one operand.
+  /// Returns the orientation of three sites of one operand.
   Sign orientation(SiteId a, SiteId b, SiteId c) {
     const auto& [x, y, dx, dy, next] = *sites_;
     // Here both factors are differences of coordinates; the bound for sums covers that.
@@ -147,7 +150,7 @@ class Predicates {
     return filtered_difference(coordinate[a] - coordinate[b], bounds_.difference,
                                [&] { return kernel_->compare(a, b, axis); });
   }
-  /// Order of two points along s whose parameters are known within their errors.
+  /// Returns the order of two points along s, whose parameters are known within their errors.
   Sign compare_along(const Segment& s, double lambda_a, double error_a, const PointOnSegment& a,
                      double lambda_b, double error_b, const PointOnSegment& b) {
     const double bound = error_a + error_b;
@@ -156,7 +159,8 @@ class Predicates {
     count_kernel();
     return kernel_->compare_along(s, a, b);
   }
-  /// Order of two nodes along an axis; `p`, `q` approximate them within `p_error`, `q_error`.
+  /// Returns the order of two nodes along an axis. `p` and `q` approximate them within `p_error`
+  /// and `q_error`.
   Sign compare(const NodePoint& a, const Vec<double>& p, double p_error, const NodePoint& b,
                const Vec<double>& q, double q_error, Axis axis) {
     return filtered_difference(axis == Axis::kX ? p.x - q.x : p.y - q.y, p_error + q_error,
@@ -177,7 +181,7 @@ class Predicates {
   }
 
   // -- Probes -------------------------------------------------------------------------------
-  /// The probe's place, within `bounds().position` (+ difference) per component.
+  /// Returns the probe's coordinates, off by at most `bounds().position` (+ difference) each.
   [[nodiscard]] Vec<double> position(const Probe& probe) const {
     const double lambda = probe.exact != nullptr
                               ? probe.exact->convert_to<double>()
@@ -186,8 +190,8 @@ class Predicates {
     const Vec<double> d = direction(probe.segment.edge);
     return {a.x + lambda * d.x, a.y + lambda * d.y};
   }
-  /// Never zero: the probe stands off its segment by an infinitesimal along its right normal, and
-  /// by one of second order along its direction.
+  /// Returns a sign that is never zero. The probe stands off its segment by an infinitesimal along
+  /// its right normal, and by one of second order along its direction.
   Sign orientation(SiteId edge, const SumVertex& v, const Probe& probe, const Vec<double>& at) {
     const Vec<double> d = direction(edge);
     const Vec<double> p = position(v);
@@ -203,7 +207,7 @@ class Predicates {
     if (sign == kZero) sign = cross(edge, probe.segment.edge);
     return sign;
   }
-  /// Sign of (probe − v) along y; never zero, as above.
+  /// Returns the sign of (probe − v) along y, which is never zero for the same reason.
   Sign compare_y(const Probe& probe, const Vec<double>& at, const SumVertex& v) {
     const Vec<double> p = position(v);
     const double bound = bounds_.difference + 2 * bounds_.position;
@@ -216,8 +220,8 @@ class Predicates {
     return sign;
   }
 
-  /// Bound on the error of the cross product of an edge vector with a vector that is known within
-  /// `v_error` per component.
+  /// Bounds the error of the cross product of an edge vector and a vector whose components are
+  /// known within `v_error`.
   [[nodiscard]] double cross_bound(const Vec<double>& d, const Vec<double>& v, double left,
                                    double right, double v_error) const {
     // The last term is the product of both errors; the factor covers the rounding of this sum.
@@ -229,7 +233,7 @@ class Predicates {
     return ((std::abs(left) + std::abs(right)) * bounds_.product + by_v + by_d) * (1 + 0x1p-48);
   }
   void count_filtered(std::uint64_t n) { counts_.by_filter += n; }
-  /// Of a decision that the kernel is about to take: counts it, and its work.
+  /// Counts a decision that the kernel is about to take, and its work.
   void count_kernel() {
     ++counts_.by_kernel;
     cancellation_->check(work_);
@@ -269,7 +273,7 @@ class Predicates {
   const ExactKernel* kernel_;
   RoundingBounds bounds_;
   Cancellation* cancellation_;
-  std::uint64_t work_;  ///< of a decision by the kernel
+  std::uint64_t work_;  ///< units of work of a decision by the kernel
   LadderCounts counts_;
 };
 

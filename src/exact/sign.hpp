@@ -1,4 +1,4 @@
-// The sign of an exact quantity: what every predicate answers.
+// Defines the sign of an exact quantity, which every predicate returns.
 #pragma once
 
 namespace minksum {
@@ -10,7 +10,7 @@ constexpr Sign operator*(Sign a, Sign b) {
   return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b));
 }
 
-/// The sign of any number that compares with 0.
+/// Returns the sign of any number that compares with 0.
 template <class Number>
 constexpr Sign sign_of(const Number& value) {
   const Number zero(0);

@@ -1,4 +1,4 @@
-// The things that predicates speak of: sites, sum vertices, convolution segments, crossings.
+// Defines what predicates are about: sites, sum vertices, segments, crossings and probes.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace minksum {
 
-/// A vertex of either operand; those of the first come first. An edge has its first vertex's id.
+/// A vertex of either operand. The vertices of the first operand come first. An edge has the id of
+/// its first vertex.
 using SiteId = std::uint32_t;
 inline constexpr SiteId kNoSite = 0xFFFFFFFFU;
 
@@ -20,7 +21,7 @@ struct SumVertex {
   friend bool operator==(const SumVertex&, const SumVertex&) = default;
 };
 
-/// The sum vertex of two sites of different operands, in either order.
+/// Returns the sum vertex of two sites of different operands, in either order.
 constexpr SumVertex sum_vertex(SiteId a, SiteId b) {
   return a < b ? SumVertex{a, b} : SumVertex{b, a};
 }
@@ -32,8 +33,8 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-/// A point on a segment, as what makes it: the crossing with a segment that is not parallel to it,
-/// or a sum vertex that lies on it.
+/// A point on a segment, given by what makes it. It is the crossing with a segment that is not
+/// parallel, or a sum vertex on the segment.
 struct PointOnSegment {
   bool is_crossing;
   Segment other;
@@ -43,23 +44,24 @@ struct PointOnSegment {
 /// A point of the arrangement: a sum vertex, or the crossing of two segments.
 struct NodePoint {
   bool is_crossing;
-  Segment first;  ///< with `second`, if it is a crossing
+  Segment first;  ///< used with `second` if the point is a crossing
   Segment second;
   SumVertex vertex;
-  /// The vertex, or where the first of the two segments starts.
+  /// Returns the vertex, or the start of the first of the two segments.
   [[nodiscard]] SumVertex vertex_or_start() const {
     return is_crossing ? sum_vertex(first.edge, first.vertex) : vertex;
   }
 };
 
-/// The point at numerator / 2^shift along a segment, less than any distance off to its right, and
-/// less than that again ahead: in general position to everything (docs/pipeline.md, "Filters").
+/// The point at numerator / 2^shift along a segment, moved off to its right by less than any
+/// distance. It is also moved ahead by less than that again. So it is in general position to
+/// everything (docs/pipeline.md, "Filters").
 struct Probe {
   static constexpr int kMaxShift = 60;
   Segment segment;
   std::int64_t numerator;  ///< 0 < numerator < 2^shift
   int shift;               ///< at most kMaxShift
-  const BigRational* exact = nullptr;  ///< instead, where so few bits cannot tell the place
+  const BigRational* exact = nullptr;  ///< used instead where kMaxShift bits are too few
 };
 
 }  // namespace minksum

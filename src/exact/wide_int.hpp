@@ -1,4 +1,4 @@
-// Signed integers of a fixed number of 64-bit limbs, for exact predicates beyond 128 bits.
+// Defines signed integers of a fixed number of 64-bit limbs, for exact predicates beyond 128 bits.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace minksum {
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 Uint128;
 
-/// Bits of the magnitude, without sign.
+/// Returns the count of bits of the magnitude, without sign.
 inline int bit_width(Int128 value) {
   const auto magnitude = static_cast<Uint128>(value < 0 ? -value : value);
   const auto high = static_cast<std::uint64_t>(magnitude >> 64);
@@ -20,8 +20,8 @@ inline int bit_width(Int128 value) {
                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
 }
 
-/// Two's complement, little-endian limbs, wrapping like the built-in unsigned types do: whoever
-/// uses it proves that values stay within 64·N − 1 bits (see predicate/bit_budget.hpp).
+/// A two's complement integer of little-endian limbs, which wraps like the built-in unsigned types.
+/// Its users prove that values stay within 64·N − 1 bits (see exact/bit_budget.hpp).
 template <std::size_t N>
 class WideInt {
  public:
@@ -70,7 +70,8 @@ class WideInt {
     return negated;
   }
   friend constexpr WideInt operator-(const WideInt& a, const WideInt& b) { return a + (-b); }
-  // Modulo 2^(64·N) the product of two's complement numbers is that of their unsigned forms.
+  // Modulo 2^(64·N), the product of two's complement numbers is the product of their unsigned
+  // forms.
   friend constexpr WideInt operator*(const WideInt& a, const WideInt& b) {
     WideInt product;
     for (std::size_t i = 0; i < N; ++i) {
