@@ -1,4 +1,4 @@
-// Whether the caller still wants a result: what every loop that may be long asks.
+// Defines how a loop that may be long finds out whether the caller still wants a result.
 #pragma once
 
 #include <algorithm>
@@ -12,22 +12,22 @@
 
 namespace minksum {
 
-/// Counts the work of an operation, and every so much of it looks at the caller's token and calls
-/// the caller's progress callback. For one thread.
+/// Counts the work of an operation. After every kUnits of it, looks at the caller's token and calls
+/// the caller's progress callback. Each thread needs its own.
 ///
-/// A unit of work is some ten nanoseconds: a few steps of a loop on numbers that are in the cache,
-/// or one on such that are not. Counting is all that it costs where nobody can cancel.
+/// A unit of work takes some ten nanoseconds. That is a few steps of a loop on numbers in the
+/// cache, or one step on numbers that are not. Where nobody can cancel, counting is the only cost.
 class Cancellation {
  public:
-  /// Between two looks: a third of a millisecond, in a loop that counts rightly.
+  /// Units between two looks, which take a third of a millisecond in a loop that counts rightly.
   static constexpr std::uint64_t kUnits = std::uint64_t{1} << 15;
 
-  /// Nobody can cancel.
+  /// Makes one that nobody can cancel.
   Cancellation() = default;
-  /// `token` must live as long.
+  /// `token` must live as long as this object.
   explicit Cancellation(const std::optional<CancelToken>& token) : token_(&token) {}
   explicit Cancellation(const std::optional<CancelToken>&& token) = delete;
-  /// `options` must live as long.
+  /// `options` must live as long as this object.
   explicit Cancellation(const Options& options)
       : token_(&options.cancel),
         progress_(options.progress ? &options.progress : nullptr),
@@ -35,28 +35,28 @@ class Cancellation {
   Cancellation(const Cancellation&) = delete;
   Cancellation& operator=(const Cancellation&) = delete;
 
-  /// Counts work, and looks if it is time. Throws Error(kCancelled).
+  /// Counts work, and looks if enough has been done. Throws Error(kCancelled).
   void check(std::uint64_t units = 1) {
     done_ += units;
     if (done_ >= kUnits) look();
   }
-  /// Looks now.
+  /// Looks now. Throws Error(kCancelled).
   void look() {
     done_ = 0;
     if ((*token_ && (*token_)->cancelled()) || (progress_ != nullptr && !(*progress_)(stage_))) {
       throw Error(ErrorCode::kCancelled, "cancelled", {}, has_stages_ ? to_string(stage_) : "");
     }
   }
-  /// The stage that the progress callback is told of from now on.
+  /// Sets the stage of which the progress callback is told from now on.
   void enter(Stage stage) {
     stage_ = stage;
     look();
   }
   [[nodiscard]] Stage stage() const { return stage_; }
-  /// For an operation that is part of this one.
+  /// Returns the token, for an operation that is part of this one.
   [[nodiscard]] const std::optional<CancelToken>& token() const { return *token_; }
 
-  /// A comparison that counts: for sorting what may be long.
+  /// Returns a comparison that counts its calls, for sorting lists that may be long.
   template <class Less>
   [[nodiscard]] auto counting(Less less) {
     return [this, less](const auto& a, const auto& b) {
@@ -75,18 +75,18 @@ class Cancellation {
   bool has_stages_ = false;
 };
 
-/// The units of a product, or a division, of two numbers of so many bits.
+/// Returns the units of a product, or a division, of two numbers of so many bits.
 [[nodiscard]] constexpr std::uint64_t work_of_product(std::size_t bits) {
   const std::uint64_t words = bits / 64 + 1;
   return 4 + words * words / 4;
 }
-/// The units of a few sums and products of a point's coordinates, brought to lowest terms: a common
-/// divisor takes some ten times as long as a product.
+/// Returns the units of a few sums and products of a point's coordinates, with reduction to lowest
+/// terms. A common divisor takes some ten times as long as a product.
 [[nodiscard]] inline std::uint64_t work_of(const Point& point) {
   return 16 + 32 * work_of_product(std::max(point.x.bits(), point.y.bits()));
 }
-/// The units of an exact decision about coordinates of so many bits, of arbitrary precision: some
-/// ten products of numbers that are up to five times as long.
+/// Returns the units of an exact decision of arbitrary precision about coordinates of so many bits.
+/// It takes some ten products of numbers that are up to five times as long.
 [[nodiscard]] constexpr std::uint64_t work_of_decision(std::size_t bits) {
   return 10 * work_of_product(5 * bits);
 }

@@ -1,4 +1,4 @@
-// The error of a limit that the caller can set.
+// Makes the error of a limit that the caller can set.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace minksum {
 
-/// "BEFORE `most` AFTER (LIMIT)"; `limit` is a name of the public interface.
+/// Returns an error that says "BEFORE more than `most` AFTER (LIMIT)". `limit` is a name of the
+/// public interface.
 [[nodiscard]] inline Error exceeded(const char* limit, std::uint64_t most, const char* before,
                                     const char* after) {
   std::string message = before;

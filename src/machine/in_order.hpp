@@ -1,4 +1,4 @@
-// Work on many threads, results in order.
+// Does work on many threads and hands out the results in order.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@
 
 namespace minksum {
 
-/// Signals that come from outside are for the threads of whoever uses the library.
+/// Blocks all signals in this thread. Signals from outside are for the threads of the library's
+/// user.
 inline void block_signals_in_this_thread() {
 #ifdef MINKSUM_POSIX_THREADS
   sigset_t all;
@@ -29,11 +30,12 @@ inline void block_signals_in_this_thread() {
 #endif
 }
 
-/// make(i, memory) for all i < count on so many threads (0 = one for each core), each with a Memory
-/// of its own; visit(i, result) in order of i by the calling thread.
+/// Calls make(i, memory) for all i < count on so many threads, each with a Memory of its own. The
+/// calling thread calls visit(i, result) in order of i.
 ///
-/// No more than a few results wait to be visited. What make(i) throws is thrown in the place of
-/// visit(i); all threads have ended then. A thread that cannot be started is done without.
+/// Only a few results wait to be visited. If make(i) throws, the error is thrown in place of
+/// visit(i), after all threads have ended. If a thread cannot be started, the others do its
+/// work; run() throws if there are none.
 template <class Result, class Memory, class Make, class Visit>
 class InOrder {
  public:
@@ -66,7 +68,7 @@ class InOrder {
     std::exception_ptr error;
     [[nodiscard]] bool filled() const { return result || error; }
   };
-  /// Stops and joins them, whatever is thrown.
+  /// Stops and joins the threads, even if something is thrown.
   struct Workers {
     InOrder& all;
     std::vector<std::thread> threads;
@@ -95,7 +97,7 @@ class InOrder {
 
   void work() {
     block_signals_in_this_thread();
-    std::optional<Memory> memory;  // made where running out of it is caught
+    std::optional<Memory> memory;  // made here, where running out of memory is caught
     while (true) {
       std::size_t i = 0;
       {
@@ -131,12 +133,13 @@ class InOrder {
   bool stopped_ = false;
 };
 
-/// How many are meant: 0 = one for each core.
+/// Returns how many threads `threads` means: 0 means one for each core.
 [[nodiscard]] inline std::size_t thread_count(int threads) {
   return threads > 0 ? static_cast<std::size_t>(threads)
                      : std::max(1U, std::thread::hardware_concurrency());
 }
 
+/// Does the work of InOrder. If one thread is enough, the calling thread does it.
 template <class Result, class Memory, class Make, class Visit>
 void for_each_in_order(std::size_t count, int threads, const Make& make, const Visit& visit) {
   const std::size_t used = std::min(thread_count(threads), count);

@@ -1,4 +1,4 @@
-// Long lists that grow, are filled and are walked through without keeping a cancel token waiting.
+// Grows, fills and visits long lists without keeping a cancel token waiting.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace minksum {
 
-/// Elements that are passed at once: some ten microseconds.
+/// Elements that are handled at once, in some ten microseconds.
 inline constexpr std::size_t kPiece = std::size_t{1} << 12;
 
-/// Calls work(begin, end) for the indices below `size`, piece by piece, with looks at the token in
-/// between: where an element is too little to count.
+/// Calls work(begin, end) for the indices below `size`, piece by piece, and looks at the token in
+/// between. It is for work that is too little to count for each element.
 template <class Work>
 void in_pieces(std::size_t size, Cancellation& cancellation, Work work) {
   for (std::size_t begin = 0; begin < size; begin += kPiece) {
@@ -22,7 +22,7 @@ void in_pieces(std::size_t size, Cancellation& cancellation, Work work) {
     work(begin, end);
   }
 }
-/// Calls visit(element) for all of a long list.
+/// Calls visit(element) for all elements of a long list.
 template <class List, class Visit>
 void visit_in_pieces(List&& list, Cancellation& cancellation, Visit visit) {
   in_pieces(list.size(), cancellation, [&](std::size_t begin, std::size_t end) {
@@ -30,8 +30,8 @@ void visit_in_pieces(List&& list, Cancellation& cancellation, Visit visit) {
   });
 }
 
-/// Moves a list to where it has room for so many more. Piece by piece: a vector by itself moves a
-/// gigabyte in one step of 0.3 s.
+/// Moves a list to where it has room for `more` elements, piece by piece. A vector by itself would
+/// move a gigabyte in one step of 0.3 s.
 template <class T>
 [[gnu::noinline]] void move_to_larger(std::vector<T>& list, std::size_t more,
                                       Cancellation& cancellation) {
@@ -43,18 +43,18 @@ template <class T>
   });
   list.swap(larger);
 }
-/// Makes room for so many more elements.
+/// Makes room for `more` elements.
 template <class T>
 void make_room(std::vector<T>& list, std::size_t more, Cancellation& cancellation) {
   if (list.capacity() - list.size() < more) move_to_larger(list, more, cancellation);
 }
-/// `push_back`.
+/// Does what `push_back` does.
 template <class T>
 void append(std::vector<T>& list, const T& value, Cancellation& cancellation) {
   make_room(list, 1, cancellation);
   list.push_back(value);
 }
-/// `resize`, to new elements of this value if there is one.
+/// Does what `resize` does. New elements get the given value, if there is one.
 template <class T, class... Value>
 void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& cancellation,
                       const Value&... value) {
@@ -65,7 +65,7 @@ void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& canc
   }
   list.resize(size, value...);
 }
-/// `assign`.
+/// Does what `assign` does.
 template <class T>
 void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
                       Cancellation& cancellation) {

@@ -1,4 +1,4 @@
-// Loops that are compiled several times: for every machine, and for those with wider vectors.
+// Compiles a loop several times: for every machine, and for machines with wider vectors.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@ namespace minksum {
 
 /// The vector instructions that a loop may use.
 enum class Vectors : std::uint8_t {
-  kPlain,  ///< what the library is built for
+  kPlain,  ///< those that the library is built for
   kAvx2,
-  kAvx512,  ///< F, BW, DQ, VL
+  kAvx512,  ///< F, BW, DQ and VL
 };
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
-/// The widest that this machine has.
+/// Returns the widest vectors that this machine has.
 [[nodiscard]] inline Vectors widest_vectors() {
   static const Vectors widest = [] {
     const bool has_avx512 =
@@ -35,9 +35,9 @@ template <class Work>
   return work();
 }
 
-/// work(), compiled for such vectors, which the machine must have. The same code, and no product is
-/// fused with a sum: so the result is the same, bit by bit. What is to gain from it has to be
-/// inlined: a lambda, and the functions it calls, marked [[gnu::always_inline]].
+/// Calls work(), compiled for such vectors, which the machine must have. The code is the same and
+/// no product is fused with a sum, so the result is the same, bit by bit. To gain from this, a
+/// lambda and the functions it calls must be inlined: mark them [[gnu::always_inline]].
 template <class Work>
 auto with_vectors(Vectors vectors, Work work) {
   switch (vectors) {
