@@ -1,4 +1,4 @@
-// Pairs of boxes that overlap, by a sweep from left to right in vector code.
+// Finds pairs of boxes that overlap, by a sweep from left to right in vector code.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace minksum {
 
-/// Memory for it, kept from call to call.
+/// Memory for BoxPairs, kept from call to call.
 struct BoxPairScratch {
-  /// Rounded outwards to 15 bits.
+  /// A box, rounded outwards to 15 bits.
   struct Box {
     std::int16_t left;
     std::int16_t bottom;
@@ -25,22 +25,23 @@ struct BoxPairScratch {
     std::int16_t top;
   };
   std::vector<Box> boxes;
-  std::vector<std::uint32_t> column_end;  ///< by column of left sides: where its boxes end below
+  std::vector<std::uint32_t> column_end;  ///< by column of left sides: the end of its boxes in
+                                          ///< `order`
   std::vector<std::uint32_t> order;       ///< boxes, column by column
   std::vector<Box> in_order;
-  std::vector<std::int16_t> bottoms;  ///< the same, each field by itself
+  std::vector<std::int16_t> bottoms;  ///< bottoms and tops of `in_order`, each in its own list
   std::vector<std::int16_t> tops;
 };
 
-/// Boxes in [0, width] × [0, height], each rounded outwards, and all pairs of them that overlap.
+/// Takes boxes in [0, width] × [0, height], rounds each outwards, and finds all pairs that overlap.
 ///
-/// The boxes are put in order of columns by their left sides, up to 4,096 of them. What overlaps a
-/// box and is not left of it stands right after it, up to the column where it ends; of that run all
-/// heights are compared, eight at a time. O(n + boxes over each other in x, summed up): for boxes
-/// that are small beside the whole that is far less than what any search structure costs.
+/// The boxes are sorted by their left sides into up to 4,096 columns. The boxes that overlap a box
+/// and are not left of it stand right after it, up to the column where it ends. The heights of that
+/// run are compared, eight at a time. This takes O(n + p) for p pairs that overlap in x. For boxes
+/// that are small beside the whole, that is far less than what any search structure costs.
 class BoxPairs {
  public:
-  /// Boxes may be given with errors up to `doubt`.
+  /// The coordinates of boxes may be off by up to `doubt`.
   BoxPairs(double width, double height, double doubt, BoxPairScratch& scratch)
       : scale_x_(kUnits / std::max(width, least_extent(width, height, doubt))),
         scale_y_(kUnits / std::max(height, least_extent(width, height, doubt))),
@@ -48,15 +49,14 @@ class BoxPairs {
     scratch.boxes.clear();
   }
 
-  /// Boxes are numbered from 0 in the order in which they are added.
+  /// Adds a box. Boxes are numbered from 0 in the order in which they are added.
   void add(double x0, double y0, double x1, double y1) {
     scratch_.boxes.push_back({units(x0 * scale_x_ - 0.5), units(y0 * scale_y_ - 0.5),
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
-  /// Calls visit(a, b) for each pair that overlaps, or nearly so, once.
-  /// If neighbours, boxes added one right after the other, touch anyway, their pairs
-  /// may be left out.
+  /// Calls visit(a, b) once for each pair that overlaps, or nearly so. Neighbours are boxes added
+  /// one right after the other. With `neighbours_touch`, their pairs may be left out.
   template <class Visit>
   void for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false) {
     if (scratch_.boxes.size() <= kFew) return for_each_of_few(visit, neighbours_touch ? 2 : 1);
@@ -84,12 +84,14 @@ class BoxPairs {
  private:
   static constexpr double kUnits = 0x1p15 - 4;
   static constexpr std::size_t kLanes = 8;
-  static constexpr std::size_t kFew = 48;  ///< to compare all costs less than to put them in order
-  /// Compared lane by lane: -1 is true. The compilers that know 128-bit integers know these too.
+  static constexpr std::size_t kFew = 48;  ///< up to this count, comparing all costs less than
+                                           ///< sorting
+  /// Lanes are compared one by one, and -1 means true. The compilers that know 128-bit integers
+  /// know these types, too.
   using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
   using Halves [[gnu::vector_size(2 * kLanes)]] = std::uint64_t;
 
-  /// So that `doubt`, and the rounding of products, is far below half a unit.
+  /// Returns an extent at which `doubt`, and the rounding of products, is far below half a unit.
   static double least_extent(double width, double height, double doubt) {
     return std::max({width * 0x1p-24, height * 0x1p-24, doubt * 0x1p18, 0x1p-900});
   }
@@ -110,7 +112,7 @@ class BoxPairs {
       tops[i] = boxes[i].top;
     }
     for (std::size_t i = count; i < count + kLanes; ++i) {
-      lefts[i] = std::numeric_limits<std::int16_t>::max();  // overlaps none
+      lefts[i] = std::numeric_limits<std::int16_t>::max();  // overlaps no box
       bottoms[i] = rights[i] = tops[i] = 0;
     }
     for (std::size_t i = 0; i < count; ++i) {
@@ -166,7 +168,7 @@ class BoxPairs {
       scratch_.bottoms[place] = boxes[i].bottom;
       scratch_.tops[place] = boxes[i].top;
     }
-    // What is past the last box is read, and not used.
+    // Lanes past the last box are read but not used.
   }
 
   double scale_x_;

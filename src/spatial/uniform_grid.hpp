@@ -1,4 +1,4 @@
-// A uniform grid of square cells and the conservative walk of a segment through it.
+// Defines a uniform grid of square cells, and the conservative walk of a segment through it.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace minksum {
 
-/// Cells [i·h, (i+1)·h] × [j·h, (j+1)·h], 0 ≤ i < columns, 0 ≤ j < rows.
+/// The cells [i·h, (i+1)·h] × [j·h, (j+1)·h] for 0 ≤ i < columns and 0 ≤ j < rows.
 struct UniformGrid {
-  /// No more cells along a side than this: then rounding in cell units stays below 2^-38, far
-  /// below the margins.
+  /// Most cells along a side. Up to this, rounding in cell units stays below 2^-38, far below the
+  /// margins.
   static constexpr int kMaxSide = 1 << 13;
-  /// A walk reports every cell within this distance (in cells) of the segment, and none farther
-  /// than three times this distance.
+  /// Distance in cells. A walk reports every cell within this distance of the segment, and none
+  /// farther than three times this distance.
   static constexpr double kMargin = 0x1p-6;
 
   double cell = 1;     ///< h
@@ -26,7 +26,7 @@ struct UniformGrid {
   static UniformGrid over(double width, double height, int cells_along_longer_side) {
     UniformGrid grid;
     const double longer = std::max(width, height);
-    // A side so small that its inverse would overflow is all in one cell.
+    // If the inverse of a side would overflow, everything lies in one cell.
     grid.cell = longer > 0x1p-900 ? longer / cells_along_longer_side : 1;
     grid.inverse = 1 / grid.cell;
     grid.columns = static_cast<std::int32_t>(width * grid.inverse) + 1;
@@ -37,17 +37,18 @@ struct UniformGrid {
   [[nodiscard]] std::int32_t column(double x) const { return clamp_to(x * inverse, columns); }
   [[nodiscard]] std::int32_t row(double y) const { return clamp_to(y * inverse, rows); }
 
-  /// What a segment leaves in one row of cells, all in cell units.
+  /// The part of a segment near one row of cells, in cell units.
   struct RowSpan {
     std::int32_t row;
-    std::int32_t left;  ///< columns that it is near
+    std::int32_t left;  ///< columns that the part is near, up to `right`
     std::int32_t right;
-    double x0, x1;  ///< a box of its part within `margin` of the row, up to kSlack
+    double x0, x1;  ///< box of the part within `margin` of the row, off by at most kSlack
     double y0, y1;
   };
 
-  /// Calls visit(span) for every row of cells within `margin` cells (a multiple of kMargin, at most
-  /// 1) of the segment from a to b, from below. Stops early if visit returns false.
+  /// Calls visit(span) for every row of cells within `margin` cells of the segment from a to b,
+  /// from below. `margin` is a multiple of kMargin and at most 1. Stops early if visit returns
+  /// false.
   template <class Visit>
   void walk_rows(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
     double ax = a.x * inverse;
@@ -62,8 +63,8 @@ struct UniformGrid {
     const double max_x = std::max(ax, bx);
     const std::int32_t first = clamp_to(ay - margin, rows);
     const std::int32_t last = clamp_to(by + margin, rows);
-    // Too flat to divide by its height safely: all its columns in each of its rows. The same where
-    // it has one row only.
+    // If a segment is too flat to divide by its height safely, each of its rows gets all its
+    // columns. So does its row if it has only one.
     const bool whole = first == last || by - ay <= kMargin;
     const double slope = whole ? 0 : (bx - ax) / (by - ay);
     for (std::int32_t j = first; j <= last; ++j) {
@@ -82,8 +83,8 @@ struct UniformGrid {
     }
   }
 
-  /// Calls visit(column, row) for every cell within `margin` cells (a multiple of kMargin, at most
-  /// 1) of the segment from a to b. Stops early if visit returns false.
+  /// Calls visit(column, row) for every cell within `margin` cells of the segment from a to b.
+  /// `margin` is a multiple of kMargin and at most 1. Stops early if visit returns false.
   template <class Visit>
   void walk(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
     walk_rows(a, b, margin, [&](const RowSpan& span) {
@@ -94,12 +95,13 @@ struct UniformGrid {
     });
   }
 
-  // Covers the rounding of the walk itself: coordinates below 2^13, slopes below 2^19.
+  // Covers the rounding of the walk itself, for coordinates below 2^13 and slopes below 2^19.
   static constexpr double kSlack = 0x1p-16;
 
  private:
-  /// The cell that a coordinate is in, or the nearest one of `count`. (What is not negative is
-  /// rounded down by truncation: far cheaper than floor without newer instructions.)
+  /// Returns the cell that contains a coordinate, or the nearest of `count` cells. Truncation
+  /// rounds numbers that are not negative down; without newer instructions, it is far cheaper than
+  /// floor.
   [[nodiscard]] static std::int32_t clamp_to(double value, std::int32_t count) {
     return static_cast<std::int32_t>(
         std::min(std::max(value, 0.0), static_cast<double>(count - 1)));
