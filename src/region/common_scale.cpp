@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kLargest = (std::int64_t{1} << 61) - 1;
 
-// payload · 2^twos · 10^tens, if that is at most kLargest.
+// Sets `result` to payload · 2^twos · 10^tens, if the magnitude of that is at most kLargest.
 bool scaled(std::int64_t payload, int twos, int tens, std::int64_t& result) {
   result = payload;
   if (payload == 0) return true;
@@ -30,8 +30,8 @@ bool scaled(std::int64_t payload, int twos, int tens, std::int64_t& result) {
   return true;
 }
 
-// Collects denominators: the powers of two and of five of finite decimals and doubles by their
-// exponents alone, other denominators as they are.
+// Collects denominators. For finite decimals and doubles, exponents tell the powers of two and of
+// five. Other denominators are kept as they are.
 class Denominators {
  public:
   Denominators(const Region& region, Cancellation& cancellation) {
@@ -71,8 +71,8 @@ class Denominators {
 
 }  // namespace
 
-// One value after the other: divisors of two long numbers take time quadratic in their length,
-// those of a long and a short one hardly more than a division.
+// Takes one value after the other. The common divisor of two long numbers takes time quadratic in
+// their length. That of a long and a short number takes hardly more than a division.
 BigInt least_common_multiple(BigInt common, std::vector<BigInt> values,
                              Cancellation& cancellation) {
   std::sort(values.begin(), values.end(), cancellation.counting(std::less<>()));

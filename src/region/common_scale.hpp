@@ -1,4 +1,4 @@
-// A region's coordinates on one integer grid, for its measures.
+// Puts a region's coordinates on one integer grid, for its measures.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,22 @@ struct ScaledPoint {
   std::int64_t y;
 };
 
-/// Coordinates in units of `unit`, a product of powers of two and ten. One for each vertex.
+/// Coordinates of all vertices in units of `unit`, a product of powers of two and ten.
 struct CommonScale {
   Rational unit;
   std::vector<ScaledPoint> points;
 };
 
-/// Whether every coordinate is an integer below 2^61 in absolute value on one such grid; then
-/// `scale` holds them.
+/// Returns whether every coordinate is an integer below 2^61 in absolute value on one such grid. If
+/// so, `scale` holds them.
 bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale);
 
-/// Of positive integers.
+/// Returns the least common multiple of positive integers.
 BigInt least_common_multiple(BigInt common, std::vector<BigInt> values, Cancellation& cancellation);
-/// The smallest positive integer that makes each coordinate that is a double or a finite decimal an
-/// integer.
+/// Returns the smallest positive integer whose product with each coordinate that is a double or a
+/// finite decimal is an integer.
 BigInt finite_denominator(const Region& region, Cancellation& cancellation);
-/// The same for all coordinates.
+/// Returns the smallest such integer for all coordinates.
 BigInt least_common_denominator(const Region& region, Cancellation& cancellation);
 
 }  // namespace minksum

@@ -13,7 +13,7 @@ namespace mp = boost::multiprecision;
 
 using Indices = std::vector<std::uint32_t>;
 
-// In a balanced tree, too: then both operands of most products are long, or short.
+// Uses a balanced tree, so that both operands of most products are about equally long.
 BigInt product_of(const std::vector<BigInt>& values, std::size_t first, std::size_t last) {
   if (first == last) return 1;
   if (last - first == 1) return values[first];
@@ -45,7 +45,7 @@ Division divided(const BigInt& value, const BigInt& divisor, Cancellation& cance
     BigInt piece = result.rest << (kLimbBits * (end - begin));
     piece += from_limbs(std::span(limbs).subspan(begin, end - begin));
     mp::divide_qr(piece, divisor, result.quotient, result.rest);
-    // What is divided gives way to the quotient, which is no longer.
+    // The quotient replaces the piece in `limbs`, because it takes no more limbs.
     quotient.clear();
     append_limbs(result.quotient, quotient);
     quotient.resize(end - begin);
@@ -81,7 +81,7 @@ BigInt FractionSum::product(const Indices& factors) const {
   return product_of(values, 0, values.size());
 }
 
-// Multiplied anew: a long division takes longer.
+// Multiplies the kept factors, because a long division takes longer.
 BigInt FractionSum::rest(const Term& term, const Indices& kept) const {
   return kept.size() == term.factors.size() ? term.denominator : product(kept);
 }
@@ -112,7 +112,8 @@ Rational FractionSum::half(Term term) const {
   std::vector<BigInt> factors{2};
   for (const std::uint32_t factor : term.factors) factors.push_back(factors_[factor / 2]);
   if (term.numerator.is_zero()) return {};
-  // What divides neither this factor nor any before it divides none of their product.
+  // After each step, the numerator is coprime to this factor and to all before it. In the end, it
+  // is coprime to their product.
   for (BigInt& factor : factors) {
     const std::size_t bits = bit_length(factor);
     cancellation_.check(8 * work_of_product(bits) +

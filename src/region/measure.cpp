@@ -18,7 +18,7 @@ namespace {
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 
-// A sum of 128-bit terms that cannot overflow: low and high halves apart.
+// Sums 128-bit terms, low and high halves apart, so that nothing overflows.
 class WideSum {
  public:
   void add(Int128 term) {
@@ -32,7 +32,7 @@ class WideSum {
   Int128 high_ = 0;
 };
 
-// Twice the signed area of a ring of integers below 2^61 in absolute value.
+// Returns twice the signed area of a ring of integers below 2^61 in absolute value.
 BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
                     Cancellation& cancellation) {
   if (ring.size() < 3) return 0;
@@ -51,10 +51,10 @@ BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
   return sum.value();
 }
 
-// A denominator longer than this is not shared by vertices that do without it.
+// Bits of the longest common denominator. Beyond it, each vertex uses a denominator of its own.
 constexpr std::size_t kLongestShared = 4096;
 
-// A vertex as (x / divisor, y / divisor).
+// The vertex (x / divisor, y / divisor).
 struct Quotients {
   BigInt x;
   BigInt y;
@@ -69,11 +69,11 @@ Quotients quotients_of(const Point& point, const BigInt* shared) {
           RationalAccess::numerator(point.y) * (divisor / below_y), std::move(divisor)};
 }
 
-// For coordinates that have no short common denominator.
+// Returns the area for coordinates that have no short common denominator.
 Rational area_of_rationals(const Region& region, Cancellation& cancellation) {
   std::vector<Quotients> vertices;
   std::vector<BigInt> divisors;
-  // Doubles and decimals have few denominators, of which one is a multiple of all.
+  // Doubles and decimals have few denominators, and one number is a multiple of them all.
   const BigInt finite = finite_denominator(region, cancellation);
   const bool is_short = bit_length(finite) <= kLongestShared;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
@@ -107,7 +107,7 @@ Rational area_of_rationals(const Region& region, Cancellation& cancellation) {
   return fractions.half(fractions.sum(rings));
 }
 
-// Neumaier's compensated sum.
+// Implements Neumaier's compensated sum.
 class CompensatedSum {
  public:
   void add(double term) {
@@ -150,7 +150,8 @@ bool better_exactly(const Region& region, const StoredCoordinate& a, const Store
   return better(RegionAccess::exact(region, a), RegionAccess::exact(region, b));
 }
 
-// The extreme coordinate by exact comparison; the nearest doubles decide unless they are equal.
+// Returns the extreme coordinate. The nearest doubles decide, and exact comparison where they are
+// equal.
 template <typename Get, typename Better>
 Rational extreme(const Region& region, Get get, Better better, Cancellation& cancellation) {
   std::size_t best = 0;
@@ -203,7 +204,7 @@ double approximate_area(const Region& region, const std::optional<CancelToken>& 
     }
   }
   const double result = doubled.value() / 2;
-  // Out of the range where the relative error of double arithmetic is what it should be.
+  // Outside this range, the relative error of double arithmetic is larger than usual.
   constexpr double kSmallest = 1e-270;
   if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) {
     return area(region, cancel).to_double();
@@ -227,7 +228,8 @@ std::size_t coordinate_bits(const Region& region, const std::optional<CancelToke
   if (!box) return 0;
   Cancellation cancellation(cancel);
   const BigInt scale = least_common_denominator(region, cancellation);
-  // Both sides are integers then. With k as below, 2^(k-1) < a / b < 2^(k+1): no long division.
+  // Times `scale`, both sides are integers. With k as below, 2^(k-1) < a / b < 2^(k+1), so no long
+  // division is needed.
   const auto scaled_bits = [&](const Rational& side) -> std::size_t {
     cancellation.look();
     if (side.sign() == 0) return 0;

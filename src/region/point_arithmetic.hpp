@@ -1,11 +1,11 @@
-// Exact points: their order, and arithmetic with them as vectors.
+// Defines the order of exact points, and arithmetic with them as vectors.
 #pragma once
 
 #include "minksum/region.hpp"
 
 namespace minksum {
 
-/// The order by x, then by y.
+/// Orders points by x, then by y.
 [[nodiscard]] inline bool comes_before(const Point& a, const Point& b) {
   return a.x != b.x ? a.x < b.x : a.y < b.y;
 }

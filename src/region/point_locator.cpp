@@ -10,7 +10,7 @@
 namespace minksum {
 namespace {
 
-/// A point exactly, and in doubles that are off by at most `error`.
+/// A point, exactly and in doubles that are off by at most `error`.
 struct QueryPoint {
   Point exact;
   double x;
@@ -29,23 +29,24 @@ struct QueryPoint {
 }  // namespace
 
 struct PointLocator::State {
-  /// An edge that is not level, upwards; or any edge at one height.
+  /// An edge, directed upwards if it is not level.
   struct Edge {
     std::uint32_t low;
     std::uint32_t high;
     bool of_ring;
-    bool odd_before = false;  ///< whether an odd number of rings' edges come before it in its node
+    bool odd_before = false;  ///< whether an odd number of ring edges come before this one in its
+                              ///< node
   };
-  /// A closed range of one height that belongs to the boundary.
+  /// A closed range of one height, which belongs to the boundary.
   struct Level {
     std::uint32_t left;
     std::uint32_t right;
   };
 
   std::vector<QueryPoint> places;
-  std::vector<std::uint32_t> heights;      ///< places, one a height, from below
+  std::vector<std::uint32_t> heights;      ///< places, one for each height, from below
   std::vector<std::vector<Level>> levels;  ///< by height: vertices and level edges
-  std::uint64_t work = 0;                  ///< of a decision, at most: see Cancellation
+  std::uint64_t work = 0;                  ///< greatest work of a decision: see Cancellation
   std::size_t leaves = 1;                  ///< leaf i: from height i (included) to i + 1 (excluded)
   std::vector<std::vector<Edge>> nodes;    ///< 1 = root; children 2i, 2i + 1
 
@@ -102,7 +103,7 @@ struct PointLocator::State {
     for (std::uint32_t v = first; v + 1 < places.size(); ++v) edges.push_back({v, v + 1, of_ring});
   }
 
-  /// Fills `heights`; the index of each place's height.
+  /// Fills `heights`, and returns the index of each place's height.
   std::vector<std::uint32_t> rank_heights(Cancellation& cancellation) {
     std::vector<std::uint32_t> sorted(places.size());
     for (std::uint32_t v = 0; v < sorted.size(); ++v) sorted[v] = v;
@@ -130,13 +131,14 @@ struct PointLocator::State {
     }
   }
 
-  /// Edges that span the same heights and do not cross: the one with an end further left is first.
+  /// Sorts edges that span the same heights and do not cross. Of two edges, the one that has an end
+  /// on the left of the other comes first.
   void sort(std::vector<Edge>& node, Cancellation& cancellation) const {
     std::sort(node.begin(), node.end(), [&](const Edge& a, const Edge& b) {
       cancellation.check(4 * work);
       if (a.low == b.low && a.high == b.high) return false;
-      // Where a's ends are beside b, and b's beside a; within the common heights one
-      // of these tells.
+      // Some end lies within the common heights, and beside the other edge. It may be an end of a
+      // or of b.
       const int s = beside(b, a);
       return s != 0 ? s > 0 : beside(a, b) < 0;
     });
@@ -146,7 +148,8 @@ struct PointLocator::State {
       odd ^= edge.of_ring;
     }
   }
-  /// 1 if an end of `other` at a height of `edge` is left of it, -1 if right, 0 if none tells.
+  /// Returns 1 if an end of `other` at a height of `edge` is left of `edge`, -1 if it is right, and
+  /// 0 if neither end tells.
   [[nodiscard]] int beside(const Edge& edge, const Edge& other) const {
     for (const std::uint32_t v : {other.low, other.high}) {
       if (compare_y(places[edge.low], places[v]) > 0) continue;
@@ -157,7 +160,7 @@ struct PointLocator::State {
     return 0;
   }
 
-  /// Ranges of one height from left to right, those that touch made one.
+  /// Sorts the ranges of one height from left to right, and joins those that touch.
   void merge(std::vector<Level>& level, Cancellation& cancellation) const {
     cancellation.check(2 * level.size());
     std::sort(level.begin(), level.end(), [&](const Level& a, const Level& b) {
@@ -195,7 +198,7 @@ struct PointLocator::State {
     }
     bool odd = false;
     for (std::size_t n = height + leaves; n > 0; n /= 2) {
-      // Edges on whose right the point is come first, then those through it.
+      // Edges that have the point on their right come first, then those through it.
       const auto& node = nodes[n];
       const auto first = std::partition_point(node.begin(), node.end(), [&](const Edge& edge) {
         return turn(places[edge.low], places[edge.high], at) < 0;

@@ -1,4 +1,4 @@
-// Orientation and order of points known in doubles with a bound, and exactly on demand.
+// Decides orientation and order of points by doubles with a bound, and exactly where needed.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,15 @@
 
 namespace minksum {
 
-/// How far the nearest double of a coordinate up to `magnitude` can be off: twice half a unit in
-/// the last place, so that adding and subtracting it with rounding stays on the safe side; never 0.
+/// Bounds the error of the nearest double of a coordinate up to `magnitude`; never 0. The bound is
+/// twice half a unit in the last place. So rounding is covered where the bound is added or
+/// subtracted.
 inline double rounding_error(double magnitude) { return 0x1p-52 * magnitude + 0x1p-1073; }
 
-// A `Rounded` has doubles x and y, each off by no more than its `error`, and exact_x(), exact_y().
+// The type `Rounded` must have doubles x and y, an `error` that bounds how far each is off, and
+// exact_x() and exact_y().
 
-/// The sign of a's coordinate less b's.
+/// Returns the sign of a's coordinate minus b's.
 template <class Rounded>
 int compare_x(const Rounded& a, const Rounded& b) {
   if (std::abs(a.x - b.x) > 2 * (a.error + b.error)) return a.x < b.x ? -1 : 1;
@@ -26,12 +28,12 @@ int compare_y(const Rounded& a, const Rounded& b) {
   return (a.exact_y() - b.exact_y()).sign();
 }
 
-/// 1 if a, b, c turn left, -1 if right, 0 if they are in one line.
+/// Returns 1 if a, b, c turn left, -1 if they turn right, and 0 if they are in one line.
 ///
-/// With r the largest difference of coordinates as computed and e a bound of how far such a
-/// difference is off, the determinant is off by at most 4 r e + 4 e² from inexact differences and
-/// by 2^-51 r² from its own roundings; `error` is twice that. It also covers underflow as long as
-/// it is far above the smallest doubles. Where anything overflows, nothing is certain.
+/// Let r be the largest computed difference of coordinates, and e a bound on the error of such a
+/// difference. Inexact differences change the determinant by at most 4 r e + 4 e², and its own
+/// roundings by at most 2^-51 r². `error` is twice that. It also covers underflow, as long as it is
+/// far above the smallest doubles. Where anything overflows, nothing is certain.
 template <class Rounded>
 int turn(const Rounded& a, const Rounded& b, const Rounded& c) {
   constexpr double kFarAboveUnderflow = 0x1p-1000;

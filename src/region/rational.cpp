@@ -14,7 +14,7 @@ namespace mp = boost::multiprecision;
 
 namespace {
 
-// Beyond this a decimal exponent asks for megabytes of digits, not for a coordinate.
+// Beyond this, a decimal exponent asks for megabytes of digits, not for a coordinate.
 constexpr int kDecimalExponentLimit = 500'000;
 
 const BigInt& zero() {
@@ -35,14 +35,15 @@ std::size_t digit_run(std::string_view text, std::size_t from) {
   return end - from;
 }
 
-// Leading zeros go first: the parser of big integers would read them as a mark of octal.
+// Leading zeros are dropped, because the parser of big integers takes them as a mark of octal.
 BigInt integer_from_digits(std::string_view digits) {
   const std::size_t first = digits.find_first_not_of('0');
   if (first == std::string_view::npos) return 0;
   return BigInt(std::string(digits.substr(first)));
 }
 
-// `[+-]digits` to the end of `text`; nothing if it is not that or too large.
+// Parses `[+-]digits` up to the end of `text`. Returns nothing for other text and for exponents
+// that are too large.
 std::optional<int> parse_exponent(std::string_view text) {
   std::size_t position = 0;
   const bool negative = !text.empty() && text[0] == '-';

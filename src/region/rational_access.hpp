@@ -1,4 +1,4 @@
-// The inside of Rational for the library's own code: numerator and denominator as big integers.
+// Gives the library's own code the inside of Rational: numerator and denominator as big integers.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace minksum {
 
-/// Always in lowest terms, denominator positive, numerator not zero (zero is the null pointer).
+/// A quotient in lowest terms; the denominator is positive. The numerator is not zero, because zero
+/// is the null pointer.
 struct Rational::Value {
   BigInt numerator;
   BigInt denominator;
@@ -16,9 +17,9 @@ struct Rational::Value {
 
 class RationalAccess {
  public:
-  /// numerator / denominator, brought to lowest terms; the denominator must not be zero.
+  /// Returns numerator / denominator in lowest terms. The denominator must not be zero.
   static Rational make(BigInt numerator, BigInt denominator);
-  /// The same for a quotient known to be in lowest terms with a positive denominator.
+  /// Does the same for a quotient known to be in lowest terms with a positive denominator.
   static Rational make_reduced(BigInt numerator, BigInt denominator);
   static const BigInt& numerator(const Rational& value);
   static const BigInt& denominator(const Rational& value);

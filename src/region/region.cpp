@@ -10,7 +10,7 @@ namespace minksum {
 
 namespace {
 
-// Where add_vertex would put the next vertex.
+// Returns the place where add_vertex would put the next vertex.
 Culprit next_vertex(std::size_t polygon, std::size_t ring, std::size_t vertex) {
   Culprit place;
   place.polygon = polygon;
@@ -19,7 +19,7 @@ Culprit next_vertex(std::size_t polygon, std::size_t ring, std::size_t vertex) {
   return place;
 }
 
-// The last start that is not after `index`, of those that there are. They may repeat.
+// Returns the index of the last start that is not after `index`. Starts may repeat.
 std::size_t last_until(std::span<const std::size_t> starts, std::size_t index) {
   const auto after = std::ranges::upper_bound(starts, index);
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - starts.begin(), 1)) - 1;

@@ -1,4 +1,4 @@
-// The inside of Region for the library's own code: coordinates as stored, and results as made.
+// Gives the library's own code the inside of Region: coordinates as stored, and results as made.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace minksum {
 
-/// StoredCoordinate::numerator_limbs: the sign and the count.
+/// Parts of StoredCoordinate::numerator_limbs: the sign and the count.
 inline constexpr std::uint16_t kNegativeLimbs = 0x8000;
 inline constexpr std::uint16_t kLimbCountMask = 0x7fff;
 
@@ -25,16 +25,16 @@ class RegionAccess {
   static const StoredCoordinate& y(const Region& region, std::size_t vertex) {
     return region.vertices()[vertex].y;
   }
-  /// The pool that holds the digits of coordinates that have a denominator.
+  /// Returns the pool that holds the digits of coordinates that have a denominator.
   static std::span<const std::uint64_t> limbs(const Region& region) {
     return region.arrays_.get<Region::kLimbs>();
   }
-  /// To the end of the pool. They must lie elsewhere.
+  /// Appends limbs to the pool. They must lie elsewhere.
   static void append_limbs(Region& region, std::span<const std::uint64_t> limbs) {
     region.arrays_.append<Region::kLimbs>(limbs);
   }
 
-  /// Appends a vertex of a result, with what made the edge that starts there.
+  /// Appends a vertex of a result, with the origin of the edge that starts there.
   static void add_vertex(Region& region, const StoredCoordinate& x, const StoredCoordinate& y,
                          const EdgeOrigin& origin) {
     add_vertex(region, x, y);
@@ -54,11 +54,11 @@ class RegionAccess {
     const StoredCoordinate x = copy(RegionAccess::x(from, vertex));
     add_vertex(region, x, copy(RegionAccess::y(from, vertex)));
   }
-  /// The same of a region that knows no origins.
+  /// Appends a vertex to a region that has no origins.
   static void add_vertex(Region& region, const StoredCoordinate& x, const StoredCoordinate& y) {
     region.arrays_.push_back<Region::kVertices>({x, y});
   }
-  /// As if the operands had been given the other way round.
+  /// Changes the origins as if the operands had been given the other way round.
   static void exchange_operands(Region& region) {
     for (EdgeOrigin& origin : region.arrays_.change<Region::kOrigins>()) {
       const bool first = origin.edge_operand == Operand::kFirst;
@@ -78,12 +78,13 @@ class RegionAccess {
   static void reserve(Region& region, const Room& room) {
     region.arrays_.reserve({room.vertices, room.origins, room.rings, room.polygons, room.limbs});
   }
-  /// Of what a region holds.
+  /// Returns the counts of what a region holds.
   static Room room_of(const Region& region) {
     return {region.vertex_count(), region.arrays_.size<Region::kOrigins>(), region.ring_count(),
             region.polygon_count(), limbs(region).size()};
   }
-  /// Adds to an empty region a polygon of one ring, with vertices and origins that are to be set.
+  /// Adds a polygon of one ring to an empty region. Its vertices and origins must be set
+  /// afterwards.
   static void make_ring(Region& region, const Room& room) {
     reserve(region, room);
     region.begin_polygon();
@@ -91,7 +92,7 @@ class RegionAccess {
     region.arrays_.resize<Region::kVertices>(room.vertices);
     region.arrays_.resize<Region::kOrigins>(room.origins);
   }
-  /// Of a region that has not been copied.
+  /// Sets a vertex of a region that has not been copied.
   static void set_vertex(Region& region, std::size_t vertex, const StoredCoordinate& x,
                          const StoredCoordinate& y) {
     region.arrays_.unshared<Region::kVertices>(vertex) = {x, y};
@@ -107,7 +108,7 @@ class RegionAccess {
     }
   }
 
-  /// The double nearest to a coordinate of this region.
+  /// Returns the double nearest to a coordinate of this region.
   static double nearest(const Region& region, const StoredCoordinate& coordinate) {
     return region.nearest(coordinate);
   }
@@ -115,7 +116,7 @@ class RegionAccess {
     return region.exact(coordinate);
   }
 
-  /// Bits of the longer of a vertex's coordinates, or somewhat more.
+  /// Returns the bits of the longer of a vertex's coordinates, or somewhat more.
   static std::size_t bits(const Region& region, std::size_t vertex) {
     const auto of = [](const StoredCoordinate& c) {
       const std::size_t limbs = std::max<std::size_t>(
@@ -125,24 +126,24 @@ class RegionAccess {
     return std::max(of(x(region, vertex)), of(y(region, vertex)));
   }
 
-  /// The order of two coordinates of this region.
+  /// Returns the order of two coordinates of this region.
   static std::strong_ordering compare(const Region& region, const StoredCoordinate& a,
                                       const StoredCoordinate& b);
 
-  /// Index of the first vertex of a ring; `ring` may be the count of rings.
+  /// Returns the index of a ring's first vertex; `ring` may be the count of rings.
   static std::size_t ring_first(const Region& region, std::size_t ring) {
     return ring < region.ring_count() ? region.arrays_.at<Region::kRingStarts>(ring)
                                       : region.vertex_count();
   }
-  /// Index of the first ring of a polygon; `polygon` may be the count of polygons.
+  /// Returns the index of a polygon's first ring; `polygon` may be the count of polygons.
   static std::size_t polygon_first_ring(const Region& region, std::size_t polygon) {
     return polygon < region.polygon_count() ? region.arrays_.at<Region::kPolygonStarts>(polygon)
                                             : region.ring_count();
   }
-  /// The ring that holds a vertex, and the polygon that holds a ring. O(log n).
+  /// Returns the ring that holds a vertex, or the polygon that holds a ring. O(log n).
   static std::size_t ring_of(const Region& region, std::size_t vertex);
   static std::size_t polygon_of(const Region& region, std::size_t ring);
-  /// The place of a vertex, for an Error.
+  /// Returns the place of a vertex, for an Error.
   static Culprit culprit(const Region& region, std::size_t vertex, int operand = -1);
 };
 

@@ -1,4 +1,4 @@
-// Region's coordinates in their stored form: to it, from it, comparing it.
+// Converts Region's coordinates to their stored form and back, and compares them.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -25,8 +25,8 @@ StoredCoordinate compact(std::int64_t payload, int exp2, int exp10) {
 
 bool fits_int64(const BigInt& value) { return bit_length(value) < 64; }
 
-// A numerator over a denominator 2^a·5^b that fits m·10^-k with m of 63 bits. Tried only for
-// denominators of one limb: larger ones are not what people write as decimals.
+// Stores a quotient whose denominator is 2^a·5^b as m·10^-k, if m fits 63 bits. Denominators of
+// more than one limb are not tried, because people do not write such decimals.
 bool store_as_decimal(const BigInt& numerator, const BigInt& denominator, StoredCoordinate& out) {
   if (bit_length(denominator) > 63 || !fits_int64(numerator)) return false;
   auto rest = static_cast<std::uint64_t>(denominator);
@@ -43,7 +43,7 @@ bool store_as_decimal(const BigInt& numerator, const BigInt& denominator, Stored
   return true;
 }
 
-// An odd number of 63 bits times a power of two.
+// Stores an odd number of 63 bits times a power of two.
 bool store_as_binary(const BigInt& numerator, const BigInt& denominator, StoredCoordinate& out) {
   const auto up = static_cast<std::int64_t>(mp::lsb(mp::abs(numerator)));
   const auto down = static_cast<std::int64_t>(mp::lsb(denominator));
@@ -56,7 +56,7 @@ bool store_as_binary(const BigInt& numerator, const BigInt& denominator, StoredC
   return true;
 }
 
-// m · 10^exp10 by the standard library's correctly rounding reader, where there is one.
+// Reads m · 10^exp10 by the standard library's correctly rounding reader, if there is one.
 bool nearest_by_text([[maybe_unused]] const StoredCoordinate& c, [[maybe_unused]] double& result) {
 #if defined(__cpp_lib_to_chars)
   std::array<char, 32> text{};
@@ -74,11 +74,11 @@ constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1
                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr int kLargestPower = 22;
 
-// The quick and exact cases of m · 2^exp2 · 10^exp10; the others are for big integers.
+// Rounds m · 2^exp2 · 10^exp10 in the cases that are quick and exact. Big integers do the others.
 bool nearest_quick(const StoredCoordinate& c, double& result) {
   const bool exact_mantissa = c.payload <= kExactDoubleLimit && c.payload >= -kExactDoubleLimit;
   if (c.exp10 == 0) {
-    // int64 to double rounds to nearest even; with an exponent the rounding must happen once.
+    // int64 to double rounds to nearest even. With an exponent, there must be one rounding only.
     result = static_cast<double>(c.payload);
     if (c.exp2 == 0) return true;
     if (!exact_mantissa) return false;
@@ -96,7 +96,7 @@ bool nearest_quick(const StoredCoordinate& c, double& result) {
   return nearest_by_text(c, result);
 }
 
-// Up to two limbs, with a relative error below 2^-52.
+// Returns the value of up to two limbs, with a relative error below 2^-52.
 double about(const std::uint64_t* limbs, std::size_t count) {
   const double low = count > 0 ? static_cast<double>(limbs[0]) : 0;
   return count > 1 ? static_cast<double>(limbs[1]) * 0x1p64 + low : low;
@@ -134,7 +134,7 @@ StoredCoordinate Region::store(double value) {
   const double fraction = std::frexp(value, &exponent);
   auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
   exponent -= 53;
-  // An integer stays one; anything else becomes odd times a power of two.
+  // An integer stays an integer. Any other number becomes odd times a power of two.
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
   mantissa /= std::int64_t{1} << zeros;
   exponent += zeros;
@@ -174,7 +174,7 @@ double Region::nearest(const StoredCoordinate& c) const {
     }
     return exact(c).to_double();
   }
-  // Not in lowest terms: finding these would cost more than the rounding.
+  // The quotient is not in lowest terms: finding these would cost more than the rounding.
   const std::uint64_t* digits = arrays_.get<kLimbs>().data() + c.payload;
   const std::size_t above = c.numerator_limbs & kLimbCountMask;
   BigInt numerator = from_limbs({digits, above});
@@ -203,7 +203,7 @@ std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoo
   };
   const double x = near(a);
   const double y = near(b);
-  // Far more than the errors of both, and than the smallest normal double.
+  // The slack is far more than the errors of both, and than the smallest normal double.
   const double slack = (std::abs(x) + std::abs(y)) * 0x1p-45 + 1e-290;
   if (x - y > slack) return std::strong_ordering::greater;
   if (y - x > slack) return std::strong_ordering::less;

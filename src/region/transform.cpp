@@ -8,7 +8,7 @@
 namespace minksum {
 namespace {
 
-/// By how many right angles a map turns, if that is all it does.
+/// Returns by how many right angles a map turns, or nothing if it does anything else.
 std::optional<int> quarters_of(const Affine& map) {
   if (map.dx.sign() != 0 || map.dy.sign() != 0) return std::nullopt;
   if (map.xx != map.yy || map.yx != -map.xy) return std::nullopt;

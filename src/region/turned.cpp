@@ -29,7 +29,7 @@ class Turner {
     RegionAccess::append_limbs(image_, RegionAccess::limbs(region));
   }
 
-  /// Rings and vertices in the order that they have.
+  /// Returns the image with rings and vertices in the order that they have.
   Region in_order() {
     for (const std::size_t polygon : region_.polygons()) {
       image_.begin_polygon();
@@ -90,7 +90,7 @@ class Turner {
     return std::move(image_);
   }
 
-  /// A ring of the region, and the vertex that its image starts at.
+  /// A ring of the region, with the vertex at which its image starts.
   struct TurnedRing {
     IndexRange vertices;
     std::size_t first_vertex;
@@ -98,7 +98,7 @@ class Turner {
     StoredPoint second;
   };
 
-  /// Of a coordinate that lies in the image's pool, if it has digits.
+  /// Returns −c. If c has digits, they must lie in the image's pool.
   StoredCoordinate negative(StoredCoordinate c) {
     if (c.denominator_limbs > 0) {
       if ((c.numerator_limbs & kLimbCountMask) != 0) c.numerator_limbs ^= kNegativeLimbs;
@@ -141,7 +141,8 @@ class Turner {
     const std::strong_ordering by_x = compare(a.x, b.x);
     return by_x != 0 ? by_x : compare(a.y, b.y);
   }
-  /// Rings differ in their first vertex, or at least in the one after it.
+  /// Orders rings by their first vertices, and by the next ones where these are equal. Two rings
+  /// differ in one of them.
   [[nodiscard]] bool ring_before(const TurnedRing& a, const TurnedRing& b) const {
     const std::strong_ordering by_first = compare(a.first, b.first);
     return (by_first != 0 ? by_first : compare(a.second, b.second)) < 0;

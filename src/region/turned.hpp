@@ -1,4 +1,4 @@
-// Turns by right angles.
+// Turns regions by right angles.
 #pragma once
 
 #include "machine/cancellation.hpp"
@@ -6,12 +6,12 @@
 
 namespace minksum {
 
-/// The region turned counter-clockwise by `quarters` times 90 degrees; canonical if it was so
-/// before. No arithmetic: coordinates change places and signs. Origins are kept. O(n), and
-/// sorting of rings.
+/// Returns the region turned counter-clockwise by `quarters` times 90 degrees. The result is
+/// canonical if the region is. There is no arithmetic: coordinates change places and signs. Origins
+/// are kept. Takes O(n), and sorting of rings.
 [[nodiscard]] Region turned(const Region& region, int quarters, Cancellation& cancellation);
 
-/// The same with rings and vertices in the order that they have, and without origins. O(n).
+/// Does the same, but keeps the order of rings and vertices, and drops origins. O(n).
 [[nodiscard]] Region turned_in_order(const Region& region, int quarters,
                                      Cancellation& cancellation);
 
