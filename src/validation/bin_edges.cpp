@@ -1,4 +1,3 @@
-// Edges of one operand by the cells of a grid that they pass.
 #include "validation/bin_edges.hpp"
 
 #include <algorithm>
@@ -9,7 +8,8 @@
 namespace minksum {
 namespace {
 
-/// An edge is in a cell once, so one cell's count is no problem; their sum may be.
+/// Throws if all cells together have too many entries. One cell cannot, because it has an edge
+/// once.
 void limit_entries(const OperandScratch& scratch) {
   if (scratch.cell_entries.size() <= std::numeric_limits<std::uint32_t>::max()) return;
   throw Error(ErrorCode::kLimitExceeded,
@@ -41,7 +41,7 @@ void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancella
     const std::int32_t right = grid.column(std::max(x[e], x[f]) + margin);
     const std::int32_t bottom = grid.row(std::min(y[e], y[f]) - margin);
     const std::int32_t top = grid.row(std::max(y[e], y[f]) + margin);
-    // Of a short edge's box hardly a cell is far from the edge.
+    // Hardly a cell of a short edge's box is far from the edge.
     if (right - left <= 1 && top - bottom <= 1) {
       for (std::int32_t j = bottom; j <= top; ++j) {
         for (std::int32_t i = left; i <= right; ++i) enter(i, j, e);

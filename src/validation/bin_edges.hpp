@@ -1,4 +1,4 @@
-// Edges of one operand by the cells of a grid that they pass.
+// Sorts the edges of one operand into the cells of a grid that they pass.
 #pragma once
 
 #include "spatial/uniform_grid.hpp"
@@ -6,10 +6,10 @@
 
 namespace minksum {
 
-/// To `scratch.in_cells`, cell by cell, each edge once in a cell; a cell's own begin at
-/// `scratch.cell_begin[cell]` and end where the next cell's begin. A cell may hold edges that only
-/// come near it. Linear in the edges and the cells that they pass; 2^32 of these or more are an
-/// error of kLimitExceeded.
+/// Fills `scratch.in_cells` with the edges of all cells, cell by cell, each edge once in a cell.
+/// The edges of a cell begin at `scratch.cell_begin[cell]`, and end where those of the next cell
+/// begin. A cell may hold edges that only come near it. Takes linear time in the edges and the
+/// cells that they pass. Throws kLimitExceeded if there are 2^32 entries or more.
 void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancellation& cancellation,
                OperandScratch& scratch);
 

@@ -7,7 +7,7 @@
 namespace minksum {
 namespace {
 
-/// A number for people to read; exactly, if that is short.
+/// A number for people to read, which is exact if that is short.
 struct Readable {
   std::string text;
   bool exact = true;

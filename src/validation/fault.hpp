@@ -1,13 +1,13 @@
-// What is thrown for an operand that is not valid.
+// Throws the error for an operand that is not valid.
 #pragma once
 
 #include "minksum/validity.hpp"
 
 namespace minksum {
 
-/// Throws Error(kBadInput) that tells of a fault of this operand (Culprit::operand).
+/// Throws Error(kBadInput) for a fault of this operand (Culprit::operand).
 [[noreturn]] void reject(const Fault& fault, int operand);
-/// Throws that for the first fault of a region that is not valid (see `validate`).
+/// Throws this error for the first fault of a region that is not valid (see `validate`).
 void require_valid(const Region& region, int operand,
                    const std::optional<CancelToken>& cancel = {});
 

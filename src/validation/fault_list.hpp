@@ -1,4 +1,4 @@
-// Faults of an operand as they are found: each once, with its exact place.
+// Lists each fault of an operand once, with its exact location.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace minksum {
 
-/// Adds faults to a list until that is full. The same fault may be reported again, as cells have
-/// edges in common.
+/// Adds faults to a list until it is full. A fault may be reported again, because cells have edges
+/// in common.
 class FaultList {
  public:
   FaultList(const PreparedOperand& operand, std::size_t max_faults, std::vector<Fault>& faults)
@@ -36,7 +36,7 @@ class FaultList {
   void add_crossing(const char* message, SiteId e, SiteId f) {
     if (is_new(message, std::min(e, f), std::max(e, f))) add_edges(message, e, f, crossing(e, f));
   }
-  /// Of two edges on one line.
+  /// Adds the overlap of two edges on one line.
   void add_overlap(const char* message, SiteId e, SiteId f) {
     if (!is_new(message, std::min(e, f), std::max(e, f))) return;
     add_edges(message, e, f, std::max(smaller_end(e), smaller_end(f), comes_before));
@@ -57,7 +57,8 @@ class FaultList {
   [[nodiscard]] Culprit vertex(SiteId v) const {
     return RegionAccess::culprit(region_, o_.vertex_source[v]);
   }
-  /// The edge of the region that holds a point of edge `e`, which may stand for several in line.
+  /// Returns the edge of the region that holds a point of edge `e`. In one line, `e` may stand for
+  /// several.
   [[nodiscard]] Culprit edge(SiteId e, const Point& at) const {
     const std::size_t ring = RegionAccess::ring_of(region_, o_.edge_source[e]);
     const std::size_t begin = RegionAccess::ring_first(region_, ring);
@@ -70,7 +71,7 @@ class FaultList {
     }
     return RegionAccess::culprit(region_, first);
   }
-  /// Of points on one line.
+  /// Tells whether `at` lies between a and b, for points on one line.
   static bool is_between(const Point& a, const Point& at, const Point& b) {
     return !comes_before(at, std::min(a, b, comes_before)) &&
            !comes_before(std::max(a, b, comes_before), at);

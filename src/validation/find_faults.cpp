@@ -1,4 +1,4 @@
-// What makes an operand invalid: edges that meet where they must not, rings in the wrong place.
+// Finds what makes an operand invalid: edges that meet where they must not, misplaced rings.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -13,7 +13,7 @@
 namespace minksum {
 namespace {
 
-/// Edges of an operand and the questions about pairs of them.
+/// Holds an operand's edges and decides about pairs of them.
 class ContactFinder {
  public:
   ContactFinder(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
@@ -28,7 +28,7 @@ class ContactFinder {
     scratch_.touches.clear();
     const Vec<double> extent = this->extent();
     if (o_.rings.size() == 1 && few_in_columns(extent.x)) return sweep(extent);
-    // Of few edges pairs cost less than cells.
+    // Comparing all pairs of a few edges costs less than cells.
     const double edges = o_.size();
     const double cells = edges < 100 ? edges / 4 : edges;
     const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
@@ -44,7 +44,8 @@ class ContactFinder {
     }
   }
 
-  /// Rings do not cross here, so a point of a ring that is not on the other ring decides.
+  /// Finds rings in the wrong place. Rings do not cross here, so any point of a ring that is not on
+  /// the other ring decides.
   void find_misplaced_rings() {
     scratch_.stamp.assign(o_.size(), kNoSite);
     for (std::size_t r = 0; r < o_.rings.size() && !list_.full(); ++r) {
@@ -67,8 +68,8 @@ class ContactFinder {
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
     return extent;
   }
-  /// Where rings lie in each other is asked of cells. Else they pay only if many edges lie over
-  /// each other.
+  /// Tells whether few edges overlap in x, so that a sweep costs less than cells. With several
+  /// rings, cells are needed anyway, to find which rings lie in others.
   [[nodiscard]] bool few_in_columns(double width) const {
     constexpr std::size_t kMostInColumn = 200;
     if (o_.size() <= kMostInColumn) return true;
@@ -76,7 +77,7 @@ class ContactFinder {
     for (const double dx : o_.sites.dx) across += std::abs(dx);
     return across <= static_cast<double>(kMostInColumn) * width;
   }
-  /// All pairs whose boxes overlap.
+  /// Tests all pairs of edges whose boxes overlap.
   void sweep(const Vec<double>& extent) {
     const auto& [x, y, dx, dy, next] = o_.sites;
     BoxPairs pairs(extent.x, extent.y, o_.bounds.position, scratch_.pairs);
@@ -91,7 +92,8 @@ class ContactFinder {
         },
         cancellation_, true);
   }
-  /// All pairs whose x ranges overlap, from left to right: cells may be crowded.
+  /// Tests all pairs of a cell's edges that overlap in x, from left to right, because cells may be
+  /// crowded.
   void find_contacts_in(std::span<SiteId> edges) {
     const auto& x = o_.sites.x;
     const auto& next = o_.sites.next;
@@ -147,14 +149,14 @@ class ContactFinder {
     if (fs != kZero && ft != kZero && es != kZero && et != kZero) {
       return list_.add_crossing("edges cross", e, f);
     }
-    // They touch at a point that is a vertex of one of them.
+    // The edges touch at a point that is a vertex of one of them.
     if (fs == kZero && between(e, e1, f)) touch(e, f);
     if (ft == kZero && between(e, e1, f1)) touch(e, f1);
     if (es == kZero && between(f, f1, e)) touch(f, e);
     if (et == kZero && between(f, f1, e1)) touch(f, e1);
   }
 
-  /// v, on the line through a and b, lies on the closed segment.
+  /// Tells whether v, on the line through a and b, lies on the closed segment.
   bool between(SiteId a, SiteId b, SiteId v) {
     for (const Axis axis : {Axis::kX, Axis::kY}) {
       if (predicates_.compare(a, v, axis) * predicates_.compare(v, b, axis) == kNegative) {
@@ -174,7 +176,7 @@ class ContactFinder {
     const bool inside[4] = {between(e, e1, f), between(e, e1, f1), between(f, f1, e),
                             between(f, f1, e1)};
     if (!inside[0] && !inside[1] && !inside[2] && !inside[3]) return;
-    // In one line and in touch: either at one common end point, or along a piece.
+    // The edges lie in one line and share either one common end point or a piece.
     for (const SiteId a : {e, e1}) {
       for (const SiteId b : {f, f1}) {
         const SiteId a_other = a == e ? e1 : e;
@@ -187,7 +189,7 @@ class ContactFinder {
     list_.add_overlap("edges overlap", e, f);
   }
 
-  /// v of another edge lies on the closed edge e.
+  /// Handles a vertex v of another edge that lies on the closed edge e.
   void touch(SiteId e, SiteId v) {
     const SiteId e1 = o_.sites.next[e];
     if (equal(e, v)) return touch_at_vertices(e, v);
@@ -210,7 +212,8 @@ class ContactFinder {
     }
     scratch_.touches.push_back({v, w, true});
   }
-  /// Whether the direction of `edge` (reversed for kNegative) points into the sector left of v.
+  /// Tells whether the direction of `edge` (reversed for kNegative) points into the sector left of
+  /// v.
   bool left_of(SiteId v, SiteId edge, Sign sense) {
     const SiteId in = o_.previous[v];
     const bool left_of_out = predicates_.cross(v, edge) * sense == kPositive;
@@ -220,11 +223,11 @@ class ContactFinder {
   }
 
   // -- Rings in their places -------------------------------------------------------------------
-  /// Probes and lines are made of sums: any one site moves both the probe and the ring alike.
+  /// Probes and lines are made of sums, so they need a second site. Any one moves both alike.
   static constexpr SiteId kFixedSite = 0;
 
-  /// What a ray from a probe to the right does with an edge. Half-open: an end at the probe's own
-  /// height counts as below it.
+  /// How a ray from a probe to the right meets an edge. Edges are half-open: an end at the probe's
+  /// own height counts as below it.
   enum class Meeting { kMisses, kPasses, kStartsOn };
   [[nodiscard]] Meeting meeting(const Probe& probe, SiteId e) const {
     cancellation_.check(2 * o_.kernel->work());
@@ -246,14 +249,15 @@ class ContactFinder {
                                                                  : Meeting::kMisses;
   }
 
-  /// Where a probe is, and how far off that may be.
+  /// Returns the coordinates of a probe, which are off by at most `doubt()`.
   [[nodiscard]] Vec<double> place_of(const Probe& probe) const {
     const Vec<double> sum = predicates_.position(probe);
     return {sum.x - o_.sites.x[kFixedSite], sum.y - o_.sites.y[kFixedSite]};
   }
   [[nodiscard]] double doubt() const { return 8 * o_.bounds.position; }
 
-  /// The rings that contain ring `inner`, to `scratch_.around`: parity along one row of cells.
+  /// Lists the rings that contain ring `inner` in `scratch_.around`, by parity along a row of
+  /// cells.
   void list_rings_around(std::size_t inner) {
     auto& around = scratch_.around;
     around.clear();
@@ -291,7 +295,7 @@ class ContactFinder {
       if (lies_inside(inner, ring)) around.push_back(ring);
     }
   }
-  /// One of each that is there an odd number of times.
+  /// Keeps one of each ring that occurs an odd number of times.
   static void keep_odd(std::vector<std::size_t>& rings) {
     std::sort(rings.begin(), rings.end());
     std::size_t kept = 0;
@@ -303,8 +307,8 @@ class ContactFinder {
     rings.resize(kept);
   }
 
-  /// Whether ring `inner`, which does not cross ring `outer`, lies inside it. Only finitely many
-  /// points of an edge lie on the other ring: some dyadic one does not.
+  /// Tells whether ring `inner` lies inside ring `outer`, which it does not cross. Only finitely
+  /// many points of an edge lie on the other ring, so some dyadic point does not.
   bool lies_inside(std::size_t inner, std::size_t outer) {
     const Segment edge{o_.rings[inner].begin, kFixedSite};
     for (int shift = 1; shift < Probe::kMaxShift; ++shift) {
@@ -366,7 +370,7 @@ void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScra
                  PreparedOperand& operand, std::vector<Fault>& faults) {
   ContactFinder finder(max_faults, cancellation, scratch, operand, faults);
   finder.find_contacts();
-  // Whether a ring lies in its place means something only if no rings cross.
+  // Rings can be out of place only if none cross.
   if (faults.empty() && operand.rings.size() > 1) finder.find_misplaced_rings();
 }
 

@@ -1,4 +1,4 @@
-// Coordinates from an operand's own numbers to its own grid.
+// Converts coordinates from an operand's own numbers to its own grid.
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -24,7 +24,7 @@ void for_each_coordinate(const Region& region, Cancellation& cancellation, Visit
   }
 }
 
-/// The common scale: the smallest powers of two and ten in use. And the bits that it takes.
+/// The common scale, made of the smallest powers of two and ten in use, and the bits that it takes.
 struct Scale {
   int exp2 = 0;
   int exp10 = 0;
@@ -58,7 +58,7 @@ Scale common_scale(const Region& region, Cancellation& cancellation) {
   scale.bits = static_cast<int>(std::bit_width(digits)) + (high2 - low2) +
                bits_of_ten_to(high10 - low10);
   if (scale.bits <= GridCoordinates::kSmallBits) return scale;
-  // No such bound for all: one for each.
+  // The bound for all coordinates at once is too long, so each one is bounded by itself.
   scale.bits = 0;
   for_each_coordinate(region, cancellation, [&](const StoredCoordinate& c) {
     if (c.payload == 0) return;
@@ -68,7 +68,7 @@ Scale common_scale(const Region& region, Cancellation& cancellation) {
   return scale;
 }
 
-/// payload · 2^exp2 · 10^exp10 / divisor
+/// The number payload · 2^exp2 · 10^exp10 / divisor.
 struct LongNumber {
   Int128 payload = 0;
   int exp2 = 0;
@@ -76,7 +76,8 @@ struct LongNumber {
   std::int64_t divisor = 1;
 };
 
-/// A coordinate stored as a quotient whose denominator is short, but for factors two and five.
+/// Reads a coordinate. If it is stored as a quotient, its denominator without factors two and five
+/// must be short.
 bool as_long_number(const Region& region, const StoredCoordinate& c, LongNumber& number) {
   number = {c.payload, c.exp2, c.exp10, 1};
   if (c.denominator_limbs == 0) return true;
@@ -112,7 +113,8 @@ Number on_grid(Number value, int exp2, int exp10, const Scale& scale) {
   return value * (Number{1} << (exp2 - scale.exp2));
 }
 
-/// Puts the sites on the grid, their box at the origin. `at(v)` is a site where the grid has it.
+/// Puts the sites on the grid, and their box at the origin. `at(v)` returns a site's place on the
+/// grid.
 template <class Number, class At>
 void load_grid(std::size_t n, const Scale& scale, At at, Cancellation& cancellation,
                std::vector<Vec<Number>>& sites, GridCoordinates& grid) {
@@ -145,7 +147,7 @@ void load_numbers(const Region& region, const Scale& scale, Cancellation& cancel
   load_grid(region.vertex_count(), scale, at, cancellation, sites, grid);
 }
 
-/// Multiplies numbers by what makes them one divisor's; false if that is too long.
+/// Brings all numbers to one divisor. Returns false if the divisor or a number gets too long.
 bool find_common_divisor(std::vector<LongNumber>& numbers, Scale& scale) {
   for (const LongNumber& number : numbers) {
     const std::int64_t more = number.divisor / std::gcd(number.divisor, scale.divisor);
@@ -163,8 +165,8 @@ bool find_common_divisor(std::vector<LongNumber>& numbers, Scale& scale) {
   return true;
 }
 
-/// The same where some are stored as quotients; false if they have no short common denominator, or
-/// are too long.
+/// Loads numbers of which some are stored as quotients. Returns false if they have no short common
+/// denominator, or are too long.
 bool load_long_numbers(const Region& region, Cancellation& cancellation, GridCoordinates& grid) {
   std::vector<LongNumber> numbers;
   bool all = true;
@@ -213,7 +215,7 @@ void load_sites(const Region& region, const Options& options, Cancellation& canc
   GridCoordinates& grid = operand.grid;
   const Scale scale = common_scale(region, cancellation);
   const bool rationals_asked = options.arithmetic == Arithmetic::kArbitrary;
-  // A sum or difference of two such has one bit more, and must have its sign.
+  // Sums and differences of two small numbers have one bit more, and need a sign.
   grid.small = !scale.quotients && scale.bits < GridCoordinates::kSmallBits;
   if (!rationals_asked && scale.quotients && load_long_numbers(region, cancellation, grid)) {
     operand.rational = false;

@@ -1,4 +1,4 @@
-// One operand, by itself: on an integer grid, clean, oriented, validated.
+// Defines one operand by itself: on an integer grid, clean, oriented and validated.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 namespace minksum {
 
 /// A ring: the sites [begin, end), counter-clockwise if outer, clockwise if a hole. It has three or
-/// more vertices; none is repeated or lies in the middle of a straight edge. Of a thin operand: a
-/// walk along a polyline and back, two or more.
+/// more vertices. None is repeated or lies in the middle of a straight edge. In a thin operand, a
+/// ring is a walk along a polyline and back, of two sites or more.
 struct OperandRing {
   SiteId begin = 0;
   SiteId end = 0;
@@ -24,8 +24,8 @@ struct OperandRing {
   [[nodiscard]] bool is_hole() const { return ring != 0; }
 };
 
-/// An edge with a rounded, monotone function of its direction in [0, 4), off by less
-/// than kKeyError.
+/// An edge with its key, a rounded, monotone function of its direction in [0, 4). The key is off by
+/// less than kKeyError.
 struct KeyedEdge {
   double key;
   SiteId edge;
@@ -39,7 +39,7 @@ struct RingTouch {
   bool at_vertex;
 };
 
-/// Memory that preparing needs in passing, kept from call to call.
+/// Memory that preparing needs for a while, kept from call to call.
 struct OperandScratch {
   std::vector<SiteId> all;  ///< 0, 1, 2, ...
   std::vector<SiteId> order;
@@ -52,29 +52,30 @@ struct OperandScratch {
   std::vector<std::uint32_t> cell_begin;
   std::vector<SiteId> in_cells;
   BoxPairScratch pairs;
-  std::vector<SiteId> stamp;       ///< by edge: the ring that last asked for it
+  std::vector<SiteId> stamp;       ///< by edge: the ring that last looked at it
   std::vector<std::size_t> around;  ///< rings
   std::vector<std::size_t> on;
   std::vector<RingTouch> touches;  ///< where rings touch without crossing; may repeat itself
 };
 
-/// All that can be known of an operand before the other one is.
+/// All that can be known of an operand before the other one is known.
 ///
-/// `sites` and `bounds` are in units of the operand's own grid, its box at (0, 0).
+/// `sites` and `bounds` are in units of the operand's own grid, with the operand's box at (0, 0).
 struct PreparedOperand {
   const Region* region = nullptr;
   bool thin = false;               ///< walks along polylines instead of polygons
-  bool rational = false;           ///< which of the two holds the coordinates
+  bool rational = false;           ///< whether `rationals`, not `grid`, holds the coordinates
   GridCoordinates grid;
   RationalCoordinates rationals;
 
   ApproximateSites sites;
   std::vector<SiteId> previous;
   std::vector<OperandRing> rings;
-  std::vector<std::uint8_t> convex;          ///< strictly left turn, or half a circle
+  std::vector<std::uint8_t> convex;          ///< whether the site is a strict left turn, or half a
+                                             ///< circle
   std::vector<std::uint32_t> vertex_source;  ///< by site: vertex index in the region
   std::vector<std::uint32_t> edge_source;    ///< by site: edge index in the region
-  /// Edges counter-clockwise by direction from the positive x axis, parallel ones by id.
+  /// Edges counter-clockwise by direction from the positive x axis, and parallel edges by id.
   std::vector<KeyedEdge> by_direction;
   bool keys_tell = false;  ///< whether keys farther apart than 2 · kKeyError order directions
 
@@ -85,34 +86,34 @@ struct PreparedOperand {
   [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
 };
 
-/// Fills all of `operand` but its directions from `region`, which must live as long, and lists at
-/// most `max_faults` faults. Of `options`, `arithmetic` and `filter` count. O(n log n) for n
-/// vertices, plus close pairs of edges.
+/// Fills all of `operand` but its directions from `region`, which must live as long. Lists at most
+/// `max_faults` faults. Only `arithmetic` and `filter` of `options` are used. Takes O(n log n) for
+/// n vertices, plus close pairs of edges.
 void load_and_validate(const Region& region, const Options& options, std::size_t max_faults,
                        Cancellation& cancellation, OperandScratch& scratch,
                        PreparedOperand& operand, std::vector<Fault>& faults);
 
 // -- Steps, in their order ---------------------------------------------------------------------
-/// Exact coordinates of all vertices as given.
+/// Loads the exact coordinates of all vertices as given.
 void load_sites(const Region& region, const Options& options, Cancellation& cancellation,
                 PreparedOperand& operand);
-/// Drops repeated and straight vertices, orients the rings, tells convex vertices. Rings with a
-/// fault are left out.
+/// Drops repeated and straight vertices, orients the rings, and marks convex vertices. Leaves out
+/// rings that have a fault.
 void clean_rings(const Options& options, Cancellation& cancellation, OperandScratch& scratch,
                  PreparedOperand& operand, std::vector<Fault>& faults);
-/// Faults between edges and rings. Faults' vertices are indices in the region.
+/// Finds faults between edges and rings. The faults' vertices are indices in the region.
 void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
                  PreparedOperand& operand, std::vector<Fault>& faults);
-/// A kernel, bounds and approximate places for the coordinates of so many sites, as they are now.
+/// Makes a kernel, bounds and approximate places for the present coordinates of so many sites.
 void approximate_sites(std::size_t count, const Options& options, Cancellation& cancellation,
                        OperandScratch& scratch, PreparedOperand& operand);
 /// Sets which site follows which around the rings, and the edges between them.
 void connect_rings(Cancellation& cancellation, PreparedOperand& operand);
-/// The narrowest rung for coordinates of so many bits, if none wider is asked for.
+/// Returns the narrowest rung for coordinates of so many bits, unless a wider one is asked for.
 [[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);
-/// A bound on the bits of 10^exponent.
+/// Returns a bound on the bits of 10^exponent.
 [[nodiscard]] constexpr int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
-/// More bits than this do not go to fixed-width arithmetic.
+/// Coordinates of more bits than this are not given to fixed-width arithmetic.
 inline constexpr int kMaxGridBits = WideRung::kCoordinateBits - 1;
 
 }  // namespace minksum

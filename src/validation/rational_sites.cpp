@@ -15,7 +15,7 @@ BigInteger power(int base, int exponent) {
   return mp::pow(BigInteger(base), static_cast<unsigned>(exponent));
 }
 
-/// numerator / denominator · 2^exp2 · 10^exp10
+/// Returns numerator / denominator · 2^exp2 · 10^exp10.
 BigRational scaled(BigInteger numerator, BigInteger denominator, int exp2, int exp10) {
   (exp2 >= 0 ? numerator : denominator) *= power(2, std::abs(exp2));
   (exp10 >= 0 ? numerator : denominator) *= power(10, std::abs(exp10));

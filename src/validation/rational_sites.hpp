@@ -1,4 +1,4 @@
-// Operands whose coordinates fit no integer grid of fixed width.
+// Handles operands whose coordinates fit no integer grid of fixed width.
 #pragma once
 
 #include <span>
@@ -7,20 +7,20 @@
 
 namespace minksum {
 
-/// Approximations of rational coordinates are scaled to about so many bits: that keeps squares and
+/// Approximations of rational coordinates are scaled to about so many bits. That keeps squares and
 /// fifth powers of extents in a double's range.
 inline constexpr int kRationalExtentBits = 60;
 
-/// The coordinates of all vertices as given.
+/// Loads the coordinates of all vertices as given.
 void load_rationals(const Region& region, Cancellation& cancellation,
                     RationalCoordinates& rationals);
-/// Sets box and bits.
+/// Sets the box and the bits.
 void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals);
-/// An operand's coordinates of these sites, whatever holds them.
+/// Returns an operand's coordinates of these sites, as rationals in any case.
 [[nodiscard]] RationalCoordinates rationals_of(const PreparedOperand& operand,
                                                std::span<const SiteId> sites,
                                                Cancellation& cancellation);
-/// The power of two that scales the larger of the extents to kRationalExtentBits bits.
+/// Returns the exponent of two that scales the larger of the extents to kRationalExtentBits bits.
 [[nodiscard]] int rational_exponent(std::span<const Vec<BigRational>> extents);
 
 }  // namespace minksum

@@ -1,4 +1,4 @@
-// Rings as given to rings as the pipeline wants them.
+// Turns rings as given into rings as the pipeline needs them.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,7 +11,7 @@
 namespace minksum {
 namespace {
 
-/// Sites as loaded, ring by ring in the rings' own order, to those that stay.
+/// Chooses the sites that stay, ring by ring, from the sites as loaded.
 class RingCleaner {
  public:
   RingCleaner(Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
@@ -23,7 +23,7 @@ class RingCleaner {
         order_(scratch.order),
         faults_(faults) {}
 
-  /// Leaves the order of sites, their convexity, the edges' sources and rings.
+  /// Leaves behind the order of sites, their convexity, the edges' sources, and the rings.
   void run() {
     order_.clear();
     operand_.rings.clear();
@@ -52,8 +52,8 @@ class RingCleaner {
       if (order_.size() - begin_ < 3) return fault("ring has no area", distinct_[0]);
     }
     const bool reversed = orient(ring_in_polygon != 0);
-    // The edge that starts at order[i] has an index in its region: of a reversed ring it is the one
-    // that started at order[i + 1].
+    // Each edge has an index in its region. In a reversed ring, the edge that starts at order[i] is
+    // the one that started at order[i + 1].
     auto& sources = operand_.edge_source;
     sources.insert(sources.end(), order_.begin() + static_cast<std::ptrdiff_t>(begin_),
                    order_.end());
@@ -63,7 +63,7 @@ class RingCleaner {
                               polygon, ring_in_polygon});
   }
 
-  /// Takes the whole ring if no vertex is repeated or straight, which most have none of.
+  /// Takes the whole ring if no vertex is repeated or straight, as is usual.
   bool turns_everywhere(std::size_t ring) {
     const auto vertices = region_.vertices_of(ring);
     const auto first = static_cast<SiteId>(vertices.front());
@@ -102,7 +102,7 @@ class RingCleaner {
     distinct_.clear();
     for (const std::size_t v : region_.vertices_of(ring)) {
       const auto site = static_cast<SiteId>(v);
-      // Of a run of equal vertices the last stays: the edge to the next vertex has its index.
+      // The last of equal vertices stays, because the edge to the next vertex has its index.
       if (!distinct_.empty() && equal(distinct_.back(), site)) {
         distinct_.back() = site;
       } else {
@@ -129,7 +129,7 @@ class RingCleaner {
     }
     return true;
   }
-  /// Reverses the ring if it runs the wrong way round.
+  /// Reverses the ring if it runs the wrong way round, and returns whether it did.
   bool orient(bool is_hole) {
     const std::size_t n = order_.size();
     const std::size_t lowest = lexicographically_smallest();
@@ -163,7 +163,7 @@ class RingCleaner {
     }
     return lowest;
   }
-  /// Reports, and leaves the ring out.
+  /// Reports a fault, and leaves the ring out.
   void fault(const char* message, SiteId site) {
     order_.resize(begin_);
     operand_.convex.resize(begin_);
@@ -185,7 +185,7 @@ class RingCleaner {
   std::size_t begin_ = 0;
 };
 
-/// Keeps the sites in `order` only, in this order.
+/// Keeps only the sites in `order`, in this order.
 template <class Value>
 void pick(std::span<const SiteId> order, std::vector<Value>& values, std::vector<Value>& picked) {
   picked.clear();

@@ -1,4 +1,4 @@
-// Whether a region is a valid operand, and where it is not.
+// Decides whether a region is a valid operand, and where it is not.
 #include "validation/prepared_operand.hpp"
 
 namespace minksum {
