@@ -1,4 +1,4 @@
-// Boolean operations.
+// Implements the boolean operations.
 #include "minksum/boolean.hpp"
 
 #include <optional>
@@ -12,17 +12,17 @@ namespace {
 
 using overlay::Winding;
 
-// A point of a valid region has an odd number of its rings around it, whatever their directions.
+// An odd number of a valid region's rings go around each of its points, whatever their directions.
 bool in_first(const Winding& w) { return w.first % 2 != 0; }
 bool in_second(const Winding& w) { return w.second % 2 != 0; }
 
-/// The box that a region is, if it is four vertices of one.
+/// Returns the box that a region is, or nothing if it is not a box of four vertices.
 std::optional<Box> as_box(const Region& region) {
   if (region.ring_count() != 1 || region.vertex_count() != 4) return std::nullopt;
   const auto equal = [&](const auto& coordinate, std::size_t v, std::size_t w) {
     return RegionAccess::compare(region, coordinate(region, v), coordinate(region, w)) == 0;
   };
-  // Whether it starts with a side along the x axis.
+  // Tells whether the ring starts with a side along the x axis.
   const bool across = equal(RegionAccess::y, 0, 1);
   const auto& along = across ? RegionAccess::y : RegionAccess::x;
   const auto& athwart = across ? RegionAccess::x : RegionAccess::y;
@@ -49,7 +49,7 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside,
 
 Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelToken>& cancel) {
   Cancellation cancellation(cancel);
-  // Each winds once around its points: outer rings are counter-clockwise, holes clockwise.
+  // Each geometry winds once around its points: outer rings are counter-clockwise, holes clockwise.
   std::vector<overlay::Chain> chains;
   overlay::ThinStore thin;
   for (const Geometry& geometry : geometries) {

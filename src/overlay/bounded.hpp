@@ -1,4 +1,4 @@
-// Doubles that know how wrong they may be: the filter before exact arithmetic.
+// Defines doubles with a bound on their error: the filter before exact arithmetic.
 #pragma once
 
 #include <cmath>
@@ -10,14 +10,14 @@ namespace minksum::overlay {
 /// A number that is within `error` of `value`.
 ///
 /// Each operation adds a bound on its own rounding: u·|result| for u = 2^-53, and kTiny for results
-/// that underflow. Bounds are computed in doubles, too: some more roundings, each by a factor of at
-/// most 1 ± u, which kInflate covers many times over. Overflow makes the error infinite or no
+/// that underflow. Bounds are computed in doubles, too. Their own roundings are factors of at most
+/// 1 ± u each, which kInflate covers many times over. Overflow makes the error infinite or no
 /// number, and then nothing is certain any more.
 struct Bounded {
   double value = 0;
   double error = 0;
 
-  static constexpr double kRounding = 0x1p-52;  ///< 2u: u, and the roundings of the bound itself
+  static constexpr double kRounding = 0x1p-52;  ///< 2u: u, and roundings of the bound
   static constexpr double kInflate = 1 + 0x1p-49;
   static constexpr double kTiny = 0x1p-1000;
 
@@ -35,7 +35,7 @@ struct Bounded {
         std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error;
     return {result, carried * kInflate + std::fabs(result) * kRounding + kTiny};
   }
-  /// |A/B − a/b| = |(A − a) − (a/b)·(B − b)| / |B|. Infinite error if b may be 0.
+  /// |A/B − a/b| = |(A − a) − (a/b)·(B − b)| / |B|. The error is infinite if b may be 0.
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     const double result = a.value / b.value;
     const double least = (std::fabs(b.value) - b.error) / kInflate;
@@ -44,7 +44,7 @@ struct Bounded {
     return {result, carried * kInflate + std::fabs(result) * kRounding + kTiny};
   }
 
-  /// Whether the sign is certain, and not 0.
+  /// Tells whether the sign is certain, and not 0.
   [[nodiscard]] bool certain() const { return std::fabs(value) > error; }
   [[nodiscard]] Sign sign() const { return value > 0 ? kPositive : kNegative; }
 };

@@ -1,4 +1,4 @@
-// Regions and geometries as chains of an overlay.
+// Turns regions and geometries into chains of an overlay.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace minksum::overlay {
 
-/// Polylines and points as rings of a region that is a store of points only.
+/// Stores polylines and points as rings of a region, which serves as a store of points only.
 class ThinStore {
  public:
-  /// Each becomes a chain without weight that belongs. Chains point into this store.
+  /// Adds all, each as a chain without weight that belongs. Chains point into this store.
   void add(const Geometry& geometry, Cancellation& cancellation) {
     for (const Polyline& line : geometry.polylines) add(line, cancellation);
     for (const Point& point : geometry.points) add(std::span(&point, 1), cancellation);
@@ -42,7 +42,7 @@ class ThinStore {
   Region points_;
 };
 
-/// Calls add(chain, is_hole) for each ring, with its range of vertices.
+/// Calls add(chain, is_hole) for each ring.
 template <class Add>
 void for_each_ring(const Region& region, Add add) {
   for (const std::size_t polygon : region.polygons()) {

@@ -1,4 +1,4 @@
-// Is a subdivision what its description says? Decided by exact numbers alone.
+// Checks by exact numbers alone that a subdivision is as described.
 #include "overlay/subdivision.hpp"
 
 namespace minksum::overlay {
@@ -42,7 +42,7 @@ class Checker {
       const Piece& next = s_.pieces[s_.around[i + 1 == end ? begin : i + 1]];
       const bool starts = piece.low == v;
       const bool next_starts = next.low == v;
-      // First all that start here, from below; then all that end here, from above.
+      // Pieces that start here come first, from below. Those that end here follow, from above.
       if (!starts && next_starts && i + 1 != end) return "pieces around a node are out of order";
       if (i + 1 != end && starts == next_starts &&
           exact_.cross(ends_of(piece), ends_of(next)) != kPositive) {
@@ -55,14 +55,14 @@ class Checker {
     return std::nullopt;
   }
 
-  /// Every piece against every other: they share no point but nodes that are ends of both.
+  /// Tests every pair of pieces, which may share only nodes that are ends of both.
   [[nodiscard]] std::optional<std::string> check_pairs() const {
     for (PieceId p = 0; p < s_.pieces.size(); ++p) {
       for (PieceId q = p + 1; q < s_.pieces.size(); ++q) {
         const Piece& a = s_.pieces[p];
         const Piece& b = s_.pieces[q];
         if (a.low == b.low && a.high == b.high) return "two pieces have the same ends";
-        if (b.low >= a.high || a.low >= b.high) continue;  // one is all before the other
+        if (b.low >= a.high || a.low >= b.high) continue;  // one lies before the other
         const int sides_b = side(a, b.low) * side(a, b.high);
         const int sides_a = side(b, a.low) * side(b, a.high);
         if (sides_a < 0 && sides_b < 0) return "two pieces cross";

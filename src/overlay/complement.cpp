@@ -15,7 +15,7 @@
 namespace minksum {
 namespace {
 
-/// Whether a box has another one, touching allowed.
+/// Tells whether one box contains another. They may touch.
 bool has(const ErrorBounds& outer, const ErrorBounds& inner) {
   return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 &&
          outer.y1 >= inner.y1;
@@ -23,7 +23,7 @@ bool has(const ErrorBounds& outer, const ErrorBounds& inner) {
 
 constexpr std::size_t kNone = ~std::size_t{0};
 
-/// A ring of the region.
+/// A ring of the region, with its position in the region.
 struct RingIndex {
   std::size_t polygon;
   bool is_hole;
@@ -31,7 +31,7 @@ struct RingIndex {
   ErrorBounds bounds{};
   std::size_t first = 0;  ///< its lexicographically smallest vertex
   bool counter_clockwise = true;
-  std::size_t around = kNone;  ///< of an outer ring: the hole that it lies in
+  std::size_t around = kNone;  ///< the innermost hole in which an outer ring lies
 
   [[nodiscard]] std::size_t last() const { return vertices.front() + vertices.size() - 1; }
   [[nodiscard]] std::size_t next(std::size_t v) const {
@@ -42,7 +42,7 @@ struct RingIndex {
   }
 };
 
-/// A region's rings as those of its complement in a box.
+/// Turns a region's rings into those of its complement in a box.
 class InsideOut {
  public:
   InsideOut(const Box& box, const Region& region, const std::optional<CancelToken>& cancel)
@@ -51,7 +51,7 @@ class InsideOut {
     box_.add({box.max.x.to_double(), box.max.y.to_double()});
   }
 
-  /// Nothing if it is not certain that the rings can be taken as they are.
+  /// Returns nothing if it is not certain that the rings can be copied.
   std::optional<Region> run() {
     if (region_.empty() || !places_.usable()) return std::nullopt;
     if (!list_rings() || !place_rings() || touches_itself() || !find_holes_around() ||
@@ -91,10 +91,10 @@ class InsideOut {
     ring.counter_clockwise = turn == kPositive;
   }
 
-  /// Three vertices in a row.
+  /// Three consecutive vertices of a ring.
   using Corner = std::array<std::size_t, 3>;
 
-  /// Whether there is no vertex that canonical rings do not have.
+  /// Tells whether every vertex turns, as in canonical rings.
   [[nodiscard]] bool turns_everywhere() const {
     return std::ranges::all_of(nearly_straight_,
                                [this](const Corner& at) { return exact_turn(at) != kZero; });
@@ -108,7 +108,7 @@ class InsideOut {
     return sign_of(turn.sign());
   }
 
-  /// Whether all rings are strictly inside the box, but for one that may be around it.
+  /// Tells whether all rings are strictly inside the box, but for one that may go around it.
   [[nodiscard]] bool place_rings() {
     const double margin = 4 * std::max(places_.error(), largest_of_box() * 0x1p-52);
     for (std::size_t r = 0; r < rings_.size(); ++r) {
@@ -125,8 +125,8 @@ class InsideOut {
   [[nodiscard]] double largest_of_box() const {
     return std::max({std::abs(box_.x0), std::abs(box_.y0), std::abs(box_.x1), std::abs(box_.y1)});
   }
-  /// Whether a ring certainly goes around the box: each edge lies beyond one side of it, or has it
-  /// on the ring's inner side, and the box is inside.
+  /// Tells whether a ring certainly goes around the box. Then the box is inside it, and each edge
+  /// lies beyond one side of the box or has the box on the ring's inner side.
   [[nodiscard]] bool is_around_box(const RingIndex& ring, double margin) const {
     const std::array<Vec<double>, 4> corners{
         {{box_.x0, box_.y0}, {box_.x1, box_.y0}, {box_.x1, box_.y1}, {box_.x0, box_.y1}}};
@@ -134,8 +134,8 @@ class InsideOut {
           ring.bounds.x1 > box_.x1 + margin && ring.bounds.y1 > box_.y1 + margin)) {
       return false;
     }
-    // The box is in one face of the ring. Its lower left corner is in the ring if a ray from there
-    // to the left meets it an odd number of times.
+    // The box lies in one face of the ring. A ray to the left from its lower left corner tells
+    // which: it meets the ring an odd number of times if the box is inside.
     bool inside = false;
     std::size_t from = ring.last();
     const Sign inner_side = ring.counter_clockwise ? kPositive : kNegative;
@@ -162,7 +162,7 @@ class InsideOut {
     return inside;
   }
 
-  /// Whether so many edges are over each other, on average, that comparing them takes long.
+  /// Tells whether the average edge has so many others over it that comparing edges takes long.
   [[nodiscard]] bool lie_over_each_other() const {
     constexpr double kMostInColumn = 400;
     double across = 0;
@@ -173,7 +173,7 @@ class InsideOut {
     }
     return across > kMostInColumn * (places_.bounds().x1 - places_.bounds().x0);
   }
-  /// Whether edges may touch that are not neighbours in a ring, or it would take long to tell.
+  /// Tells whether edges may touch that are not neighbours, or telling it would take long.
   [[nodiscard]] bool touches_itself() {
     if (lie_over_each_other()) return true;
     std::vector<std::size_t> next(region_.vertex_count());
@@ -200,10 +200,10 @@ class InsideOut {
     return touches;
   }
 
-  /// Of each outer ring, the innermost hole that it lies in. False if that takes long, or is not
+  /// Finds the innermost hole around each outer ring. Returns false if that takes long or is not
   /// certain.
   [[nodiscard]] bool find_holes_around() {
-    // Next to these steps an overlay takes long.
+    // An overlay takes longer than this many steps.
     constexpr std::size_t kStepsPerVertex = 32;
     const std::size_t most = kStepsPerVertex * region_.vertex_count();
     std::size_t steps = 0;
@@ -219,7 +219,7 @@ class InsideOut {
       for (const std::size_t h : holes) {
         const RingIndex& hole = rings_[h];
         if (hole.polygon == ring.polygon || !has(hole.bounds, ring.bounds)) continue;
-        // Of holes around a ring, one lies in the other.
+        // Of two holes around one ring, one lies in the other.
         if (ring.around != kNone && has(hole.bounds, rings_[ring.around].bounds)) {
           if (has(rings_[ring.around].bounds, hole.bounds)) return false;
           continue;
@@ -253,7 +253,7 @@ class InsideOut {
     RegionAccess::append_limbs(result_, limbs);
     std::vector<std::size_t> order(rings_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // Rings that do not touch have no vertex in common.
+    // Rings that do not touch have no common vertex.
     std::ranges::sort(order, cancellation_.counting([&](std::size_t r, std::size_t s) {
       return places_.is_before(rings_[r].first, rings_[s].first);
     }));
@@ -264,7 +264,7 @@ class InsideOut {
       (rings_[r].around == kNone ? outermost : inner[rings_[r].around]).push_back(r);
     }
     if (frame_ == kNone) {
-      // No vertex is left of the box's.
+      // The box is the first ring, because no vertex lies further left.
       result_.begin_polygon();
       result_.begin_ring();
       result_.add_vertex(exact_box_.min.x, exact_box_.min.y);
@@ -290,10 +290,10 @@ class InsideOut {
     } while (v != ring.first);
   }
 
-  /// With more vertices to be told exactly, one of so many, the overlay is as good.
+  /// If more than one vertex in so many needs an exact decision, an overlay is as good.
   static constexpr std::size_t kExactTurnsOf = 16;
 
-  mutable Cancellation cancellation_;  ///< counts what is asked, too
+  mutable Cancellation cancellation_;  ///< counts questions, too
   const Box& exact_box_;
   const Region& region_;
   ErrorBounds box_;

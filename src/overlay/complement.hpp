@@ -1,4 +1,4 @@
-// What of a box a region leaves free.
+// Subtracts a region from a box without an overlay.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace minksum {
 
-/// The box less a valid region, in canonical form, where it has the region's rings, the other way
-/// round: if the region touches itself nowhere, and each ring is strictly inside the box, but for
-/// one that may be around it. Doubles tell that it is so, and the rings are copied: O(n log n) for
-/// n vertices, next to no arithmetic on exact coordinates. Nothing if it is not so, or not certain,
-/// or if it would take longer to tell than an overlay takes.
-/// Throws Error(kCancelled).
+/// Returns the box less a valid region, in canonical form, or nothing. The region must touch itself
+/// nowhere. Each ring must lie strictly inside the box, but for one that may go around it. Then the
+/// result has the region's rings, the other way round. Doubles tell that this is so, and the rings
+/// are copied. That takes O(n log n) for n vertices, and next to no arithmetic on exact
+/// coordinates. Returns nothing if this is not so, is not certain, or would take longer to tell
+/// than an overlay. Throws Error(kCancelled).
 [[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region,
                                                   const std::optional<CancelToken>& cancel = {});
 

@@ -1,4 +1,4 @@
-// Exact answers about an overlay's points, segments and crossings.
+// Declares exact decisions about an overlay's points, segments and crossings.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct Ends {
   PointId high = 0;
 };
 
-/// A point of the overlay: a given point, or where two segments cross.
+/// A point of the overlay: a given point, or the crossing of two segments.
 struct ExactLocation {
   Ends first;
   Ends second;
@@ -37,40 +37,40 @@ struct Approximation {
 
 /// Holds the exact coordinates of all points and decides by them.
 ///
-/// Points are homogeneous, (X : Y : W) with W > 0, and lines are their cross products; so no
-/// formula divides. There is one implementation (exact_points_of.hpp) and an instance of it for
-/// each rung: 30, 61 and 125 bits of coordinate in integers of fixed width, and integers of any
+/// Points are homogeneous, (X : Y : W) with W > 0, and lines are their cross products, so no
+/// formula divides. All formulas are implemented once (exact_points_of.hpp). Each rung has an
+/// instance: 30, 61 and 125 bits of coordinate in integers of fixed width, and integers of any
 /// size.
 class ExactPoints {
  public:
   virtual ~ExactPoints() = default;
 
-  /// Keeps these points only, and numbers them in this order.
+  /// Keeps only these points, and numbers them in this order.
   virtual void pick(std::span<const PointId> points) = 0;
 
-  /// By x, then by y.
+  /// Returns the order by x, then by y.
   [[nodiscard]] virtual Sign compare(PointId a, PointId b) const = 0;
   [[nodiscard]] virtual Sign compare(const ExactLocation& a, const ExactLocation& b) const = 0;
-  /// Positive if the point lies on the left of the line from low to high.
+  /// Returns kPositive if the point lies on the left of the line from low to high.
   [[nodiscard]] virtual Sign orientation(const Ends& line, PointId point) const = 0;
   [[nodiscard]] virtual Sign orientation(const Ends& line, const ExactLocation& place) const = 0;
-  /// Positive if t's direction is counter-clockwise of s's, within half a turn.
+  /// Returns kPositive if t's direction is counter-clockwise of s's, within half a turn.
   [[nodiscard]] virtual Sign cross(const Ends& s, const Ends& t) const = 0;
-  /// The sign of a ring's signed area.
+  /// Returns the sign of a ring's signed area.
   [[nodiscard]] virtual Sign area_sign(std::span<const PointId> ring) const = 0;
 
-  /// The line of a segment in lowest terms: equal for segments on one line. Slow.
+  /// The coefficients of a segment's line in lowest terms, equal for segments on one line. Slow.
   using Line = std::array<BigInteger, 3>;
   [[nodiscard]] virtual Line line(const Ends& ends) const = 0;
 
-  /// The nearest doubles, in a unit and from an origin of the rung's own; what underflows is off by
-  /// less than kAbsoluteError.
+  /// Returns the nearest doubles, in a unit and from an origin of the rung's own. Numbers that
+  /// underflow are off by less than kAbsoluteError.
   [[nodiscard]] virtual Approximation approximate(const ExactLocation& place) const = 0;
   static constexpr double kAbsoluteError = 0x1p-1020;
-  /// Whether given points are integers in that unit.
+  /// Tells whether given points are integers in that unit.
   [[nodiscard]] virtual bool on_grid() const = 0;
 
-  /// The place in the coordinates that were given.
+  /// Returns the location in the coordinates that were given.
   [[nodiscard]] virtual Point exact(const ExactLocation& place) const = 0;
 };
 

@@ -1,4 +1,4 @@
-// Each exact formula of the overlay, once, over the number types of any rung.
+// Writes each exact formula of the overlay once, over the number types of any rung.
 #pragma once
 
 #include <type_traits>
@@ -12,7 +12,7 @@
 
 namespace minksum::overlay {
 
-// Bits of magnitudes for coordinates of B bits, not negative, with W = 1:
+// Magnitudes have these bits, if coordinates have B bits, are not negative, and W is 1:
 //   a line's direction (A, B)    B              its C                2B
 //   a crossing's W               2B + 1         its X, Y             3B + 1
 //   line · point                 2B + 2         line · crossing      4B + 3
@@ -84,14 +84,13 @@ inline BigInt to_big(Int128 value) { return to_big(WideInt<2>(value)); }
 inline BigInt to_big(std::int64_t value) { return BigInt(value); }
 inline BigInt to_big(const BigInteger& value) { return BigInt(value); }
 
-/// How the rung's coordinates and the given ones go together:
-/// given = (own + offset)·2^exp2·10^exp10.
+/// Relates the rung's own coordinates to the given ones: given = (own + offset)·2^exp2·10^exp10.
 struct Frame {
   BigInt offset_x = 0;
   BigInt offset_y = 0;
   int exp2 = 0;
   int exp10 = 0;
-  /// What approximations are scaled by, so that they neither overflow nor underflow needlessly.
+  /// Scales approximations, so that they neither overflow nor underflow needlessly.
   int approximate_exp2 = 0;
 };
 
@@ -109,7 +108,7 @@ class ExactPointsOf final : public ExactPoints {
     Length x;
     Length y;
   };
-  /// `weights` are the W of points in the rung of any size; elsewhere there are none.
+  /// `weights` are the W of points on the rung of any size. On other rungs it is empty.
   ExactPointsOf(std::vector<Own> points, std::vector<Length> weights, Frame frame)
       : points_(std::move(points)), weights_(std::move(weights)), frame_(std::move(frame)) {}
 
@@ -176,7 +175,7 @@ class ExactPointsOf final : public ExactPoints {
   [[nodiscard]] Line line(const Ends& ends) const override {
     const Coefficients l = line_of(ends);
     Line line{BigInteger(to_big(l.a)), BigInteger(to_big(l.b)), BigInteger(to_big(l.c))};
-    // Not both a and b are 0.
+    // a and b are not both 0.
     const BigInteger divisor = gcd(gcd(line[0], line[1]), line[2]);
     for (BigInteger& coefficient : line) coefficient /= divisor;
     return line;
@@ -266,8 +265,8 @@ class ExactPointsOf final : public ExactPoints {
   static Sign compare(const Volume& n, const Area& d, const Volume& m, const Area& e) {
     return sign_of(Order(widen<Order>(n) * widen<Order>(e) - widen<Order>(m) * widen<Order>(d)));
   }
-  /// The sum of the sides' cross products from `begin` to `end`: halves are added, so that the
-  /// product of all denominators is a product of numbers of like size.
+  /// Returns the sum of the sides' cross products from `begin` to `end`. It adds halves, so that
+  /// denominators of like size are multiplied.
   [[nodiscard]] Quotient doubled_area(std::span<const PointId> ring, std::size_t begin,
                                       std::size_t end) const {
     if (end - begin <= 1) {

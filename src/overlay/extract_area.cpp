@@ -1,4 +1,4 @@
-// The boundary's pieces to simple rings, rings to polygons, in canonical order.
+// Links the boundary's pieces into simple rings, and rings into polygons, in canonical order.
 #include <algorithm>
 #include <tuple>
 
@@ -8,14 +8,14 @@
 namespace minksum::overlay {
 namespace {
 
-/// A piece in the direction that has the area on its left.
+/// A piece, directed so that the area is on its left.
 struct Step {
   PieceId piece = kNone;
   NodeId from = kNone;
 };
 
 struct AreaRing {
-  std::vector<NodeId> corners;  ///< from the smallest on
+  std::vector<NodeId> corners;  ///< from the smallest node on
   bool outer = false;
   std::uint32_t walk = 0;
   std::uint32_t polygon = kNone;
@@ -41,7 +41,7 @@ class AreaExtractor {
   /// A closed walk along the boundary of a connected part of the area's inside.
   struct Walk {
     NodeId leftmost = kNone;
-    std::uint32_t outer = kNone;  ///< its outer ring, if it has one: it never has two
+    std::uint32_t outer = kNone;  ///< its only outer ring, if it has one
   };
 
   [[nodiscard]] Step step_along(PieceId p) const {
@@ -53,7 +53,7 @@ class AreaExtractor {
     return step.from == piece.low ? piece.high : piece.low;
   }
 
-  /// The area is clockwise of the way back, and ends at the first piece of boundary there.
+  /// Returns the next step. Clockwise of the way back is area, up to the first boundary piece.
   [[nodiscard]] Step after(const Step& step) const {
     const NodeId node = end_of(step);
     const std::uint32_t begin = s_.first_around[node];
@@ -72,7 +72,8 @@ class AreaExtractor {
     }
   }
 
-  /// Whenever the walk comes back to a node, what it went through since is a ring of its own.
+  /// Follows a walk. Whenever it comes back to a node, the steps since then are a ring of their
+  /// own.
   void follow(PieceId first) {
     const auto walk = static_cast<std::uint32_t>(walks_.size());
     walks_.emplace_back();
@@ -104,8 +105,8 @@ class AreaExtractor {
       before = step;
     }
     if (ring.corners.size() < 3) broken("a ring of the area has no inside");
-    // Both pieces at the smallest node go to the right: a ring around its inside leaves it by the
-    // lower one.
+    // Both pieces at the smallest node go to the right. A ring around its inside leaves the node by
+    // the lower one.
     ring.outer =
         s_.pieces[steps.front().piece].place_at_low < s_.pieces[steps.back().piece].place_at_low;
     Walk& whole = walks_[walk];
@@ -125,8 +126,8 @@ class AreaExtractor {
                                       segments_.list[q.segment].ends) != kZero;
   }
 
-  /// Walks without an outer ring are holes of the part of the area straight below their leftmost
-  /// node, which starts further left: by then its outer ring is known.
+  /// Gives each walk its outer ring. A walk without one is a hole of the part of the area straight
+  /// below its leftmost node. That part starts further left, so its outer ring is known by then.
   void assign_polygons() {
     std::vector<std::uint32_t> order(walks_.size());
     for (std::uint32_t w = 0; w < order.size(); ++w) order[w] = w;
@@ -148,7 +149,7 @@ class AreaExtractor {
   void write(Region& area) const {
     std::vector<std::uint32_t> order(rings_.size());
     for (std::uint32_t r = 0; r < order.size(); ++r) order[r] = r;
-    // Rings differ in their first corner, or at least in the one after it.
+    // Two rings differ in their first corners or in the next ones.
     const auto key = [&](std::uint32_t r) {
       const AreaRing& ring = rings_[r];
       const AreaRing& outer = rings_[ring.polygon];

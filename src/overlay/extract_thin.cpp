@@ -1,4 +1,4 @@
-// What is in the result and outside of its area: polylines and points.
+// Extracts the parts of the result outside of its area: polylines and points.
 #include <algorithm>
 #include <functional>
 
@@ -19,7 +19,7 @@ class ThinExtractor {
     for (NodeId v = 0; v < s_.nodes.size(); ++v) {
       if (is_end(v)) follow_from(v);
     }
-    // What is left are closed paths that meet nothing. The first node met is the smallest.
+    // Only closed paths that meet nothing are left. The first node met is the smallest.
     for (NodeId v = 0; v < s_.nodes.size(); ++v) follow_from(v);
     write(geometry);
   }
@@ -38,7 +38,7 @@ class ThinExtractor {
       }
     }
   }
-  /// Whether paths end here: at tips, branches and the area.
+  /// Tells whether paths end here: at tips, branches and the area.
   [[nodiscard]] bool is_end(NodeId v) const { return thin_degree_[v] != 2 || on_area_[v] != 0; }
 
   void follow_from(NodeId v) {
@@ -49,7 +49,7 @@ class ThinExtractor {
     }
   }
 
-  /// The path from `start` along `p` to its next end; corners only.
+  /// Adds the corners of the path from `start` along `p` to its next end.
   void follow(NodeId start, PieceId p) {
     Path path{start};
     NodeId at = start;

@@ -1,4 +1,4 @@
-// Where segments meet: cells are divided until few segments are left in each.
+// Finds where segments meet: cells are divided until few segments are left in each.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,19 +15,19 @@ struct Item {
   SegmentId segment;
 };
 
-/// A segment in doubles: to cut boxes with its line, and to see which pairs are far apart.
+/// A segment in doubles, used to cut boxes by its line and to find pairs that are far apart.
 struct Slant {
   double x, y;    ///< its lower end
   double x2, y2;  ///< its upper end
   double dx, dy;
   double slope;       ///< dy / dx
   double inverse;     ///< dx / dy
-  double cut_error;   ///< of a y on it by its slope: this · (1 + |slope|), and so for x
-  double side_error;  ///< of `side`
-  bool by_x;          ///< wide enough for `slope` to be good
+  double cut_error;   ///< error of a y by `slope`, over 1 + |slope|; same for x
+  double side_error;  ///< error of `side`
+  bool by_x;          ///< wide enough for a good `slope`
   bool by_y;
 
-  /// The cross product of the segment and the way from its lower end to a point.
+  /// Returns the cross product of the segment and the vector from its lower end to a point.
   [[nodiscard]] double side(double px, double py) const { return dx * (py - y) - dy * (px - x); }
 };
 
@@ -72,7 +72,7 @@ class ContactFinder {
                                      : lone_points_[s - segments_.list.size()];
   }
 
-  /// Points that belong to the result and are no end of a segment: as segments without length.
+  /// Adds points that belong to the result and are no segment's end, as segments without length.
   void add_lone_points() {
     std::vector<std::uint8_t> is_end(segments_.sources.size(), 0);
     for (const Segment& segment : segments_.list) {
@@ -107,21 +107,21 @@ class ContactFinder {
     slant.inverse = slant.dx / slant.dy;
     const double largest = std::max(
         {std::fabs(slant.x), std::fabs(slant.x2), std::fabs(slant.y), std::fabs(slant.y2)});
-    // Coordinates are off by 2^-52 of the largest, so over such a width a slope is off by 2^-21 of
-    // itself at most, and a cut by some such errors, times the slope.
+    // Coordinates are off by 2^-52 of the largest. Over such a width, a slope is off by at most
+    // 2^-21 of itself, and a cut by some such errors, times the slope.
     const double enough = largest * 0x1p-30 + 0x1p-900;
     slant.by_x = std::fabs(slant.dx) > enough;
     slant.by_y = std::fabs(slant.dy) > enough;
     slant.cut_error = largest * 0x1p-46 + 0x1p-900;
-    // Any point is at most 2·extent away along each axis; it and both ends are off by
-    // `position_error`, and each of the six roundings by 2^-53.
+    // Any point is at most 2·extent away along each axis. The point and both ends are off by
+    // `position_error` each, and each of the six roundings by 2^-53.
     const double length = std::fabs(slant.dx) + std::fabs(slant.dy);
     slant.side_error = 16 * position_error_ * extent_ +
                        length * (4 * position_error_ + 0x1p-49 * extent_) + 0x1p-900;
     slants_.push_back(slant);
   }
 
-  /// Bounds for all points.
+  /// Finds the bounds of all points.
   void measure() {
     cancellation_.check(segments_.sources.size());
     for (PointId p = 0; p < segments_.sources.size(); ++p) {
@@ -132,12 +132,12 @@ class ContactFinder {
     }
   }
 
-  /// Divides the items [begin, end) of the stack; leaves the stack as it was but for their order.
+  /// Divides the items [begin, end) of the stack. Afterwards, only their order has changed.
   ///
   /// A division is poor if many segments are in both halves. Crowds of segments that run side by
-  /// side, or through one point, are not worth dividing; but a poor division may be what the next
-  /// ones need. So only some more poor than good ones are made on the way to a cell: `poor` is how
-  /// many are left. All of them together multiply the work by less than two.
+  /// side, or through one point, are not worth dividing. But a poor division may make way for good
+  /// ones. So on the way to a cell, only some more poor divisions than good ones are made; `poor`
+  /// is how many are left. Together, the poor divisions multiply the work by less than two.
   void divide(std::size_t begin, std::size_t end, int poor) {
     if (too_many()) return;
     if (end - begin <= kFew) return test_all(begin, end);
@@ -168,7 +168,7 @@ class ContactFinder {
   struct Division {
     double at = 0;
     std::size_t in_both = 0;
-    std::size_t in_one = 0;  ///< in the half that has fewer, and not in the other
+    std::size_t in_one = 0;  ///< only in the half that has fewer
   };
   [[nodiscard]] Division division(std::size_t begin, std::size_t end, bool by_x) const {
     Division result;
@@ -185,7 +185,7 @@ class ContactFinder {
     return result;
   }
 
-  /// The median of the boxes' middles, of a sample.
+  /// Returns the median of the middles of a sample of boxes.
   [[nodiscard]] double middle(std::size_t begin, std::size_t end, bool by_x) const {
     constexpr std::size_t kSample = 31;
     std::array<double, kSample> sample;
@@ -210,7 +210,7 @@ class ContactFinder {
     }
   }
 
-  /// Leaves the part on one side of x = at; false if there is none.
+  /// Keeps the part on one side of x = at. Returns false if there is none.
   [[nodiscard]] bool cut_x(Item& item, double at, bool low) const {
     if (low ? item.min_x > at : item.max_x < at) return false;
     if (low ? item.max_x <= at : item.min_x >= at) return true;
@@ -219,7 +219,7 @@ class ContactFinder {
     if (!slant.by_x) return true;
     const double y = slant.y + (at - slant.x) * slant.slope;
     const double error = slant.cut_error * (1 + std::fabs(slant.slope));
-    // A rising segment is lower on the left.
+    // The left part of a rising segment is the lower one.
     if ((slant.slope > 0) == low) {
       item.max_y = std::min(item.max_y, y + error);
     } else {
@@ -243,7 +243,7 @@ class ContactFinder {
     return true;
   }
 
-  /// Pairs whose boxes overlap, from left to right.
+  /// Tests pairs whose boxes overlap, from left to right.
   void test_all(std::size_t begin, std::size_t end) {
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(
@@ -264,8 +264,8 @@ class ContactFinder {
     }
   }
 
-  /// Whether all of t is certainly on one side of the line of s, or half of it is and the other
-  /// half is an end that they share.
+  /// Tells whether t certainly lies on one side of the line of s. One end of t may be shared with
+  /// s; then the other end decides.
   [[nodiscard]] bool beside(SegmentId s, SegmentId t) const {
     const Slant& line = slants_[s];
     const Slant& other = slants_[t];
@@ -287,7 +287,7 @@ class ContactFinder {
     if (a.low == a.high || b.low == b.high) return test_point(s, t);
     if (a.low == b.low) return test_ends(s, a.high, t, b.high, a.low);
     if (a.high == b.high) return test_ends(s, a.low, t, b.low, a.high);
-    if (a.low == b.high || a.high == b.low) return;  // they go on from one another
+    if (a.low == b.high || a.high == b.low) return;  // one goes on from the other
     const Sign b_low = predicates_.orientation(a, b.low);
     const Sign b_high = predicates_.orientation(a, b.high);
     if (b_low == b_high && b_low != kZero) return;
@@ -303,7 +303,7 @@ class ContactFinder {
     if (a_low == kZero) touch_inside(t, a.low);
     if (a_high == kZero) touch_inside(t, a.high);
   }
-  /// At least one of both is a lone point. Two of them are different points.
+  /// Tests two segments of which at least one is a lone point. Two lone points are different.
   void test_point(SegmentId s, SegmentId t) {
     const bool first_is_point = ends(s).low == ends(s).high;
     const SegmentId line = first_is_point ? t : s;
@@ -311,14 +311,15 @@ class ContactFinder {
     if (ends(line).low == ends(line).high) return;
     if (predicates_.orientation(ends(line), p) == kZero) touch_inside(line, p);
   }
-  /// Both segments start (or end) at `common`. If they lie in one line, one contains the other.
+  /// Tests segments that share the end `common`. On one line, one segment contains the other.
   void test_ends(SegmentId s, PointId a, SegmentId t, PointId b, PointId common) {
     const Ends line{std::min(common, a), std::max(common, a)};
     if (predicates_.orientation(line, b) != kZero) return;
     touch_inside(s, b);
     touch_inside(t, a);
   }
-  /// A point of the segment's line: points are numbered in lexicographic order.
+  /// Adds a touch if a point of the segment's line lies inside the segment. Numbers of points tell,
+  /// because they are in lexicographic order.
   void touch_inside(SegmentId s, PointId p) {
     if (ends(s).low < p && p < ends(s).high) contacts_.touches.push_back({s, p});
   }
@@ -347,7 +348,7 @@ class ContactFinder {
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
   std::size_t look_again_at_ = kMaxCrossings;
-  std::vector<Item> items_;  // a stack: what a cell hands to its halves lies above it
+  std::vector<Item> items_;  // a stack: a cell's items lie below those of its halves
 };
 
 }  // namespace

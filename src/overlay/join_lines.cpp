@@ -1,4 +1,4 @@
-// Segments that overlap on one line to segments that do not.
+// Turns segments that overlap on one line into segments that do not.
 #include <algorithm>
 
 #include "overlay/subdivision.hpp"
@@ -6,7 +6,7 @@
 namespace minksum::overlay {
 namespace {
 
-/// What one segment adds from a point of its line on, and takes away again at its other end.
+/// The changes at a point of a line where segments start or end.
 struct Step {
   PointId at = 0;
   Winding change;
@@ -14,8 +14,8 @@ struct Step {
   std::int32_t spared = 0;
 };
 
-/// The segments [begin, end) lie on one line: cut at all of their ends, and those of equal ends
-/// added up. Points of a line are in order if their numbers are.
+/// Cuts the segments of one line at all of their ends, and adds up those of equal ends. Points of a
+/// line are in order if their numbers are.
 void join(std::span<const Segment> line, Cancellation& cancellation, std::vector<Segment>& joined) {
   std::vector<Step> steps;
   for (const Segment& s : line) {

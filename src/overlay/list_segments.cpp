@@ -1,4 +1,4 @@
-// Chains to distinct points and distinct segments.
+// Turns chains into distinct points and distinct segments.
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace minksum::overlay {
 namespace {
 
-/// All vertices of all chains, one after the other.
+/// Lists all vertices of all chains, one after the other.
 std::vector<Source> list_sources(std::span<const Chain> chains) {
   std::size_t count = 0;
   for (const Chain& chain : chains) count += chain.end - chain.begin;
@@ -24,7 +24,7 @@ std::vector<Source> list_sources(std::span<const Chain> chains) {
   return sources;
 }
 
-/// Sorts the points and keeps one of equal ones. Returns the number of each vertex's point.
+/// Sorts the points and keeps one of equal points. Returns the number of each vertex's point.
 std::vector<PointId> merge_points(std::vector<Source> sources, Segments& segments) {
   std::vector<PointId> order(sources.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -73,7 +73,7 @@ void merge_equal(std::vector<Segment>& list, Cancellation& cancellation) {
     }
   }
   list.resize(kept);
-  // What changes nothing and is not asked for has no place in the result.
+  // A segment that changes nothing and does not belong has no place in the result.
   std::erase_if(list, std::mem_fn(&Segment::idle));
 }
 

@@ -20,11 +20,11 @@ void for_each_coordinate(std::span<const Source> sources, Cancellation& cancella
   }
 }
 
-/// A bound on the bits of 10^exponent.
+/// Returns a bound on the bits of 10^exponent.
 int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
 
-/// The smallest powers of two and ten in use; if the integers that they make have so few bits that
-/// their differences fit the widest rung.
+/// Finds the smallest powers of two and ten in use. Returns false if the integers on that grid have
+/// so many bits that their differences do not fit the widest rung.
 bool find_grid(std::span<const Source> sources, Cancellation& cancellation, Frame& frame) {
   constexpr int kHigh = std::numeric_limits<int>::max();
   frame.exp2 = frame.exp10 = kHigh;
@@ -43,7 +43,7 @@ bool find_grid(std::span<const Source> sources, Cancellation& cancellation, Fram
     bits = std::max(bits, bit_width(Int128{c.payload}) + (c.exp2 - frame.exp2) +
                               bits_of_ten_to(c.exp10 - frame.exp10));
   });
-  return bits < WideRung::kBits;  // of a difference: one more
+  return bits < WideRung::kBits;  // a difference has one bit more
 }
 
 Int128 on_grid(const StoredCoordinate& c, const Frame& frame) {
@@ -121,7 +121,7 @@ LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& can
     bits = std::max({bits, bit_length(BigInt(w)), p.x.bits(), p.y.bits()});
     weights.push_back(w);
   }
-  // The largest is about 2^100: far from overflow when three of them are multiplied.
+  // The largest coordinate is about 2^100. So a product of three is far from overflow.
   Frame frame;
   frame.approximate_exp2 = log2_largest == std::numeric_limits<int>::min() ? 0 : 100 - log2_largest;
   return {std::make_unique<ExactPointsOf<ArbitraryRung>>(std::move(points), std::move(weights),

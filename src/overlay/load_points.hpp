@@ -1,4 +1,4 @@
-// From the coordinates of regions to points on one rung.
+// Loads the coordinates of regions as points on one rung.
 #pragma once
 
 #include <memory>
@@ -22,8 +22,9 @@ struct LoadedPoints {
   std::unique_ptr<ExactPoints> points;
   std::uint64_t work = 0;
 };
-/// All points on the narrowest rung that holds them: integers on one grid, if it has up to 125 bits
-/// a side, else homogeneous integers, each point with its own denominator. O(n).
+/// Loads all points on the narrowest rung that holds them. These are integers on one grid, if it
+/// has up to 125 bits a side. Otherwise they are homogeneous integers, each point with its own
+/// denominator. O(n).
 [[nodiscard]] LoadedPoints load_points(std::span<const Source> sources, Cancellation& cancellation);
 
 }  // namespace minksum::overlay

@@ -6,7 +6,7 @@ namespace minksum::overlay {
 
 namespace {
 
-// Far more touches than ends: many segments overlap on one line.
+// Lists the contacts. Far more touches than ends mean that many segments overlap on one line.
 Contacts list_contacts(Segments& segments) {
   constexpr std::size_t kMany = 8;
   constexpr std::size_t kMaxTouches = std::size_t{1} << 28U;

@@ -1,4 +1,4 @@
-// The overlay: rings and paths of any kind to the set of points that they mean.
+// Declares the overlay, which turns rings and paths of any kind into the set that they mean.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace minksum::overlay {
 
-/// Two winding numbers, one for each operand of a boolean operation; most uses need the first only.
+/// Two winding numbers, one for each operand of a boolean operation. Most uses need only the first.
 struct Winding {
   std::int32_t first = 0;
   std::int32_t second = 0;
@@ -23,20 +23,20 @@ struct Winding {
   friend bool operator==(const Winding&, const Winding&) = default;
 };
 
-/// Whether points around which the rings wind so often are in the result.
+/// Tells whether points with these winding numbers are in the result.
 using Inside = bool (*)(const Winding& winding);
 
 /// A piece of a chain, or a point, with the windings on its two sides.
 struct Wall {
   Winding left;
   Winding right;
-  bool belongs = false;     ///< it is on a chain that belongs
-  std::int32_t spared = 0;  ///< the sum over the chains that it is on: see Chain::spared
+  bool belongs = false;     ///< it lies on a chain that belongs
+  std::int32_t spared = 0;  ///< the sum of Chain::spared over the chains through it
 };
-/// Whether a piece or a point that has no area beside it is in the result.
+/// Tells whether a piece or a point that has no area beside it is in the result.
 using Keeps = bool (*)(const Wall& wall);
 
-/// Which points are in the result.
+/// Decides which points are in the result.
 struct Rule {
   Inside inside;
   Keeps keeps = [](const Wall& wall) { return wall.belongs; };
@@ -50,23 +50,26 @@ struct Chain {
   std::size_t begin = 0;
   std::size_t end = 0;
   bool closed = true;
-  /// How it is directed before its windings count; one whose signed area is 0 stays as it is.
+  /// How the chain is directed before its windings count. A chain whose signed area is 0 stays as
+  /// it is.
   Direction direction = Direction::kAsGiven;
-  Winding weight;        ///< what going once around to the left adds
-  bool belongs = false;  ///< its own points are in the result, if the rule keeps them
-  /// For a ring that takes points away, but not its own ones: on how many of a piece's two sides
-  /// it does so. Counts for `Rule::keeps` only.
+  Winding weight;        ///< added by one turn around to the left
+  bool belongs = false;  ///< whether its own points are in the result, if the rule keeps them
+  /// For a ring that takes points away, but not its own: on how many of a piece's two sides it does
+  /// so. Only `Rule::keeps` uses it.
   std::int32_t spared = 0;
 };
 
-/// The closure of the points that `rule.inside` says, and what `rule.keeps` of the chains; resolved
-/// (see Geometry). Exact for all coordinates that a region holds; origins are not kept.
+/// Returns the closure of the points that `rule.inside` accepts, and the parts of chains that
+/// `rule.keeps` accepts, resolved (see Geometry). Exact for all coordinates that a region holds;
+/// origins are not kept.
 ///
-/// The steps, each in a file of that name: load_points (coordinates on the narrowest rung of number
-/// types), find_contacts (where segments meet), subdivide (nodes and pieces), sweep (winding
-/// numbers on both sides of each piece), extract_area and extract_thin.
-/// O((n + c) log n) for n vertices and c contacts where segments are not much crowded: pairs are
-/// looked for in cells that are divided until they hold a few segments, or do not divide them.
+/// Each step has a file of its name: load_points (coordinates on the narrowest rung of number
+/// types), list_segments, find_contacts (where segments meet), subdivide (nodes and pieces), sweep
+/// (winding numbers on both sides of each piece), extract_area and extract_thin.
+/// Takes O((n + c) log n) for n vertices and c contacts where segments are not much crowded. Pairs
+/// are sought in cells. A cell is divided until it holds a few segments, or dividing does not part
+/// them.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
                               const std::optional<CancelToken>& cancel);
 

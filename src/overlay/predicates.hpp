@@ -1,4 +1,4 @@
-// Decisions of the overlay: bounded doubles first, exact numbers where these cannot tell.
+// Decides questions of the overlay: by bounded doubles first, then by exact numbers.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace minksum::overlay {
 
-/// A place with coordinates that know their error.
+/// Coordinates with bounds on their errors.
 struct ApproximateLocation {
   Bounded x;
   Bounded y;
@@ -21,7 +21,7 @@ struct ApproximateLocation {
 class Predicates {
  public:
   Predicates() = default;
-  /// `work`: the units of work (see Cancellation) of an exact decision.
+  /// `work` are the units of work (see Cancellation) of an exact decision.
   Predicates(std::unique_ptr<ExactPoints> exact, std::size_t points, std::uint64_t work,
              Cancellation& cancellation)
       : exact_(std::move(exact)), cancellation_(&cancellation), work_(work) {
@@ -32,7 +32,7 @@ class Predicates {
     }
   }
 
-  /// Keeps these points only, and numbers them in this order.
+  /// Keeps only these points, and numbers them in this order.
   void pick(std::span<const PointId> points) {
     exact_->pick(points);
     std::vector<ApproximateLocation> picked;
@@ -42,7 +42,7 @@ class Predicates {
   }
 
   [[nodiscard]] const ApproximateLocation& point(PointId p) const { return points_[p]; }
-  /// For one exact answer, whose work is counted.
+  /// Returns the exact points for one decision, and counts its work.
   [[nodiscard]] const ExactPoints& exact() const {
     cancellation_->check(work_);
     return *exact_;
@@ -67,13 +67,13 @@ class Predicates {
     const Sign sign = by_filter(points_[a], points_[b]);
     return sign != kZero ? sign : exact().compare(a, b);
   }
-  /// By x, then by y.
+  /// Returns the order by x, then by y.
   [[nodiscard]] Sign compare(const ApproximateLocation& a, const ExactLocation& a_place,
                              const ApproximateLocation& b, const ExactLocation& b_place) const {
     const Sign sign = by_filter(a, b);
     return sign != kZero ? sign : exact().compare(a_place, b_place);
   }
-  /// The sign of a ring's signed area.
+  /// Returns the sign of a ring's signed area.
   [[nodiscard]] Sign area_sign(std::span<const PointId> ring) const {
     Bounded sum;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
@@ -85,8 +85,8 @@ class Predicates {
     return exact().area_sign(ring);
   }
 
-  /// Where two segments cross: in doubles if these are good for it, else rounded from the exact
-  /// place.
+  /// Returns where two segments cross: computed in doubles if that is good enough, otherwise
+  /// rounded from the exact location.
   [[nodiscard]] ApproximateLocation crossing(const Ends& s, const Ends& t) const {
     const ApproximateLocation& a = points_[s.low];
     const ApproximateLocation& b = points_[s.high];
@@ -102,15 +102,15 @@ class Predicates {
   }
 
  private:
-  /// kZero where doubles cannot tell.
+  /// Returns kZero where doubles cannot tell.
   [[nodiscard]] static Sign by_filter(const ApproximateLocation& a, const ApproximateLocation& b) {
     const Bounded x = a.x - b.x;
     if (x.certain()) return x.sign();
-    if (x.error != 0) return kZero;  // else x is certainly the same
+    if (x.error != 0) return kZero;  // otherwise, x is certainly equal
     const Bounded y = a.y - b.y;
     return y.certain() ? y.sign() : kZero;
   }
-  /// The cross product of b − a and d − c.
+  /// Returns the cross product of b − a and d − c.
   [[nodiscard]] static Bounded cross(const ApproximateLocation& a, const ApproximateLocation& b,
                                      const ApproximateLocation& c, const ApproximateLocation& d) {
     return (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
@@ -121,7 +121,7 @@ class Predicates {
   [[nodiscard]] ApproximateLocation approximate(PointId p) const {
     const Approximation at = exact_->approximate(ExactLocation::of_point(p));
     const auto bounded = [&](double value) {
-      // 2^53 itself may be 2^53 + 1, rounded.
+      // A value of 2^53 may be 2^53 + 1, rounded.
       const bool exact = exact_->on_grid() && std::fabs(value) < 0x1p53;
       return exact ? Bounded{value, 0} : rounded(value);
     };

@@ -1,4 +1,4 @@
-// Fill rules.
+// Implements the fill rules.
 #include "minksum/resolve.hpp"
 
 #include "overlay/chains.hpp"
@@ -49,8 +49,8 @@ Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
   if (options.fill == FillRule::kStrict) {
     require_valid(geometry.region, options.operand, options.cancel);
   }
-  // One ring encloses what it winds around. Valid polygons directed by their roles wind once around
-  // each of their points: what OGC says and what the windings say is the same.
+  // One ring encloses the points that it winds around. Valid polygons, directed by their roles,
+  // wind once around each of their points. So in both cases, windings agree with the OGC.
   if (options.fill == FillRule::kAutomatic && geometry.region.ring_count() > 1 &&
       !validate(geometry.region, 1, options.cancel).empty()) {
     return overlay::take_holes_away(geometry, options);

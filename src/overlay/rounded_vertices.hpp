@@ -1,4 +1,4 @@
-// What doubles tell of a region for certain.
+// Answers questions about a region by doubles, where these are certain.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,8 @@ struct ErrorBounds {
   }
 };
 
-/// Doubles of a region's vertices, each coordinate off by less than `error`, and what they tell.
+/// Holds doubles of a region's vertices, each coordinate off by less than `error`, and decides by
+/// them.
 class ApproximatePoints {
  public:
   ApproximatePoints(const Region& region, Cancellation& cancellation)
@@ -44,24 +45,25 @@ class ApproximatePoints {
     const double largest = std::max({-bounds_.x0, -bounds_.y0, bounds_.x1, bounds_.y1, 0x1p-900});
     error_ = largest * 0x1p-52;
   }
-  /// Whether products of two differences neither overflow nor vanish.
+  /// Tells whether products of two differences neither overflow nor vanish.
   [[nodiscard]] bool usable() const { return error_ > 0x1p-400 && error_ < 0x1p400; }
   [[nodiscard]] const Vec<double>& operator[](std::size_t v) const { return at_[v]; }
   [[nodiscard]] const ErrorBounds& bounds() const { return bounds_; }
   [[nodiscard]] double error() const { return error_; }
 
-  /// The side of the line from a to b that p certainly is on; zero if that is not certain.
+  /// Returns the side of the line from a to b on which p certainly lies, or zero if none is
+  /// certain.
   [[nodiscard]] Sign side(const Vec<double>& a, const Vec<double>& b, const Vec<double>& p) const {
     const Vec<double> d{b.x - a.x, b.y - a.y};
     const Vec<double> q{p.x - a.x, p.y - a.y};
-    // Differences are off by less than 3 errors, the rounding of products is less than that too.
+    // Differences are off by less than 3 errors. The rounding of products is less than that, too.
     const double bound =
         8 * error_ * (std::abs(d.x) + std::abs(d.y) + std::abs(q.x) + std::abs(q.y) + error_);
     const double value = cross(d, q);
     if (value > bound) return kPositive;
     return value < -bound ? kNegative : kZero;
   }
-  /// Whether segments from a to b, and from c to d, are certainly apart.
+  /// Tells whether the segments from a to b and from c to d are certainly apart.
   [[nodiscard]] bool apart(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
     const auto gap = [this](double a0, double a1, double b0, double b1) {
       return std::max(a0, a1) + 2 * error_ < std::min(b0, b1);
@@ -74,7 +76,8 @@ class ApproximatePoints {
     return side(pa, pb, pc) * side(pa, pb, pd) == kPositive ||
            side(pc, pd, pa) * side(pc, pd, pb) == kPositive;
   }
-  /// Whether a vertex is inside a ring that does not touch it; nothing if that is not certain.
+  /// Tells whether a vertex is inside a ring that does not touch it. Nothing if that is not
+  /// certain.
   [[nodiscard]] std::optional<bool> is_inside(std::size_t vertex, const IndexRange& ring) const {
     bool inside = false;
     std::size_t from = ring.front() + ring.size() - 1;
@@ -93,7 +96,7 @@ class ApproximatePoints {
     return inside;
   }
 
-  /// Exactly.
+  /// Tells exactly whether v comes before w by x, then by y.
   [[nodiscard]] bool is_before(std::size_t v, std::size_t w) const {
     const double difference = at_[v].x - at_[w].x;
     if (std::abs(difference) > 2 * error_) return difference < 0;

@@ -1,4 +1,4 @@
-// What a sweep line meets, from bottom to top: a treap whose nodes are linked in their order.
+// Keeps the pieces that a sweep line meets, from bottom to top.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,12 @@ namespace minksum::overlay {
 
 using SlotId = std::uint32_t;
 
-/// An ordered list of pieces with insertion and removal at known places, and search. Priorities are
-/// a fixed hash of the slots' numbers: O(log n) expected, alike in every run.
+/// An ordered list of pieces, with insertion and removal at known places, and search. It is a treap
+/// whose nodes are linked in their order. Priorities are a fixed hash of the slots' numbers. So
+/// operations take O(log n) expected time, and are alike in every run.
 class Status {
  public:
-  Status() { slots_.emplace_back(); }  // slot 0 is the ground: below everything, in no tree
+  Status() { slots_.emplace_back(); }  // slot 0 is the ground: below everything, and in no tree
 
   static constexpr SlotId kGround = 0;
 
@@ -23,8 +24,8 @@ class Status {
   [[nodiscard]] SlotId below(SlotId slot) const { return slots_[slot].below; }
   [[nodiscard]] SlotId above(SlotId slot) const { return slots_[slot].above; }
 
-  /// The highest slot whose piece `is_below` says yes to, or the ground; it says yes to the pieces
-  /// up to some height.
+  /// Returns the highest slot whose piece `is_below` accepts, or the ground. `is_below` must accept
+  /// the pieces up to some height, and no others.
   template <class IsBelow>
   [[nodiscard]] SlotId search(IsBelow is_below) const {
     SlotId best = kGround;
@@ -39,7 +40,7 @@ class Status {
     return best;
   }
 
-  /// Puts a piece right above a slot (or the ground).
+  /// Inserts a piece right above a slot (or the ground).
   SlotId insert_above(SlotId slot, PieceId piece) {
     const SlotId added = take_slot();
     Slot& own = slots_[added];

@@ -1,4 +1,4 @@
-// Segments and their contacts to nodes and pieces.
+// Turns segments and their contacts into nodes and pieces.
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -27,7 +27,7 @@ class Subdivider {
  private:
   [[nodiscard]] std::size_t point_count() const { return segments_.sources.size(); }
 
-  /// Points have their order; crossings are sorted, and both are merged.
+  /// Numbers the nodes. Points are in order already; crossings are sorted and merged with them.
   void number_nodes() {
     const auto& crossings = contacts_.crossings;
     std::vector<Node> crossed;
@@ -68,7 +68,7 @@ class Subdivider {
   }
   [[nodiscard]] NodeId last_node() const { return static_cast<NodeId>(result_.nodes.size() - 1); }
 
-  /// The nodes inside each segment, in order.
+  /// Lists the nodes inside each segment, in order.
   void list_stops() {
     const std::size_t count = segments_.list.size();
     first_stop_.assign(count + 2, 0);
@@ -115,7 +115,7 @@ class Subdivider {
     }
   }
 
-  /// By low node, equal ones merged, then by direction.
+  /// Sorts pieces by low node, merges equal ones, and sorts the pieces at a node by direction.
   void sort_pieces() {
     std::vector<Piece> unsorted;
     unsorted.swap(result_.pieces);
@@ -128,7 +128,7 @@ class Subdivider {
       cancellation_.check();
       result_.pieces[place[piece.low]++] = piece;
     }
-    // Now place[v] is where the pieces of node v end.
+    // Now place[v] is the end of the pieces of node v.
     result_.first_piece.assign(1, 0);
     std::size_t kept = 0;
     std::size_t begin = 0;
@@ -141,7 +141,7 @@ class Subdivider {
     }
     result_.pieces.resize(kept);
   }
-  /// Moves the pieces [begin, end) to `to`; returns how many are left.
+  /// Moves the pieces [begin, end) to `to`, and returns how many are left.
   std::size_t sort_at_node(std::size_t begin, std::size_t end, std::size_t to) {
     auto& pieces = result_.pieces;
     const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };

@@ -1,4 +1,4 @@
-// What the steps of an overlay hand on: segments, contacts, and the subdivision of the plane.
+// Defines what the steps of an overlay pass on: segments, contacts, and the subdivided plane.
 #pragma once
 
 #include <cstdint>
@@ -19,23 +19,23 @@ using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// No two have the same ends. `change` is how much greater windings are on the left than on the
-/// right, seen from low to high.
+/// A segment. No two have the same ends. Seen from low to high, windings on its left are greater by
+/// `change` than those on its right.
 struct Segment {
   Ends ends;
   Winding change;
   bool belongs = false;
   std::int32_t spared = 0;
 
-  /// Whether it makes no difference to any result.
+  /// Tells whether the segment makes no difference to any result.
   [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
 };
 
-/// Distinct points in lexicographic order, and the segments between them. The predicates know the
+/// Distinct points in lexicographic order, and the segments between them. The predicates hold the
 /// operation's Cancellation.
 struct Segments {
   Predicates predicates;
-  std::vector<Source> sources;        ///< by point: one vertex that is there
+  std::vector<Source> sources;        ///< by point: one vertex at the point
   std::vector<std::uint8_t> belongs;  ///< by point: a chain of this point alone belongs
   std::vector<Segment> list;
 
@@ -54,7 +54,7 @@ struct Crossing {
   friend auto operator<=>(const Crossing&, const Crossing&) = default;
 };
 struct Contacts {
-  std::vector<Touch> touches;  ///< each once, and so for crossings
+  std::vector<Touch> touches;  ///< each once, and each crossing once
   std::vector<Crossing> crossings;
 };
 
@@ -64,7 +64,7 @@ struct Node {
   bool belongs = false;
 };
 
-/// Part of a segment between two nodes, with no node inside. Pieces meet at nodes only, and no two
+/// Part of a segment between two nodes, with no node inside. Pieces meet only at nodes, and no two
 /// have the same ends.
 struct Piece {
   NodeId low = 0;
@@ -74,12 +74,12 @@ struct Piece {
   bool belongs = false;
   std::int32_t spared = 0;
 
-  // By the sweep:
+  // Set by the sweep:
   bool thin = false;          ///< in the result, without area beside it
-  bool inside_above = false;  ///< the face on the left, seen from low to high
+  bool inside_above = false;  ///< whether the face on the left, seen from low to high, is inside
   bool inside_below = false;
   /// The nearest piece of the area's boundary straight below, through pieces that are inside on
-  /// both sides; kNone for what is not inside.
+  /// both sides. kNone if the face below is not inside.
   PieceId ground = kNone;
   std::uint32_t place_at_low = 0;  ///< in Subdivision::around
   std::uint32_t place_at_high = 0;
@@ -88,17 +88,17 @@ struct Piece {
   [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
 };
 
-/// Nodes are in lexicographic order, so that numbers of nodes compare as their places do.
+/// A subdivided plane. Nodes are in lexicographic order, so their numbers compare as their points.
 struct Subdivision {
   std::vector<Node> nodes;
   std::vector<Piece> pieces;               ///< by low node, then counter-clockwise
-  std::vector<std::uint32_t> first_piece;  ///< by node, and one more: pieces that start there
+  std::vector<std::uint32_t> first_piece;  ///< by node, and one more: its first piece
 
-  // By the sweep:
+  // Set by the sweep:
   std::vector<PieceId> around;              ///< pieces counter-clockwise around each node, from
                                             ///< straight down (excluded)
   std::vector<std::uint32_t> first_around;  ///< by node, and one more
-  /// By node: whether what is just left of it is inside, and the ground there (see Piece).
+  /// By node: whether the face just left of it is inside, and the ground there (see Piece).
   std::vector<std::uint8_t> inside_left;
   std::vector<PieceId> ground_left;
 };
@@ -108,41 +108,41 @@ struct Subdivision {
 }
 
 // -- Steps, in their order -----------------------------------------------------------------------
-/// Points that are equal become one, equal segments as well, and closed chains are directed.
-/// `cancellation` must live as long as the segments.
+/// Lists points and segments. Equal points become one, equal segments too, and closed chains are
+/// directed. `cancellation` must live as long as the segments.
 [[nodiscard]] Segments list_segments(std::span<const Chain> chains, Cancellation& cancellation);
 
-/// All touches and crossings. Cells are divided at medians, with each segment's box cut to the
-/// cell: a pair that meets does so in some cell, where both boxes hold the point.
-/// Gives up, and returns false, if it finds more than `max_touches` touches.
+/// Finds all touches and crossings. Cells are divided at medians, and each segment's box is cut to
+/// its cell. If two segments meet, they do so in some cell where both boxes hold the point. Gives
+/// up and returns false if there are more than `max_touches` touches.
 [[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
                                  Contacts& contacts);
 
-/// Replaces segments that overlap on one line by segments that do not: k of them that contain each
-/// other have up to k² touches, and become at most 2k. Worth its price only for such crowds.
-/// O(n log n).
+/// Replaces segments that overlap on one line by segments that do not. k segments that contain each
+/// other have up to k² touches, and become at most 2k segments. This pays only for such crowds. O(n
+/// log n).
 void join_lines(Segments& segments);
 
-/// Cuts segments at their contacts. Nodes are equal if their exact places are.
-/// O((n + c) log (n + c)) for n segments and c contacts.
+/// Cuts segments at their contacts. Nodes are equal if their exact locations are. O((n + c) log (n
+/// + c)) for n segments and c contacts.
 [[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts);
 
-/// Fills in what the sweep finds, and takes back `belongs` from nodes that the rule does not keep.
-/// A line moves over the nodes in their order and keeps the pieces that it meets in a balanced
-/// tree; as none cross, their order changes at nodes only. Only where no piece ends is a place
-/// looked for, by exact comparison. O(n log n)
+/// Fills in what the sweep finds, and clears `belongs` of nodes that the rule does not keep. A line
+/// moves over the nodes in their order and keeps the pieces that it meets in a balanced tree. No
+/// pieces cross, so their order changes only at nodes. A place is sought, by exact comparison, only
+/// where no piece ends. O(n log n).
 void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
 
-/// Whether nodes are distinct and in order, pieces meet at nodes only and are listed around them
-/// counter-clockwise, and both neighbours of a face agree on it; what is wrong, if not. Every pair
-/// of pieces is looked at: for tests.
+/// Returns what is wrong with a subdivision, or nothing. Nodes must be distinct and in order.
+/// Pieces must meet only at nodes and be listed around them counter-clockwise. Both neighbours of a
+/// face must agree on it. Looks at every pair of pieces, so it is for tests.
 [[nodiscard]] std::optional<std::string> check(const Segments& segments,
                                                const Subdivision& subdivision);
 
-/// The closed area, in canonical form.
+/// Extracts the closed area, in canonical form.
 void extract_area(const Segments& segments, const Subdivision& subdivision, Region& area);
 
-/// What is in the result and outside of the area, as maximal polylines and points.
+/// Extracts the parts of the result outside of the area, as maximal polylines and points.
 void extract_thin(const Segments& segments, const Subdivision& subdivision, Geometry& geometry);
 
 }  // namespace minksum::overlay

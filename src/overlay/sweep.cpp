@@ -1,4 +1,4 @@
-// Winding numbers on both sides of every piece.
+// Finds the winding numbers on both sides of every piece.
 #include <algorithm>
 
 #include "overlay/status.hpp"
@@ -28,7 +28,7 @@ class Sweep {
   }
 
  private:
-  /// For each node some piece that ends there.
+  /// Finds, for each node, some piece that ends there.
   void find_ending() {
     ending_.assign(s_.nodes.size(), kNone);
     for (PieceId p = 0; p < s_.pieces.size(); ++p) ending_[s_.pieces[p].high] = p;
@@ -58,7 +58,7 @@ class Sweep {
     exchange(v, under);
   }
 
-  /// Whether the rule keeps a point in one of the faces around this node.
+  /// Tells whether the rule keeps a point in one of the faces around this node.
   [[nodiscard]] bool is_kept(NodeId v, SlotId under) const {
     const auto keeps_in = [&](const Winding& face) { return rule_.keeps({face, face, true, 0}); };
     const auto keeps_above = [&](PieceId p) { return keeps_in(above_[p]); };
@@ -71,7 +71,7 @@ class Sweep {
     return false;
   }
 
-  /// The slots whose pieces end here, from bottom to top: they lie next to each other.
+  /// Lists the slots whose pieces end here, from bottom to top. They lie next to each other.
   void list_ended(NodeId v) {
     ended_.clear();
     if (ending_[v] == kNone) return;
@@ -106,7 +106,8 @@ class Sweep {
     return piece.is_boundary() ? p : piece.ground;
   }
 
-  /// The next piece counter-clockwise; `winding` and `ground` are those below it, and then above.
+  /// Adds the next piece counter-clockwise. `winding` and `ground` are those below it at first, and
+  /// those above it afterwards.
   void start(PieceId p, Winding& winding, PieceId& ground) {
     Piece& piece = s_.pieces[p];
     const Winding below = winding;
@@ -122,7 +123,7 @@ class Sweep {
     s_.around.push_back(p);
   }
 
-  /// The pieces that start here take the places of those that end.
+  /// Gives the slots of the pieces that end here to those that start here.
   void exchange(NodeId v, SlotId under) {
     std::size_t used = 0;
     SlotId last = under;

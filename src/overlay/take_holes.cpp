@@ -26,7 +26,8 @@ bool is_valid(const Region& region, const ResolveOptions& options) {
   return validate(region, 1, options.cancel).empty();
 }
 
-/// Adds the rings of a region, outer rings counter-clockwise and holes clockwise.
+/// Adds the rings of a region, directed so that outer rings run counter-clockwise and holes
+/// clockwise.
 template <class SetUp>
 void list_by_role(const Region& region, std::vector<Chain>& chains, SetUp set_up) {
   for_each_ring(region, [&](Chain chain, bool is_hole) {
@@ -36,8 +37,8 @@ void list_by_role(const Region& region, std::vector<Chain>& chains, SetUp set_up
   });
 }
 
-/// The rings of one polygon as chains: `first` counts the outer ring; `second` counts, for each
-/// face, how many holes enclose it.
+/// Reads the rings of one polygon as chains. For each face, `first` counts the outer ring, and
+/// `second` counts the holes that enclose the face.
 class PolygonReader {
  public:
   PolygonReader(const Region& region, const IndexRange& rings, const ResolveOptions& options)
@@ -49,7 +50,7 @@ class PolygonReader {
       chain.weight.first = 1;
       chain.belongs = !options_.regularize;
     });
-    // Chains point into these, which must not move.
+    // The holes must not move, because chains point into them.
     std::vector<Hole> holes;
     holes.reserve(rings_.size());
     for (const std::size_t ring : rings_) {
@@ -72,14 +73,14 @@ class PolygonReader {
   }
 
  private:
-  /// What one hole takes away: its area less its own ring.
+  /// The points that one hole takes away: its area less its own ring.
   struct Hole {
     Region area;
-    ThinStore inner;  ///< what of the ring lies inside the area
+    ThinStore inner;  ///< the parts of the ring inside the area
   };
 
-  /// Whether a piece is in the polygon that has a hole, or nothing, on either side. The outer ring
-  /// holds it; and each hole that has both sides has the piece on its ring.
+  /// Tells whether the polygon keeps a piece that has a hole, or nothing, on either side. The outer
+  /// ring must hold the piece. Each hole that encloses both sides must have it on its own ring.
   static bool stays(const Wall& wall) {
     const bool held = wall.belongs || wound_around(wall.left) || wound_around(wall.right);
     return held && wall.left.second + wall.right.second <= wall.spared;
@@ -97,7 +98,7 @@ class PolygonReader {
     const Keeps within = [](const Wall& w) {
       return wound_around(w.left) && wound_around(w.right);
     };
-    // A piece that is walked there and back has no weight: `spared` keeps it in the list.
+    // A piece that is traversed in both directions has no weight, so `spared` keeps it in the list.
     for (Chain& chain : chains) chain.spared = 1;
     const Geometry inner = select(chains, {nowhere, within}, options_.cancel);
     Region area = select(chains, {wound_around, keeps_nothing}, options_.cancel).region;

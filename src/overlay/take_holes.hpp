@@ -1,12 +1,12 @@
-// Polygons that are not valid, read one by one: what the outer ring encloses less what holes do.
+// Reads polygons that are not valid one by one: each is its outer ring's inside less its holes'.
 #pragma once
 
 #include "minksum/resolve.hpp"
 
 namespace minksum::overlay {
 
-/// The set that FillRule::kAutomatic reads from a geometry whose polygons need not be valid;
-/// resolved (see Geometry). O((n + c) log n), as `select`.
+/// Returns the set that FillRule::kAutomatic reads from a geometry whose polygons need not be
+/// valid. The set is resolved (see Geometry). O((n + c) log n), like `select`.
 [[nodiscard]] Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options);
 
 }  // namespace minksum::overlay

@@ -1,4 +1,4 @@
-// Nodes to exact coordinates.
+// Converts nodes to exact coordinates.
 #pragma once
 
 #include "overlay/subdivision.hpp"
@@ -12,7 +12,7 @@ namespace minksum::overlay {
   return source.region->point(source.vertex);
 }
 
-/// Given points are copied as they are stored.
+/// Appends a node to a region. Given points are copied as they are stored.
 inline void add_vertex(const Segments& segments, const Node& node, Region& region) {
   if (node.place.is_crossing) {
     const Point p = segments.predicates.exact().exact(node.place);
