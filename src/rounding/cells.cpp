@@ -16,7 +16,7 @@ Rational finite_value(const RoundedCoordinate& place, const Target& target) {
   return value_of(place, target);
 }
 
-/// The two places around a coordinate; the same twice if it is a place.
+/// Returns the two places around a coordinate, or the coordinate twice if it is a place itself.
 std::pair<Rational, Rational> places_around(const Rational& value, const Target& target) {
   const RoundedCoordinate nearest = nearest_place(value, target);
   Rational place = finite_value(nearest, target);
@@ -65,8 +65,8 @@ double farthest_corner(const Cell& cell, const Point& p) {
   return far == 0 ? 0 : rounded_up(far);
 }
 
-// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Inf. Process.
-// Lett. 9, 1979.
+// The algorithm is that of A. M. Andrew, "Another efficient algorithm for convex hulls in two
+// dimensions", Inf. Process. Lett. 9, 1979.
 Ring hull_of(const Cell& a, const Cell& b) {
   std::array<Point, 8> corners;
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Cells of the target around points, and what they enclose.
+// Finds the target's cells around points, and their convex hulls.
 #pragma once
 
 #include "minksum/region.hpp"
@@ -6,28 +6,29 @@
 
 namespace minksum {
 
-/// Between two places in x and two in y, neighbours in the target. One side or both are of no
-/// length if the point that it is around is of the target there.
+/// A cell of the target around a point, between two neighbouring places in x and two in y. A side
+/// has no length if the point's coordinate is in the target.
 struct Cell {
   Point low;
   Point high;
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// The smallest cell that contains the point. Throws Error(kBadInput) if that needs a coordinate
-/// beyond the doubles, and those are the target.
+/// Returns the smallest cell that contains the point. If doubles are the target, throws
+/// Error(kLimitExceeded) where that needs a coordinate beyond them.
 [[nodiscard]] Cell cell_around(const Point& p, const Target& target);
-/// A cell with sides of a length: where there is none, up to the next place.
+/// Returns the cell with sides that have a length: a side without one is extended to the next
+/// place.
 [[nodiscard]] Cell thickened(Cell cell, const Target& target);
 
-/// Whether both coordinates are of the target.
+/// Tells whether both coordinates are in the target.
 [[nodiscard]] bool is_on_target(const Point& p, const Target& target);
 
-/// How far a corner of the cell is from a point in it, at most; rounded up.
+/// Returns the largest distance of a corner of the cell from a point in it, rounded up.
 [[nodiscard]] double farthest_corner(const Cell& cell, const Point& p);
 
-/// The convex hull of both cells, counter-clockwise and without straight corners; if it has no
-/// area, its two ends, or the only point.
+/// Returns the convex hull of both cells, counter-clockwise and without straight corners. If it has
+/// no area, these are its two ends, or its only point.
 [[nodiscard]] Ring hull_of(const Cell& a, const Cell& b);
 
 }  // namespace minksum

@@ -16,12 +16,12 @@ namespace {
 /// Offsets smaller than this may have lost digits.
 constexpr double kSmallestOffset = 0x1p-900;
 
-/// A vertex and a place that it goes to.
+/// A vertex and the place to which it goes.
 struct Corner {
   std::size_t source = 0;
   RoundedVertex to;
 };
-/// Where one vertex goes: to one place, or to two.
+/// The one or two places to which a vertex goes.
 using Choice = std::vector<Corner>;
 
 class RingChooser {
@@ -38,7 +38,7 @@ class RingChooser {
 
   bool run() {
     const std::size_t n = ring_.size();
-    // Exact vertices are the best to start at: they have no choice.
+    // It is best to start at an exact vertex, because it has no choice.
     std::size_t start = 0;
     while (start < n && nearest_[vertex(start)].moved()) ++start;
     if (start == n) start = 0;
@@ -59,7 +59,7 @@ class RingChooser {
   [[nodiscard]] double largest_move() const { return largest_move_; }
 
  private:
-  /// A vertex in the order in which the set to be enclosed is on the left.
+  /// Returns a vertex in the order in which the set to be enclosed is on the left.
   [[nodiscard]] std::size_t vertex(std::size_t i) const {
     const std::size_t n = ring_.size();
     i %= n;
@@ -67,7 +67,7 @@ class RingChooser {
   }
   [[nodiscard]] Corner nearest_of(std::size_t v) const { return {v, nearest_[v]}; }
 
-  /// Vertices one after the other, each with regard to the places chosen before it.
+  /// Chooses the places of a vertex, with regard to those of the vertices before it.
   bool choose(std::size_t v) {
     if (try_choice({nearest_of(v)})) return true;
     if (!nearest_[v].moved()) return false;
@@ -86,7 +86,7 @@ class RingChooser {
     return false;
   }
 
-  /// Takes the choice if it is allowed.
+  /// Takes the choice if it is allowed, and returns whether it is.
   bool try_choice(const Choice& choice) {
     cancellation_.check(32);
     const std::size_t v = choice.front().source;
@@ -110,7 +110,8 @@ class RingChooser {
   }
 
   // -- Candidates --------------------------------------------------------------------------------
-  /// The corners of the cell that a vertex is in, the nearest first; two if it is on a side of it.
+  /// Returns the corners of the cell around a vertex, the nearest first. They are two if the vertex
+  /// is on a side of the cell.
   [[nodiscard]] std::vector<Corner> corners_of_cell(std::size_t v) const {
     const RoundedVertex& nearest = nearest_[v];
     std::vector<Corner> result{nearest_of(v)};
@@ -127,13 +128,13 @@ class RingChooser {
     return result;
   }
 
-  /// Places along the middle of the notch at a reflex vertex, farther and farther away from it.
-  /// That the way is computed roughly does not matter: every place is judged exactly.
+  /// Tries places along the middle of the notch at a reflex vertex, farther and farther away. A
+  /// rough direction is good enough, because every place is tested exactly.
   bool go_up_notch(std::size_t v, const Vec<double>& in, const Vec<double>& out) {
     const RoundedVertex& nearest = nearest_[v];
     const Vec<double> cell{size_of_cell(nearest.x), size_of_cell(nearest.y)};
-    // The larger of the cell's sides is the measure for both: with cells of unlike sides the notch
-    // would look narrower than it is.
+    // The larger side measures both directions. With cells of unlike sides, the notch would
+    // otherwise look narrower than it is.
     const double side = std::max(cell.x, cell.y);
     const auto unit = [](double x, double y) {
       const double length = length_of(x, y);
@@ -169,8 +170,8 @@ class RingChooser {
   [[nodiscard]] double size_of_cell(const RoundedCoordinate& place) const {
     return target_.is_decimal() ? 1 : next_place(place, true, target_).value - place.value;
   }
-  /// No place is closer to the vertex than the nearest one: so nothing cancels here, and the offset
-  /// has a relative error below 2^-50.
+  /// Sets how far the exact vertex is from its place. No place is closer to the vertex than the
+  /// nearest one. So nothing cancels here, and the offset has a relative error below 2^-50.
   void set_offsets(Corner& corner) const {
     const RoundedVertex& nearest = nearest_[corner.source];
     const auto difference = [&](const RoundedCoordinate& from, const RoundedCoordinate& to) {
@@ -189,7 +190,8 @@ class RingChooser {
           corner.to.off_y);
     }
   }
-  /// Next to 0 a nearest offset stands for anything smaller than all doubles.
+  /// Mends an offset next to 0, where a nearest offset stands for anything smaller than all
+  /// doubles.
   template <class Exact>
   static void make_sure(double nearest_off, Exact exact, const RoundedCoordinate& place,
                         double& off) {
@@ -199,43 +201,44 @@ class RingChooser {
   }
 
   // -- Judging them ------------------------------------------------------------------------------
-  /// All four conditions on an edge.
+  /// Tests all four conditions on an edge.
   [[nodiscard]] bool edge_allowed(const Corner& p, const Corner& v) const {
     return moves_right(p, v, p) && moves_right(p, v, v) && moved_right(p, v, p) &&
            moved_right(p, v, v);
   }
-  /// Whether `end` moves to the right of the edge from p to v, or along it, at first.
+  /// Tells whether `end` starts by moving to the right of the edge from p to v, or along it.
   [[nodiscard]] bool moves_right(const Corner& p, const Corner& v, const Corner& end) const {
     return p.source == v.source || sign(p, v, end, false) != kPositive;
   }
-  /// The same at last.
+  /// Tells whether `end` finishes by moving so.
   [[nodiscard]] bool moved_right(const Corner& p, const Corner& v, const Corner& end) const {
     return sign(p, v, end, true) != kPositive;
   }
 
-  /// Sign of e × d: e is the edge from p to v, exact or rounded; d the move of `end`.
+  /// Returns the sign of e × d, where e is the edge from p to v, exact or rounded, and d the move
+  /// of `end`.
   [[nodiscard]] Sign sign(const Corner& p, const Corner& v, const Corner& end, bool rounded) const {
     if (!end.to.moved()) return kZero;
     const double bound = error_bound(p.to, v.to, end.to, rounded);
     const Vec<double> e =
         rounded ? Vec<double>{v.to.x.value - p.to.x.value, v.to.y.value - p.to.y.value}
                 : edge(p, v);
-    // The move is the offset turned round.
+    // The move is the negative offset.
     const double value = e.y * end.to.off_x - e.x * end.to.off_y;
     if (value > bound) return kPositive;
     if (value < -bound) return kNegative;
     return exact_sign(p, v, end, rounded);
   }
 
-  /// The exact edge, but for rounding; sources differ.
+  /// Returns the exact edge, but for rounding; its ends have different sources.
   [[nodiscard]] static Vec<double> edge(const Corner& p, const Corner& v) {
     return {(v.to.x.value - p.to.x.value) + (v.to.off_x - p.to.off_x),
             (v.to.y.value - p.to.y.value) + (v.to.off_y - p.to.off_y)};
   }
 
-  /// Places are exact here, and offsets have a relative error of 2^-50. So a component of an edge
-  /// is off by less than 2^-49 of its terms' sizes, and the product by less than 2^-47 of its own,
-  /// unless numbers are so small that they lose digits.
+  /// Bounds the error of `sign`. Places are exact here, and offsets have a relative error of 2^-50.
+  /// So a component of an edge is off by less than 2^-49 of its terms' sizes. The product is off by
+  /// less than 2^-47 of its own size, unless numbers are so small that they lose digits.
   static double error_bound(const RoundedVertex& p, const RoundedVertex& v,
                             const RoundedVertex& end, bool rounded) {
     constexpr double kLargestInteger = 0x1p53;
@@ -270,8 +273,7 @@ class RingChooser {
     return static_cast<Sign>(product.sign());
   }
 
-  /// How far any of a vertex's places is from the vertex's edges, or less than that far; rounded
-  /// up.
+  /// Returns an upper bound on the distance of a vertex's places from the vertex's edges.
   [[nodiscard]] double distance_moved(const Choice& choice, std::size_t v) const {
     double largest = 0;
     for (const Corner& corner : choice) {
@@ -285,8 +287,8 @@ class RingChooser {
     }
     return largest;
   }
-  /// From a place to the point of its vertex's edge (which is e, from the vertex) next to it, as
-  /// far as that can be computed in doubles: any point of the edge gives an upper bound.
+  /// Returns the distance of a place from its vertex's edge e, rounded up. The nearest point of e
+  /// is computed in doubles: any point of the edge gives an upper bound.
   [[nodiscard]] static double distance(const Corner& corner, const Vec<double>& e) {
     const double x = -corner.to.off_x;
     const double y = -corner.to.off_y;
