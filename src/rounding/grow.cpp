@@ -34,7 +34,7 @@ Region shrunk(const Region& region, const Rational& half,
               const std::optional<CancelToken>& cancel) {
   const auto around = bounding_box(region, cancel);
   if (!around) return {};
-  // Any frame will do that the region does not touch.
+  // Any frame that the region does not touch will do.
   const Rational margin = half + half;
   const Region frame = box({around->min.x - margin, around->min.y - margin},
                            {around->max.x + margin, around->max.y + margin});

@@ -1,4 +1,4 @@
-// A region made larger or smaller by half a step of a grid.
+// Makes a region larger or smaller by half a step of a grid.
 #pragma once
 
 #include <optional>
@@ -8,25 +8,27 @@
 
 namespace minksum {
 
-/// region ⊕ B, where B is the square |x| ≤ half, |y| ≤ half. Every boundary point of the result has
-/// at least the distance `half` from every point of the region, and more than that from every inner
-/// point, in the metric of the larger difference of coordinates. So if boundary points then move by
-/// at most `half` along each axis, in straight lines, none passes an inner point of the region, its
-/// winding number stays 1, and what the moved rings enclose contains the region.
+/// Returns region ⊕ B, where B is the square |x| ≤ half, |y| ≤ half. Distances here are the larger
+/// difference of coordinates. Every boundary point of the result has at least the distance `half`
+/// from every point of the region, and more from every inner point. Let boundary points then move
+/// by at most `half` along each axis, in straight lines. None passes an inner point of the region,
+/// whose winding number stays 1. So the moved rings enclose the region.
 [[nodiscard]] Region grown(const Region& region, const Rational& half,
                            const std::optional<CancelToken>& cancel);
 
-/// The same with thin parts, which become area. Of these, too, the moved rings lose no point x, if
-/// points move by −half < d ≤ half along each axis, as they do by snapping (see snap.hpp: it is
-/// enough that each edge has one point in each pixel that goes to its centre, and between these
-/// moves are between theirs). As d > −half + η for some η > 0, no boundary point comes to x + (δ,
-/// δ) for 0 < δ < η: it would have to be closer to x than `half` at first. So these points keep
-/// their winding number, and x is in their closure.
+/// Does the same with thin parts, which become area. The moved rings lose no point x of these
+/// either, if points move by −half < d ≤ half along each axis. Snapping moves them so (see
+/// snap.hpp): each edge has a point in each pixel that goes to the pixel's centre, and other moves
+/// are between these.
+///
+/// Proof: some η > 0 has d > −half + η for all moves. Then no boundary point comes to x + (δ, δ)
+/// for 0 < δ < η, because it would have to be closer to x than `half` at first. So these points
+/// keep their winding number, and x is in their closure.
 [[nodiscard]] Region grown(const Geometry& geometry, const Rational& half,
                            const std::optional<CancelToken>& cancel);
 
-/// The closure of the points x with x ⊕ B in the region: the complement of its grown complement.
-/// What was said of the latter's boundary is true here of points outside the region: moved rings
+/// Returns the closure of the points x with x ⊕ B in the region, which is the complement of the
+/// grown complement. The statement about `grown` holds for points outside the region: moved rings
 /// enclose none of them.
 [[nodiscard]] Region shrunk(const Region& region, const Rational& half,
                             const std::optional<CancelToken>& cancel);

@@ -33,8 +33,7 @@ bool before(const Vec<BigInt>& a, const Vec<BigInt>& b) {
 }
 bool equal(const Vec<BigInt>& a, const Vec<BigInt>& b) { return a.x == b.x && a.y == b.y; }
 
-/// The parameters t at which a + t·d is in [-1/2, 1/2), cut down axis by axis; t in [0, 1] at
-/// first.
+/// The parameters t in [0, 1] at which a + t·d is in [-1/2, 1/2), cut down axis by axis.
 class Parameters {
  public:
   void cut(const Rational& a, const Rational& d) {
@@ -80,13 +79,13 @@ class Parameters {
   bool empty_ = false;
 };
 
-/// The answer in doubles, if they can tell.
+/// Returns the answer in doubles, or nothing if they cannot tell.
 ///
-/// Relative to the pixel's centre both ends are known within m·2^-51, where m ≥ 1 bounds their
-/// coordinates, and so their difference within m·2^-49. The cross product of the two is off by less
+/// Let m ≥ 1 bound the ends' coordinates relative to the pixel's centre. These are known within
+/// m·2^-51, and so their difference within m·2^-49. The cross product of the two is off by less
 /// than m²·2^-47, and so is half the difference's size in both axes. The segment misses the pixel
-/// if it is beside it along an axis or along its own normal; it meets it if that is true of none,
-/// with borders counted neither way.
+/// if it is beside it along an axis or along its own normal. It meets the pixel if neither is true.
+/// Borders count neither way.
 std::optional<bool> meets_by_doubles(const Vec<double>& a, const Vec<double>& b) {
   const double m = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), 1.0});
   const double doubt = m * 0x1p-50;
@@ -158,8 +157,8 @@ HotPixels::HotPixels(std::span<const SnapPoint> points, Cancellation& cancellati
   if (!centres_.empty()) place_in_cells(cancellation);
 }
 
-/// Cells are measured in units of 2^k steps, with k such that doubles hold all units; so every
-/// pixel's place is known within one unit, which is a step or far less than a cell.
+/// Measures cells in units of 2^k steps, with k such that doubles hold all units. So the centre of
+/// every pixel is known within one unit, which is a step or far less than a cell.
 void HotPixels::place_in_cells(Cancellation& cancellation) {
   constexpr std::size_t kBits = 50;
   Vec<BigInt> low = centres_[0];
@@ -178,13 +177,13 @@ void HotPixels::place_in_cells(Cancellation& cancellation) {
         {to_double(BigInt(c.x - low.x) >> unit), to_double(BigInt(c.y - low.y) >> unit)});
     extent = {std::max(extent.x, near_.back().x), std::max(extent.y, near_.back().y)};
   }
-  // A pixel that a segment meets is within one step of the line between its ends' pixels' centres,
-  // along both axes; places are off by a unit more.
+  // Along both axes, a pixel that a segment meets is within one step of the line between the
+  // centres of its ends' pixels. Centres are off by one unit more.
   constexpr double kReach = 4;
   const int side = std::clamp(static_cast<int>(std::sqrt(static_cast<double>(centres_.size()))), 1,
                               UniformGrid::kMaxSide / 8);
   const double longer = std::max({extent.x, extent.y, 1.0});
-  // Clamped before the cast: the quotient may be beyond any int.
+  // The quotient is clamped before the cast, because it may be beyond any int.
   const int fine = static_cast<int>(std::clamp(longer / kReach, 1.0, static_cast<double>(side)));
   grid_ = UniformGrid::over(std::max(extent.x, 1.0), std::max(extent.y, 1.0), fine);
   margin_ = kReach <= grid_.cell * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
@@ -224,7 +223,7 @@ void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoin
     for (std::uint32_t k = cell_begin_[cell]; k < cell_begin_[cell + 1]; ++k) add(in_cells_[k]);
     return true;
   });
-  // Along a straight line both coordinates of the pixels only grow, or only fall.
+  // Along a straight line, each coordinate of the pixels only grows or only falls.
   const bool right = !(centres_[to].x < centres_[from].x);
   const bool up = !(centres_[to].y < centres_[from].y);
   std::sort(met.begin(), met.end(), [&](PixelId p, PixelId q) {

@@ -1,4 +1,4 @@
-// The pixels of a grid that hold vertices, and which of them a segment meets.
+// Finds the hot pixels of a grid, which hold vertices, and those that a segment meets.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,28 @@
 
 namespace minksum {
 
-/// A point in steps of the grid: its pixel's centre, and where it is in the pixel, [-1/2, 1/2).
+/// A point in steps of the grid: the centre of its pixel, and its offset from there, in [-1/2,
+/// 1/2).
 struct SnapPoint {
   Vec<BigInt> centre;
   Vec<Rational> offset;
-  Vec<double> near_offset{};  ///< the same, within 2^-53
+  Vec<double> near_offset{};  ///< `offset` within 2^-53
 };
-/// x and y in steps.
+/// Returns the point whose coordinates are x and y steps.
 [[nodiscard]] SnapPoint snap_point(const Rational& x, const Rational& y);
 
 using PixelId = std::uint32_t;
 
 class HotPixels {
  public:
-  /// The pixels of these points. O(n log n).
+  /// Finds the pixels of these points. O(n log n).
   HotPixels(std::span<const SnapPoint> points, Cancellation& cancellation);
 
   [[nodiscard]] const Vec<BigInt>& centre(PixelId pixel) const { return centres_[pixel]; }
-  /// The pixel of the point with this index.
+  /// Returns the pixel of the point with this index.
   [[nodiscard]] PixelId pixel_of(std::size_t point) const { return pixel_of_[point]; }
-  /// All hot pixels that the closed segment between two of the points meets, in the order along it:
-  /// first that of `a`, last that of `b`.
+  /// Lists the hot pixels that the closed segment between two of the points meets, in order along
+  /// the segment. The first is that of `a`, and the last is that of `b`.
   void list_met(const SnapPoint& a, std::size_t index_a, const SnapPoint& b, std::size_t index_b,
                 Cancellation& cancellation, std::vector<PixelId>& met);
 
@@ -40,16 +41,16 @@ class HotPixels {
 
   std::vector<Vec<BigInt>> centres_;  ///< sorted, each once
   std::vector<PixelId> pixel_of_;     ///< by point
-  std::vector<Vec<double>> near_;     ///< by pixel: the centre in units of the cells' grid
+  std::vector<Vec<double>> near_;     ///< by pixel: the centre in units of the grid of cells
   UniformGrid grid_;
-  double margin_ = 0;  ///< of a walk, in cells
+  double margin_ = 0;  ///< margin of a walk, in cells
   std::vector<std::uint32_t> cell_begin_;
   std::vector<PixelId> in_cells_;
-  std::vector<std::uint32_t> stamp_;  ///< by pixel: the walk that saw it last
+  std::vector<std::uint32_t> stamp_;  ///< by pixel: the last walk that saw it
   std::uint32_t walk_ = 0;
 };
 
-/// Whether the closed segment from a to b meets the half-open pixel around `centre`. Exact.
+/// Tells exactly whether the closed segment from a to b meets the half-open pixel around `centre`.
 [[nodiscard]] bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInt>& centre);
 
 }  // namespace minksum

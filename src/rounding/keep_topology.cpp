@@ -22,7 +22,7 @@ class Classes {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// False if both were one class before.
+  /// Joins two classes. Returns false if they were one class before.
   bool join(std::size_t a, std::size_t b) {
     a = find(a);
     b = find(b);
@@ -54,8 +54,8 @@ class TopologyChecker {
   }
 
  private:
-  /// Whether some ring has lost its orientation. Cleaning directs rings by their kind; it has
-  /// turned one round if edges carry the names of the vertices at their ends.
+  /// Tells whether some ring has lost its orientation. Cleaning directs rings by their kind. It has
+  /// reversed a ring unless edges carry the names of the vertices at their starts.
   [[nodiscard]] bool turned_over() const {
     return std::any_of(operand_.rings.begin(), operand_.rings.end(), [&](const OperandRing& ring) {
       const bool reversed = operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];
@@ -77,7 +77,7 @@ class TopologyChecker {
       cancellation_.check();
       if (touch.at_vertex) points.join(touch.vertex, touch.other);
     }
-    // Which rings of one polygon are at which point.
+    // These are the pairs of a ring and a point where it touches another ring of its polygon.
     std::vector<std::pair<std::size_t, std::size_t>> joints;
     for (const RingTouch& touch : scratch_.touches) {
       cancellation_.check(4);
@@ -91,7 +91,7 @@ class TopologyChecker {
     std::sort(joints.begin(), joints.end(), cancellation_.counting(std::less<>()));
     joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
     const std::size_t rings = operand_.rings.size();
-    // One polygon's joints at a point where rings of others meet too are no joints of these.
+    // Rings of several polygons may meet at one point, so each polygon has a node of its own there.
     std::vector<std::pair<std::size_t, std::size_t>> nodes;
     const auto node_of = [&](const std::pair<std::size_t, std::size_t>& joint) {
       return std::pair{std::size_t{operand_.rings[joint.first].polygon}, joint.second};
@@ -113,7 +113,7 @@ class TopologyChecker {
     const Sign by_x = operand_.kernel->compare(a, b, Axis::kX);
     return (by_x != kZero ? by_x : operand_.kernel->compare(a, b, Axis::kY)) == kNegative;
   }
-  /// Rings differ in their first vertex, or at least in the one after it.
+  /// Orders rings by their first vertices, or by the next ones where these are equal.
   [[nodiscard]] bool ring_before(std::size_t a, std::size_t b) const {
     if (before(first_[a], first_[b])) return true;
     if (before(first_[b], first_[a])) return false;

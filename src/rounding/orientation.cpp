@@ -5,7 +5,7 @@
 namespace minksum {
 namespace {
 
-/// Lexicographic order. Nearest doubles are in the order of the numbers, as far as they differ.
+/// Orders vertices by x, then by y. Nearest doubles that differ have the order of the numbers.
 bool before(const Region& region, std::size_t a, std::size_t b) {
   const double xa = region.x(a);
   const double xb = region.x(b);
@@ -25,7 +25,7 @@ bool counter_clockwise(const Region& region, std::size_t ring, Cancellation& can
     cancellation.check(2 * work_of_product(RegionAccess::bits(region, v)));
     if (before(region, v, lowest)) lowest = v;
   }
-  // The nearest different vertices on both sides; the ring turns at its smallest vertex.
+  // The ring turns at its smallest vertex, between the nearest different vertices on both sides.
   const Point at = region.point(lowest);
   const auto neighbour = [&](std::size_t step) {
     std::size_t i = lowest - vertices.front();

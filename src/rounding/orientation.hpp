@@ -1,4 +1,4 @@
-// Small exact questions about a region's rings and points.
+// Finds the orientation of a region's rings.
 #pragma once
 
 #include "exact/sign.hpp"
@@ -7,7 +7,7 @@
 
 namespace minksum {
 
-/// Whether a ring of a valid region runs counter-clockwise. O(n).
+/// Tells whether a ring of a valid region runs counter-clockwise. O(n).
 [[nodiscard]] bool counter_clockwise(const Region& region, std::size_t ring,
                                      Cancellation& cancellation);
 

@@ -22,7 +22,7 @@ Target target_of(const RoundOptions& options) {
   return {options.decimals};
 }
 
-/// How many holes each polygon has, sorted.
+/// Lists how many rings each polygon has, sorted.
 std::vector<std::size_t> topology(const Region& region) {
   std::vector<std::size_t> rings;
   for (const std::size_t polygon : region.polygons()) {
@@ -42,7 +42,7 @@ Point nearest_point(const Point& p, const Target& target) {
   return {value_of(x, target), value_of(y, target)};
 }
 
-/// Every point by itself. Returns how far any was moved, rounded up.
+/// Rounds every point by itself. Returns the largest distance that any was moved, rounded up.
 double add_rounded_thin_parts(const Geometry& exact, const Target& target,
                               Cancellation& cancellation, Geometry& result) {
   double largest = 0;
@@ -65,7 +65,7 @@ double add_rounded_thin_parts(const Geometry& exact, const Target& target,
   return largest;
 }
 
-/// How far the nearest place can be from any point of the thin parts.
+/// Bounds the distance of the nearest place from any point of the thin parts.
 double thin_bound(const Geometry& geometry, const Target& target, Cancellation& cancellation) {
   RoundedVertices places;
   for_each_thin_point(geometry, [&](const Point& p) {
@@ -86,7 +86,7 @@ Geometry round_to_nearest(const Geometry& geometry, const Target& target,
   ResolveOptions resolving;
   resolving.cancel = options.cancel;
   result = resolve(result, resolving);
-  // A path may end in the middle of a region's edge: rounded by itself, it would come off.
+  // A path may end inside a region's edge. Rounded by itself, it would come off.
   const bool attached = !geometry.region.empty() && !geometry.polylines.empty();
   const bool moved_apart = attached && !(r.exact && moved == 0);
   if (!moved_apart && is_on_target(result, target, options.cancel)) {
@@ -95,7 +95,7 @@ Geometry round_to_nearest(const Geometry& geometry, const Target& target,
     r.bound = std::max(r.bound, thin_bound(geometry, target, cancellation));
     return result;
   }
-  // Or they cross where nothing of the target is.
+  // The path came off, or thin parts cross at a point outside the target.
   r = RoundingReport{};
   return round_by_snapping(geometry, target, options, r);
 }

@@ -14,7 +14,7 @@
 namespace minksum {
 namespace {
 
-/// A length in the target's unit, rounded up.
+/// Returns a length in the target's unit as a length, rounded up.
 double in_units(double length, const Target& target) {
   if (length == 0 || !target.is_decimal()) return length;
   return rounded_up(length * rounded_up(target.unit()));
@@ -33,7 +33,7 @@ Region resolved(const Region& region, const RoundOptions& options) {
   return resolve(geometry, resolving).region;
 }
 
-/// What is to be snapped so that the result lies on the right side.
+/// Returns the geometry to be snapped so that the result lies on the right side.
 Geometry sided(const Geometry& geometry, const RoundOptions& options, const SnapGrid& grid) {
   Geometry base{canonical(geometry.region, options), geometry.polylines, geometry.points};
   const Rational half = grid.step() * Rational(1, 2);
@@ -63,7 +63,7 @@ double half_place(const RoundedVertices& vertices, const Target& target) {
   }
   constexpr int kLowest = -1074;
   const int last_place = largest == 0 ? kLowest : std::max(std::ilogb(largest) - 52, kLowest);
-  // Half of the smallest double is none.
+  // Half of the smallest double is no double.
   return std::max(std::ldexp(1.0, last_place - 1), std::ldexp(1.0, kLowest));
 }
 

@@ -1,4 +1,4 @@
-// The ways to round a region: vertex by vertex, or by snapping.
+// Rounds a region in one of two ways: vertex by vertex, or by snapping.
 #pragma once
 
 #include <optional>
@@ -8,28 +8,28 @@
 
 namespace minksum {
 
-/// √2 · length, rounded up.
+/// Returns √2 · length, rounded up.
 [[nodiscard]] double diagonal(double length);
-/// Half of a double's last place at the magnitude of the largest coordinate, or half a decimal
-/// step.
+/// Returns half of a double's last place at the magnitude of the largest coordinate, or half a
+/// decimal step.
 [[nodiscard]] double half_place(const RoundedVertices& vertices, const Target& target);
 
-/// A valid region in canonical form by OGC's rules: cut interiors in pieces of their own.
-/// Throws Error(kBadInput) if it is not valid.
+/// Returns a valid region in canonical form, by the OGC's rules. A polygon whose interior is cut
+/// becomes several. Throws Error(kBadInput) if the region is not valid.
 [[nodiscard]] Region canonical(const Region& region, const RoundOptions& options);
 
-/// Vertex by vertex; nothing if that is not valid, or not safe. The report lacks `topology_kept`,
-/// and so it does below.
+/// Rounds vertex by vertex. Returns nothing if the result is not valid or not on the right side.
+/// The report lacks `topology_kept`, as do those of the next two functions.
 [[nodiscard]] std::optional<Region> round_by_vertices(const Region& region, const Target& target,
                                                       const RoundOptions& options,
                                                       RoundingReport& report);
 
-/// Snap-rounds the set: as it is to the nearest; grown, so that all becomes area, to the outside;
-/// shrunk to the inside, for which there must not be thin parts.
+/// Snap-rounds the set. To the outside, it is grown first, so that all becomes area. To the inside,
+/// it is shrunk first, and must not have thin parts.
 [[nodiscard]] Geometry round_by_snapping(const Geometry& geometry, const Target& target,
                                          const RoundOptions& options, RoundingReport& report);
 
-/// By vertices if that can be, else by snapping.
+/// Rounds by vertices if that works, and by snapping otherwise.
 [[nodiscard]] Region round_region(const Region& region, const Target& target,
                                   const RoundOptions& options, RoundingReport& report);
 

@@ -12,8 +12,8 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// numerator / denominator · 2^exp2, not in lowest terms: finding these would cost more than the
-/// rounding.
+/// The number numerator / denominator · 2^exp2. It is not in lowest terms, because finding these
+/// would cost more than the rounding.
 struct Scaled {
   BigInt numerator;
   BigInt denominator = 1;
@@ -38,7 +38,7 @@ Scaled scaled(const Region& region, const StoredCoordinate& c, int exp10) {
   return result;
 }
 
-/// numerator / denominator · 2^exp2 in doubles, but never 0 for what is not.
+/// Returns numerator / denominator · 2^exp2 as a double, which is 0 only if the number is.
 double signed_double(const BigInt& numerator, const BigInt& denominator, int exp2) {
   if (numerator.is_zero()) return 0;
   const bool negative = numerator.sign() < 0;
@@ -47,14 +47,14 @@ double signed_double(const BigInt& numerator, const BigInt& denominator, int exp
   return negative ? -size : size;
 }
 
-/// A double as an integer times a power of two.
+/// Returns a double as an integer times a power of two.
 std::pair<std::int64_t, int> mantissa_and_exponent(double value) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
 }
 
-/// Whether a coordinate, stored without a denominator, is the double nearest to it.
+/// Tells whether a coordinate is stored without a denominator and equals its nearest double.
 bool is_exactly(const StoredCoordinate& c, double value) {
   if (c.denominator_limbs != 0) return false;
   if (c.payload == 0) return true;
@@ -76,7 +76,8 @@ double off_double(const Region& region, const StoredCoordinate& c, double value)
   return signed_double(exact.numerator, exact.denominator, low);
 }
 
-/// The integer nearest to numerator / denominator, ties to even, and the rest of the numerator.
+/// Returns the integer nearest to numerator / denominator, ties to even. `numerator` becomes the
+/// rest.
 BigInt nearest_integer(BigInt& numerator, const BigInt& denominator) {
   const bool negative = numerator.sign() < 0;
   BigInt quotient;

@@ -1,4 +1,4 @@
-// Coordinates as they are rounded: to a double, or to an integer number of decimal steps.
+// Rounds coordinates to doubles, or to an integer number of decimal steps.
 #pragma once
 
 #include <cstddef>
@@ -12,70 +12,71 @@
 
 namespace minksum {
 
-/// What coordinates are rounded to: doubles, or multiples of 10^-decimals.
+/// The numbers to which coordinates are rounded: doubles, or multiples of 10^-decimals.
 struct Target {
   std::optional<int> decimals;
 
   [[nodiscard]] bool is_decimal() const { return decimals.has_value(); }
-  /// The unit of `RoundedCoordinate` and of `RoundedVertex::off`: 1, or one decimal step.
+  /// Returns the unit of `RoundedCoordinate` and of `RoundedVertex::off_x`: 1, or one decimal step.
   [[nodiscard]] Rational unit() const;
 };
 
-/// A coordinate of the target, in its unit.
+/// A place: a coordinate of the target, in its unit.
 struct RoundedCoordinate {
-  double value = 0;  ///< itself; of a decimal, the double nearest to `integer`
-  BigInt integer;    ///< of a decimal only
+  double value = 0;  ///< the place; for decimals, the double nearest to `integer`
+  BigInt integer;    ///< for decimals only
 };
 
-/// A vertex, where it goes, and how far that is.
+/// A vertex: the place to which it goes, and how far that is.
 struct RoundedVertex {
   RoundedCoordinate x;
   RoundedCoordinate y;
-  /// Exact less rounded, in the target's unit: the nearest double, but 0 only if there is no
-  /// difference.
+  /// Exact minus rounded coordinate, in the target's unit. It is the nearest double, but 0 only if
+  /// there is no difference.
   double off_x = 0;
   double off_y = 0;
   [[nodiscard]] bool moved() const { return off_x != 0 || off_y != 0; }
 };
 
-/// One for each vertex of a region.
+/// The rounded vertices of a region, one for each vertex.
 using RoundedVertices = std::vector<RoundedVertex>;
 
-/// Throws the error that a coordinate, or what it is rounded to, is no double (kLimitExceeded).
+/// Throws the error that a coordinate, or its rounded value, is beyond the doubles
+/// (kLimitExceeded).
 [[noreturn]] void fail_beyond_doubles(const Culprit& place = {});
 
-/// Every coordinate to the nearest of the target, ties to even. O(n). Throws as above, naming the
-/// vertex, if doubles are the target.
+/// Rounds every coordinate to the nearest place, ties to even. O(n). If doubles are the target,
+/// throws this error, naming the vertex.
 [[nodiscard]] RoundedVertices round_vertices(const Region& region, const Target& target,
                                              Cancellation& cancellation);
 
-/// The same for one coordinate; infinite if it is beyond the doubles.
+/// Rounds one coordinate. The result is infinite if it is beyond the doubles.
 [[nodiscard]] RoundedCoordinate nearest_place(const Rational& value, const Target& target);
 
-/// The number that a place means.
+/// Returns the number of a place.
 [[nodiscard]] Rational value_of(const RoundedCoordinate& place, const Target& target);
-/// The place next to this one, up or down. Beyond the largest double comes infinity.
+/// Returns the place next to this one, up or down. Infinity follows the largest double.
 [[nodiscard]] RoundedCoordinate next_place(const RoundedCoordinate& place, bool up,
                                            const Target& target);
 
-/// A place some steps away; a step of doubles is `step` there, if that is a place.
+/// Returns the place some steps away. For doubles, a step is `step`; the result must be a double.
 [[nodiscard]] RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps,
                                               double step, const Target& target);
 
-/// Appends a vertex.
 void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordinate& y,
                 const Target& target);
-/// A region of the same rings with the rounded vertices.
+/// Returns a region of the same rings with the rounded vertices.
 [[nodiscard]] Region with_vertices(const Region& region, const RoundedVertices& vertices,
                                    const Target& target, Cancellation& cancellation);
 
-/// How far any vertex is from its place, in the target's unit, rounded up.
+/// Returns the largest distance of a vertex from its place, in the target's unit, rounded up.
 [[nodiscard]] double largest_move(const RoundedVertices& vertices);
-/// √(x² + y²) with a relative error below 2^-50, the same on every machine.
+/// Returns √(x² + y²) with a relative error below 2^-50. It is the same on every machine.
 [[nodiscard]] double length_of(double x, double y);
-/// A double that is no less than a length computed in doubles with a relative error below 2^-50.
+/// Returns a double that is no less than a length, which was computed with a relative error below
+/// 2^-50.
 [[nodiscard]] double rounded_up(double length);
-/// A double that is no less than the number.
+/// Returns a double that is no less than the number.
 [[nodiscard]] double rounded_up(const Rational& value);
 
 }  // namespace minksum

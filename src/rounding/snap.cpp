@@ -71,7 +71,7 @@ class Snapper {
     return points;
   }
 
-  /// Every ring as a polygon of its own: only winding numbers count.
+  /// Returns every ring as a polygon of its own, because only winding numbers count.
   Region snapped_rings() {
     Region rings;
     const Region& region = geometry_.region;
@@ -112,8 +112,8 @@ class Snapper {
     }
   }
 
-  /// Appends what the edge between two points becomes; a pixel that the chain is at already is not
-  /// repeated.
+  /// Appends the chain that the edge between two points becomes. The pixel at the chain's end is
+  /// not repeated.
   void extend_chain(std::size_t a, std::size_t b) {
     cancellation_.check(8);
     pixels_.list_met(points_[a], a, points_[b], b, cancellation_, met_);
@@ -154,7 +154,7 @@ class Snapper {
   const Geometry& geometry_;
   const SnapGrid& grid_;
   Cancellation& cancellation_;
-  std::vector<SnapPoint> points_;  ///< of the region, the polylines, the points
+  std::vector<SnapPoint> points_;  ///< those of the region, the polylines, the points
   HotPixels pixels_;
   std::vector<PixelId> met_;
   std::vector<PixelId> chain_;
@@ -178,7 +178,7 @@ SnapGrid snap_grid(const Geometry& geometry, const Target& target, Cancellation&
   const double nearest = largest.to_double();
   if (!std::isfinite(nearest)) fail_beyond_doubles();
   if (nearest != 0) grid.exp2 = std::max(std::ilogb(nearest) - 52, kLowest);
-  // All coordinates are below 2^53 steps, so what they are rounded to is 2^53 steps at the most.
+  // All coordinates are below 2^53 steps, so they are rounded to 2^53 steps at most.
   return grid;
 }
 

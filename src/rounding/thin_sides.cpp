@@ -51,7 +51,7 @@ class OutsideRounder {
   }
 
  private:
-  /// A segment, or a point if both ends are the same.
+  /// Replaces a segment, or a point if both ends are the same.
   void replace(const Point& a, const Point& b) {
     cancellation_.check(64 * (work_of(a) + work_of(b)));
     const Cell cell_a = cell_around(a, target_);
@@ -80,8 +80,8 @@ class OutsideRounder {
     farthest_ = std::max(farthest_, far);
   }
 
-  /// What is left outside of the rounded region of those that were kept, where it has an end or a
-  /// bend that is not of the target.
+  /// Replaces parts of kept segments that are left outside the rounded region, if an end or a bend
+  /// is not in the target.
   void swell_pieces_off_target(const Geometry& result) {
     for (const Polyline& line : result.polylines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -96,13 +96,13 @@ class OutsideRounder {
       }
     }
   }
-  /// Around an end that is of the target nothing is needed.
+  /// Returns the cell of an end. An end in the target needs nothing around it.
   [[nodiscard]] Cell thick_cell(const Point& p) const {
     if (is_on_target(p, target_)) return {p, p};
     return thickened(cell_around(p, target_), target_);
   }
 
-  /// The region and all that swells, rounded.
+  /// Returns the region, united with all that swells, rounded.
   Region rounded_area(RoundingReport& report) const {
     const bool swollen = swollen_.has_thin_parts();
     report = RoundingReport{};
@@ -132,7 +132,7 @@ class OutsideRounder {
     Cancellation cancellation(options_.cancel);
     for (const Region* from : {&region, &hulls_}) {
       for (std::size_t ring = 0; ring < from->ring_count(); ++ring) {
-        // Only winding numbers count: so each ring may be a polygon of its own.
+        // Each ring may be a polygon of its own, because only winding numbers count.
         all.region.begin_polygon();
         all.region.begin_ring();
         cancellation.check(from->vertices_of(ring).size() * 16);
@@ -152,11 +152,11 @@ class OutsideRounder {
   const Target& target_;
   const RoundOptions& options_;
   Cancellation cancellation_;
-  Geometry kept_;     ///< thin, of the target
+  Geometry kept_;     ///< thin parts of the target
   Geometry swollen_;  ///< the exact region, and exact thin parts that hulls replace
   Region hulls_;
-  double farthest_ = 0;           ///< of a hull from what it replaces
-  double longest_extension_ = 0;  ///< of what is kept beyond what it replaces
+  double farthest_ = 0;           ///< largest distance of a hull from what it replaces
+  double longest_extension_ = 0;  ///< largest extent of kept parts beyond what they replace
 };
 
 // -- Inside --------------------------------------------------------------------------------------
@@ -166,7 +166,7 @@ class InnerParts {
   InnerParts(const Target& target, const std::optional<CancelToken>& cancel)
       : target_(target), cancellation_(cancel) {}
 
-  /// Returns whether nothing is lost.
+  /// Adds the parts in the target. Returns whether nothing is lost.
   bool add(const Geometry& exact, Geometry& result) {
     bool all = true;
     for (const Polyline& line : exact.polylines) {
@@ -201,13 +201,13 @@ class InnerParts {
     return false;
   }
 
-  /// False if the segment is not along an axis.
+  /// Returns false if the segment is not along an axis.
   bool add_part_along_axis(const Point& a, const Point& b, Geometry& result) const {
     if (a.x != b.x && a.y != b.y) return false;
     const bool forward = a.x < b.x || a.y < b.y;
     const Cell first = cell_around(forward ? a : b, target_);
     const Cell last = cell_around(forward ? b : a, target_);
-    // The cells have no width across the segment, or it is on no line of the target.
+    // The cells have no width across the segment if it lies on a line of the target.
     const Point& from = first.high;
     const Point& to = last.low;
     const bool across = a.y == b.y ? first.low.y == first.high.y : first.low.x == first.high.x;

@@ -1,4 +1,4 @@
-// Geometries with thin parts, so that no point is lost, or so that none is won.
+// Rounds geometries with thin parts so that no point is lost, or so that none is gained.
 #pragma once
 
 #include "minksum/round.hpp"
@@ -14,35 +14,40 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
   for (const Point& p : geometry.points) visit(p);
 }
 
-/// Whether all coordinates are of the target.
+/// Tells whether all coordinates are in the target.
 [[nodiscard]] bool is_on_target(const Geometry& geometry, const Target& target,
                                 const std::optional<CancelToken>& cancel);
 
-/// √2 · u, rounded up: no corner of a cell around a point of the thin parts is farther from it.
+/// Returns √2 · u, rounded up, where u is the largest side of a cell. No corner of a cell around a
+/// point of the thin parts is farther from the point.
 [[nodiscard]] double cell_bound(const Geometry& geometry, const Target& target,
                                 const std::optional<CancelToken>& cancel);
 
-/// A resolved geometry of the target that contains the exact one. The report lacks `topology_kept`,
-/// and `largest_move` may be beyond `bound`: both are upper bounds.
+/// Returns a resolved geometry of the target that contains the exact one. The report lacks
+/// `topology_kept`. Its `largest_move` may exceed `bound`, because both are upper bounds.
 ///
 /// Every segment of a polyline is replaced by the convex hull of the cells around its ends, and a
-/// point by its cell. What of these has area is united with the region, which is rounded to the
-/// outside. The others are *kept*: segments and points of the target, each of which contains what
-/// it replaces. Where one of these meets another, or the rounded region, at a point that is not of
-/// the target, what is left of it outside of the region is replaced as well, with cells that have
-/// area; and so on. What is kept is never taken back, so that all of them contain the exact
-/// geometry. If there is no end to it soon, everything is grown and snap-rounded (see grow.hpp).
+/// point by its cell. Hulls that have area are united with the region, which is rounded to the
+/// outside. The other hulls are *kept*: they are segments and points of the target, and contain
+/// what they replace.
 ///
-/// With u for the largest side of a cell, the hulls reach no farther than √2 · u from what they
-/// replace, and the region moves by no more than that: the bound is 2√2 · u, or √2 · u if no hull
+/// A kept segment may meet another one, or the rounded region, at a point that is not in the
+/// target. Then its parts outside the region are replaced as well, with cells that have area; and
+/// so on. Kept parts are never taken back, so the result contains the exact geometry. If this does
+/// not end soon, everything is grown and snap-rounded (see grow.hpp).
+///
+/// Let u be the largest side of a cell. The hulls reach no farther than √2 · u from what they
+/// replace, and the region moves by no more than that. So the bound is 2√2 · u, or √2 · u if no
+/// hull was made.
 /// was made.
 [[nodiscard]] Geometry round_outside(const Geometry& geometry, const Target& target,
                                      const RoundOptions& options, RoundingReport& report);
 
-/// A resolved geometry of the target that is contained in the exact one: the region rounded to the
-/// inside, points of the target, segments with such ends, the longest such part of a segment along
-/// an axis, and of others the ends that are of the target, as points. The report is that of the
-/// region, but for `exact`. Throws Error(kBadInput) if it finds that the geometry is not resolved.
+/// Returns a resolved geometry of the target that is contained in the exact one. It has the region
+/// rounded to the inside, the points in the target, and the segments with both ends in the target.
+/// Of another segment along an axis, it has the longest part with such ends; of one not along an
+/// axis, the ends in the target, as points. The report is that of the region, but for `exact`.
+/// Throws Error(kBadInput) if it finds that the geometry is not resolved.
 [[nodiscard]] Geometry round_inside(const Geometry& geometry, const Target& target,
                                     const RoundOptions& options, RoundingReport& report);
 
