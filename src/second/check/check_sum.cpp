@@ -1,4 +1,4 @@
-// The check of a sum: validity, points, and the whole by the second method.
+// Checks a sum: its validity, points, and the whole by the second method.
 #include <algorithm>
 #include <optional>
 #include <random>
@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t kExamples = 10;
 constexpr std::size_t kFaults = 100;
-// How far beside the middle of an edge its points are tested, as a part of its length.
+// Points beside the middle of an edge are tested at the edge's length divided by this.
 constexpr std::int64_t kBeside = std::int64_t{1} << 20;
 
-/// The square of the points at most `reach` > 0 away from the origin in x and in y.
+/// Returns the square of the points at most `reach` > 0 away from the origin in x and in y.
 Geometry square_around_origin(const Rational& reach) {
   Geometry square;
   square.region.begin_polygon();
@@ -30,8 +30,8 @@ Geometry square_around_origin(const Rational& reach) {
   return square;
 }
 
-/// The set of points at most `options.within` away from `geometry` in x and in y. By the second
-/// method: the one that is checked must not tell what it may be off.
+/// Returns the points at most `options.within` away from `geometry` in x and in y. The second
+/// method computes them, because the method under test must not tell how far off it may be.
 Geometry grown(const Geometry& geometry, const CheckOptions& options) {
   Options second;
   second.method = Method::kSigned;
@@ -39,7 +39,7 @@ Geometry grown(const Geometry& geometry, const CheckOptions& options) {
   return minkowski_sum(geometry, square_around_origin(options.within), second);
 }
 
-/// Asks for points whether result and sum agree.
+/// Asks whether result and sum agree at points.
 class Witness {
  public:
   Witness(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& options,
@@ -68,8 +68,8 @@ class Witness {
   Cancellation& cancellation_;
   EdgeTree result_;
   PlacedOperand sum_;
-  std::optional<PlacedOperand> near_result_;  ///< if the result may be off: whether x is near it
-  std::optional<PlacedOperand> near_sum_;     ///< likewise
+  std::optional<PlacedOperand> near_result_;  ///< is x near the result, if that may be off?
+  std::optional<PlacedOperand> near_sum_;     ///< is x near the sum, likewise?
   SumCheck& check_;
 };
 
@@ -77,7 +77,7 @@ std::size_t next_in(const IndexRange& ring, std::size_t vertex) {
   return vertex + 1 < ring.front() + ring.size() ? vertex + 1 : ring.front();
 }
 
-// A lost hole, a shifted vertex, a spurious ring: each shows next to an edge.
+// A lost hole, a shifted vertex or a spurious ring shows next to an edge.
 void ask_near_edges(const Region& region, std::uint64_t edges, Witness& witness) {
   const std::uint64_t count = region.vertex_count();
   const auto turn = [&](std::uint64_t v) { return v * edges / count; };
@@ -121,7 +121,7 @@ struct Span {
   }
 };
 
-/// The box of all points of a geometry that is not empty.
+/// Returns the box of all points of a geometry that is not empty.
 std::pair<Span, Span> spans(const Geometry& geometry, Cancellation& cancellation) {
   std::vector<Point> points = geometry.points;
   for (const Polyline& line : geometry.polylines) {
@@ -140,7 +140,7 @@ std::pair<Span, Span> spans(const Geometry& geometry, Cancellation& cancellation
   return result;
 }
 
-/// A point of a box, on a grid of 2^53 lines.
+/// Returns a random point of a box, on a grid of 2^53 lines.
 Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
   const auto pick_one = [&random](const Span& span) {
     const auto at = static_cast<std::int64_t>(random() >> 11);
@@ -150,7 +150,7 @@ Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
   return {std::move(at_x), pick_one(y)};
 }
 
-// In the box of the sum, a twentieth wider on each side.
+// Asks in the box of the sum, made wider by a twentieth on each side.
 void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& options,
                    Cancellation& cancellation, Witness& witness) {
   if (p.empty() || q.empty()) return;
@@ -171,8 +171,8 @@ using Room = std::pair<Span, Span>;
 constexpr std::size_t kMostRooms = 10'000;
 constexpr std::size_t kMostTries = 1'000'000;
 
-/// Boxes of placements at which a part of one operand is within the box of a hole of the other: a
-/// hole of the sum is in one of these, or surrounded by several parts.
+/// Adds boxes of placements at which a part of one operand is within the box of a hole of the
+/// other. A hole of the sum is in one of these, or surrounded by several parts.
 void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& cancellation,
                std::vector<Room>& rooms) {
   const auto box_of = [&](const Geometry& part) { return spans(part, cancellation); };
@@ -198,8 +198,8 @@ void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& 
   }
 }
 
-// A hole that is small beside the sum is missed by points in its box, and by those near the edges
-// of a result that lacks it.
+// Random points in the sum's box miss a hole that is small beside the sum. So do points near the
+// edges of a result that lacks it.
 void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& options,
                   Cancellation& cancellation, Witness& witness) {
   std::vector<Room> rooms;
@@ -213,8 +213,8 @@ void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& opti
   }
 }
 
-/// A point inside the first ring of the polygon with the largest area: of the vertical section
-/// through it the middle of the lowest part.
+/// Returns a point inside the first ring of a region. It is the middle of the lowest part of a
+/// vertical section.
 Point inner_point(const Region& region, Cancellation& cancellation) {
   const IndexRange ring = region.vertices_of(region.rings_of(0).front());
   Rational first = region.exact_x(ring.front());
@@ -285,7 +285,7 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
     check.proof = equal ? Proof::kHolds : Proof::kRefuted;
     return;
   }
-  // Thin parts grow to areas as well, so that areas decide for them too.
+  // Thin parts grow to areas as well, so areas decide for them, too.
   const Geometry wide_sum = grown(sum, options);
   const Geometry wide_result = grown(result, options);
   const Geometry both_sums[] = {wide_sum, result};

@@ -1,4 +1,4 @@
-// Edges of a geometry with boxes around runs of them.
+// Stores the edges of a geometry, with boxes around runs of them.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace minksum::checking {
 
-/// A box in doubles that surely holds what it is the box of.
+/// A box in doubles that certainly contains what it stands for.
 struct Box {
   double x0, y0, x1, y1;
   void add(const Box& other);
@@ -27,14 +27,14 @@ inline constexpr Box kEverything{-std::numeric_limits<double>::infinity(),
 /// A vertex v of P, or the corner x − v of x − Q: in doubles, and exactly on demand.
 struct Corner {
   const Point* vertex;
-  const Point* moved_to;  ///< x, or nothing
+  const Point* moved_to;  ///< x, or null for a vertex
   double x;
   double y;
-  double error;  ///< x and y are off by no more than this each
+  double error;  ///< bounds how far x and y are off
 
-  /// A vertex by itself.
+  /// Makes a vertex by itself.
   explicit Corner(const Point& point);
-  /// x − vertex.
+  /// Makes the corner x − vertex, where `at` is x.
   Corner(const Corner& at, const Corner& corner);
   [[nodiscard]] Rational exact_x() const {
     return moved_to == nullptr ? vertex->x : moved_to->x - vertex->x;
@@ -44,14 +44,14 @@ struct Corner {
   }
 };
 
-/// An edge between two corners; a point has twice the same. Edges of rings count for parity.
+/// An edge between two corners, which are the same for a point. Edges of rings count for parity.
 struct Edge {
   std::size_t from;
   std::size_t to;
   bool of_ring;
 };
 
-/// All edges, rings first, and a binary tree of boxes over runs of them.
+/// Holds all edges, rings first, and a binary tree of boxes over runs of them.
 class EdgeTree {
  public:
   static constexpr std::size_t kLeaf = 4;
@@ -60,11 +60,11 @@ class EdgeTree {
   EdgeTree& operator=(const EdgeTree&) = delete;
 
   [[nodiscard]] bool empty() const { return edges_.empty(); }
-  /// The units of work (see Cancellation) of a decision about its corners, at most.
+  /// Returns the greatest work (see Cancellation) of a decision about the corners.
   [[nodiscard]] std::uint64_t work() const { return work_; }
   [[nodiscard]] const Corner& corner(std::size_t i) const { return corners_[i]; }
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
-  /// One corner of each ring, path and point.
+  /// Returns one corner of each ring, path and point.
   [[nodiscard]] const std::vector<std::size_t>& heads() const { return heads_; }
 
   // Node 1 is the root; node i has the children 2i and 2i + 1, if it is no leaf.

@@ -10,7 +10,7 @@
 namespace minksum::checking {
 namespace {
 
-/// Whether c is between a and b, all three being in one line.
+/// Tells whether c is between a and b, if all three are in one line.
 bool between(const Corner& a, const Corner& b, const Corner& c) {
   return compare_x(a, c) * compare_x(c, b) >= 0 && compare_y(a, c) * compare_y(c, b) >= 0;
 }
@@ -22,7 +22,7 @@ bool edges_share_point(const Corner& a, const Corner& b, const Corner& c, const 
          (cda == 0 && between(c, d, a)) || (cdb == 0 && between(c, d, b));
 }
 
-/// A box that holds x − v for each v in `box`.
+/// Returns a box that contains x − v for each v in `box`.
 Box placed(const Corner& x, const Box& box) {
   const double reach = std::max({std::abs(x.x), std::abs(x.y), std::abs(box.x0), std::abs(box.x1),
                                  std::abs(box.y0), std::abs(box.y1)});
@@ -69,7 +69,7 @@ bool PlacedOperand::in_sum(const Point& x) const {
   if (p_.empty() || q_.empty()) return false;
   const Corner at(x);
   if (edges_meet(at)) return true;
-  // No two edges meet: each connected part is inside the other set as a whole, or outside.
+  // No two edges meet, so each connected part lies wholly inside the other set or wholly outside.
   for (const std::size_t head : q_.heads()) {
     if (contains(p_, Corner(at, q_.corner(head)), cancellation_)) return true;
   }

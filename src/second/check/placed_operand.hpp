@@ -1,21 +1,22 @@
-// Is x in P ⊕ Q, decided without any sum?
+// Decides without any sum whether x is in P ⊕ Q.
 #pragma once
 
 #include "second/check/edge_tree.hpp"
 
 namespace minksum::checking {
 
-/// Whether the closed set that has these edges holds c: by the parity of the edges of rings to its
-/// right, or because c lies on an edge. O(log n + edges at c's height).
+/// Tells whether the closed set with these edges contains c. It does if c lies on an edge, or has
+/// an odd number of ring edges to its right. O(log n + edges at c's height).
 [[nodiscard]] bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation);
 
-/// P and Q, to be asked for any number of points.
+/// Answers for any number of points x whether x is in P ⊕ Q.
 ///
 /// x is in P ⊕ Q if and only if P meets x − Q. Two closed sets meet if and only if two of their
-/// edges do, or else one holds a connected part of the other: any one point of it.
+/// edges do, or one set contains a connected part of the other. For that, any one point of the part
+/// decides.
 class PlacedOperand {
  public:
-  /// Both resolved.
+  /// Both operands must be resolved.
   PlacedOperand(const Geometry& p, const Geometry& q, Cancellation& cancellation)
       : cancellation_(cancellation), p_(p, cancellation), q_(q, cancellation) {}
   [[nodiscard]] bool in_sum(const Point& x) const;

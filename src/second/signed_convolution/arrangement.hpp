@@ -1,4 +1,4 @@
-// Signed method, step 3: the arrangement of all signed segments as a graph of pieces.
+// Step 3 of the signed method: the arrangement of all signed segments as a graph of pieces.
 #pragma once
 
 #include <algorithm>
@@ -14,51 +14,51 @@
 
 namespace minksum::signed_sum {
 
-/// How much larger a layer's winding number is on the left than on the right.
+/// By how much a layer's winding number is larger on the left than on the right.
 struct Delta {
   LayerId layer = 0;
   std::int32_t change = 0;
 };
 
-/// A part of a segment without nodes inside, directed from `from` to `to`; it lies on `segment`.
+/// A part of a segment without nodes inside, directed from `from` to `to`.
 struct Piece {
   NodeId from = 0;
   NodeId to = 0;
   SegmentId segment = 0;
-  bool along_segment = true;       ///< same direction as its segment
-  bool deltas_along_piece = true;  ///< the deltas hold for this direction, else for the reverse
+  bool along_segment = true;       ///< whether the piece has its segment's direction
+  bool deltas_along_piece = true;  ///< whether the deltas hold for this direction, not the reverse
   std::uint32_t first_delta = 0;
   std::uint32_t last_delta = 0;
 };
 
-/// Half-edge 2k is piece k in its own direction, 2k + 1 the same reversed.
+/// A directed piece. Half-edge 2k is piece k in its own direction; 2k + 1 is piece k reversed.
 using HalfEdge = std::uint32_t;
 [[nodiscard]] constexpr HalfEdge twin(HalfEdge h) { return h ^ 1U; }
 
-/// Pieces that meet only at nodes, no two between the same nodes. Those across which no winding
+/// Pieces that meet only at nodes, no two between the same nodes. Pieces across which no winding
 /// number changes are left out.
 struct Arrangement {
   std::vector<Piece> pieces;
   std::vector<Delta> deltas;
-  std::vector<std::uint32_t> node_first;  ///< per node, and one more: where its half-edges start
+  std::vector<std::uint32_t> node_first;  ///< by node, and one more: the start of its half-edges
   std::vector<HalfEdge> outgoing;   ///< counter-clockwise around each node, from straight down
                                     ///< (excluded) to straight down (included)
-  std::vector<std::uint32_t> slot;  ///< per half-edge: its index in `outgoing`
+  std::vector<std::uint32_t> slot;  ///< by half-edge: its index in `outgoing`
 
   [[nodiscard]] NodeId origin(HalfEdge h) const {
     return (h & 1U) == 0 ? pieces[h >> 1].from : pieces[h >> 1].to;
   }
   [[nodiscard]] std::size_t half_edge_count() const { return 2 * pieces.size(); }
   [[nodiscard]] std::size_t node_count() const { return node_first.size() - 1; }
-  /// The next half-edge clockwise around the same origin.
+  /// Returns the next half-edge clockwise around the same origin.
   [[nodiscard]] HalfEdge clockwise(HalfEdge h) const {
     const NodeId node = origin(h);
     const std::uint32_t at = slot[h];
     return outgoing[(at == node_first[node] ? node_first[node + 1] : at) - 1];
   }
-  /// The next half-edge along the boundary of the face on the left.
+  /// Returns the next half-edge along the boundary of the face on the left.
   [[nodiscard]] HalfEdge next(HalfEdge h) const { return clockwise(twin(h)); }
-  /// Calls `visit(layer, change)` for what changes from the right side of h to its left side.
+  /// Calls `visit(layer, change)` for all changes from the right side of h to its left side.
   template <class Visit>
   void for_deltas(HalfEdge h, const Visit& visit) const {
     const Piece& piece = pieces[h >> 1];
@@ -69,17 +69,17 @@ struct Arrangement {
   }
 };
 
-/// Whether every layer's pieces form cycles: at each node as much comes in as goes out.
+/// Tells whether every layer's pieces form cycles: at each node, as much comes in as goes out.
 [[nodiscard]] bool is_balanced(const Arrangement& arrangement);
 
-/// A segment of `Geometry`, with all signed segments between its ends: deltas in its direction.
+/// The deltas of a segment of `Geometry`, in its direction: those of all signed segments between
+/// its ends.
 struct DeltaRange {
   std::uint32_t first = 0;
   std::uint32_t last = 0;
 };
 
-/// Adds `change` of several contributions to the end of `deltas`, one entry a layer, none that is
-/// 0.
+/// Adds up contributions and appends them to `deltas`: one entry a layer, and none that is 0.
 [[nodiscard]] DeltaRange append_sum(std::span<Delta> contributions, std::vector<Delta>& deltas);
 
 template <class N>
@@ -194,7 +194,7 @@ class ArrangementBuilder {
       add_raw(id, last, geometry_.segment(id).to);
     }
   }
-  // Along a segment that is not vertical the order is that of x, else that of y.
+  // Along a segment, x decides the order, or y if the segment is vertical.
   template <class Iterator>
   void sort_along(SegmentId id, Iterator begin, Iterator end) const {
     if (end - begin < 2) return;
@@ -251,7 +251,8 @@ class ArrangementBuilder {
     }
   }
 
-  // Sorts the half-edges around each node. Their directions are those of whole segments: integers.
+  // Sorts the half-edges around each node. Their directions are those of whole segments, so they
+  // are integers.
   void link() {
     const std::size_t count = result_.half_edge_count();
     assign_in_pieces(result_.node_first, geometry_.node_count() + 1, 0U, cancellation_);

@@ -1,4 +1,4 @@
-// Broken invariants, for all steps of the signed method.
+// Reports broken invariants, for all steps of the signed method.
 #pragma once
 
 #include "machine/cancellation.hpp"
@@ -6,7 +6,8 @@
 
 namespace minksum::signed_sum {
 
-/// An invariant of this method does not hold: a fault of the library, never of its input.
+/// Throws because an invariant of this method does not hold. That is a fault of the library, and
+/// never of its input.
 [[noreturn]] inline void broken(const char* message) {
   throw Error(ErrorCode::kInternal, message, {}, "signed convolution");
 }

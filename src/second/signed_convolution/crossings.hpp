@@ -1,4 +1,4 @@
-// Signed method, step 3: all places where segments meet, by a uniform grid.
+// Step 3 of the signed method: finds all places where segments meet, by a uniform grid.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace minksum::signed_sum {
 
-/// A node in the inside of a segment.
+/// A node inside a segment.
 struct Stop {
   SegmentId segment;
   NodeId node;
@@ -25,12 +25,12 @@ struct CellRange {
   std::int64_t last;
 };
 
-/// A grid over the keys of all nodes. The cell of a point is found from its key alone, so that each
-/// point is in exactly one cell.
+/// A grid over the keys of all nodes. A point's key alone gives its cell, so each point is in
+/// exactly one cell.
 class Grid {
  public:
-  /// `mean_x` and `mean_y` are how far the segments reach on average, in keys. The cells get that
-  /// shape, and are a few for each segment.
+  /// Makes a grid with a few cells for each segment. `mean_x` and `mean_y` are the average extents
+  /// of the segments, in keys. The cells get that shape.
   Grid(Key min, Key max, std::size_t segments, double mean_x, double mean_y) : min_(min) {
     const double reach_x = std::max(mean_x / (static_cast<double>(max.x - min.x) + 1), 1e-5);
     const double reach_y = std::max(mean_y / (static_cast<double>(max.y - min.y) + 1), 1e-5);
@@ -52,8 +52,8 @@ class Grid {
     return static_cast<std::size_t>(columns_ * rows_);
   }
 
-  /// Calls `visit(cell)` for every cell that holds a point of the segment from a to b, and perhaps
-  /// for some more.
+  /// Calls `visit(cell)` for every cell that contains a point of the segment from a to b, and
+  /// perhaps for some more.
   template <class Visit>
   void for_cells(const Key& a, const Key& b, const Visit& visit) const {
     const CellRange columns = ordered(column(a), column(b));
@@ -67,12 +67,13 @@ class Grid {
   }
 
  private:
-  // At most 2^16 cells a side, and at least 2^20 keys a cell where the float path is used. Then, in
-  // units of cells, an end point as computed is within e = 2^-20 (its key is rounded down) + 2^-37
-  // (conversion to double) of the exact one, hence every point of the segment is within e of the
-  // computed segment's point with the same parameter. The computed segment is more than a column
-  // wide (else `small`), so that evaluating it within its ends loses less than 2^-32 more. kMargin
-  // on each side of the column and of the result covers both amply: it is as long in y as in x.
+  // A side has at most 2^16 cells. Where the float path is used, a cell has at least 2^20 keys.
+  // Then, in units of cells, a computed end is within e = 2^-20 + 2^-37 of the exact one. The first
+  // term is the rounding down of its key, and the second the conversion to double. So every point
+  // of the segment is within e of the computed segment's point with the same parameter. The
+  // computed segment is more than a column wide (else `small`). So evaluating it within its ends
+  // loses less than 2^-32 more, and as much in y as in x. kMargin on each side of the column and of
+  // the result amply covers both.
   static constexpr double kMaxSide = 65536;
   static constexpr int kMinShift = 20;
   static constexpr double kMargin = 1.0 / 1024;
@@ -110,8 +111,8 @@ class Grid {
   std::int64_t rows_ = 1;
 };
 
-/// Finds all pairs of segments that meet, adds the nodes where they cross, and lists every node
-/// that lies in the inside of a segment (perhaps several times).
+/// Finds all pairs of segments that meet, and adds the nodes where they cross. Lists every node
+/// that lies inside a segment (perhaps several times).
 template <class N>
 class CrossingFinder {
  public:
@@ -235,10 +236,10 @@ class CrossingFinder {
 
   struct Candidate {
     Stop stop;
-    bool on_line;  // the node is on the segment's line
+    bool on_line;  // whether the node is on the segment's line
   };
-  // Lists the candidates that are real stops and in this cell. A pair of segments in one line may
-  // have stops in two cells: it counts as met where the first one is.
+  // Lists the candidates that are real stops and in this cell. Two segments in one line may have
+  // stops in two cells. They count as met where the first stop is.
   bool touch(const Grid& grid, std::size_t cell, const std::array<Candidate, 4>& candidates) {
     bool any = false;
     bool first_here = false;
@@ -252,7 +253,7 @@ class CrossingFinder {
     return first_here;
   }
 
-  // Whether a vertex on the line of a segment is between its ends.
+  // Tells whether a vertex on the line of a segment is between its ends.
   [[nodiscard]] bool is_inside(const Stop& stop) const {
     const auto& segment = geometry_.segment(stop.segment);
     if (stop.node == segment.from || stop.node == segment.to) return false;

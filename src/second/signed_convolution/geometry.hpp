@@ -1,4 +1,4 @@
-// Signed method: the points and segments of the arrangement, and every question asked of them.
+// Holds the points and segments of the signed method's arrangement, and decides about them.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ using NodeId = std::uint32_t;
 /// Index of a segment between two vertices of the convolution.
 using SegmentId = std::uint32_t;
 
-/// A coordinate pair rounded down to keys; see kKeyBits.
+/// A coordinate pair rounded down to keys (see kKeyBits).
 struct Key {
   std::int64_t x = 0;
   std::int64_t y = 0;
   friend bool operator==(const Key&, const Key&) = default;
 };
 
-/// Points with exact identity and order. `N` is one of the number sets of numbers.hpp, and every
-/// coordinate is below 2^bits.
+/// Holds points with exact identity and order. `N` is one of the number sets of numbers.hpp, and
+/// every coordinate is below 2^bits.
 template <class N>
 class Geometry {
  public:
@@ -43,7 +43,7 @@ class Geometry {
     NodeId from;
     NodeId to;
   };
-  /// The point (x / d, y / d), d > 0.
+  /// The point (x / d, y / d), where d > 0.
   struct ExactPoint {
     Scaled x;
     Scaled y;
@@ -53,12 +53,12 @@ class Geometry {
   Geometry(unsigned bits, Cancellation& cancellation)
       : bits_(bits), cancellation_(cancellation), work_(work_of(bits)) {}
 
-  /// The operation's; and the units of work of a decision.
+  /// The cancellation of the operation, and the units of work of a decision.
   [[nodiscard]] Cancellation& cancellation() const { return cancellation_; }
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
   // -- Building ------------------------------------------------------------------------------
-  /// The node at an integer point.
+  /// Adds an integer point, or finds it, and returns its node.
   NodeId add_vertex(const Coordinate& x, const Coordinate& y) {
     cancellation_.check(work_);
     const ExactPoint point{widen<Scaled>(x), widen<Scaled>(y), Product(1)};
@@ -74,8 +74,8 @@ class Geometry {
     append(segments_, {from, to}, cancellation_);
     return static_cast<SegmentId>(segments_.size() - 1);
   }
-  /// The node where two segments cross properly; `a_from` and `a_to` are the sides of a's ends
-  /// against b. Nothing is added if `wanted` says no to the point's key.
+  /// Adds, or finds, the node where two segments cross properly. `a_from` and `a_to` are the sides
+  /// of a's ends against b. Does nothing if `wanted` rejects the point's key.
   template <class Predicate>
   std::pair<bool, NodeId> add_crossing(SegmentId a, SegmentId b, const Product& a_from,
                                        const Product& a_to, const Predicate& wanted) {
@@ -97,7 +97,7 @@ class Geometry {
   [[nodiscard]] std::size_t segment_count() const { return segments_.size(); }
   [[nodiscard]] const Segment& segment(SegmentId id) const { return segments_[id]; }
   [[nodiscard]] const Key& key(NodeId node) const { return nodes_[node].key; }
-  /// The coordinates of an end of a segment.
+  /// Returns the coordinates of an end of a segment.
   [[nodiscard]] const Vector& vertex(NodeId node) const { return vertices_[nodes_[node].first]; }
   [[nodiscard]] Vector direction(SegmentId id) const {
     const Vector& a = vertex(segments_[id].from);
@@ -119,8 +119,8 @@ class Geometry {
   [[nodiscard]] static Product cross(const Vector& a, const Vector& b) {
     return widen<Product>(a.x) * widen<Product>(b.y) - widen<Product>(a.y) * widen<Product>(b.x);
   }
-  /// Twice the area of the triangle of a segment and a vertex: positive if the vertex is left of
-  /// it.
+  /// Returns twice the signed area of the triangle of a segment and a vertex. It is positive if the
+  /// vertex is left of the segment.
   [[nodiscard]] Product side(SegmentId id, NodeId vertex_node) const {
     cancellation_.check(work_ / 4);
     const Vector& a = vertex(segments_[id].from);
@@ -128,7 +128,7 @@ class Geometry {
     const Vector& c = vertex(vertex_node);
     return cross({b.x - a.x, b.y - a.y}, {c.x - a.x, c.y - a.y});
   }
-  /// The sign of the same for any node.
+  /// Returns the sign of the side of any node.
   [[nodiscard]] int side_of_node(SegmentId id, NodeId node) const {
     if (nodes_[node].second == kVertex) return sign_of(side(id, node));
     const ExactPoint point = exact(node);
@@ -140,10 +140,10 @@ class Geometry {
     const Comparison py = widen<Comparison>(point.y) - scale(a.y, point.d);
     return sign_of(Comparison(dx * py - dy * px));
   }
-  /// The order of two nodes by x: -1, 0 or 1; and by y.
+  /// Return the order of two nodes by one coordinate: -1, 0 or 1.
   [[nodiscard]] int compare_x(NodeId a, NodeId b) const { return compare<true>(a, b); }
   [[nodiscard]] int compare_y(NodeId a, NodeId b) const { return compare<false>(a, b); }
-  /// The lexicographic order, x first.
+  /// Returns the order by x, then by y.
   [[nodiscard]] int compare_xy(NodeId a, NodeId b) const {
     const int by_x = compare_x(a, b);
     return by_x != 0 ? by_x : compare_y(a, b);
@@ -153,7 +153,7 @@ class Geometry {
   static constexpr std::uint32_t kVertex = std::numeric_limits<std::uint32_t>::max();
   static constexpr NodeId kNobody = std::numeric_limits<NodeId>::max();
 
-  // A vertex (index `first` in vertices_) or the crossing of segments `first` and `second`.
+  // A vertex (index `first` in vertices_), or the crossing of segments `first` and `second`.
   struct Node {
     Key key;
     std::uint32_t first = 0;
@@ -164,7 +164,7 @@ class Geometry {
     return widen<Comparison>(c) * widen<Comparison>(d);
   }
 
-  // side(b, ·) is linear along a, so that the crossing divides a as a_from : -a_to.
+  // side(b, ·) is linear along a, so the crossing divides a as a_from : -a_to.
   [[nodiscard]] ExactPoint crossing(SegmentId a, const Product& a_from, const Product& a_to) const {
     const Vector& from = vertex(segments_[a].from);
     const Vector d = direction(a);
@@ -187,7 +187,7 @@ class Geometry {
     if constexpr (std::is_same_v<Coordinate, BigInteger>) {
       return static_cast<std::int64_t>(Scaled(n / (d << (bits_ - kKeyBits))));
     }
-    return 0;  // unreachable: the fixed widths end below kKeyBits
+    return 0;  // unreachable: fixed widths end below kKeyBits
   }
 
   template <bool kX>

@@ -1,8 +1,7 @@
-// The number types of the signed method: one set for each size of coordinates.
+// Defines the number types of the signed method: one set for each size of coordinates.
 //
-// Everything is computed on non-negative integer coordinates below 2^B (both operands are scaled to
-// integers and moved so that their boxes start at 0, so their sums do too). What is needed:
-//
+// All coordinates are non-negative integers below 2^B. Both operands are scaled to integers and
+// moved so that their boxes start at 0, and so does the box of their sum. These bounds hold:
 //   | quantity                                     | bound            | type       |
 //   | coordinate of a vertex of the convolution    | 0 <= c < 2^B     | Coordinate |
 //   | cross product of two differences             | |c| < 2^(2B+1)   | Product    |
@@ -20,15 +19,16 @@
 
 namespace minksum::signed_sum {
 
-/// Integers of any size. No expression templates: `auto` and `?:` mean what they say.
+/// Integers of any size. They have no expression templates, so that `auto` and `?:` mean what they
+/// say.
 using BigInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                                  boost::multiprecision::et_off>;
 __extension__ typedef __int128 Int128;
 using Int256 = boost::multiprecision::int256_t;
 using Int512 = boost::multiprecision::int512_t;
 
-/// The order of points is decided on keys first: floor(c · 2^(kKeyBits - B)), a monotone function
-/// of the exact coordinate, so that unequal keys tell the order and equal points have equal keys.
+/// Keys decide the order of points first. A key is floor(c · 2^(kKeyBits - B)), a monotone function
+/// of the exact coordinate. So unequal keys tell the order, and equal points have equal keys.
 inline constexpr unsigned kKeyBits = 62;
 
 struct NarrowNumbers {
@@ -58,7 +58,7 @@ struct ArbitraryNumbers {
   using Comparison = BigInteger;
 };
 
-/// The same value in a type that is at least as wide. Boost's integers take 128 bits in two parts.
+/// Returns the same value in a type at least as wide. Boost's integers take 128 bits in two parts.
 template <class To, class From>
 [[nodiscard]] To widen(const From& value) {
   if constexpr (std::is_same_v<To, From>) {

@@ -71,7 +71,7 @@ BigInteger scaled(const Rational& value, const BigInteger& scale, Cancellation& 
 }
 
 BigInteger cross(const IntegerPoint& a, const IntegerPoint& b) { return a.x * b.y - a.y * b.x; }
-/// The units of work of that.
+/// Returns the units of work of such a product.
 std::uint64_t work_of_cross(const IntegerPoint& a) {
   return 2 * work_of_product(64 * std::max(a.x.backend().size(), a.y.backend().size()));
 }
@@ -89,8 +89,8 @@ void drop_repeated_vertices(std::vector<IntegerPoint>& points) {
   while (points.size() > 1 && same(points.front(), points.back())) points.pop_back();
 }
 
-// In a simple ring a straight vertex goes straight on, so that dropping it leaves the directions of
-// its neighbours' edges as they are: one pass is enough.
+// In a simple ring, a straight vertex goes straight on. Dropping it keeps the directions of its
+// neighbours' edges, so one pass is enough.
 void drop_straight_vertices(IntegerRing& ring, Cancellation& cancellation) {
   std::vector<IntegerPoint> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -109,7 +109,7 @@ BigInteger doubled_area(const IntegerRing& ring, Cancellation& cancellation) {
   return sum;
 }
 
-/// The units of work of making a vertex of a ring.
+/// Returns the units of work of making a vertex of a ring.
 std::uint64_t work_of_vertex(const BigInteger& scale) {
   return 16 + 16 * work_of_product(bit_count(scale) + 64);
 }
@@ -175,7 +175,7 @@ std::vector<IntegerRing*> rings_of(std::vector<IntegerPart>& parts) {
   return rings;
 }
 
-// Moves the box of the parts to start at the origin; returns where it started and its larger side.
+// Moves the box of the parts to the origin. Returns where it was, and its larger side.
 std::pair<IntegerPoint, BigInteger> move_to_origin(std::vector<IntegerPart>& parts) {
   IntegerPoint low = parts.front().outer.vertices.front();
   IntegerPoint high = low;

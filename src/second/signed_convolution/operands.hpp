@@ -1,5 +1,5 @@
-// Signed method, step 1: both operands as oriented integer rings, with the directions of all edges
-// ranked once and for all.
+// Step 1 of the signed method: turns both operands into oriented integer rings, and ranks the
+// directions of all edges once.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace minksum::signed_sum {
 
-/// A direction of an edge: its place among all distinct directions of both operands, in
-/// counter-clockwise order. Equal directions have equal ranks; the order is cyclic.
+/// The place of an edge's direction among all distinct directions of both operands, in
+/// counter-clockwise order. Equal directions have equal ranks. The order is cyclic.
 using DirectionRank = std::uint32_t;
 
 struct IntegerPoint {
@@ -22,13 +22,13 @@ struct IntegerPoint {
   BigInteger y;
 };
 
-/// A simple ring without repeated or straight vertices, material on its left. Edge i runs from
-/// vertex i to vertex i + 1. Or a walk along a polyline and back: the boundary of the polyline made
-/// a little wider, in the limit, which turns left by half a circle at both ends.
+/// A simple ring without repeated or straight vertices, with material on its left, or a walk along
+/// a polyline and back. Edge i runs from vertex i to vertex i + 1. In the limit, a walk is the
+/// boundary of the polyline made a little wider. It turns left by half a circle at both ends.
 struct IntegerRing {
   std::vector<IntegerPoint> vertices;
-  std::vector<DirectionRank> directions;    ///< of each edge
-  std::vector<bool> convex;                 ///< of each vertex: a left turn, up to half a circle
+  std::vector<DirectionRank> directions;    ///< by edge
+  std::vector<bool> convex;                 ///< by vertex: a left turn, up to half a circle
   std::vector<std::uint32_t> by_direction;  ///< the edges, sorted by rank
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
@@ -41,30 +41,31 @@ struct IntegerPart {
   std::vector<IntegerRing> holes;  ///< clockwise
 };
 
-/// A point (x, y) of the sum's integer plane is ((x + origin.x) / scale, (y + origin.y) / scale).
+/// Both operands on integers. A point (x, y) of the sum's integer plane stands for ((x + origin.x)
+/// / scale, (y + origin.y) / scale).
 struct IntegerOperands {
   std::vector<IntegerPart> p;
   std::vector<IntegerPart> q;
   BigInteger scale;
   IntegerPoint origin;
-  unsigned operand_bits = 0;  ///< every coordinate of an operand is below 2^operand_bits
-  unsigned bits = 0;          ///< every coordinate of the sum is below 2^bits
+  unsigned operand_bits = 0;  ///< coordinates of operands are below 2^operand_bits
+  unsigned bits = 0;          ///< coordinates of the sum are below 2^bits
   DirectionRank direction_count = 0;
 };
 
-/// An operand as it is given: a valid region, or polylines as in a resolved Geometry; not empty.
+/// An operand as given, not empty: a valid region, or polylines as in a resolved Geometry.
 struct CallerOperand {
   CallerOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
   explicit CallerOperand(std::span<const Polyline> given) : polylines(given) {}
-  const Region* region = nullptr;  ///< or
+  const Region* region = nullptr;  ///< null if there are polylines instead
   std::span<const Polyline> polylines;
 };
 
 [[nodiscard]] IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
                                             Cancellation& cancellation);
 
-/// Throws Error(kInternal) unless the operands are as described above: oriented or walks, no
-/// straight or repeated vertices, ranks in cyclic order of the directions.
+/// Throws Error(kInternal) unless the operands are as described above. Rings must be oriented or
+/// walks, without straight or repeated vertices. Ranks must be in cyclic order of the directions.
 void check(const IntegerOperands& operands);
 
 }  // namespace minksum::signed_sum

@@ -1,4 +1,4 @@
-// Signed method, step 5: boundary pieces to rings, rings to polygons, polygons to the region.
+// Step 5 of the signed method: links boundary pieces into rings, polygons and the region.
 #pragma once
 
 #include <algorithm>
@@ -18,18 +18,18 @@
 
 namespace minksum::signed_sum {
 
-/// A simple ring of boundary pieces, the sum on its left.
+/// A simple ring of boundary pieces, with the sum on its left.
 struct BoundaryRing {
   std::vector<HalfEdge> edges;     ///< all pieces, from the lexicographically smallest node
-  std::vector<HalfEdge> vertices;  ///< those that start at a vertex: no straight ones
+  std::vector<HalfEdge> vertices;  ///< those that start at a vertex which is not straight
   bool outer = false;              ///< counter-clockwise
-  std::size_t walk = 0;            ///< the closed walk that it was split from
+  std::size_t walk = 0;            ///< index of the closed walk from which it was split
 };
 
 /// A closed walk along the boundary of one component of the sum's interior.
 struct BoundaryTrace {
   NodeId leftmost = 0;        ///< its lexicographically smallest node
-  std::size_t outer = kNone;  ///< its outer ring, if it has one (it never has two)
+  std::size_t outer = kNone;  ///< its only outer ring, if it has one
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 };
 
@@ -67,8 +67,8 @@ class RingBuilder {
  private:
   static constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 
-  // The sum's interior lies left of h; turning clockwise from its reverse sweeps that interior, and
-  // the first boundary piece met is where it ends.
+  // Returns the next boundary piece. The sum's interior lies left of h. Turning clockwise from h's
+  // reverse sweeps that interior, up to the first boundary piece.
   [[nodiscard]] HalfEdge next_on_boundary(HalfEdge h) const {
     const HalfEdge back = twin(h);
     HalfEdge next = arrangement_.clockwise(back);
@@ -80,7 +80,8 @@ class RingBuilder {
     return next;
   }
 
-  // Whenever the walk comes back to a node, what it went through since is a ring of its own.
+  // Follows a walk. Whenever it comes back to a node, the pieces since then are a ring of their
+  // own.
   void walk_from(HalfEdge start) {
     const std::size_t walk = result_.walks.size();
     result_.walks.push_back({arrangement_.origin(start), BoundaryTrace::kNone});
@@ -156,7 +157,7 @@ class RingBuilder {
   const Arrangement& arrangement_;
   const InsideFlags& inside_;
   std::vector<bool> used_;
-  std::vector<std::uint32_t> place_of_node_;  // index in the path of the half-edge from this node
+  std::vector<std::uint32_t> place_of_node_;  // by node: index in the path of its half-edge
   BoundaryRings result_;
 };
 
@@ -213,8 +214,9 @@ class PolygonBuilder {
     return outer;
   }
 
-  // The innermost outer ring around a walk of holes. What is just left of the walk's leftmost node
-  // is in the interior of the sum, hence on no ring and in the same component as the holes.
+  // Returns the innermost outer ring around a walk of holes. The point just left of the walk's
+  // leftmost node is in the sum's interior. So it is on no ring, and in the same component as the
+  // holes.
   [[nodiscard]] std::size_t around(NodeId node) const {
     const Key& key = geometry_.key(node);
     std::size_t best = BoundaryTrace::kNone;
@@ -231,7 +233,7 @@ class PolygonBuilder {
     return best;
   }
 
-  // Whether a ring winds around the point just left of a node, by a ray straight down.
+  // Tells whether a ring winds around the point just left of a node, by a ray straight down.
   [[nodiscard]] bool holds_left_of(std::size_t ring, NodeId node) const {
     bool odd = false;
     for (const HalfEdge h : boundary_.rings[ring].edges) {
@@ -245,7 +247,7 @@ class PolygonBuilder {
     return odd;
   }
 
-  // Whether the point just left of `node` is above the half-edge between `left` and `right`.
+  // Tells whether the point just left of `node` is above the half-edge between `left` and `right`.
   [[nodiscard]] bool is_above(HalfEdge h, NodeId left, NodeId right, bool rightward,
                               NodeId node) const {
     if (right == node) return geometry_.compare_y(left, node) < 0;
@@ -279,7 +281,7 @@ class PolygonBuilder {
     return sum;
   }
 
-  // By first vertices, and by second vertices where two rings start at the same node.
+  // Orders rings by first vertices, and by second vertices where both start at the same node.
   [[nodiscard]] bool ring_less(std::size_t a, std::size_t b) const {
     cancellation_.check();
     for (std::size_t i = 0; i < 2; ++i) {

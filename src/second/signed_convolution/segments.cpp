@@ -25,23 +25,23 @@ Box box_of(const IntegerRing& ring) {
   return box;
 }
 
-// A closed set can lie in an open one only if it is strictly narrower and strictly lower.
+// A closed set fits into an open one only if it is strictly narrower and strictly lower.
 bool may_fit(const Box& set, const Box& hole) {
   return set.max.x - set.min.x < hole.max.x - hole.min.x &&
          set.max.y - set.min.y < hole.max.y - hole.min.y;
 }
 
-// The ranks from `first` to `last`, both included, going counter-clockwise.
+// A range of ranks from `first` to `last`, both included, going counter-clockwise.
 struct Range {
   DirectionRank first;
   DirectionRank last;
 };
 
-// Which edges a vertex takes. Think of all edges of Q as turned counter-clockwise by an
-// infinitesimal angle: then no edge of P is parallel to one of Q, the convolution is the generic
-// one, hence closed, and its winding numbers off the segments are those of the unturned operands.
-// A direction of P between those of Q's edges `a` and `b` is then after a and not after b: (a, b];
-// a direction of Q between those of P's edges is not before a and before b: [a, b).
+// These ranges tell which edges a vertex takes. Think of all edges of Q as turned counter-clockwise
+// by an infinitesimal angle. Then no edge of P is parallel to one of Q. The convolution is the
+// generic one, so it is closed. Its winding numbers off the segments are those of the unturned
+// operands. A direction of P between those of Q's edges `a` and `b` is then after a and not after
+// b: (a, b]. A direction of Q between those of P's edges is not before a and before b: [a, b).
 Range edges_of_p_between(DirectionRank a, DirectionRank b, DirectionRank count) {
   return {a + 1 == count ? 0 : a + 1, b};
 }
@@ -81,8 +81,8 @@ class Lister {
     DirectionRank from;
     DirectionRank to;
   };
-  // The directions that the tangent runs through at a vertex, less than a half turn: from the
-  // incoming edge to the outgoing one if it turns left, the other way round if it turns right.
+  // Returns the directions of the tangent at a vertex, less than a half turn. They go from the
+  // incoming edge to the outgoing one at a left turn, and the other way at a right turn.
   static Sector sector(const IntegerRing& ring, std::size_t vertex) {
     const DirectionRank in = ring.directions[ring.previous(vertex)];
     const DirectionRank out = ring.directions[vertex];
@@ -125,7 +125,7 @@ class Lister {
   std::vector<SignedSegment>& segments_;
 };
 
-// One end of a segment in the grid of pairs of vertices.
+// An end of a segment in the grid of pairs of vertices.
 struct End {
   LayerId layer;
   std::uint32_t i;

@@ -47,7 +47,7 @@ void solve(const Input& input, const Options& options, Cancellation& cancellatio
     broken("the pieces of the arrangement do not form cycles");
   }
   timer.charge(Stage::kArrangement);
-  // Polylines along one direction: all pieces cancel.
+  // All pieces of polylines along one direction cancel.
   if (arrangement.pieces.empty()) return;
   cancellation.enter(Stage::kLoops);
   const InsideFlags inside = WindingTrace<N>(geometry, arrangement, input.layers).run();
@@ -60,7 +60,7 @@ void solve(const Input& input, const Options& options, Cancellation& cancellatio
   timer.charge(Stage::kOutput);
 }
 
-// The narrowest set of numbers that holds the sum, or a wider one on request.
+// Returns the narrowest set of numbers that holds the sum, or a wider one on request.
 Arithmetic pick(unsigned bits, Arithmetic least) {
   const bool wider = least == Arithmetic::kWide || least == Arithmetic::kArbitrary;
   if (wider || bits > MediumNumbers::kBits) return Arithmetic::kArbitrary;
@@ -81,7 +81,7 @@ void compute(const CallerOperand& p, const CallerOperand& q, const Options& opti
   const std::vector<Layer> layers = make_layers(operands, cancellation);
   const std::vector<SignedSegment> segments =
       signed_segments(operands, layers, options, cancellation);
-  // Always: it costs little, and everything after it rests on it.
+  // This is always checked, because it costs little, and all later steps depend on it.
   if (!is_closed(layers, segments, cancellation)) broken("the signed convolution is not closed");
   statistics.convolution_segments = segments.size();
   statistics.segments_kept = segments.size();
@@ -112,7 +112,7 @@ bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d
   return cross(minus(b, a), minus(d, c)).sign() == 0;
 }
 
-/// The sums of parallel edges.
+/// Adds the sums of parallel edges.
 void add_parallel_sums(const Polyline& p, const Polyline& q, Cancellation& cancellation,
                        std::vector<Polyline>& sums) {
   for (std::size_t i = 1; i < p.size(); ++i) {

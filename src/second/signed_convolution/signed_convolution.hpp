@@ -1,11 +1,12 @@
-// The signed method: an independent way to the Minkowski sum, the fast method's check.
+// Declares the signed method: an independent way to the Minkowski sum, which checks the fast
+// method.
 //
 //   operands ─► segments ─► arrangement ─► winding ─► rings
 //
-// It shares no code with the fast method but the numbers and regions at the library's boundary.
-// Where the fast method keeps only segments that can bound the sum and tests what it finds for
-// collisions, this one keeps all segments with signs and counts how often they wind around each
-// face. Slower, as the whole arrangement is built, and simpler to be sure of.
+// It shares no code with the fast method but the numbers and regions at the library's boundary. The
+// fast method keeps only segments that can bound the sum, and tests its loops for collisions. The
+// signed method keeps all segments, with signs, and counts how often they wind around each face. It
+// is slower, because it builds the whole arrangement, and simpler to be sure of.
 #pragma once
 
 #include <span>
@@ -14,18 +15,19 @@
 
 namespace minksum {
 
-/// P ⊕ Q by signed convolution and winding numbers. The operands must be valid (see `validate`).
-/// `result` is cleared first and written in canonical form, without origins.
+/// Sets `result` to P ⊕ Q by signed convolution and winding numbers. The operands must be valid
+/// (see `validate`). The result is in canonical form, without origins.
 void signed_convolution_sum(const Region& p, const Region& q, const Options& options,
                             Statistics& statistics, Region& result);
 
-/// The same for the union of polylines as the second operand, as they are in a resolved Geometry:
-/// each is a ring that is walked there and back.
+/// Does the same where the second operand is the union of polylines as in a resolved Geometry. Each
+/// polyline is a ring that is traversed there and back.
 void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const Options& options,
                             Region& result);
 
-/// The sum of two unions of such polylines. The region is what edges of different directions sweep;
-/// each pair of parallel edges adds a segment, which may overlap with others and the region.
+/// Sets `result` to the sum of two unions of such polylines. Edges of different directions sweep
+/// the region. Each pair of parallel edges adds a segment, which may overlap with others and the
+/// region.
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
                             const Options& options, Geometry& result);
 

@@ -1,8 +1,8 @@
-// Signed method, step 4: which side of each piece is in the sum, by winding numbers.
+// Step 4 of the signed method: finds by winding numbers which side of each piece is in the sum.
 //
-// A connected component of the arrangement is walked face by face, crossing one piece at a time and
-// keeping the winding number of every layer. Where a component starts, the numbers are counted
-// directly, along a ray to infinity: no nesting of components needs to be known.
+// The faces of a connected component of the arrangement are visited one by one. Each visit crosses
+// one piece, and keeps the winding number of every layer. Where a component starts, a ray to
+// infinity counts the numbers directly. So it need not be known which component lies in which.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,16 @@
 
 namespace minksum::signed_sum {
 
-/// The winding numbers of all layers at a point, and whether it is in the sum.
+/// The winding numbers of all layers at a point, and whether the point is in the sum.
 class WindingNumbers {
  public:
   explicit WindingNumbers(std::span<const Layer> layers);
   void add(LayerId layer, int change);
-  /// How many layers there are.
+  /// Returns how many layers there are.
   [[nodiscard]] std::size_t size() const { return winding_.size(); }
-  /// The point is in the sum of some pair of parts: in the filled sum and in no hole.
+  /// Tells whether the point is in the sum of some pair of parts: in the filled sum and in no hole.
   [[nodiscard]] bool inside() const { return pairs_inside_ > 0; }
-  /// Throws Error(kInternal) if a layer just changed has a number that theory excludes.
+  /// Throws Error(kInternal) if a layer, just changed, has a number that theory excludes.
   void check(LayerId layer) const;
   void clear();
 
@@ -43,10 +43,10 @@ class WindingNumbers {
   std::int64_t pairs_inside_ = 0;
 };
 
-/// For each half-edge, whether the face on its left is in the sum.
+/// Tells for each half-edge whether the face on its left is in the sum.
 using InsideFlags = std::vector<bool>;
 
-/// The pieces (as half-edges with the sum on the left) that bound the sum.
+/// Tells whether a half-edge bounds the sum and has it on its left.
 [[nodiscard]] inline bool is_boundary(const InsideFlags& inside, HalfEdge h) {
   return inside[h] && !inside[twin(h)];
 }
@@ -69,8 +69,8 @@ class WindingTrace {
     for (const NodeId node : starts) {
       cancellation_.check(winding_.size() / 4);
       count_left_of(node);
-      // The last one counter-clockwise from straight down, all of them going right or up: the face
-      // on its left holds what is just left of the node.
+      // All half-edges here go right or up. The last one counter-clockwise from straight down has
+      // the point just left of the node in the face on its left.
       walk_component(arrangement_.outgoing[arrangement_.node_first[node + 1] - 1]);
     }
     InsideFlags inside(arrangement_.half_edge_count());
@@ -98,7 +98,7 @@ class WindingTrace {
     }
   }
 
-  // The lexicographically smallest node of each connected component.
+  // Returns the lexicographically smallest node of each connected component.
   [[nodiscard]] std::vector<NodeId> leftmost_nodes() const {
     std::vector<NodeId> parent;
     resize_in_pieces(parent, arrangement_.node_count(), cancellation_);
@@ -152,8 +152,9 @@ class WindingTrace {
     return static_cast<std::size_t>((key - min_x_) >> shift_);
   }
 
-  // At an infinitesimal distance left of the node, which no piece of its component reaches. So a
-  // piece counts if it has the node's x, but not as its smallest, and runs below.
+  // Counts winding numbers at an infinitesimal distance left of the node, which no piece of its
+  // component reaches. So a piece counts if it has the node's x, but not as its smallest, and runs
+  // below.
   void count_left_of(NodeId node) {
     winding_.clear();
     for (const std::uint32_t k : slabs_[slab(geometry_.key(node).x)]) {
@@ -175,8 +176,8 @@ class WindingTrace {
 
   // -- From face to face ----------------------------------------------------------------------
   struct Visit {
-    HalfEdge first;    // where the face was entered: its left side is the face
-    HalfEdge current;  // the half-edge whose other side is looked at next
+    HalfEdge first;    // the face was entered on the left side of this
+    HalfEdge current;  // the other side of this is looked at next
     bool started;
   };
 
@@ -218,7 +219,7 @@ class WindingTrace {
   Cancellation& cancellation_;
   const Arrangement& arrangement_;
   WindingNumbers winding_;
-  std::vector<std::uint32_t> cycle_;  // per half-edge: the boundary cycle of the face on its left
+  std::vector<std::uint32_t> cycle_;  // by half-edge: the boundary cycle of its left face
   std::uint32_t cycle_count_ = 0;
   std::vector<std::uint8_t> cycle_inside_;
   std::vector<Visit> stack_;
