@@ -135,7 +135,7 @@ class InsideOut {
       return false;
     }
     // The box lies in one face of the ring. A ray to the left from its lower left corner tells
-    // which: it meets the ring an odd number of times if the box is inside.
+    // which. If the box is inside, the ray meets the ring an odd number of times.
     bool inside = false;
     std::size_t from = ring.last();
     const Sign inner_side = ring.counter_clockwise ? kPositive : kNegative;
@@ -219,7 +219,7 @@ class InsideOut {
       for (const std::size_t h : holes) {
         const RingIndex& hole = rings_[h];
         if (hole.polygon == ring.polygon || !has(hole.bounds, ring.bounds)) continue;
-        // Of two holes around one ring, one lies in the other.
+        // If two holes go around one ring, one hole lies in the other.
         if (ring.around != kNone && has(hole.bounds, rings_[ring.around].bounds)) {
           if (has(rings_[ring.around].bounds, hole.bounds)) return false;
           continue;

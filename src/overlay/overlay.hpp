@@ -64,12 +64,12 @@ struct Chain {
 /// `rule.keeps` accepts, resolved (see Geometry). Exact for all coordinates that a region holds;
 /// origins are not kept.
 ///
-/// Each step has a file of its name: load_points (coordinates on the narrowest rung of number
-/// types), list_segments, find_contacts (where segments meet), subdivide (nodes and pieces), sweep
-/// (winding numbers on both sides of each piece), extract_area and extract_thin.
-/// Takes O((n + c) log n) for n vertices and c contacts where segments are not much crowded. Pairs
-/// are sought in cells. A cell is divided until it holds a few segments, or dividing does not part
-/// them.
+/// Each step has a file of its name. load_points puts coordinates on the narrowest rung.
+/// list_segments directs chains and merges equal segments. find_contacts finds where segments meet.
+/// subdivide makes nodes and pieces. sweep finds winding numbers on both sides of each piece.
+/// extract_area and extract_thin write the result. Takes O((n + c) log n) for n vertices and c
+/// contacts where segments are not much crowded. Pairs are sought in cells. A cell is divided until
+/// it holds a few segments, or dividing does not part them.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
                               const std::optional<CancelToken>& cancel);
 

@@ -76,7 +76,7 @@ class ApproximatePoints {
     return side(pa, pb, pc) * side(pa, pb, pd) == kPositive ||
            side(pc, pd, pa) * side(pc, pd, pb) == kPositive;
   }
-  /// Tells whether a vertex is inside a ring that does not touch it. Nothing if that is not
+  /// Tells whether a vertex is inside a ring that does not touch it. Returns nothing if that is not
   /// certain.
   [[nodiscard]] std::optional<bool> is_inside(std::size_t vertex, const IndexRange& ring) const {
     bool inside = false;

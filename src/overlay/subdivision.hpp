@@ -19,7 +19,7 @@ using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// A segment. No two have the same ends. Seen from low to high, windings on its left are greater by
+/// A segment; no two have the same ends. Seen from low to high, windings on its left are greater by
 /// `change` than those on its right.
 struct Segment {
   Ends ends;
@@ -118,22 +118,22 @@ struct Subdivision {
 [[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
                                  Contacts& contacts);
 
-/// Replaces segments that overlap on one line by segments that do not. k segments that contain each
-/// other have up to k² touches, and become at most 2k segments. This pays only for such crowds. O(n
-/// log n).
+/// Replaces segments that overlap on one line by segments that do not. If k segments contain each
+/// other, they have up to k² touches, and become at most 2k segments. This pays only for such
+/// crowds. O(n log n).
 void join_lines(Segments& segments);
 
 /// Cuts segments at their contacts. Nodes are equal if their exact locations are. O((n + c) log (n
 /// + c)) for n segments and c contacts.
 [[nodiscard]] Subdivision subdivide(const Segments& segments, const Contacts& contacts);
 
-/// Fills in what the sweep finds, and clears `belongs` of nodes that the rule does not keep. A line
-/// moves over the nodes in their order and keeps the pieces that it meets in a balanced tree. No
-/// pieces cross, so their order changes only at nodes. A place is sought, by exact comparison, only
-/// where no piece ends. O(n log n).
+/// Fills in the members that the sweep finds, and clears `belongs` of nodes that the rule does not
+/// keep. A line moves over the nodes in their order and keeps the pieces that it meets in a
+/// balanced tree. No pieces cross, so their order changes only at nodes. A place is sought, by
+/// exact comparison, only where no piece ends. O(n log n).
 void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
 
-/// Returns what is wrong with a subdivision, or nothing. Nodes must be distinct and in order.
+/// Returns the first fault of a subdivision, or nothing. Nodes must be distinct and in order.
 /// Pieces must meet only at nodes and be listed around them counter-clockwise. Both neighbours of a
 /// face must agree on it. Looks at every pair of pieces, so it is for tests.
 [[nodiscard]] std::optional<std::string> check(const Segments& segments,

@@ -131,8 +131,8 @@ struct PointLocator::State {
     }
   }
 
-  /// Sorts edges that span the same heights and do not cross. Of two edges, the one that has an end
-  /// on the left of the other comes first.
+  /// Sorts edges that span the same heights and do not cross. An edge that has an end on the left
+  /// of another one comes before it.
   void sort(std::vector<Edge>& node, Cancellation& cancellation) const {
     std::sort(node.begin(), node.end(), [&](const Edge& a, const Edge& b) {
       cancellation.check(4 * work);
@@ -148,8 +148,8 @@ struct PointLocator::State {
       odd ^= edge.of_ring;
     }
   }
-  /// Returns 1 if an end of `other` at a height of `edge` is left of `edge`, -1 if it is right, and
-  /// 0 if neither end tells.
+  /// Tests the ends of `other` at a height of `edge`. Returns 1 if one is left of `edge`, -1 if one
+  /// is right, and 0 if neither tells.
   [[nodiscard]] int beside(const Edge& edge, const Edge& other) const {
     for (const std::uint32_t v : {other.low, other.high}) {
       if (compare_y(places[edge.low], places[v]) > 0) continue;

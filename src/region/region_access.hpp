@@ -67,7 +67,7 @@ class RegionAccess {
   }
   static void clear_origins(Region& region) { region.arrays_.resize<Region::kOrigins>(0); }
 
-  /// Counts of what a region is going to hold.
+  /// The sizes of a region that is to be made.
   struct Room {
     std::size_t vertices = 0;
     std::size_t origins = 0;
@@ -78,7 +78,7 @@ class RegionAccess {
   static void reserve(Region& region, const Room& room) {
     region.arrays_.reserve({room.vertices, room.origins, room.rings, room.polygons, room.limbs});
   }
-  /// Returns the counts of what a region holds.
+  /// Returns the sizes of a region.
   static Room room_of(const Region& region) {
     return {region.vertex_count(), region.arrays_.size<Region::kOrigins>(), region.ring_count(),
             region.polygon_count(), limbs(region).size()};

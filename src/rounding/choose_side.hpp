@@ -15,13 +15,13 @@ struct Sided {
 
 /// Moves vertices to places of the target so that the moved rings enclose the exact region
 /// (kOutside), or lie in it (kInside). The moved rings must be those of a valid region with the
-/// same orientations (see `check_topology`). Exact vertices stay. No point between an edge and its
-/// moved edge is farther than √2 · `step` from the edge, if the target's cells are no larger than
-/// `step`. `nearest` are the vertices' nearest places. Returns nothing if some vertex finds no
-/// place. O(n).
+/// same orientations (see `check_topology`). Exact vertices stay. If the target's cells are no
+/// larger than `step`, points between an edge and its moved edge are at most √2 · `step` from the
+/// edge. `nearest` are the vertices' nearest places. Returns nothing if some vertex finds no place.
+/// O(n).
 ///
-/// Proof for kOutside: let every vertex v move in a straight line to its place V = v + d, and every
-/// edge with its ends. The winding number of the moving rings around a fixed point x changes only
+/// Proof for kOutside: every vertex v moves in a straight line to its place V = v + d, and edges
+/// move with their ends. The winding number of the moving rings around a fixed point x changes only
 /// when an edge passes over x. It grows by one when x is on the edge's right before, that is, when
 /// the edge moves to its own right.
 ///

@@ -18,12 +18,12 @@ namespace minksum {
 
 /// Does the same with thin parts, which become area. The moved rings lose no point x of these
 /// either, if points move by −half < d ≤ half along each axis. Snapping moves them so (see
-/// snap.hpp): each edge has a point in each pixel that goes to the pixel's centre, and other moves
-/// are between these.
+/// snap.hpp). In each pixel, one point of each edge goes to the pixel's centre, and other moves are
+/// between these.
 ///
 /// Proof: some η > 0 has d > −half + η for all moves. Then no boundary point comes to x + (δ, δ)
-/// for 0 < δ < η, because it would have to be closer to x than `half` at first. So these points
-/// keep their winding number, and x is in their closure.
+/// for 0 < δ < η: it would have to start closer to x than `half`. So these points keep their
+/// winding number, and x is in their closure.
 [[nodiscard]] Region grown(const Geometry& geometry, const Rational& half,
                            const std::optional<CancelToken>& cancel);
 

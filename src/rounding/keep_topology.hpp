@@ -1,4 +1,4 @@
-// Checks whether a region is still what it was, after its vertices moved a little.
+// Checks whether a region keeps its rings and holes when its vertices move a little.
 #pragma once
 
 #include "machine/cancellation.hpp"

@@ -39,15 +39,14 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
 /// Let u be the largest side of a cell. The hulls reach no farther than √2 · u from what they
 /// replace, and the region moves by no more than that. So the bound is 2√2 · u, or √2 · u if no
 /// hull was made.
-/// was made.
 [[nodiscard]] Geometry round_outside(const Geometry& geometry, const Target& target,
                                      const RoundOptions& options, RoundingReport& report);
 
 /// Returns a resolved geometry of the target that is contained in the exact one. It has the region
 /// rounded to the inside, the points in the target, and the segments with both ends in the target.
-/// Of another segment along an axis, it has the longest part with such ends; of one not along an
-/// axis, the ends in the target, as points. The report is that of the region, but for `exact`.
-/// Throws Error(kBadInput) if it finds that the geometry is not resolved.
+/// If another segment is along an axis, its longest part with such ends remains. If it is not, its
+/// ends in the target remain as points. The report is that of the region, but for `exact`. Throws
+/// Error(kBadInput) if it finds that the geometry is not resolved.
 [[nodiscard]] Geometry round_inside(const Geometry& geometry, const Target& target,
                                     const RoundOptions& options, RoundingReport& report);
 

@@ -68,8 +68,8 @@ class Witness {
   Cancellation& cancellation_;
   EdgeTree result_;
   PlacedOperand sum_;
-  std::optional<PlacedOperand> near_result_;  ///< is x near the result, if that may be off?
-  std::optional<PlacedOperand> near_sum_;     ///< is x near the sum, likewise?
+  std::optional<PlacedOperand> near_result_;  ///< tells if x is near the result, if that may be off
+  std::optional<PlacedOperand> near_sum_;     ///< tells if x is near the sum, likewise
   SumCheck& check_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace minksum::checking {
 
-/// A box in doubles that certainly contains what it stands for.
+/// A box in doubles that certainly contains the corners or edges for which it stands.
 struct Box {
   double x0, y0, x1, y1;
   void add(const Box& other);

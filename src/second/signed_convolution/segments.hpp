@@ -25,7 +25,7 @@ using PairId = std::uint32_t;
 ///
 /// For two outer rings, the winding number at x is positive if and only if x is in the sum of the
 /// filled parts. For a hole and the other part's outer ring, it is -1 if and only if the filled
-/// part fits into the hole at x, so that x is not in the sum. Only holes wider and higher than the
+/// part fits into the hole at x. Then x is not in the sum. Only holes wider and higher than the
 /// other part have a layer.
 struct Layer {
   PairId pair = 0;

@@ -1,8 +1,9 @@
 // Step 4 of the signed method: finds by winding numbers which side of each piece is in the sum.
 //
-// The faces of a connected component of the arrangement are visited one by one. Each visit crosses
-// one piece, and keeps the winding number of every layer. Where a component starts, a ray to
-// infinity counts the numbers directly. So it need not be known which component lies in which.
+// The faces of a connected component of the arrangement are visited one by one. Each step crosses
+// one piece, and updates the winding numbers of all layers. Where a component starts, the numbers
+// are counted directly, along a ray to infinity. So it need not be known which component lies in
+// which.
 #pragma once
 
 #include <algorithm>
@@ -153,8 +154,8 @@ class WindingTrace {
   }
 
   // Counts winding numbers at an infinitesimal distance left of the node, which no piece of its
-  // component reaches. So a piece counts if it has the node's x, but not as its smallest, and runs
-  // below.
+  // component reaches. So a piece counts if it runs below the node and has the node's x, but not as
+  // its smallest x.
   void count_left_of(NodeId node) {
     winding_.clear();
     for (const std::uint32_t k : slabs_[slab(geometry_.key(node).x)]) {
