@@ -107,7 +107,8 @@ double nearest_double(bool negative, const BigInt& numerator, const BigInt& deno
   if (excess + exp2 <= 1100 && bit_length(numerator) <= 128 && bit_length(denominator) <= 64) {
     magnitude = nearest_to_short(as_short(numerator), as_short(denominator), exp2);
   } else if (excess + exp2 <= 1100) {
-    // numerator · 2^shift / denominator lies in (2^62, 2^64). It has enough bits and fits one limb.
+    // numerator · 2^shift / denominator lies in (2^62, 2^64), so the quotient has enough bits and
+    // fits one limb.
     const std::int64_t shift = 63 - excess;
     BigInt quotient;
     BigInt remainder;

@@ -15,7 +15,7 @@
 
 namespace minksum {
 
-/// A coordinate of a node: numerator / denominator · 2^exp2 · 10^exp10. Both are little-endian
+/// A coordinate of a node, which is numerator / denominator · 2^exp2 · 10^exp10, in little-endian
 /// limbs.
 struct ExactCoordinate {
   bool negative = false;
@@ -118,7 +118,7 @@ struct GridCoordinates {
   bool small = true;                           ///< whether `small_sites` holds the sites
   std::vector<Vec<std::int64_t>> small_sites;  ///< up to kSmallBits bits
   std::vector<Vec<Int128>> large_sites;
-  Vec<Int128> extent{};                        ///< the largest of the integers
+  Vec<Int128> extent{};                        ///< the largest integer along each axis
   Vec<Int128> offset{};
   GridUnit unit;
   int bits = 0;
@@ -139,9 +139,10 @@ struct GridPart {
   std::span<const SiteId> sites;
 };
 
-/// Makes a kernel for the integer coordinates of the parts, one part after the other. They must fit
-/// the rung (kNarrow, kMedium or kWide), and the sum of their scaled offsets must fit 127 bits.
-/// `unit` is that of the common grid. `old` is used again if it has the same rung.
+/// Makes a kernel for the integer coordinates of the parts, one part after the other. The
+/// coordinates must fit the rung (kNarrow, kMedium or kWide), and the sum of the scaled offsets
+/// must fit 127 bits. `unit` is that of the common grid. `old` is used again if it has the same
+/// rung.
 void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old);
 /// Makes a kernel for any rational coordinates, none longer than `bits`. The other arguments say

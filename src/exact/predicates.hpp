@@ -60,8 +60,9 @@ struct LadderCounts {
   std::uint64_t by_kernel = 0;
 };
 
-/// Takes all decisions of the pipeline: inline up to the filter, and exactly beyond it. It counts,
-/// so each computation needs its own, and only one thread may use it at a time.
+/// Takes all decisions of the pipeline: inline up to the filter, and exactly beyond it. Each
+/// computation needs a `Predicates` of its own, because decisions are counted. Only one thread may
+/// use it at a time.
 class Predicates {
  public:
   Predicates(const ApproximateSites& sites, const ExactKernel& kernel, const RoundingBounds& bounds,

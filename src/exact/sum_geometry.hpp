@@ -33,8 +33,8 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-/// A point on a segment, given by what makes it. It is the crossing with a segment that is not
-/// parallel, or a sum vertex on the segment.
+/// A point on a segment: the crossing with a segment that is not parallel, or a sum vertex on the
+/// segment.
 struct PointOnSegment {
   bool is_crossing;
   Segment other;
@@ -54,8 +54,8 @@ struct NodePoint {
 };
 
 /// The point at numerator / 2^shift along a segment, moved off to its right by less than any
-/// distance. It is also moved ahead by less than that again. So it is in general position to
-/// everything (docs/pipeline.md, "Filters").
+/// distance. The point is also moved ahead by less than that again, so that it is in general
+/// position to everything (docs/pipeline.md, "Filters").
 struct Probe {
   static constexpr int kMaxShift = 60;
   Segment segment;

@@ -21,7 +21,7 @@ inline int bit_width(Int128 value) {
 }
 
 /// A two's complement integer of little-endian limbs, which wraps like the built-in unsigned types.
-/// Its users prove that values stay within 64·N − 1 bits (see exact/bit_budget.hpp).
+/// The users of the class prove that values stay within 64·N − 1 bits (see exact/bit_budget.hpp).
 template <std::size_t N>
 class WideInt {
  public:

@@ -15,7 +15,7 @@ namespace minksum {
 /// Counts the work of an operation. After every kUnits of it, looks at the caller's token and calls
 /// the caller's progress callback. Each thread needs its own.
 ///
-/// A unit of work takes some ten nanoseconds. That is a few steps of a loop on numbers in the
+/// A unit of work takes some ten nanoseconds. A unit is a few steps of a loop on numbers in the
 /// cache, or one step on numbers that are not. Where nobody can cancel, counting is the only cost.
 class Cancellation {
  public:
@@ -86,7 +86,7 @@ class Cancellation {
   return 16 + 32 * work_of_product(std::max(point.x.bits(), point.y.bits()));
 }
 /// Returns the units of an exact decision of arbitrary precision about coordinates of so many bits.
-/// It takes some ten products of numbers that are up to five times as long.
+/// Such a decision takes some ten products of numbers that are up to five times as long.
 [[nodiscard]] constexpr std::uint64_t work_of_decision(std::size_t bits) {
   return 10 * work_of_product(5 * bits);
 }

@@ -13,7 +13,7 @@ namespace minksum {
 inline constexpr std::size_t kPiece = std::size_t{1} << 12;
 
 /// Calls work(begin, end) for the indices below `size`, piece by piece, and looks at the token in
-/// between. It is for work that is too little to count for each element.
+/// between. Use this where the work of one element is too little to count.
 template <class Work>
 void in_pieces(std::size_t size, Cancellation& cancellation, Work work) {
   for (std::size_t begin = 0; begin < size; begin += kPiece) {

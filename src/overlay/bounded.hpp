@@ -10,8 +10,8 @@ namespace minksum::overlay {
 /// A number that is within `error` of `value`.
 ///
 /// Each operation adds a bound on its own rounding: u·|result| for u = 2^-53, and kTiny for results
-/// that underflow. Bounds are computed in doubles, too. Their own roundings are factors of at most
-/// 1 ± u each, which kInflate covers many times over. Overflow makes the error infinite or no
+/// that underflow. Bounds are computed in doubles, too. The roundings of bounds are factors of at
+/// most 1 ± u each, which kInflate covers many times over. Overflow makes the error infinite or no
 /// number, and then nothing is certain any more.
 struct Bounded {
   double value = 0;

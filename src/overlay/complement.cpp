@@ -15,7 +15,7 @@
 namespace minksum {
 namespace {
 
-/// Tells whether one box contains another. They may touch.
+/// Tells whether one box contains another, and lets boxes touch.
 bool has(const ErrorBounds& outer, const ErrorBounds& inner) {
   return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 &&
          outer.y1 >= inner.y1;

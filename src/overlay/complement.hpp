@@ -12,7 +12,7 @@ namespace minksum {
 /// Returns the box less a valid region, in canonical form, or nothing. The region must touch itself
 /// nowhere. Each ring must lie strictly inside the box, but for one that may go around it. Then the
 /// result has the region's rings, the other way round. Doubles tell that this is so, and the rings
-/// are copied. That takes O(n log n) for n vertices, and next to no arithmetic on exact
+/// are copied. The time is O(n log n) for n vertices, with next to no arithmetic on exact
 /// coordinates. Returns nothing if this is not so, is not certain, or would take longer to tell
 /// than an overlay. Throws Error(kCancelled).
 [[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region,

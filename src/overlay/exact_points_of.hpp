@@ -265,7 +265,7 @@ class ExactPointsOf final : public ExactPoints {
   static Sign compare(const Volume& n, const Area& d, const Volume& m, const Area& e) {
     return sign_of(Order(widen<Order>(n) * widen<Order>(e) - widen<Order>(m) * widen<Order>(d)));
   }
-  /// Returns the sum of the sides' cross products from `begin` to `end`. It adds halves, so that
+  /// Returns the sum of the sides' cross products from `begin` to `end`. Halves are added, so that
   /// denominators of like size are multiplied.
   [[nodiscard]] Quotient doubled_area(std::span<const PointId> ring, std::size_t begin,
                                       std::size_t end) const {

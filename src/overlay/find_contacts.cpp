@@ -343,8 +343,8 @@ class ContactFinder {
   std::size_t max_touches_;
   Cancellation& cancellation_;
   Contacts& contacts_;
-  double extent_ = 0;          // of coordinates, from the origin
-  double position_error_ = 0;  // of coordinates
+  double extent_ = 0;          // the largest magnitude of a coordinate
+  double position_error_ = 0;  // the largest error of a coordinate
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
   std::size_t look_again_at_ = kMaxCrossings;

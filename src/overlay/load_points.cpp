@@ -36,7 +36,7 @@ bool find_grid(std::span<const Source> sources, Cancellation& cancellation, Fram
     frame.exp10 = std::min<int>(frame.exp10, c.exp10);
   });
   if (quotients) return false;
-  if (frame.exp2 == kHigh) frame.exp2 = frame.exp10 = 0;  // nothing but zeros
+  if (frame.exp2 == kHigh) frame.exp2 = frame.exp10 = 0;  // all are zero
   int bits = 0;
   for_each_coordinate(sources, cancellation, [&](const StoredCoordinate& c) {
     if (c.payload == 0) return;

@@ -22,8 +22,8 @@ struct LoadedPoints {
   std::unique_ptr<ExactPoints> points;
   std::uint64_t work = 0;
 };
-/// Loads all points on the narrowest rung that holds them. These are integers on one grid, if it
-/// has up to 125 bits a side. Otherwise they are homogeneous integers, each point with its own
+/// Loads all points on the narrowest rung that holds them. If one grid has up to 125 bits a side,
+/// points are integers on that grid. Otherwise points are homogeneous integers, each with its own
 /// denominator. O(n).
 [[nodiscard]] LoadedPoints load_points(std::span<const Source> sources, Cancellation& cancellation);
 

@@ -10,9 +10,9 @@ namespace minksum::overlay {
 
 using SlotId = std::uint32_t;
 
-/// An ordered list of pieces, with insertion and removal at known places, and search. It is a treap
-/// whose nodes are linked in their order. Priorities are a fixed hash of the slots' numbers. So
-/// operations take O(log n) expected time, and are alike in every run.
+/// An ordered list of pieces, with insertion and removal at known places, and search. The list is a
+/// treap whose nodes are linked in their order. Priorities are a fixed hash of the slots' numbers.
+/// So operations take O(log n) expected time, and are alike in every run.
 class Status {
  public:
   Status() { slots_.emplace_back(); }  // slot 0 is the ground: below everything, and in no tree

@@ -119,7 +119,7 @@ struct Subdivision {
                                  Contacts& contacts);
 
 /// Replaces segments that overlap on one line by segments that do not. If k segments contain each
-/// other, they have up to k² touches, and become at most 2k segments. This pays only for such
+/// other, they have up to k² touches, and become at most 2k segments. Joining pays only for such
 /// crowds. O(n log n).
 void join_lines(Segments& segments);
 
@@ -134,8 +134,8 @@ void join_lines(Segments& segments);
 void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
 
 /// Returns the first fault of a subdivision, or nothing. Nodes must be distinct and in order.
-/// Pieces must meet only at nodes and be listed around them counter-clockwise. Both neighbours of a
-/// face must agree on it. Looks at every pair of pieces, so it is for tests.
+/// Pieces must meet only at nodes and be listed around them counter-clockwise. The pieces around a
+/// face must agree on it. Only tests call this, because every pair of pieces is tested.
 [[nodiscard]] std::optional<std::string> check(const Segments& segments,
                                                const Subdivision& subdivision);
 

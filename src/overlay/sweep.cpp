@@ -71,7 +71,7 @@ class Sweep {
     return false;
   }
 
-  /// Lists the slots whose pieces end here, from bottom to top. They lie next to each other.
+  /// Lists the slots whose pieces end here, from bottom to top. These slots are neighbours.
   void list_ended(NodeId v) {
     ended_.clear();
     if (ending_[v] == kNone) return;

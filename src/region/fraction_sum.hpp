@@ -38,8 +38,7 @@ class FractionSum {
   };
   /// Returns the fraction numerator / (a · b); a and b must be factors.
   [[nodiscard]] Term term(BigInt numerator, const BigInt& a, const BigInt& b) const;
-  /// Returns the sum. It is formed in a balanced tree, because a running sum would take quadratic
-  /// time.
+  /// Returns the sum, formed in a balanced tree, because a running sum would take quadratic time.
   [[nodiscard]] Term sum(const std::vector<Term>& terms) const;
   /// Returns half of a term, in lowest terms.
   [[nodiscard]] Rational half(Term term) const;

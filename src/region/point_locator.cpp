@@ -137,8 +137,7 @@ struct PointLocator::State {
     std::sort(node.begin(), node.end(), [&](const Edge& a, const Edge& b) {
       cancellation.check(4 * work);
       if (a.low == b.low && a.high == b.high) return false;
-      // Some end lies within the common heights, and beside the other edge. It may be an end of a
-      // or of b.
+      // Some end of a or of b lies within the common heights, and beside the other edge.
       const int s = beside(b, a);
       return s != 0 ? s > 0 : beside(a, b) < 0;
     });

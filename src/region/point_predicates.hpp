@@ -32,8 +32,8 @@ int compare_y(const Rounded& a, const Rounded& b) {
 ///
 /// Let r be the largest computed difference of coordinates, and e a bound on the error of such a
 /// difference. Inexact differences change the determinant by at most 4 r e + 4 e², and its own
-/// roundings by at most 2^-51 r². `error` is twice that. It also covers underflow, as long as it is
-/// far above the smallest doubles. Where anything overflows, nothing is certain.
+/// roundings by at most 2^-51 r². `error` is twice that. `error` also covers underflow, as long as
+/// it is far above the smallest doubles. Where anything overflows, nothing is certain.
 template <class Rounded>
 int turn(const Rounded& a, const Rounded& b, const Rounded& c) {
   constexpr double kFarAboveUnderflow = 0x1p-1000;

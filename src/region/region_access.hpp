@@ -29,7 +29,7 @@ class RegionAccess {
   static std::span<const std::uint64_t> limbs(const Region& region) {
     return region.arrays_.get<Region::kLimbs>();
   }
-  /// Appends limbs to the pool. They must lie elsewhere.
+  /// Appends limbs, which must lie elsewhere, to the pool.
   static void append_limbs(Region& region, std::span<const std::uint64_t> limbs) {
     region.arrays_.append<Region::kLimbs>(limbs);
   }
@@ -83,7 +83,7 @@ class RegionAccess {
     return {region.vertex_count(), region.arrays_.size<Region::kOrigins>(), region.ring_count(),
             region.polygon_count(), limbs(region).size()};
   }
-  /// Adds a polygon of one ring to an empty region. Its vertices and origins must be set
+  /// Adds a polygon of one ring to an empty region. The caller must set vertices and origins
   /// afterwards.
   static void make_ring(Region& region, const Room& room) {
     reserve(region, room);

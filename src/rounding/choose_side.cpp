@@ -110,8 +110,8 @@ class RingChooser {
   }
 
   // -- Candidates --------------------------------------------------------------------------------
-  /// Returns the corners of the cell around a vertex, the nearest first. They are two if the vertex
-  /// is on a side of the cell.
+  /// Returns the corners of the cell around a vertex, the nearest first. If the vertex is on a side
+  /// of the cell, there are two.
   [[nodiscard]] std::vector<Corner> corners_of_cell(std::size_t v) const {
     const RoundedVertex& nearest = nearest_[v];
     std::vector<Corner> result{nearest_of(v)};

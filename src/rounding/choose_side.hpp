@@ -22,23 +22,23 @@ struct Sided {
 ///
 /// Proof for kOutside: every vertex v moves in a straight line to its place V = v + d, and edges
 /// move with their ends. The winding number of the moving rings around a fixed point x changes only
-/// when an edge passes over x. It grows by one when x is on the edge's right before, that is, when
-/// the edge moves to its own right.
+/// when an edge passes over x. The number grows by one when the edge moves to its own right, from x
+/// on its right to x on its left.
 ///
-/// At time t, consider the edge from p to v, with the set to be enclosed on its left. It has the
-/// direction e(t) = (v − p) + t·(d_v − d_p). It moves to its right, or not at all, if e(t) × d_p ≤
-/// 0 and e(t) × d_v ≤ 0. Both are linear in t, so it is enough that they hold at t = 0 and t = 1.
-/// An edge has no length at finitely many instants. It covers a single point then, and a region is
-/// the closure of its other points. These four signs are tested for every edge, exactly. So winding
-/// numbers never fall, and a number of 1 is 1 or more in the end. If the moved region is valid, it
-/// is where they are 1.
+/// At time t, consider the edge from p to v, with the set to be enclosed on its left. The edge has
+/// the direction e(t) = (v − p) + t·(d_v − d_p). The edge moves to its right, or not at all, if
+/// e(t) × d_p ≤ 0 and e(t) × d_v ≤ 0. Both products are linear in t, so the signs at t = 0 and t =
+/// 1 are enough. At finitely many instants, an edge may have no length and cover a single point. A
+/// region is the closure of its other points. These four signs are tested for every edge, exactly.
+/// So winding numbers never fall, and a number of 1 is 1 or more in the end. If the moved region is
+/// valid, it is where they are 1.
 ///
 /// kInside is the same for the complement, whose boundary runs the other way.
 ///
-/// One vertex may go to two places. It counts as two vertices, with an edge of no length between
-/// them. At t = 0, one or two corners of its cell are always good for a convex vertex, because they
-/// lie all round it. A reflex vertex may have to go up its notch, to where that is wide enough for
-/// a place.
+/// A vertex that goes to two places counts as two vertices, with an edge of no length between them.
+/// At t = 0, one or two corners of its cell are always good for a convex vertex, because they lie
+/// all round it. A reflex vertex may have to go up its notch, to where that is wide enough for a
+/// place.
 ///
 /// Points between an edge and its moved edge are in the hull of the edge and the places of its
 /// ends. The distance from an edge is a convex function, so it is greatest at one of these places.

@@ -81,11 +81,11 @@ class Parameters {
 
 /// Returns the answer in doubles, or nothing if they cannot tell.
 ///
-/// Let m ≥ 1 bound the ends' coordinates relative to the pixel's centre. These are known within
-/// m·2^-51, and so their difference within m·2^-49. The cross product of the two is off by less
-/// than m²·2^-47, and so is half the difference's size in both axes. The segment misses the pixel
-/// if it is beside it along an axis or along its own normal. It meets the pixel if neither is true.
-/// Borders count neither way.
+/// Let m ≥ 1 bound the ends' coordinates relative to the pixel's centre. The coordinates are known
+/// within m·2^-51, and so their difference within m·2^-49. The cross product of the two is off by
+/// less than m²·2^-47, and so is half the difference's size in both axes. The segment misses the
+/// pixel if it is beside it along an axis or along its own normal. The segment meets the pixel if
+/// neither is true. Borders count neither way.
 std::optional<bool> meets_by_doubles(const Vec<double>& a, const Vec<double>& b) {
   const double m = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), 1.0});
   const double doubt = m * 0x1p-50;

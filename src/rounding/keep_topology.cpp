@@ -54,8 +54,8 @@ class TopologyChecker {
   }
 
  private:
-  /// Tells whether some ring has lost its orientation. Cleaning directs rings by their kind. It has
-  /// reversed a ring unless edges carry the names of the vertices at their starts.
+  /// Tells whether some ring has lost its orientation. Cleaning directs rings by their kind. A ring
+  /// was reversed unless its edges carry the names of the vertices at their starts.
   [[nodiscard]] bool turned_over() const {
     return std::any_of(operand_.rings.begin(), operand_.rings.end(), [&](const OperandRing& ring) {
       const bool reversed = operand_.edge_source[ring.begin] != operand_.vertex_source[ring.begin];

@@ -12,8 +12,8 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// The number numerator / denominator · 2^exp2. It is not in lowest terms, because finding these
-/// would cost more than the rounding.
+/// The number numerator / denominator · 2^exp2. The quotient is not in lowest terms, because
+/// finding these would cost more than the rounding.
 struct Scaled {
   BigInt numerator;
   BigInt denominator = 1;

@@ -31,8 +31,8 @@ struct RoundedCoordinate {
 struct RoundedVertex {
   RoundedCoordinate x;
   RoundedCoordinate y;
-  /// Exact minus rounded coordinate, in the target's unit. It is the nearest double, but 0 only if
-  /// there is no difference.
+  /// Exact minus rounded coordinate, in the target's unit, as the nearest double. An offset is 0
+  /// only if there is no difference.
   double off_x = 0;
   double off_y = 0;
   [[nodiscard]] bool moved() const { return off_x != 0 || off_y != 0; }
@@ -71,7 +71,7 @@ void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordin
 
 /// Returns the largest distance of a vertex from its place, in the target's unit, rounded up.
 [[nodiscard]] double largest_move(const RoundedVertices& vertices);
-/// Returns √(x² + y²) with a relative error below 2^-50. It is the same on every machine.
+/// Returns √(x² + y²) with a relative error below 2^-50, the same on every machine.
 [[nodiscard]] double length_of(double x, double y);
 /// Returns a double that is no less than a length, which was computed with a relative error below
 /// 2^-50.

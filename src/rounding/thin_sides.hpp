@@ -24,7 +24,7 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
                                 const std::optional<CancelToken>& cancel);
 
 /// Returns a resolved geometry of the target that contains the exact one. The report lacks
-/// `topology_kept`. Its `largest_move` may exceed `bound`, because both are upper bounds.
+/// `topology_kept`. `largest_move` may exceed `bound`, because both are upper bounds.
 ///
 /// Every segment of a polyline is replaced by the convex hull of the cells around its ends, and a
 /// point by its cell. Hulls that have area are united with the region, which is rounded to the
@@ -42,11 +42,11 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
 [[nodiscard]] Geometry round_outside(const Geometry& geometry, const Target& target,
                                      const RoundOptions& options, RoundingReport& report);
 
-/// Returns a resolved geometry of the target that is contained in the exact one. It has the region
-/// rounded to the inside, the points in the target, and the segments with both ends in the target.
-/// If another segment is along an axis, its longest part with such ends remains. If it is not, its
-/// ends in the target remain as points. The report is that of the region, but for `exact`. Throws
-/// Error(kBadInput) if it finds that the geometry is not resolved.
+/// Returns a resolved geometry of the target that is contained in the exact one. The result has the
+/// region rounded to the inside, the points in the target, and the segments with both ends in the
+/// target. If another segment is along an axis, its longest part with such ends remains. If it is
+/// not, its ends in the target remain as points. The report is that of the region, but for `exact`.
+/// Throws Error(kBadInput) if it finds that the geometry is not resolved.
 [[nodiscard]] Geometry round_inside(const Geometry& geometry, const Target& target,
                                     const RoundOptions& options, RoundingReport& report);
 

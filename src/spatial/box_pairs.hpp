@@ -37,7 +37,7 @@ struct BoxPairScratch {
 ///
 /// The boxes are sorted by their left sides into up to 4,096 columns. The boxes that overlap a box
 /// and are not left of it stand right after it, up to the column where it ends. The heights of that
-/// run are compared, eight at a time. This takes O(n + p) for p pairs that overlap in x. For boxes
+/// run are compared, eight at a time. The time is O(n + p) for p pairs that overlap in x. For boxes
 /// that are small beside the whole, that is far less than what any search structure costs.
 class BoxPairs {
  public:

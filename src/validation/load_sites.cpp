@@ -182,7 +182,7 @@ bool load_long_numbers(const Region& region, Cancellation& cancellation, GridCoo
     scale.exp2 = std::min(scale.exp2, number.exp2);
     scale.exp10 = std::min(scale.exp10, number.exp10);
   }
-  if (scale.exp2 == kHigh) scale.exp2 = scale.exp10 = 0;  // nothing but zeros
+  if (scale.exp2 == kHigh) scale.exp2 = scale.exp10 = 0;  // all are zero
   for (const LongNumber& number : numbers) {
     if (number.payload == 0) continue;
     scale.bits = std::max(scale.bits, bit_width(number.payload) + (number.exp2 - scale.exp2) +

@@ -13,9 +13,9 @@
 
 namespace minksum {
 
-/// A ring: the sites [begin, end), counter-clockwise if outer, clockwise if a hole. It has three or
-/// more vertices. None is repeated or lies in the middle of a straight edge. In a thin operand, a
-/// ring is a walk along a polyline and back, of two sites or more.
+/// A ring: the sites [begin, end), counter-clockwise if outer, clockwise if a hole. A ring has
+/// three or more vertices. No vertex is repeated or lies in the middle of a straight edge. In a
+/// thin operand, a ring is a walk along a polyline and back, of two sites or more.
 struct OperandRing {
   SiteId begin = 0;
   SiteId end = 0;
@@ -55,7 +55,7 @@ struct OperandScratch {
   std::vector<SiteId> stamp;       ///< by edge: the ring that last looked at it
   std::vector<std::size_t> around;  ///< rings
   std::vector<std::size_t> on;
-  std::vector<RingTouch> touches;  ///< where rings touch without crossing; may repeat itself
+  std::vector<RingTouch> touches;  ///< touches without crossing; may repeat
 };
 
 /// All that can be known of an operand before the other one is known.

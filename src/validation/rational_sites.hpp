@@ -7,8 +7,8 @@
 
 namespace minksum {
 
-/// Approximations of rational coordinates are scaled to about so many bits. That keeps squares and
-/// fifth powers of extents in a double's range.
+/// Approximations of rational coordinates are scaled to about so many bits. This scale keeps
+/// squares and fifth powers of extents in a double's range.
 inline constexpr int kRationalExtentBits = 60;
 
 /// Loads the coordinates of all vertices as given.

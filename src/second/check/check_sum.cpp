@@ -213,8 +213,8 @@ void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& opti
   }
 }
 
-/// Returns a point inside the first ring of a region. It is the middle of the lowest part of a
-/// vertical section.
+/// Returns a point inside the first ring of a region: the middle of the lowest part of a vertical
+/// section.
 Point inner_point(const Region& region, Cancellation& cancellation) {
   const IndexRange ring = region.vertices_of(region.rings_of(0).front());
   Rational first = region.exact_x(ring.front());

@@ -5,8 +5,8 @@
 
 namespace minksum::checking {
 
-/// Tells whether the closed set with these edges contains c. It does if c lies on an edge, or has
-/// an odd number of ring edges to its right. O(log n + edges at c's height).
+/// Tells whether the closed set with these edges contains c. The set contains c if c lies on an
+/// edge, or has an odd number of ring edges to its right. O(log n + edges at c's height).
 [[nodiscard]] bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation);
 
 /// Answers for any number of points x whether x is in P ⊕ Q.

@@ -6,8 +6,8 @@
 
 namespace minksum::signed_sum {
 
-/// Throws because an invariant of this method does not hold. That is a fault of the library, and
-/// never of its input.
+/// Throws because an invariant of this method does not hold. A broken invariant is a fault of the
+/// library, and never of its input.
 [[noreturn]] inline void broken(const char* message) {
   throw Error(ErrorCode::kInternal, message, {}, "signed convolution");
 }

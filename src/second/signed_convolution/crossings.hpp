@@ -239,7 +239,7 @@ class CrossingFinder {
     bool on_line;  // whether the node is on the segment's line
   };
   // Lists the candidates that are real stops and in this cell. Two segments in one line may have
-  // stops in two cells. They count as met where the first stop is.
+  // stops in two cells. Such a pair counts as met in the cell of its first stop.
   bool touch(const Grid& grid, std::size_t cell, const std::array<Candidate, 4>& candidates) {
     bool any = false;
     bool first_here = false;

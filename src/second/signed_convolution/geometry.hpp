@@ -119,8 +119,8 @@ class Geometry {
   [[nodiscard]] static Product cross(const Vector& a, const Vector& b) {
     return widen<Product>(a.x) * widen<Product>(b.y) - widen<Product>(a.y) * widen<Product>(b.x);
   }
-  /// Returns twice the signed area of the triangle of a segment and a vertex. It is positive if the
-  /// vertex is left of the segment.
+  /// Returns twice the area of the triangle of a segment and a vertex, positive if the vertex is
+  /// left of the segment.
   [[nodiscard]] Product side(SegmentId id, NodeId vertex_node) const {
     cancellation_.check(work_ / 4);
     const Vector& a = vertex(segments_[id].from);

@@ -19,8 +19,7 @@
 
 namespace minksum::signed_sum {
 
-/// Integers of any size. They have no expression templates, so that `auto` and `?:` mean what they
-/// say.
+/// Integers of any size, without expression templates, so that `auto` and `?:` mean what they say.
 using BigInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                                  boost::multiprecision::et_off>;
 __extension__ typedef __int128 Int128;

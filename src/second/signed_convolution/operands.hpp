@@ -24,7 +24,7 @@ struct IntegerPoint {
 
 /// A simple ring without repeated or straight vertices, with material on its left, or a walk along
 /// a polyline and back. Edge i runs from vertex i to vertex i + 1. In the limit, a walk is the
-/// boundary of the polyline made a little wider. It turns left by half a circle at both ends.
+/// boundary of the polyline made a little wider. The walk turns left by half a circle at both ends.
 struct IntegerRing {
   std::vector<IntegerPoint> vertices;
   std::vector<DirectionRank> directions;    ///< by edge

@@ -39,7 +39,7 @@ struct Range {
 
 // These ranges tell which edges a vertex takes. Think of all edges of Q as turned counter-clockwise
 // by an infinitesimal angle. Then no edge of P is parallel to one of Q. The convolution is the
-// generic one, so it is closed. Its winding numbers off the segments are those of the unturned
+// generic one, so it is closed. Off the segments, the winding numbers are those of the unturned
 // operands. A direction of P between those of Q's edges `a` and `b` is then after a and not after
 // b: (a, b]. A direction of Q between those of P's edges is not before a and before b: [a, b).
 Range edges_of_p_between(DirectionRank a, DirectionRank b, DirectionRank count) {
@@ -81,8 +81,8 @@ class Lister {
     DirectionRank from;
     DirectionRank to;
   };
-  // Returns the directions of the tangent at a vertex, less than a half turn. They go from the
-  // incoming edge to the outgoing one at a left turn, and the other way at a right turn.
+  // Returns the directions of the tangent at a vertex, less than a half turn. At a left turn, the
+  // directions go from the incoming edge to the outgoing one; at a right turn, the other way.
   static Sector sector(const IntegerRing& ring, std::size_t vertex) {
     const DirectionRank in = ring.directions[ring.previous(vertex)];
     const DirectionRank out = ring.directions[vertex];

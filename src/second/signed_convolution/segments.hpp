@@ -34,7 +34,7 @@ struct Layer {
   const IntegerRing* q = nullptr;
 };
 
-/// An edge of one loop, moved by a vertex of the other. It counts `multiplicity` times in the
+/// An edge of one loop, moved by a vertex of the other, that counts `multiplicity` times in the
 /// edge's direction.
 struct SignedSegment {
   LayerId layer = 0;

@@ -5,8 +5,8 @@
 //
 // It shares no code with the fast method but the numbers and regions at the library's boundary. The
 // fast method keeps only segments that can bound the sum, and tests its loops for collisions. The
-// signed method keeps all segments, with signs, and counts how often they wind around each face. It
-// is slower, because it builds the whole arrangement, and simpler to be sure of.
+// signed method keeps all segments, with signs, and counts how often they wind around each face.
+// The signed method is slower, because it builds the whole arrangement, and simpler to be sure of.
 #pragma once
 
 #include <span>
