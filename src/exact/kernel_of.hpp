@@ -196,7 +196,7 @@ class KernelOf : public ExactKernel {
     const Vec<Fraction> d = big(direction(node.first.edge));
     const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
                                                big(direction(node.second.edge)));
-    // Both terms of the result have the same denominators many times over.
+    // The quotient is reduced, because its terms have the same denominators many times over.
     const Fraction lambda((t.numerator / t.denominator).reduced());
     return {at.x + d.x * lambda, at.y + d.y * lambda};
   }

@@ -47,7 +47,7 @@ class Cancellation {
       throw Error(ErrorCode::kCancelled, "cancelled", {}, has_stages_ ? to_string(stage_) : "");
     }
   }
-  /// Sets the stage of which the progress callback is told from now on.
+  /// Sets the stage of which the progress callback is told from now on, and looks.
   void enter(Stage stage) {
     stage_ = stage;
     look();

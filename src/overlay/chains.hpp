@@ -11,7 +11,8 @@ namespace minksum::overlay {
 /// Stores polylines and points as rings of a region, which serves as a store of points only.
 class ThinStore {
  public:
-  /// Adds all, each as a chain without weight that belongs. Chains point into this store.
+  /// Adds polylines and points. Each becomes a chain without weight that belongs, and points into
+  /// this store.
   void add(const Geometry& geometry, Cancellation& cancellation) {
     for (const Polyline& line : geometry.polylines) add(line, cancellation);
     for (const Point& point : geometry.points) add(std::span(&point, 1), cancellation);

@@ -125,8 +125,8 @@ class InsideOut {
   [[nodiscard]] double largest_of_box() const {
     return std::max({std::abs(box_.x0), std::abs(box_.y0), std::abs(box_.x1), std::abs(box_.y1)});
   }
-  /// Tells whether a ring certainly goes around the box. Then the box is inside it, and each edge
-  /// lies beyond one side of the box or has the box on the ring's inner side.
+  /// Tells whether a ring certainly goes around the box. The box must be inside the ring. Each edge
+  /// must lie beyond one side of the box, or have the box on the ring's inner side.
   [[nodiscard]] bool is_around_box(const RingIndex& ring, double margin) const {
     const std::array<Vec<double>, 4> corners{
         {{box_.x0, box_.y0}, {box_.x1, box_.y0}, {box_.x1, box_.y1}, {box_.x0, box_.y1}}};
@@ -293,7 +293,7 @@ class InsideOut {
   /// If more than one vertex in so many needs an exact decision, an overlay is as good.
   static constexpr std::size_t kExactTurnsOf = 16;
 
-  mutable Cancellation cancellation_;  ///< counts questions, too
+  mutable Cancellation cancellation_;  ///< mutable, because questions are counted, too
   const Box& exact_box_;
   const Region& region_;
   ErrorBounds box_;

@@ -13,8 +13,8 @@ namespace minksum {
 /// nowhere. Each ring must lie strictly inside the box, but for one that may go around it. Then the
 /// result has the region's rings, the other way round. Doubles tell that this is so, and the rings
 /// are copied. The time is O(n log n) for n vertices, with next to no arithmetic on exact
-/// coordinates. Returns nothing if this is not so, is not certain, or would take longer to tell
-/// than an overlay. Throws Error(kCancelled).
+/// coordinates. Returns nothing if the conditions do not hold, are not certain, or would take
+/// longer to test than an overlay. Throws Error(kCancelled).
 [[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region,
                                                   const std::optional<CancelToken>& cancel = {});
 

@@ -6,7 +6,7 @@
 namespace minksum::overlay {
 namespace {
 
-/// The changes at a point of a line where segments start or end.
+/// The change at a point of a line where one segment starts or ends.
 struct Step {
   PointId at = 0;
   Winding change;

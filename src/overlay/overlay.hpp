@@ -61,8 +61,8 @@ struct Chain {
 };
 
 /// Returns the closure of the points that `rule.inside` accepts, and the parts of chains that
-/// `rule.keeps` accepts, resolved (see Geometry). Exact for all coordinates that a region holds;
-/// origins are not kept.
+/// `rule.keeps` accepts, resolved (see Geometry). The result is exact for all coordinates that a
+/// region holds; origins are not kept.
 ///
 /// Each step has a file of its name. load_points puts coordinates on the narrowest rung.
 /// list_segments directs chains and merges equal segments. find_contacts finds where segments meet.

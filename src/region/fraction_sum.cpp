@@ -45,7 +45,7 @@ Division divided(const BigInt& value, const BigInt& divisor, Cancellation& cance
     BigInt piece = result.rest << (kLimbBits * (end - begin));
     piece += from_limbs(std::span(limbs).subspan(begin, end - begin));
     mp::divide_qr(piece, divisor, result.quotient, result.rest);
-    // The quotient replaces the piece in `limbs`, because it takes no more limbs.
+    // The quotient takes no more limbs than those just divided, and replaces them.
     quotient.clear();
     append_limbs(result.quotient, quotient);
     quotient.resize(end - begin);

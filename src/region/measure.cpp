@@ -204,7 +204,7 @@ double approximate_area(const Region& region, const std::optional<CancelToken>& 
     }
   }
   const double result = doubled.value() / 2;
-  // Outside this range, the relative error of double arithmetic is larger than usual.
+  // Outside this range, the relative error of double arithmetic may be larger than it should be.
   constexpr double kSmallest = 1e-270;
   if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) {
     return area(region, cancel).to_double();

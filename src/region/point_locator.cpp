@@ -29,7 +29,7 @@ struct QueryPoint {
 }  // namespace
 
 struct PointLocator::State {
-  /// An edge, directed upwards if it is not level.
+  /// An edge. In `nodes`, edges are directed upwards, and none is level.
   struct Edge {
     std::uint32_t low;
     std::uint32_t high;

@@ -27,11 +27,11 @@ struct Sided {
 ///
 /// At time t, consider the edge from p to v, with the set to be enclosed on its left. The edge has
 /// the direction e(t) = (v − p) + t·(d_v − d_p). The edge moves to its right, or not at all, if
-/// e(t) × d_p ≤ 0 and e(t) × d_v ≤ 0. Both products are linear in t, so the signs at t = 0 and t =
-/// 1 are enough. At finitely many instants, an edge may have no length and cover a single point. A
-/// region is the closure of its other points. These four signs are tested for every edge, exactly.
-/// So winding numbers never fall, and a number of 1 is 1 or more in the end. If the moved region is
-/// valid, it is where they are 1.
+/// e(t) × d_p ≤ 0 and e(t) × d_v ≤ 0. Both products are linear in t, so their signs at the times 0
+/// and 1 are enough. At finitely many instants, an edge may have no length and cover a single
+/// point. A region is the closure of its other points. The four signs are tested for every edge,
+/// exactly. So winding numbers never fall, and a number of 1 is 1 or more in the end. If the moved
+/// region is valid, it is where winding numbers are 1.
 ///
 /// kInside is the same for the complement, whose boundary runs the other way.
 ///

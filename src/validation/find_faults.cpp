@@ -370,7 +370,7 @@ void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScra
                  PreparedOperand& operand, std::vector<Fault>& faults) {
   ContactFinder finder(max_faults, cancellation, scratch, operand, faults);
   finder.find_contacts();
-  // Rings can be out of place only if none cross.
+  // A ring can be said to be out of place only if no rings cross.
   if (faults.empty() && operand.rings.size() > 1) finder.find_misplaced_rings();
 }
 

@@ -72,8 +72,8 @@ class Grid {
   // term is the rounding down of its key, and the second the conversion to double. So every point
   // of the segment is within e of the computed segment's point with the same parameter. The
   // computed segment is more than a column wide (else `small`). So evaluating it within its ends
-  // loses less than 2^-32 more, and as much in y as in x. kMargin on each side of the column and of
-  // the result amply covers both.
+  // loses less than 2^-32 more. On each side of the column and of the result, kMargin amply covers
+  // both errors: kMargin is as long in y as in x.
   static constexpr double kMaxSide = 65536;
   static constexpr int kMinShift = 20;
   static constexpr double kMargin = 1.0 / 1024;

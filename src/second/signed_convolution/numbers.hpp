@@ -1,7 +1,9 @@
 // Defines the number types of the signed method: one set for each size of coordinates.
 //
 // All coordinates are non-negative integers below 2^B. Both operands are scaled to integers and
-// moved so that their boxes start at 0, and so does the box of their sum. These bounds hold:
+// moved so that their boxes start at 0. Then the box of their sum starts at 0, too. These bounds
+// hold:
+//
 //   | quantity                                     | bound            | type       |
 //   | coordinate of a vertex of the convolution    | 0 <= c < 2^B     | Coordinate |
 //   | cross product of two differences             | |c| < 2^(2B+1)   | Product    |

@@ -41,8 +41,8 @@ struct IntegerPart {
   std::vector<IntegerRing> holes;  ///< clockwise
 };
 
-/// Both operands on integers. A point (x, y) of the sum's integer plane stands for ((x + origin.x)
-/// / scale, (y + origin.y) / scale).
+/// The operands in integers. A point (x, y) of the sum's integer plane stands for ((x + origin.x) /
+/// scale, (y + origin.y) / scale).
 struct IntegerOperands {
   std::vector<IntegerPart> p;
   std::vector<IntegerPart> q;
