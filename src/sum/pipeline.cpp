@@ -8,7 +8,7 @@
 namespace minksum {
 namespace {
 
-/// Reflex vertices of polylines have no place in the sum of two of them.
+/// Whether reflex vertices take part. They have no segments in the sum of two thin operands.
 bool is_full(const Workspace::State& w, const Options& options) {
   return options.method == Method::kFull && !w.operands.both_thin();
 }
@@ -59,7 +59,7 @@ void convolve(Workspace::State& w, const Options& options, Cancellation& cancell
   if (is_full(w, options)) {
     return full_convolution(o, options.limits, cancellation, w.convolution_scratch, w.convolution);
   }
-  // Fewer are listed, and looked at one by one, before trees are built and searched.
+  // Up to this many segments, listing and testing each is cheaper than building trees of runs.
   const std::uint64_t sites = o.size();
   const std::uint64_t many =
       std::max(8 * sites, std::clamp<std::uint64_t>(32 * sites, 100'000, 200'000));
@@ -84,7 +84,7 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
   Predicates predicates(w.operands.sites, *w.operands.kernel, w.operands.bounds, cancellation);
 
   const bool merged = w.operands.both_convex && options.method == Method::kReduced;
-  // What is merged takes neither of these, but they may be looked at.
+  // Merging needs neither the convolution nor the cover; only checks and traces look at them.
   const bool skipped = merged && !options.check && options.trace == nullptr &&
                        w.operands.size() <= options.limits.max_segments;
   runner.run(Stage::kConvolution, [&] {

@@ -1,4 +1,5 @@
-// The driver: operands → convolution → cover → arrangement → loops → filters → output.
+// The driver of the stages: operands → convolution → cover → arrangement → loops → filters →
+// output.
 #pragma once
 
 #include <array>
@@ -13,13 +14,13 @@
 
 namespace minksum {
 
-/// Every stage's result and scratch memory, and that of sums without stages.
+/// The results and scratch memory of all stages, and the scratch memory of small sums.
 struct Workspace::State {
   SmallScratch small_scratch;
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
-  std::array<Region, 2> walks;          ///< along polylines, see thin operands
-  std::array<PreparedOperand, 2> thin;  ///< of `walks`
+  std::array<Region, 2> walks;          ///< from `walk_there_and_back`
+  std::array<PreparedOperand, 2> thin;  ///< made of `walks`
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
@@ -39,15 +40,15 @@ struct Workspace::State {
 
 struct PreparedRegion::State {
   Region region;
-  PreparedOperand operand;  ///< of `region`; nothing if that is empty
-  std::unique_ptr<const SmallOperand> small;  ///< the same, if it is one
+  PreparedOperand operand;  ///< made of `region`, unless that is empty
+  std::unique_ptr<const SmallOperand> small;  ///< null if `region` is not small
 };
 
-/// One of the two that are to be summed: prepared before, or now.
+/// One operand as the caller gave it.
 struct CallerOperand {
   const Region& region;
-  const PreparedOperand* operand = nullptr;
-  const SmallOperand* small = nullptr;  ///< if it is known to be one
+  const PreparedOperand* operand = nullptr;  ///< null if `region` is not prepared yet
+  const SmallOperand* small = nullptr;       ///< null if `region` is not known to be small
 };
 
 /// The sum of two that are not empty, by Method::kReduced or kFull.

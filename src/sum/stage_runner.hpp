@@ -1,4 +1,4 @@
-// What the driver does around each stage's work.
+// The driver's frame around each stage: cancelling, timing and checking.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@
 
 namespace minksum {
 
-/// Asks before each stage whether to go on, times it and runs its checker if these are wanted. A
-/// checker's time counts for the stage after it.
+/// Runs stages one by one. It looks for cancellation before each stage, and times each stage if
+/// statistics are wanted. The time of a checker between two stages counts for the second one.
 class StageRunner {
  public:
   explicit StageRunner(const Options& options) : options_(options), cancellation_(options) {
@@ -23,7 +23,7 @@ class StageRunner {
   void run(Stage stage, Work work) {
     cancellation_.enter(stage);
     work();
-    // Readings of clocks would take a tenth of a sum of two polygons of 4 to 8 vertices.
+    // Reading the clock would take a tenth of the time of a sum of polygons of 4 to 8 vertices.
     if (options_.statistics == nullptr) return;
     const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
     options_.statistics->stage_seconds[static_cast<int>(stage)] +=

@@ -31,8 +31,8 @@ bool has_holes(const Operands& o) {
 
 enum class Vertices { kConvex, kAll, kReflexBackwards };
 
-/// [in, out) for the first operand, (in, out] for the second; between thin operands [in, out], at
-/// ends (in, out).
+/// Returns [in, out) for vertices of the first operand, and (in, out] for those of the second. For
+/// two thin operands it returns [in, out], but (in, out) at ends.
 RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank out) {
   const bool first = o.operand_of(v) == 0;
   const bool thin = o.both_thin();
@@ -43,8 +43,8 @@ RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank 
   return {from < o.rank_count ? from : 0, to - from};
 }
 
-/// Calls visit(edges, v) for runs of edges of the other operand that meet each vertex
-/// v of this one.
+/// Calls visit(edges, v) for each vertex v of one operand and each run of compatible edges of the
+/// other one.
 template <class Visit>
 void visit_runs(const Operands& o, Vertices which, int vertex_operand, ConvolutionScratch& scratch,
                 Visit visit) {
@@ -72,7 +72,8 @@ void visit_runs(const Operands& o, Vertices which, int vertex_operand, Convoluti
   }
 }
 
-/// Appends runs of segments; of more than `many` it keeps one of every two, four, eight, ...
+/// Appends runs of segments. If there are more than `many`, it keeps one of every two, four, eight
+/// and so on.
 class Lister {
  public:
   Lister(const Limits& limits, std::uint64_t many, Cancellation& cancellation,
@@ -97,15 +98,16 @@ class Lister {
   }
 
  private:
-  /// Points of segments and crossings are numbered in 32 bits.
+  /// The numbers of segments' points and of crossings have 32 bits.
   static constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
 
-  /// Any number, always the same.
+  /// Returns a pseudo-random number, which is always the same for the same `i` and step.
   [[nodiscard]] std::uint64_t scramble(std::uint64_t i) const {
     const std::uint64_t h = (i ^ (c_.step << 32)) * 0x9E3779B97F4A7C15U;
     return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9U >> 32;
   }
-  /// Of the i-th `step` segments one, not the same each time: shapes have their periods.
+  /// Picks one of the i-th `step` segments. Its position varies with i, because shapes can repeat
+  /// themselves with the period of the step.
   [[nodiscard]] std::uint64_t sampled(std::uint64_t i) const {
     return i * c_.step + (scramble(i) & (c_.step - 1));
   }
@@ -148,7 +150,7 @@ void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
-/// Counter-clockwise from `in`, is `d` in [in, out), (in, out], or what else the rule says?
+/// Whether the reduced or full convolution has the segment of this edge and this vertex.
 bool in_range(const Operands& o, SiteId v, SiteId edge) {
   const DirectionRank in = o.rank[o.previous[v]];
   const DirectionRank out = o.rank[v];

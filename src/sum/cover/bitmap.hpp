@@ -9,11 +9,11 @@
 
 namespace minksum {
 
-/// Rows of bits, 64 to a word. Columns past the last are never set.
+/// A bitmap of cells: rows of bits, 64 to a word. Bits past the last column are never set.
 class Bitmap {
  public:
-  /// All clear. Rows may be longer than the columns need: bitmaps with equal `words`
-  /// per row line up.
+  /// Sets the size, and clears all bits. Rows may have more words than the columns need: bitmaps
+  /// with equal `words` per row line up.
   void reset(std::int32_t columns, std::int32_t rows, std::size_t words = 0) {
     columns_ = columns;
     rows_ = rows;

@@ -6,20 +6,20 @@
 namespace minksum {
 namespace {
 
-/// Sums that fit a byte each, in one word: near, losing, reduced, winding.
+/// For each quarter, one word with four sums of a byte each: near, losing, reduced, winding.
 using Packed = std::array<std::int32_t, 4>;
-/// As many entries as bytes can count, with their sign.
+/// A number of entries that signed bytes can count.
 constexpr std::size_t kBlock = 120;
 static_assert(kBlock % SegmentStack::kStride == 0);
 
 struct Frame {
   float x;
   float y;
-  float half;  ///< of a quarter
+  float half;  ///< half a quarter's side
   float margin;
 };
 
-// Written without branches, for the compiler to turn into vector code.
+// The loop has no branches, so that the compiler turns it into vector code.
 [[gnu::always_inline]] inline std::int32_t classify_block(
     const Frame& c, std::size_t count, const RoundedSegment* __restrict segment,
     const std::int32_t* __restrict id, std::int32_t* __restrict mask, Packed& sums) {
@@ -50,7 +50,7 @@ struct Frame {
     const std::int32_t to_left = std::max(rx, ex) >= -c.margin;
     const std::int32_t up = std::min(ry, ey) <= c.margin;
     const std::int32_t down = std::max(ry, ey) >= -c.margin;
-    // Whether the two ends are on different sides of the lines through the centres.
+    // `rising` and `falling` tell whether a line through the centres parts the segment's two ends.
     const float rising_start = rx - ry;
     const float rising_end = ex - ey;
     const float falling_start = rx + ry;
@@ -107,16 +107,18 @@ struct Exact {
       : dx(static_cast<std::int64_t>(s.dx)), dy(static_cast<std::int64_t>(s.dy)),
         rx(x - static_cast<std::int64_t>(s.x)), ry(y - static_cast<std::int64_t>(s.y)) {}
   [[nodiscard]] std::int64_t cross() const { return dx * ry - dy * rx; }
-  /// Whether the centre, moved by (ε, ε²), is on the left, given the determinant for the centre.
+  /// Whether the centre, moved by (ε, ε²), is on the segment's left. `determinant` is that of the
+  /// centre itself.
   [[nodiscard]] bool left_of(std::int64_t determinant) const {
     if (determinant != 0) return determinant > 0;
     return dy != 0 ? dy < 0 : dx > 0;
   }
-  /// The step of the winding number on the way to the centre from (right, up) · half before it.
+  /// Returns the step of the winding number on the way to the centre from the point (right, up) ·
+  /// half before it.
   [[nodiscard]] std::int32_t step(std::int64_t half, int right, int up) const {
     const bool after = left_of(cross());
     if (left_of(cross() - (dx * up - dy * right) * half) == after) return 0;
-    // On which side of the way's line, moved as the centre is, the segment starts and ends.
+    // Tells on which side of the way's line a point lies. The line is moved as the centre is.
     const auto side = [&](std::int64_t x, std::int64_t y) {
       const std::int64_t value = y * right - x * up;
       return value != 0 ? value > 0 : up < 0;
@@ -133,7 +135,7 @@ struct Exact {
   }
 };
 
-/// Counts, in integers, what `classify_block` was unsure of.
+/// Decides in integers the segments of which `classify_block` was unsure, and counts them.
 void decide_exactly(const QuadCell& cell, std::size_t begin, std::size_t end,
                     const SegmentStack& stack, std::array<Tally, 4>& tallies) {
   const std::int64_t half = cell.half / 2;
@@ -157,7 +159,7 @@ std::size_t SegmentStack::copy(std::size_t begin, std::size_t end, std::int32_t 
   RoundedSegment* const segments = segment.data();
   std::int32_t* const number = id.data();
   const std::int32_t* const near = mask.data();
-  // Every entry is written, but only some are kept: no branch to guess.
+  // Every entry is written, but only some are kept. That leaves no branch to predict.
   for (std::size_t i = begin; i < end; ++i) {
     segments[to] = segments[i];
     number[to] = number[i];

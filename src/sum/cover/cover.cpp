@@ -14,20 +14,22 @@ constexpr std::size_t kSegmentsWorthDividing = 100;
 constexpr int kMaxSide = 2048;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-/// Cells along the longer side without a cover: about a third as many cells as segments.
+/// Chooses the cells along the longer side of a grid without a cover. The grid has about a third as
+/// many cells as there are segments.
 int choose_plain_side(std::uint64_t segments) {
   const double side = 0.6 * std::sqrt(static_cast<double>(segments));
   return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
 }
-/// To begin with, with one. Moving bitmaps of s cells a side costs as s^3, the segments that stay
-/// visible are as 1 / s of all: the sum is least where s^4 is as their number.
+/// Chooses the cells along the longer side of the first grid with a cover. Moving bitmaps of s
+/// cells a side costs in proportion to s^3, and the share of segments that stay visible is in
+/// proportion to 1 / s. The total cost is least where s^4 is in proportion to all segments.
 int choose_side(std::uint64_t segments, const Options& options) {
   if (options.grid > 0) return std::min(options.grid, kMaxSide);
   const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
   return std::min(static_cast<int>(side), kMaxSide);
 }
 
-/// Lays a grid, and marks what translates cover.
+/// Lays a grid, and marks the cells that translates cover.
 void cover_on_grid(const Operands& operands, int side, Cancellation& cancellation,
                    CoverScratch& scratch, Cover& cover) {
   const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
@@ -81,7 +83,7 @@ Visibility look(const Operands& o, const Sample& sample, const Cover& cover) {
           0.2 * crowding * crowding * uncovered};
 }
 
-/// About how many words a cover of this many cells along a side moves, per segment.
+/// Estimates how many words a cover of this many cells along a side moves, per segment.
 double words_per_segment(int side, std::uint64_t segments) {
   const double words_per_move = static_cast<double>(side) * side / 128;
   const double moves = 6.0 * side;
@@ -89,8 +91,9 @@ double words_per_segment(int side, std::uint64_t segments) {
 }
 
 // Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
-// segments would otherwise stay, or crowd in few cells, as long as it does uncover less; and it may
-// cost more where many crossings are left that no division takes away.
+// segments would otherwise stay, or crowd in few cells. Refining goes on while each grid leaves
+// clearly less than the one before. A grid may cost more where it leaves many crossings and no
+// division is to take them away.
 Visibility refine(const Operands& operands, std::uint64_t segments, const Sample& sample,
                   double crossings_to_divide, Cancellation& cancellation, int& side,
                   CoverScratch& scratch, Cover& cover) {
@@ -119,7 +122,8 @@ Visibility refine(const Operands& operands, std::uint64_t segments, const Sample
   return now;
 }
 
-/// Cells along the side of the finest level: a power of two. Few cells come to that level.
+/// Chooses the cells along a side of the finest level, a power of two. Few cells are divided down
+/// to that level.
 std::int32_t choose_division(std::uint64_t segments, const Options& options) {
   constexpr std::uint32_t kMostCells = 4096;
   const auto k = static_cast<double>(segments);
@@ -133,8 +137,9 @@ bool has_holes(const Operands& operands) {
                      [](const OperandRing& ring) { return ring.is_hole(); });
 }
 
-/// About how many crossings the segments have, from how far they go in x and y: exactly what is to
-/// be expected if half of them were horizontal, half of them vertical, and all anywhere in the box.
+/// Estimates the number of crossings from the segments' extents in x and y. The estimate would be
+/// the exact expectation if half of the segments were horizontal, half vertical, and all anywhere
+/// in the box.
 double expected_crossings(const Operands& o, std::span<const Segment> segments) {
   double across = 0;
   double up = 0;
@@ -146,8 +151,8 @@ double expected_crossings(const Operands& o, std::span<const Segment> segments) 
   return area > 0 ? across * up / area : 0;
 }
 
-/// Whether a cover has nothing to save: a segment or two for each edge, which hardly meet others.
-/// So it is where one operand is small beside the other's features. `list()` lists the segments.
+/// Whether a cover has nothing to save, because edges have a segment or two each, which hardly meet
+/// others. One operand is then small beside the other's features. `list()` lists the segments.
 template <class List>
 bool is_sparse(const Operands& operands, std::uint64_t size, List list) {
   constexpr double kFewCrossings = 0.1;
@@ -167,8 +172,8 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
     return convolution.segments;
   };
   const bool free_side = options.grid == 0;
-  // The full convolution is there to be compared: its whole arrangement is built.
-  // Of thin operands no translate has cells inside, and their segments are not closed.
+  // The full convolution serves comparisons, so its whole arrangement is built. Translates of thin
+  // operands have no cells inside, and the segments of two thin operands make no closed chains.
   const bool wanted = options.cover && options.method != Method::kFull &&
                       !operands.both_convex && !operands.both_thin() && size != 0;
   cover.divided = false;
@@ -176,7 +181,7 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
   cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
                                            !is_sparse(operands, size, list)));
   if (!cover.active) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
-  // A division costs about as much for a segment as a few crossings. It can do nothing with holes.
+  // A division costs about as much per segment as a few crossings. It cannot handle holes.
   const double crossings_to_divide = 3.5 * static_cast<double>(size);
   const bool divisible = !has_holes(operands);
   bool crowded = false;
@@ -190,7 +195,8 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
                   : look(operands, sample, cover);
     crowded = seen.crossings > crossings_to_divide;
     if (crowded) {
-      // So it is with narrow shapes. Of those a coarse grid tells whether parallelograms will do.
+      // Narrow shapes leave many crossings. For them, a coarse grid tells whether parallelograms
+      // suffice.
       constexpr double kFewLeft = 0.2;
       if (divisible && side != choose_side(size, options)) {
         side = choose_side(size, options);
@@ -207,7 +213,7 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
   if (wanted && free_side && cover.covered_count() == 0) {
     crowded = divisible && size >= kSegmentsWorthDividing &&
               expected_crossings(operands, convolution.segments) > crossings_to_divide;
-    // A fine grid is of no use by itself.
+    // A fine grid without covered cells is of no use.
     cover.active = false;
     if (!crowded) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
   }

@@ -1,4 +1,4 @@
-// Covered cells by edges of one operand moved along edges of the other.
+// Finds covered cells by moving edges of one operand along edges of the other.
 #include <algorithm>
 #include <cmath>
 
@@ -15,17 +15,17 @@ void set_run(std::uint64_t* row, std::int32_t first, std::int32_t last) {
   }
 }
 
-/// The points between two parallel lines, by height: at height y those with x from `slope` · y +
-/// `low` to `slope` · y + `high`. All points if the lines are level.
+/// The points between two parallel lines. At height y, these are the points with x from
+/// `slope` · y + `low` to `slope` · y + `high`. If the lines are level, the strip has all points.
 struct Strip {
   double slope = 0;
   double low = -HUGE_VAL;
   double high = HUGE_VAL;
 };
 
-/// The strip that an edge with start `from` and vector `d` sweeps if it goes on in both directions
-/// and is moved by another one; `area` = d × that one's vector. False if it is too flat to divide
-/// by its height, and not level.
+/// Makes the strip that a line sweeps when it is moved by the vector of another edge. The line goes
+/// through `from` in direction `d`, and `area` is d × that vector. Returns false if the line is not
+/// level but too flat to divide by the height of `d`.
 bool make_strip(const Vec<double>& from, const Vec<double>& d, double area, Strip& strip) {
   if (d.y == 0) return true;
   if (std::abs(d.y) <= UniformGrid::kMargin) return false;
@@ -41,7 +41,7 @@ class ParallelogramRasteriser {
  public:
   ParallelogramRasteriser(const Operands& o, Cover& cover) : o_(o), cover_(cover) {}
 
-  /// The longest edge in each of `count` stretches of an operand's sites.
+  /// Lists the longest edge in each of `count` stretches of an operand's sites, without short ones.
   void choose(int operand, std::size_t count, std::vector<CellEdge>& edges) const {
     const SiteId begin = operand == 0 ? 0 : o_.split;
     const SiteId size = operand == 0 ? o_.split : o_.size() - o_.split;
@@ -67,7 +67,7 @@ class ParallelogramRasteriser {
   void mark(const CellEdge& e, const CellEdge& f) {
     constexpr double kMargin = 4 * UniformGrid::kMargin;
     const double area = cross(e.d, f.d);
-    // As wide as that it is about nowhere.
+    // Such a parallelogram is hardly anywhere as wide as kShortest cells.
     if (std::abs(area) <= kShortest * std::max(std::abs(e.d.x) + std::abs(e.d.y),
                                                std::abs(f.d.x) + std::abs(f.d.y))) {
       return;
@@ -80,7 +80,7 @@ class ParallelogramRasteriser {
     const double top = from.y + std::max(e.d.y, 0.0) + std::max(f.d.y, 0.0) - kMargin;
     const auto first = static_cast<std::int32_t>(std::ceil(bottom));
     const auto last = std::min(static_cast<std::int32_t>(std::floor(top)), cover_.grid.rows) - 1;
-    // Of a convex shape and a box, the shape has all the box if it has its corners.
+    // A convex shape contains a box if it contains the box's corners.
     for (std::int32_t j = first; j <= last; ++j) {
       const double y0 = j - kMargin;
       const double y1 = j + 1 + kMargin;

@@ -1,4 +1,4 @@
-// Covered cells by moving the inside of one operand by points of the other.
+// Finds covered cells by moving the inside of one operand by points of the other.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace minksum {
 namespace {
 
-/// A site's place in its operand's own raster.
+/// Returns a site's position, from the lower left corner of its operand's box.
 Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
 
 /// The sites of an operand.
@@ -19,7 +19,7 @@ struct SiteRange {
       : begin(operand == 0 ? 0 : o.split), end(operand == 0 ? o.split : o.size()) {}
 };
 
-/// Turns toggles along rows into the parity to their right: even-odd filling.
+/// Fills rows by the even-odd rule: each bit becomes the parity of the toggles up to it.
 void fill_between_toggles(Bitmap& bitmap) {
   for (std::int32_t j = 0; j < bitmap.rows(); ++j) {
     std::uint64_t carry = 0;
@@ -33,10 +33,11 @@ void fill_between_toggles(Bitmap& bitmap) {
   }
 }
 
-/// The cells of one operand that are inside it, margin and all.
+/// Finds the cells that lie inside one operand with their margin.
 ///
-/// Cells within 4 · kMargin of an edge are out. Any other cell lies with its margin on one side of
-/// the boundary, and the parity at its centre tells which: rounding moves edges by far less.
+/// Cells within 4 · kMargin of an edge are left out. Any other cell lies with its margin on one
+/// side of the boundary. The parity at the cell's centre tells which side, because rounding moves
+/// edges by far less than the margin.
 class Rasteriser {
  public:
   Rasteriser(const Operands& o, int operand, const Cover& cover, Bitmap& boundary,
@@ -93,13 +94,13 @@ class Rasteriser {
   }
 
  private:
-  /// Flips the cell where the edge crosses the centre line of each row. That cell is near the edge,
-  /// so what it is itself does not matter.
+  /// Flips the cell where the edge crosses the centre line of each row. That cell is near the edge
+  /// and is left out, so its own parity does not matter.
   void toggle(Vec<double> a, Vec<double> b) {
     if (a.y > b.y) std::swap(a, b);
     const double y0 = a.y * grid_.inverse;
     const double y1 = b.y * grid_.inverse;
-    // Rows j with y0 < j + 1/2 <= y1.
+    // These are the rows j with y0 < j + 1/2 <= y1.
     const auto first = static_cast<std::int32_t>(y0 + 0.5);
     const auto last = std::min(static_cast<std::int32_t>(y1 + 0.5), grid_.rows);
     if (first >= last) return;
@@ -111,7 +112,7 @@ class Rasteriser {
     }
   }
 
-  /// The units of work of a walk along an edge: about the cells that it passes.
+  /// Returns the units of work of a walk along an edge: about one for each cell on its way.
   [[nodiscard]] std::uint64_t work_of_walk(SiteId e) const {
     return static_cast<std::uint64_t>((std::abs(o_.sites.dx[e]) + std::abs(o_.sites.dy[e])) *
                                       grid_.inverse);
@@ -127,7 +128,7 @@ class Rasteriser {
   Bitmap& boundary_;
 };
 
-/// The rows in which a bitmap has anything.
+/// A range of rows that holds all set bits of a bitmap.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t last = 0;
@@ -143,8 +144,8 @@ RowRange occupied_rows(const Bitmap& bitmap) {
   return rows;
 }
 
-/// target |= source moved by `bits` < 64 columns, through rows as if they were one: what is set
-/// stays within its row. The target is as long as the source, and may have one word more.
+/// Unites `to` with `from`, moved by `bits` < 64 columns. All rows are moved as if they were one,
+/// because set bits stay within their rows. `to` is as long as `from`, or has one word more.
 [[gnu::always_inline]] inline void unite_moved(const std::uint64_t* __restrict from,
                                                std::size_t count, int bits,
                                                std::uint64_t* __restrict to, bool one_more) {
@@ -158,8 +159,8 @@ RowRange occupied_rows(const Bitmap& bitmap) {
 }
 
 /// Unites a bitmap, moved along whole runs of columns at a time, with another whose rows are as
-/// long. Bitmaps that are united with themselves moved by 1, 2, 4, ... columns make two
-/// moves of a run.
+/// long. It keeps the bitmap united with itself, moved by 1, 2, 4 and more columns. With these, a
+/// run of up to 128 columns takes two moves at most.
 class RunSpreader {
  public:
   RunSpreader(const Bitmap& source, Vectors vectors, std::vector<std::uint64_t>& widened,
@@ -176,13 +177,14 @@ class RunSpreader {
   }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// The units of work of moving by so many columns: words are united eight or so at a time.
+  /// Returns the units of work of moving along so many columns. Some eight words are united at a
+  /// time.
   [[nodiscard]] std::uint64_t work(std::int32_t columns) const {
     constexpr std::uint64_t kWordsPerUnit = 16;
     const auto moves = static_cast<std::uint64_t>((columns >> kMostLevels) + 2);
     return moves * (count_ / kWordsPerUnit + 1);
   }
-  /// Moves by (first, row) to (last, row), none negative.
+  /// Moves the bitmap by (first, row) to (last, row). No number may be negative.
   void spread(std::int32_t first, std::int32_t last, std::int32_t row) {
     const std::int32_t length = last + 1 - first;
     const int level = std::min(
@@ -223,14 +225,15 @@ class RunSpreader {
   RowRange rows_;
   std::size_t words_;
   Vectors vectors_;
-  std::size_t first_ = 0;  ///< of the source's words
+  std::size_t first_ = 0;  ///< index of the source's first word in use
   std::size_t count_ = 0;
   int levels_ = 0;
   std::vector<std::uint64_t>& widened_;
   Bitmap& target_;
 };
 
-/// The first bit at or after `from` that differs from `unwanted`; 64 · words if there is none.
+/// Returns the first bit at or after `from` that differs from `unwanted`, or 64 · words if none
+/// does.
 std::size_t next_bit(const std::uint64_t* row, std::size_t words, std::size_t from,
                      std::uint64_t unwanted) {
   std::size_t w = from >> 6;
@@ -251,7 +254,7 @@ void for_each_run(const std::vector<std::uint64_t>& row, Visit visit) {
   }
 }
 
-/// Marks what the interior of `moved` covers when it is moved by points of the other operand.
+/// Marks the cells that the interior of `moved` covers if points of the other operand move it.
 class Spreader {
  public:
   Spreader(const OperandRaster& moved, const OperandRaster& other, Cancellation& cancellation,
@@ -268,8 +271,8 @@ class Spreader {
   }
 
  private:
-  /// Corners of cells inside the other operand are points of it, and moves by them keep the raster
-  /// aligned.
+  /// Moves by the corners of cells inside the other operand. These are points of that operand, and
+  /// they keep the raster aligned.
   void by_lattice_points() {
     RunSpreader spreader(moved_.inside, scratch_.vectors, scratch_.widened, cover_.covered);
     if (spreader.empty()) return;
@@ -292,8 +295,8 @@ class Spreader {
     }
   }
 
-  /// One point of the other for each cell that has one. A cell moved back by such a point lies in a
-  /// block of four cells.
+  /// Moves by one boundary point of the other operand for each cell that has one. A cell moved back
+  /// by such a point lies in a block of four cells.
   void by_boundary_points() {
     RunSpreader spreader(moved_.blocks, scratch_.vectors, scratch_.widened, cover_.covered);
     if (spreader.empty()) return;
@@ -301,7 +304,7 @@ class Spreader {
     auto& cells = scratch_.row;
     cells.resize(words);
     for (std::int32_t j = 0; j < other_.inside.rows(); ++j) {
-      // Cells inside join runs, and add nothing by themselves.
+      // Cells inside join runs to longer ones. By themselves they cover nothing new.
       for (std::size_t w = 0; w < words; ++w) {
         cells[w] = other_.sampled.row(j)[w] | other_.inside.row(j)[w];
       }

@@ -1,4 +1,4 @@
-// Covered cells by winding number, on a tree of cells.
+// Finds covered cells by winding number, on a tree of cells.
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -12,7 +12,8 @@ namespace {
 constexpr std::int64_t kUnits = std::int64_t{1} << 24;
 /// Cells with no more segments than this are left to the arrangement.
 constexpr std::int32_t kFewSegments = 8;
-/// Dividing ends where this many times in turn two quarters or more had nearly all segments.
+/// Dividing ends after this many divisions in turn of which each left more than three quarters of
+/// the segments near two quarters or more.
 constexpr int kMostFutile = 4;
 
 class Divider {
@@ -53,22 +54,22 @@ class Divider {
  private:
   struct Cell {
     QuadCell square;
-    std::size_t begin;  ///< its list
+    std::size_t begin;  ///< the cell's list is [begin, end)
     std::size_t end;
-    std::int32_t winding;  ///< of the rounded chains, at the centre
+    std::int32_t winding;  ///< winding number of the rounded chains at the centre
     int futile;
   };
 
-  /// What is covered before stays covered.
+  /// Remembers the cells that are covered already, because these stay covered.
   void take_known() {
     knows_ = cover_.active;
     if (!knows_) return;
     known_grid_ = cover_.grid;
     std::swap(known_, cover_.covered);
   }
-  /// Whether all cells that were covered before hide a square, margin and all.
+  /// Whether the cells that were covered before contain a square with its margin.
   [[nodiscard]] bool is_known(std::int32_t column, std::int32_t row, std::int32_t side) const {
-    constexpr std::int32_t kMostRows = 32;  // looked at; greater squares are divided first
+    constexpr std::int32_t kMostRows = 32;  // larger squares are divided first
     constexpr double kMargin = 4 * UniformGrid::kMargin;
     if (!knows_) return false;
     const double cell = cover_.grid.cell;
@@ -104,7 +105,8 @@ class Divider {
   [[nodiscard]] float rounded(double x) const {
     return static_cast<float>(static_cast<std::int32_t>(x * scale_ + 0.5));
   }
-  /// The reduced convolution goes first; the rest is traversed backwards.
+  /// Puts segments on the stack from `first` on. The reduced convolution must start at 0; other
+  /// segments are traversed backwards.
   void load(std::span<const Segment> segments, std::size_t first) {
     const auto& [x, y, dx, dy, next] = o_.sites;
     std::size_t i = first;
@@ -125,7 +127,7 @@ class Divider {
     }
   }
 
-  /// Of a cell whose quarters are `side` / 2 cells wide.
+  /// Divides a cell that is `side` cells of the grid wide.
   void divide(const Cell& cell, std::int32_t side) {
     cancellation_.check(8);
     const std::array<Tally, 4> tallies =
@@ -157,7 +159,7 @@ class Divider {
     }
   }
 
-  /// Puts the entries with this bit in their masks behind the cell's list; where they end.
+  /// Copies the entries whose masks have `bit` behind the cell's list. Returns where they end.
   std::size_t copy(const Cell& cell, std::int32_t bit, std::size_t count) {
     stack_.grow(cell.end + count + SegmentStack::kStride, cancellation_);
     std::size_t to = cell.end;
@@ -185,7 +187,7 @@ class Divider {
 
   void mark(std::int32_t column, std::int32_t row, std::int32_t side) {
     const std::int32_t top = std::min(row + side, cover_.grid.rows);
-    // Squares are aligned: one is in one word of each row, or is whole words.
+    // Squares are aligned, so each row of a square lies in one word or fills whole words.
     const std::uint64_t bits = side < 64 ? ((std::uint64_t{1} << side) - 1) << (column & 63)
                                          : ~std::uint64_t{0};
     for (std::int32_t j = row; j < top; ++j) {
@@ -203,8 +205,8 @@ class Divider {
   std::span<const Segment> reflex_;
   Vectors vectors_;
   SegmentStack& stack_;
-  Bitmap& known_;           ///< what was covered before the division,
-  UniformGrid known_grid_;  ///< and on which grid
+  Bitmap& known_;           ///< cells that were covered before the division
+  UniformGrid known_grid_;  ///< the grid of `known_`
   bool knows_ = false;
   Cover& cover_;
   double scale_ = 1;

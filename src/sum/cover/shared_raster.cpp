@@ -5,7 +5,7 @@
 namespace minksum {
 namespace {
 
-/// Cells of this side in the regions' unit of length, over the sum's box.
+/// Lays a grid over the sum's box. `cell` is a cell's side in the regions' unit of length.
 UniformGrid grid_over(const Operands& o, double cell) {
   UniformGrid grid;
   grid.cell = cell / o.trace_unit;
@@ -19,10 +19,10 @@ UniformGrid grid_over(const Operands& o, double cell) {
   return grid;
 }
 
-/// Whether scaling by it is exact up to rounding.
+/// Whether scaling by `factor` is exact up to rounding.
 bool is_usable(double factor) { return factor > 0x1p-900 && factor < 0x1p900; }
 
-/// An operand's raster may have a column more than the grid.
+/// Returns the words of a row. An operand's raster may have one column more than the grid.
 std::size_t words_for(std::int32_t columns) {
   return (static_cast<std::size_t>(columns) + 1 + 63) / 64;
 }

@@ -1,5 +1,5 @@
-// A cover's raster of the first operand, for its sums with others of about one size: with one that
-// turns.
+// Shares the raster of the first operand between sums with second operands of about one size, such
+// as the turns of one robot.
 #pragma once
 
 #include <optional>
@@ -8,26 +8,26 @@
 
 namespace minksum {
 
-/// Cells of one size for all sums.
+/// A raster of the first operand, with cells of one size for all sums.
 struct SharedRaster {
   double cell = 0;      ///< a cell's side, in the regions' unit of length
-  double visible = 0;   ///< segments of the typical sum, about
-  double crossings = 0;
-  OperandRaster first;  ///< with narrow holes: what fits into them depends on the second operand
+  double visible = 0;   ///< estimate of the visible segments of the typical sum
+  double crossings = 0;  ///< estimate of the crossings of the typical sum
+  OperandRaster first;  ///< narrow holes are kept: what fits into them depends on the other operand
 };
 
-/// The raster that a typical sum's own cover would have, in rows that are long enough for second
-/// operands of this width, in the regions' unit of length. Nothing if that cover has other than
-/// translates, or nothing at all, or if rows would be too long. The operands are combined with
-/// NarrowHoles::kKeep, the convolution is theirs, as for `cover_interior`.
+/// Makes the raster that a typical sum's own cover would have. Its rows are long enough for second
+/// operands up to the width `widest`, in the regions' unit of length. Returns nothing if translates
+/// alone did not make that cover, if the cover is empty, or if rows would be too long. `operands`
+/// must be combined with NarrowHoles::kKeep, and `convolution` is theirs, as for `cover_interior`.
 [[nodiscard]] std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
                                                        const Options& options,
                                                        Cancellation& cancellation,
                                                        CoverScratch& scratch,
                                                        Convolution& convolution);
 
-/// `cover_interior` with a raster of the first operand: where that leaves much more than in the
-/// typical sum, and where cells do not fit, as without.
+/// Covers the sum as `cover_interior` does, but with a given raster of the first operand. The
+/// raster is not used if cells do not fit, or if it leaves much more than in the typical sum.
 void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
                     Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
                     Cover& cover);

@@ -1,4 +1,4 @@
-// Two prepared operands to one set of arrays.
+// Combines two prepared operands in one set of arrays.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,16 +10,16 @@
 namespace minksum {
 namespace {
 
-/// 2^exp2 · 10^exp10; the caller knows that it fits.
+/// Returns 2^exp2 · 10^exp10, which must fit.
 Int128 power(int exp2, int exp10) {
   Int128 value = 1;
   for (int i = 0; i < exp10; ++i) value *= 10;
   return value * (Int128{1} << exp2);
 }
 
-/// What makes the operands' grids one.
+/// The grid that both operands share, and the factors that bring their coordinates to it.
 struct CommonGrid {
-  bool fits = false;  ///< fixed-width arithmetic holds it
+  bool fits = false;  ///< whether fixed-width arithmetic holds the coordinates
   GridUnit unit;
   std::array<Int128, 2> factor{1, 1};
   int bits = 0;
@@ -97,7 +97,7 @@ void measure_extent(Operands& o) {
   }
 }
 
-/// Appends `from`'s values of the kept sites.
+/// Appends the values of the kept sites.
 template <class Value>
 void append_kept(const std::vector<Value>& from, std::span<const SiteId> kept,
                  std::vector<Value>& to) {
@@ -141,7 +141,7 @@ bool has_holes(const PreparedOperand& operand) {
                      [](const OperandRing& ring) { return ring.is_hole(); });
 }
 
-/// Tells the holes of one operand that no polygon of the other, `unit` times as large, fits into.
+/// Decides which holes of one operand are filled: those into which no polygon of the other fits.
 class HoleFiller {
  public:
   HoleFiller(const PreparedOperand& operand, const PreparedOperand& other, bool tight_wanted,
@@ -151,8 +151,8 @@ class HoleFiller {
         std::ldexp(1.0, other.unit.exp2 - operand.unit.exp2) *
         std::pow(10.0, other.unit.exp10 - operand.unit.exp10) *
         static_cast<double>(operand.unit.divisor) / static_cast<double>(other.unit.divisor);
-    // A hole is open and the other operand closed: equal width does not fit. Where rounding leaves
-    // a doubt the hole stays, which costs time and nothing else.
+    // A hole is open and the other operand is closed, so a polygon as wide as the hole does not
+    // fit. Where rounding leaves a doubt the hole stays, which costs nothing but time.
     const bool exact = operand.unit == other.unit && operand.bounds.difference == 0 &&
                        other.bounds.difference == 0;
     larger_ = exact ? 1 : 1 + 0x1p-40;
@@ -167,7 +167,7 @@ class HoleFiller {
       sizes_.push_back({size.x * unit, size.y * unit});
     }
   }
-  /// The units of work of `fills`.
+  /// Returns the units of work of `fills`.
   [[nodiscard]] std::uint64_t work(const OperandRing& ring) const {
     return ring.is_hole() ? sizes_.size() : 0;
   }
@@ -269,7 +269,7 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
   }
   rank_directions(p, q, cancellation, o);
   o.thin = {p.thin, q.thin};
-  // A sum of polylines may be regions that segments without area connect.
+  // The region of a sum of polylines may be in several parts, connected by segments without area.
   o.connected =
       p.region->polygon_count() == 1 && q.region->polygon_count() == 1 && !o.both_thin();
   o.both_convex = o.rings.size() == 2 &&

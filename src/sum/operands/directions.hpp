@@ -5,14 +5,15 @@
 
 namespace minksum {
 
-/// 0 for directions in [0, π), 1 for [π, 2π).
+/// Returns 0 for directions in [0, π), and 1 for directions in [π, 2π).
 inline int half_circle(Predicates& predicates, SiteId edge) {
   const Sign dy = predicates.component(edge, Axis::kY);
   if (dy != kZero) return dy == kPositive ? 0 : 1;
   return predicates.component(edge, Axis::kX) == kPositive ? 0 : 1;
 }
 
-/// Order counter-clockwise from the positive x axis: negative if `a` comes first, zero if parallel.
+/// Compares directions counter-clockwise from the positive x axis. Returns a negative sign if `a`
+/// comes first, and zero if both are parallel and of one sense.
 inline Sign compare_directions(Predicates& predicates, SiteId a, SiteId b) {
   const int half_a = half_circle(predicates, a);
   const int half_b = half_circle(predicates, b);
@@ -20,7 +21,7 @@ inline Sign compare_directions(Predicates& predicates, SiteId a, SiteId b) {
   return -predicates.cross(a, b);
 }
 
-/// The same, by the keys where they tell.
+/// Compares as above, but by the keys where these decide.
 inline Sign compare_directions(Predicates& predicates, bool keys_tell, const KeyedEdge& a,
                                const KeyedEdge& b) {
   if (keys_tell && a.key - b.key > 2 * kKeyError) return kPositive;

@@ -1,4 +1,4 @@
-// What the stage promises, checked; and preparing one operand.
+// Checks the stage's result, and prepares one operand.
 #include "sum/operands/operands.hpp"
 
 namespace minksum {
@@ -12,8 +12,8 @@ void prepare_operand(const Region& region, const Options& options, std::size_t m
 
 namespace {
 
-/// Whether places go round once, counter-clockwise: each step from a direction or reverse to the
-/// next is a turn by less than half a circle, and directions come in the order of their ranks.
+/// Checks that places go round once, counter-clockwise. Each step from a direction or reverse to
+/// the next must turn left by less than half a circle, and directions must be in order of rank.
 std::optional<std::string> check_places(const Operands& o) {
   struct Ray {
     SiteId edge;
@@ -82,7 +82,7 @@ std::optional<std::string> check(const Operands& o) {
     const bool parallel = o.kernel->cross(a, b) == kZero && o.kernel->dot(a, b) == kPositive;
     if (o.rank[b] != o.rank[a] + (parallel ? 0 : 1)) return "directions are not sorted";
   }
-  // Two directions, half a circle from each other, go round no more than that.
+  // Two opposite directions are half a circle apart, and so cannot pass `check_places`.
   return o.all_parallel() ? std::nullopt : check_places(o);
 }
 

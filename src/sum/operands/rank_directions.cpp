@@ -1,4 +1,4 @@
-// Directions of edges as integers: after this, angular questions cost no arithmetic.
+// Turns edge directions into integers: after this, angular questions cost no arithmetic.
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +8,8 @@
 namespace minksum {
 namespace {
 
-/// Both operands' edges in one order, parallel ones by id, their ranks and places. Which of two
-/// lists goes on is a toss-up at each step, so the merges are written without branches on it.
+/// Puts both operands' edges in one order, parallel ones by id, and numbers their ranks and places.
+/// A processor cannot predict which of two merged lists goes on, so merges do not branch on it.
 class Ranker {
  public:
   Ranker(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
@@ -40,7 +40,7 @@ class Ranker {
     o_.rank_count = static_cast<DirectionRank>(ranks_);
   }
 
-  /// Merges the directions with their reverses, each from the positive x axis on.
+  /// Merges the directions with their reverses. Both lists start at the positive x axis.
   void number_places() {
     const std::size_t n = of_rank_.size();
     o_.place.resize(n);
@@ -63,7 +63,7 @@ class Ranker {
       if (!keys_tell_ || std::abs(ahead) <= 4 * kKeyError) {
         order = compare_with_reverse(i, r, r < first);
       }
-      // What is written for the one that does not go on is written again.
+      // The entry that does not advance gets its final place in a later step.
       o_.place[i] = place;
       o_.reverse_place[r] = place;
       i += order != kPositive ? 1U : 0U;
@@ -85,8 +85,8 @@ class Ranker {
     o_.by_direction[count_++] = edge.edge;
     o_.rank[edge.edge] = static_cast<DirectionRank>(ranks_ - 1);
   }
-  /// Order of the direction of rank i and the reverse of that of rank r, which is in the lower half
-  /// of the circle if that one is in the `upper` half.
+  /// Compares the direction of rank i with the reverse of the direction of rank r. `upper` tells
+  /// whether the direction of rank r is in the upper half of the circle.
   Sign compare_with_reverse(std::size_t i, std::size_t r, bool upper) {
     const SiteId edge = of_rank_[i].edge;
     const int half = half_circle(predicates_, edge);
@@ -103,7 +103,7 @@ class Ranker {
   KeyedEdge last_{};
 };
 
-/// An operand's sorted edges, those that stay, by their numbers among both operands' sites.
+/// Returns an operand's sorted edges that stay, numbered as sites of both operands.
 std::span<const KeyedEdge> stay(const PreparedOperand& operand, std::size_t shift,
                                 std::span<const SiteId> renumbered, std::vector<KeyedEdge>& kept) {
   kept.clear();

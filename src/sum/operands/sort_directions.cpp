@@ -1,4 +1,4 @@
-// Edges sorted by direction: by rounded keys, and exactly where those cannot tell.
+// Sorts edges by direction: by rounded keys, and exactly where keys cannot tell.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,15 +8,15 @@
 namespace minksum {
 namespace {
 
-/// Monotone in the angle, in [0, 4). Both components are off by at most 2^-53 of themselves, so it
-/// is off by less than kKeyError.
+/// Returns a key in [0, 4) that grows with the angle. Both components are off by at most 2^-53 of
+/// themselves, so the key is off by less than kKeyError.
 double angle_key(double dx, double dy) {
   const double t = dx / (std::abs(dx) + std::abs(dy));
   return dy >= 0 ? 1 - t : 3 + t;
 }
 
-/// Whether keys are good: no edge vector lost digits to underflow, and the filter may be trusted.
-/// A direction near the positive x axis may have its key at either end of the range.
+/// Whether keys may be trusted. They may not if an edge vector lost digits to underflow, or if the
+/// filter is off. A direction near the positive x axis may have its key at either end of the range.
 bool keys_are_safe(const PreparedOperand& o) {
   if (std::isinf(o.bounds.direction)) return false;
   if (o.bounds.direction == 0) return true;  // integers
@@ -24,7 +24,8 @@ bool keys_are_safe(const PreparedOperand& o) {
     const double dx = std::abs(o.sites.dx[e]);
     const double dy = std::abs(o.sites.dy[e]);
     if (std::max(dx, dy) < 0x1p-900 || (dy != 0 && dy < 0x1p-900)) return false;
-    // A height that vanished in doubles: its sign tells one end of the circle from the other.
+    // Where a height vanishes in doubles, its sign is lost. That sign tells one end of the circle
+    // from the other.
     if (dy == 0 && o.kernel->compare(o.sites.next[e], e, Axis::kY) != kZero) return false;
   }
   return true;
@@ -34,7 +35,7 @@ bool by_key(const KeyedEdge& a, const KeyedEdge& b) {
   return a.key != b.key ? a.key < b.key : a.edge < b.edge;
 }
 
-/// Sorts by key, then id; the input is in order of ids.
+/// Sorts edges by key, and edges of equal keys by id. The input must be in order of ids.
 class RadixSort {
  public:
   explicit RadixSort(OperandScratch& scratch) : scratch_(scratch) {}
@@ -46,7 +47,7 @@ class RadixSort {
       distribute(edges, scratch_.keyed, pass);
       std::swap(edges, scratch_.keyed);
     }
-    // What these digits cannot tell apart.
+    // Sorts the runs of keys that agree in all these digits.
     for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
       for (j = i + 1; j < edges.size() && digits(edges[j]) == digits(edges[i]); ++j) {
       }
@@ -61,7 +62,7 @@ class RadixSort {
   static std::uint32_t digits(const KeyedEdge& e) {
     return static_cast<std::uint32_t>(e.key * (1 << (kDigitBits * kPasses - 2)));
   }
-  /// Roughly in order by one digit, then each put where it belongs.
+  /// Sorts a few edges: roughly by one digit, and then by insertion.
   void sort_few(std::vector<KeyedEdge>& edges) {
     const std::size_t ranges = std::bit_ceil(std::max<std::size_t>(edges.size(), 8));
     const auto range = [scale = static_cast<double>(ranges) / 4](const KeyedEdge& e) {
@@ -98,7 +99,7 @@ class RadixSort {
   OperandScratch& scratch_;
 };
 
-/// Mends the order within each chain of keys too close to tell.
+/// Sorts exactly within each chain of keys that are too close to tell.
 void mend(std::vector<KeyedEdge>& edges, bool keys_tell, Predicates& predicates) {
   const auto before = [&](const KeyedEdge& a, const KeyedEdge& b) {
     const Sign order = compare_directions(predicates, keys_tell, a, b);
@@ -124,7 +125,7 @@ void sort_directions(Cancellation& cancellation, OperandScratch& scratch,
   operand.keys_tell = keys_are_safe(operand);
   edges.resize(operand.size());
   for (SiteId e = 0; e < operand.size(); ++e) {
-    // Where keys do not tell, all are alike.
+    // With equal keys, `mend` compares all edges exactly.
     const double key =
         operand.keys_tell ? angle_key(operand.sites.dx[e], operand.sites.dy[e]) : 0;
     edges[e] = {key, e};

@@ -1,4 +1,4 @@
-// Polylines as an operand: walked there and back, they are rings without area.
+// Makes an operand of polylines: walked there and back, they are rings without area.
 #include "machine/exceeded.hpp"
 #include "sum/operands/operands.hpp"
 
@@ -38,7 +38,7 @@ void prepare_thin_operand(const Region& walks, const Options& options, Cancellat
   operand.convex.resize(n);
   operand.vertex_source.resize(n);
   for (SiteId i = 0; i < n; ++i) {
-    // Ends, where the walk turns round, are the only vertices in line with their neighbours.
+    // A vertex in line with its neighbours is an end, where the walk turns back.
     operand.convex[i] =
         predicates.orientation(operand.previous[i], i, operand.sites.next[i]) != kNegative ? 1 : 0;
     operand.vertex_source[i] = i;
@@ -62,7 +62,7 @@ void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, con
   for (std::size_t i = 0, j = 0; i < o.by_direction.size(); i = j) {
     const DirectionRank rank = o.rank[o.by_direction[i]];
     while (j < o.by_direction.size() && o.rank[o.by_direction[j]] == rank) ++j;
-    // Each edge is there in both directions: one of them is enough.
+    // Walks take each edge in both directions, and one of them is enough.
     if (o.place[rank] > o.reverse_place[rank]) continue;
     for (std::size_t k = i; k < j; ++k) {
       const SiteId e = o.by_direction[k];
