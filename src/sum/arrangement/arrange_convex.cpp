@@ -1,4 +1,4 @@
-// Convex operands: the whole convolution is one ring, and the sum's boundary.
+// Arranges convex operands. Their whole convolution is one ring, which is the sum's boundary.
 #include <array>
 
 #include "sum/arrangement/place_segments.hpp"
@@ -12,7 +12,7 @@ void arrange_convex(const Operands& o, Cancellation& cancellation, Arrangement& 
   arrangement.crossings = 0;
   arrangement.slits.clear();
   arrangement.crowded.clear();
-  // The vertices that the next edges start at: edges of a convex ring are in order of direction.
+  // The next edges start at `at`, because the edges of a convex ring are in order of direction.
   std::array<SiteId, 2> at{kNoSite, kNoSite};
   for (const SiteId edge : o.by_direction) {
     SiteId& start = at[static_cast<std::size_t>(o.operand_of(edge))];

@@ -1,4 +1,4 @@
-// Stage 4: the arrangement of the convolution segments, outside the cover only.
+// Stage 4: builds the arrangement of the convolution's segments, outside the cover only.
 #pragma once
 
 #include <cstdint>
@@ -18,25 +18,26 @@ using KeptId = std::uint32_t;  ///< index of a kept segment
 using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
-/// Two ends of each kept segment and all crossings are numbered in 32 bits: there are at most so
-/// many kept segments, and so many crossings.
+/// The most kept segments, and the most crossings: numbers of segments' ends and of crossings have
+/// 32 bits.
 inline constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30;
 
-/// A segment that touches an uncovered cell, with its approximate place. Or several that overlap on
-/// one line in one direction, joined to one: then a and b are its ends, d leads from one to the
-/// other, and `segment` is the first of them.
+/// A segment that touches an uncovered cell, with its approximate place. It may also be joined from
+/// several segments that overlap on one line in one direction. Then a and b are the ends of the
+/// whole, d leads from a to b, and `segment` is the first of the segments.
 struct KeptSegment {
   Vec<double> a;
   Vec<double> b;
   Vec<double> d;
   Segment segment;
-  std::uint32_t joined;  ///< 0, or one more than its number among those joined
+  std::uint32_t joined;  ///< 0, or one more than its index in `JoinScratch::joined`
   std::uint32_t line;    ///< equal for parallel segments, of either sense, and only for them
   DirectionRank rank;
-  bool meets_cover;      ///< false if it is near no covered cell
+  bool meets_cover;      ///< false if the segment is near no covered cell
 };
 
-/// A point where pieces end: exactly `point`, within `error` per component of `at`.
+/// A point where pieces begin or end. `point` is exact, and `at` is within `error` of it in each
+/// component.
 struct Node {
   NodePoint point;
   Vec<double> at;
@@ -50,22 +51,23 @@ struct Piece {
   KeptId segment;
 };
 
-/// Kept segments split at their nodes.
+/// Kept segments, split at their nodes.
 ///
-/// Complete where it matters: every point of the sum's boundary at which two kept segments meet is
-/// one node, found on both. Crossings inside the cover may be missing, and pieces that run through
-/// it, or begin or end on the left of another segment, are: they are not boundary. A loop that such
-/// pieces would have kept from closing is made of pieces that are not boundary either: those that
-/// are follow each other around a free face, and nothing is within it. No two pieces have the same
-/// ends: of equal ones one stays; opposite ones have the sum on both sides and are dropped.
+/// Every point of the sum's boundary at which two kept segments meet is one node, found on both.
+/// Crossings inside the cover may be missing. Pieces are missing that run through the cover, or
+/// that begin or end on the left of another segment. They are not boundary. Without them loops may
+/// close that would not close otherwise. Such loops have no boundary either: boundary pieces follow
+/// each other around a free face, and nothing is within that face. No two pieces have the same
+/// ends. One of several equal pieces stays; opposite pieces have the sum on both sides and are
+/// dropped.
 struct Arrangement {
-  /// First those that were split, then the members of joined ones: pieces refer to the members.
+  /// The segments that were split, and then the members of joined ones. Pieces refer to members.
   std::vector<KeptSegment> kept;
   std::vector<Node> nodes;
   std::vector<Piece> pieces;
   std::uint64_t crossings = 0;  ///< proper crossings of kept segments
-  // Where tight places can be; filled if they are wanted.
-  std::vector<Piece> slits;     ///< of each two opposite pieces one
+  // Tight places can be at slits and crowded nodes. Both are filled if tight places are wanted.
+  std::vector<Piece> slits;     ///< one of each two opposite pieces
   std::vector<NodeId> crowded;  ///< nodes whose segments' directions no closed half-plane contains
 };
 
@@ -81,11 +83,11 @@ struct Event {
   double lambda;  ///< position along the segment, within `error`
   double error;
   KeptId segment;
-  std::uint32_t point;  ///< see ArrangementScratch
+  std::uint32_t point;  ///< number of the point, see ArrangementScratch
 };
 
-/// A proper crossing of two kept segments, at `lambda` along the first. That one comes from the
-/// left of the second; so the second comes from the right of the first.
+/// A proper crossing of two kept segments, at `lambda` along the first. The first comes from the
+/// left of the second, and so the second comes from the right of the first.
 struct Crossing {
   KeptId first;
   KeptId second;
@@ -93,10 +95,10 @@ struct Crossing {
   double error;
 };
 
-/// A piece's place in the list of those with its lower node.
+/// A piece's link in the list of pieces that share its lower node.
 struct ListedPiece {
   PieceId next;
-  bool cancelled;  ///< there is an opposite piece
+  bool cancelled;  ///< whether there is an opposite piece
 };
 
 /// A segment's direction at a point on it, its ends included.
@@ -105,15 +107,16 @@ struct Incident {
   DirectionRank rank;
 };
 
-/// Segments that were joined: the members [first, end), which run ahead of each other at both ends.
+/// Segments that were joined: the members [first, end). Each starts no earlier and ends later than
+/// the one before. `last` is the last of them.
 struct JoinedSegments {
   Segment last;
   KeptId first;
   KeptId end;
 };
 
-/// A segment's line, as the cross product with the direction of its rank, rounded, and its ends
-/// along that.
+/// A segment's position on its line. The line is told by the cross product with the direction of
+/// the segment's rank, rounded. The ends are measured along that direction.
 struct LinePosition {
   double line;
   double from;
@@ -138,22 +141,23 @@ struct BinScratch {
   std::vector<std::uint8_t> shared;  ///< by rank: whether several edges have it
 };
 
-/// Memory for the stage. Points are numbered: 2s and 2s + 1 are the ends of kept segment s, then
-/// come the crossings. Equal points are united in a forest whose roots are their smallest members.
+/// Memory for the stage. Points have numbers: 2s and 2s + 1 are the ends of kept segment s, and
+/// then come the crossings. Equal points are united in a forest. The smallest point of a tree is
+/// its root.
 struct ArrangementScratch {
-  UniformGrid grid;   ///< of the cells below
-  bool swept = false;   ///< there are none: all segments are swept at once
-  Vec<double> extent{};  ///< of all segments, from (0, 0) on; if swept
+  UniformGrid grid;     ///< the grid of the cells below
+  bool swept = false;   ///< whether there are no cells, and all segments are swept at once
+  Vec<double> extent{};  ///< if swept: the size of the sum's box, which starts at (0, 0)
   BoxPairScratch pairs;
   VisibleScratch visible;
   BinScratch bin;
   JoinScratch join;
   KeptId line_count = 0;                   ///< kept segments that are split; members come after
-  std::vector<CellItem> items;             ///< in order of their segments,
-  std::vector<CellItem> in_cells;          ///< and cell by cell
-  std::vector<std::uint32_t> cells;        ///< those that have items
+  std::vector<CellItem> items;             ///< items in order of their segments
+  std::vector<CellItem> in_cells;          ///< items cell by cell
+  std::vector<std::uint32_t> cells;        ///< cells that have items
   std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
-  std::vector<KeptId> kept_id;             ///< by segment, if the cover is divided
+  std::vector<KeptId> kept_id;             ///< by listed segment, if the cover is divided
   std::vector<std::uint32_t> leaf_end;     ///< by leaf: where its items end in `in_cells`
   std::vector<KeptId> hash_table;
   std::vector<std::vector<CellItem>> stack;  ///< items of a cell, level by level of its division
@@ -164,62 +168,64 @@ struct ArrangementScratch {
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
   std::vector<std::uint32_t> parent;
-  std::vector<std::uint32_t> line_parent;  ///< the same for segments known to be on one line
-  bool lines_shared = false;               ///< there are such
+  std::vector<std::uint32_t> line_parent;  ///< a forest of segments known to be on one line
+  bool lines_shared = false;               ///< whether segments are known to be on one line
   std::vector<NodeId> node_of_point;
   std::vector<PieceId> first_piece;     ///< by node: a list of pieces to nodes of higher numbers
   std::vector<ListedPiece> next_piece;  ///< by piece
 };
 
-/// Builds it.
+/// Builds the arrangement.
 /// O(k · cells per segment + pairs within uncovered cells + c log c).
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
              const Options& options, Predicates& predicates, ArrangementScratch& scratch,
              Arrangement& arrangement);
 
-/// The same where each operand is one convex ring, by merging: their edges in order of direction
-/// are the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
+/// Builds the arrangement by merging, if each operand is one convex ring. Then all edges in order
+/// of direction are the sum's boundary (Guibas, Ramshaw, Stolfi 1983). O(n + m).
 void arrange_convex(const Operands& operands, Cancellation& cancellation, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Whether so many segments share directions that many may share lines, and their places in
-/// doubles are exact (B ≤ 52).
+/// Whether to join lines: so many segments share directions that many may share lines, and their
+/// places in doubles are exact (B ≤ 52).
 [[nodiscard]] bool lines_are_joined(const Operands& operands, std::size_t segments);
-/// If wanted: joins segments that overlap, or touch, on one line in one direction; drops what
-/// others contain. Then coinciding pieces and the points at which they end or meet others are found
-/// once instead of once for each pair. The union of segments is the same, and so is its
-/// arrangement, but for nodes in the middle of a line at which nothing else ends. Vectors d of
-/// joined segments have one bit more than edges have, and are exact: their cross products are
-/// differences of products below 2^(2B+2), exact for B ≤ 25, and bounded as others are beyond.
-/// O(k log k).
+/// If wanted, joins segments that overlap or touch on one line in one direction, and drops segments
+/// that others contain. O(k log k).
+///
+/// Then coinciding pieces are found once instead of once for each pair. So are the points at which
+/// they end or meet others. The union of segments is the same. Its arrangement is the same but for
+/// nodes in the middle of a line at which nothing else ends. Vectors d of joined segments have one
+/// bit more than edges have, and are exact. Their cross products are differences of products below
+/// 2^(2B+2), which are exact for B ≤ 25, and bounded as others are beyond.
 void join_lines(const Operands& operands, bool wanted, Cancellation& cancellation,
                 JoinScratch& scratch, std::vector<KeptSegment>& kept);
-/// Fills `kept` and the cells' lists. The cells are the cover's; where it covers nothing, they are
-/// of a size that suits the segments, and none are needed if boxes of segments hardly overlap.
+/// Fills `kept` and the cells' lists. The cells are the cover's. If nothing is covered, cells have
+/// a size that suits the segments, and none are needed if boxes of segments hardly overlap.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
                   Arrangement& arrangement);
-/// The same from the leaves of a divided cover. O(segments listed).
+/// Fills `kept` and the leaves' lists from a divided cover. O(segments listed).
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement);
-/// Fills crossings and events, unites points that pairs of segments share.
+/// Fills crossings and events, and unites points that pairs of segments share.
 void find_crossings(const Cover& cover, const Options& options, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement);
-/// Orders events along each segment, unites equal ones, makes nodes and pieces.
+/// Orders events along each segment, unites equal ones, and makes nodes and pieces. O(c log c) for
+/// c incidences.
 ///
-/// If tight places are wanted, keeps pieces inside the sum, where these are, and lists slits and
-/// crowded nodes: around these, each turn from one of their segments' directions to the next is by
-/// less than half a circle. All segments that are known to pass count, whether their pieces stay or
-/// not. O(c log c) for c incidences.
+/// If tight places are wanted, it keeps pieces inside the sum, where these are. It also lists slits
+/// and crowded nodes. Around a crowded node, each turn from one of its segments' directions to the
+/// next is by less than half a circle. All segments that are known to pass the node count, whether
+/// their pieces stay or not.
 void split_segments(const Operands& operands, const Cover& cover, bool tight_wanted,
                     Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
 
-/// The segment with whose end a kept one ends.
+/// Returns the segment whose end is the end of a kept one.
 [[nodiscard]] inline const Segment& last_segment(const KeptSegment& s, const JoinScratch& scratch) {
   return s.joined == 0 ? s.segment : scratch.joined[s.joined - 1].last;
 }
 
-/// The root of a point.
+/// Returns the root of a point's tree.
 inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {
   while (parent[point] != point) {
     parent[point] = parent[parent[point]];
@@ -234,7 +240,7 @@ inline void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint
   if (b < a) parent[a] = b;
 }
 
-/// Whether pieces and nodes fit together, exactly; what is wrong, if not.
+/// Returns what is wrong with the arrangement, or nothing. Pieces and nodes must fit exactly.
 [[nodiscard]] std::optional<std::string> check(const Arrangement& arrangement,
                                                const Operands& operands);
 

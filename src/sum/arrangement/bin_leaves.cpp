@@ -1,4 +1,4 @@
-// The segments of a divided cover: its leaves list them.
+// Takes the segments of a divided cover from the lists of its leaves.
 #include <algorithm>
 
 #include "sum/arrangement/place_segments.hpp"
@@ -9,8 +9,8 @@ namespace {
 constexpr KeptId kUnlisted = 0xFFFFFFFFU;
 constexpr KeptId kListed = kUnlisted - 1;
 
-/// Keeps each segment that a leaf lists, once, in their order. `id_of` is by segment of the
-/// convolution; of equal segments only the first has an id.
+/// Keeps each segment that a leaf lists once, in the convolution's order. `scratch.kept_id` is by
+/// segment of the convolution; only the first of equal segments gets an id.
 void keep_listed(const Operands& o, const Convolution& convolution, const Cover& cover,
                  Cancellation& cancellation, ArrangementScratch& scratch,
                  std::vector<KeptSegment>& kept) {
@@ -33,7 +33,8 @@ void keep_listed(const Operands& o, const Convolution& convolution, const Cover&
   }
 }
 
-/// The box of a segment near a leaf, in units of the leaf's side from its lower left corner.
+/// Returns the box of a segment's part near a leaf. It is in units of the leaf's side, from the
+/// leaf's lower left corner.
 CellBox box_near(const KeptSegment& s, const UniformGrid& grid, const QuadtreeLeaf& leaf) {
   const CellLine line(s, grid.inverse);
   const Vec<double> a = line.start;

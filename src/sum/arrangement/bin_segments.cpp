@@ -1,4 +1,4 @@
-// Which segments touch uncovered cells, and which cells.
+// Finds the segments that touch uncovered cells, and lists them cell by cell.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace minksum {
 namespace {
 
-/// How far segments go, all together.
+/// The total extents of all segments in x and y.
 class SegmentSpread {
  public:
   SegmentSpread(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation)
@@ -25,15 +25,16 @@ class SegmentSpread {
     });
   }
   [[nodiscard]] Vec<double> size() const { return {width_, height_}; }
-  /// Cells about as wide and as high together as the segments are on average, but not more than
-  /// segments.
+  /// Returns a grid with about no more cells than segments. The side of a cell is at least the
+  /// segments' average width plus height.
   [[nodiscard]] UniformGrid grid() const {
     const double most = std::sqrt(count_);
     const double side = std::max(width_, height_) * count_ / (across_ + up_);
     const double kept = side >= 1 ? std::min(side, most) : 1;
     return UniformGrid::over(width_, height_, static_cast<int>(std::min(kept, 0x1p12)));
   }
-  /// Whether a box overlaps few others, and few stand over each other: if they lie anywhere.
+  /// Whether a box overlaps few others, and few boxes lie above each other. That is estimated as if
+  /// boxes lay anywhere.
   [[nodiscard]] bool boxes_are_small() const {
     constexpr double kMostOverlaps = 8;
     constexpr double kMostInColumn = 400;
@@ -70,7 +71,7 @@ class Binner {
             ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
             : convolution.segments;
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
-    // Joining drops equal ones by itself, and doubles may not tell whether segments are equal.
+    // Joining drops equal segments itself. Rounded doubles do not tell whether segments are equal.
     const bool joins = lines_are_joined(o_, visible.size());
     if (joins || o_.bounds.difference != 0 || !list_shared_directions()) {
       kept_.reserve(visible.size());
@@ -93,10 +94,10 @@ class Binner {
   }
 
  private:
-  static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyhow
+  static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyway
 
-  /// Segments in the order of the sites of the operand that has more of them: what is near in the
-  /// plane is near in memory then, all the way to the output.
+  /// Orders segments by the sites of the operand that has more sites. Segments that are near in the
+  /// plane are then near in memory. So is all that is made of them, up to the output.
   std::span<const Segment> order_along_rings(std::span<const Segment> segments) {
     const int longer = 2 * o_.split >= o_.size() ? 0 : 1;
     const auto site = [&](const Segment& s) {
@@ -123,8 +124,8 @@ class Binner {
     kept_.resize(count);
   }
 
-  /// Directions that several edges have: only segments of such can be equal. False if
-  /// there are none.
+  /// Lists the directions that several edges share, because only segments of such directions can be
+  /// equal. Returns false if there are none.
   bool list_shared_directions() {
     if (o_.rank_count == o_.size()) return false;
     auto& shared = scratch_.bin.shared;
@@ -135,7 +136,7 @@ class Binner {
     }
     return true;
   }
-  /// Of equal segments one.
+  /// Places segments, but only one of several equal ones.
   void place_once(std::span<const Segment> segments) {
     DuplicateFinder duplicates(scratch_.hash_table, kept_, cancellation_);
     const auto& shared = scratch_.bin.shared;
@@ -164,7 +165,7 @@ class Binner {
     }
   }
 
-  /// Appends an item for each uncovered cell that a segment is near; whether there is one.
+  /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
   bool list_cells(KeptSegment& s, KeptId id) {
     const std::size_t before = items_.size();
     const CellLine line(s, grid_.inverse);
@@ -204,7 +205,7 @@ class Binner {
            cancellation_);
   }
 
-  /// A counting sort that looks at no cells but those that have items.
+  /// Sorts items by cell. This counting sort only visits cells that have items.
   void sort_by_cells() {
     if (items_.size() > std::numeric_limits<std::uint32_t>::max()) {
       throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a grid or more");

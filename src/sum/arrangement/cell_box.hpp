@@ -1,4 +1,4 @@
-// Boxes within a cell of the grid, small enough that comparing two of them is one subtraction.
+// Boxes within a cell of the grid, kept so short that one subtraction compares two of them.
 #pragma once
 
 #include <algorithm>
@@ -6,40 +6,41 @@
 
 namespace minksum {
 
-/// A box relative to a cell, rounded outwards to 2^-13 of the cell: four numbers of 15 bits, each
-/// in a field of 16 bits of one word: x0, y0, kMost − x1, kMost − y1.
+/// A box relative to a cell, rounded outwards to 2^-13 of the cell. One word holds four numbers of
+/// 15 bits, each in a field of 16 bits: x0, y0, kMost − x1, kMost − y1.
 ///
 /// Two boxes overlap if and only if each field of one is at most that field of the other's
-/// `partner`: x0, y0 against its x1, y1, and kMost − x1, kMost − y1 against its kMost − x0,
-/// kMost − y0. With the free top bits of the partner's fields set, one subtraction of words does
-/// all four without a borrow from field to field, and each top bit stays exactly if its field is
-/// not smaller.
+/// `partner`. That compares x0, y0 with the other's x1, y1, and kMost − x1, kMost − y1 with its
+/// kMost − x0, kMost − y0. The partner's fields have their free top bits set. So one subtraction of
+/// words compares all four fields, without a borrow from field to field. A top bit stays if and
+/// only if the partner's field is not smaller.
 class CellBox {
  public:
   CellBox() = default;
-  /// Coordinates in cells from the cell's lower left corner; farther than kReach from the cell they
-  /// are cut off, so it holds what of the given box is within kReach of the cell.
+  /// Takes coordinates in cells, from the cell's lower left corner. They are cut off farther than
+  /// kReach from the cell, so the box holds the given box's part within kReach of the cell.
   CellBox(double x0, double y0, double x1, double y1)
       : word_(low(x0) | low(y0) << 16 | (kMost - high(x1)) << 32 | (kMost - high(y1)) << 48) {}
 
   static constexpr double kUnit = 0x1p-13;
   static constexpr double kReach = 0x1p-4;
 
-  /// What `overlaps` compares with. (Exchanging the halves gives kMost − x1, kMost − y1, x0, y0.)
+  /// Returns the word that `overlaps` compares with. (Exchanging the halves of the box's word gives
+  /// kMost − x1, kMost − y1, x0, y0.)
   [[nodiscard]] std::uint64_t partner() const {
     return (kMost * kOnes - (word_ << 32 | word_ >> 32)) | kTops;
   }
-  /// Whether the box overlaps, or touches, the one that has this partner.
+  /// Whether the box overlaps or touches the box that has this partner.
   [[nodiscard]] bool overlaps(std::uint64_t partner) const {
     return ((partner - word_) & kTops) == kTops;
   }
-  /// The lowest x, in units.
+  /// Returns the lowest x, in units.
   [[nodiscard]] std::uint32_t left() const { return static_cast<std::uint32_t>(word_ & kMost); }
-  /// The highest x, in units.
+  /// Returns the highest x, in units.
   [[nodiscard]] std::uint32_t right() const {
     return static_cast<std::uint32_t>(kMost - (word_ >> 32 & kMost));
   }
-  /// The intersection with a box that this one overlaps.
+  /// Returns the intersection with a box that this one overlaps.
   [[nodiscard]] CellBox within(const CellBox& other) const {
     CellBox result;
     for (int shift = 0; shift < 64; shift += 16) {
@@ -53,8 +54,8 @@ class CellBox {
   static constexpr std::uint64_t kOnes = 0x0001'0001'0001'0001;
   static constexpr std::uint64_t kTops = 0x8000 * kOnes;
 
-  // Truncation goes down, one more unit outwards makes up for the rounding of what is given (below
-  // 4 · UniformGrid::kSlack).
+  // Truncation rounds down. One more unit outwards makes up for the rounding of the given values,
+  // which is below 4 · UniformGrid::kSlack.
   static std::uint64_t low(double value) { return units(value) - 1; }
   static std::uint64_t high(double value) { return units(value) + 2; }
   static std::uint64_t units(double value) {

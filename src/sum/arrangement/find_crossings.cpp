@@ -1,4 +1,4 @@
-// All meetings of kept segments, cell by cell.
+// Finds all points that kept segments share, cell by cell.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,17 +36,17 @@ class CrossingFinder {
 
  private:
   using Items = std::span<const CellItem>;
-  static constexpr std::size_t kFew = 64;  // pairs of boxes cost less than dividing them
-  static constexpr int kMaxDepth = 7;      // below that a part's side nears the slack
+  static constexpr std::size_t kFew = 64;  // comparing all pairs costs less than dividing
+  static constexpr int kMaxDepth = 7;      // deeper down, a part's side nears the slack
 
-  /// Each its own root.
+  /// Makes each element its own root.
   void start_forest(std::vector<std::uint32_t>& parent, std::size_t size) {
     resize_in_pieces(parent, size, cancellation_);
     std::uint32_t next = 0;
     visit_in_pieces(parent, cancellation_, [&](std::uint32_t& p) { p = next++; });
   }
 
-  /// All pairs whose boxes overlap, at once.
+  /// Meets all pairs of segments whose boxes overlap, without cells.
   void solve_all() {
     meeter_.enter({});
     const std::span lines(kept_.data(), scratch_.line_count);
@@ -86,11 +86,12 @@ class CrossingFinder {
     if (items.size() < 2) return;
     row_ = row;
     column_ = column;
-    // Larger squares are leaves: dividing them was found to be of no use.
+    // Larger squares are leaves, which the cover found to be of no use to divide.
     solve(items, part_of_square(side), side == 1 ? 0 : kMaxDepth);
   }
 
-  /// The cells of a row share their bounds, to the last bit, so that they tile the plane.
+  /// Returns a square's part of the plane. Neighbouring squares have a bound in common, equal to
+  /// the last bit, so that all parts tile the plane.
   [[nodiscard]] SegmentExtent part_of_square(std::int32_t side) const {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
       return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
@@ -115,7 +116,8 @@ class CrossingFinder {
     }
   }
 
-  /// All pairs whose boxes overlap, from left to right: for parts that dividing did not thin out.
+  /// Meets all pairs whose boxes overlap, from left to right. Parts that dividing did not thin out
+  /// are swept.
   void sweep(Items items, const SegmentExtent& part) {
     meeter_.enter(part);
     auto& order = scratch_.sweep_order;
@@ -140,7 +142,8 @@ class CrossingFinder {
     }
   }
 
-  /// Solves the four quarters of a part; false (and nothing done) if that would not separate much.
+  /// Solves the four quarters of a part. Does nothing and returns false if that would not separate
+  /// much.
   bool divide(Items items, const SegmentExtent& part, int depth) {
     const double side = std::ldexp(grid_.cell, -depth - 1);
     const Vec<double> low{part.x0 > -HUGE_VAL ? part.x0 : column_ * grid_.cell,
@@ -170,7 +173,7 @@ class CrossingFinder {
     return true;
   }
 
-  /// The items that may touch a square, with what their boxes have near it.
+  /// Lists the items that may touch a square, with their boxes' parts near the square.
   void list_near(Items items, const Vec<double>& low, double side, std::vector<CellItem>& near) {
     near.clear();
     const double slack = meeter_.slack();
@@ -189,8 +192,8 @@ class CrossingFinder {
     });
   }
 
-  /// Whether the line of a segment may touch the box of this centre and half side; errs on the side
-  /// of yes.
+  /// Whether a segment's line may touch the box of this centre and half side. Errs on the side of
+  /// yes.
   [[nodiscard]] static bool near_box(const KeptSegment& s, const Vec<double>& centre, double half) {
     const Vec<double> v{centre.x - s.a.x, centre.y - s.a.y};
     const double reach = (std::abs(s.d.x) + std::abs(s.d.y)) * half;

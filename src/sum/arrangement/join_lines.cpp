@@ -1,4 +1,4 @@
-// Segments that overlap on one line, in one direction, are one.
+// Joins segments that overlap on one line in one direction.
 #include <algorithm>
 #include <cstdint>
 
@@ -13,7 +13,7 @@ Vec<Int128> exact(const Vec<double>& v) {
   return {static_cast<std::int64_t>(v.x), static_cast<std::int64_t>(v.y)};
 }
 
-/// Places of segments on lines, in order: by line, and along it.
+/// Lists the places of segments on lines, sorted by line and then along it.
 class NodeLister {
  public:
   NodeLister(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation,
@@ -76,13 +76,13 @@ class NodeLister {
   const std::vector<KeptSegment>& kept_;
   Cancellation& cancellation_;
   JoinScratch& scratch_;
-  bool doubles_tell_;  ///< cross products have no rounding
+  bool doubles_tell_;  ///< whether cross products have no rounding
 };
 
 }  // namespace
 
 bool lines_are_joined(const Operands& o, std::size_t segments) {
-  constexpr std::size_t kSegmentsPerDirection = 8;  // then many may share lines
+  constexpr std::size_t kSegmentsPerDirection = 8;  // if there are more, many may share lines
   const bool exact = o.bounds.difference == 0 && o.bounds.direction == 0;
   return exact && segments >= kSegmentsPerDirection * o.rank_count;
 }

@@ -43,12 +43,12 @@ void SegmentMeeter::meet(KeptId s, KeptId t) {
   cross_at(s, of_s, t, of_t);
 }
 
-/// Unites an end that both of two segments have, if it is seen at once: the common case of
-/// neighbours in the convolution. Not parallel, they have no other point in common.
+/// Unites an end that two segments share, if doubles show it at once. That is the common case of
+/// neighbours in the convolution. Segments that are not parallel have no other point in common.
 bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
   const KeptSegment& ks = kept_[s];
   const KeptSegment& kt = kept_[t];
-  // Bits are compared, without branches: which ends meet is hard to foresee.
+  // Bits are compared without branches, because it is hard to predict which ends meet.
   const auto apart = [](const Vec<double>& p, const Vec<double>& q) {
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
     return (bits(p.x) ^ bits(q.x)) | (bits(p.y) ^ bits(q.y));
@@ -65,7 +65,7 @@ bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
   return true;
 }
 
-/// Where the ends of t lie relative to s.
+/// Tells on which side of s the ends of t lie.
 SegmentMeeter::Sides SegmentMeeter::sides(KeptId s, KeptId t) {
   Sides result{0, 0, 0, kZero, kZero};
   if (exact_) {
@@ -102,15 +102,15 @@ Sign SegmentMeeter::side(KeptId s, std::uint32_t point, double& value, double& g
   return predicates_.kernel().orientation(ks.segment, vertex(point));
 }
 
-/// Whether two ends are certainly equal: the common case of neighbours in the convolution.
+/// Whether two ends are certainly equal. That is the common case of neighbours in the convolution.
 bool SegmentMeeter::coincide(std::uint32_t a, std::uint32_t b) const {
   const Vec<double>& p = place(a);
   const Vec<double>& q = place(b);
   return p.x == q.x && p.y == q.y && (bounds_.difference == 0 || vertex(a) == vertex(b));
 }
 
-/// An end of another segment lies on the line of s; `of_s` are the ends of s to that segment, so
-/// it lies on s unless both are strictly on one side.
+/// Adds an end of another segment, which lies on the line of s. It lies on s, because the ends of s
+/// are not both strictly on one side of that segment, as `of_s` tells.
 void SegmentMeeter::touch(KeptId s, const Sides& of_s, std::uint32_t point) {
   if (of_s.start == kZero) return unite(scratch_.parent, point, 2 * s);
   if (of_s.end == kZero) return unite(scratch_.parent, point, 2 * s + 1);
@@ -127,7 +127,7 @@ void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
   for (const std::uint32_t point : {2 * s, 2 * s + 1}) meet_on_line(t, point);
 }
 
-/// The end of a segment on the same line.
+/// Adds an end of a segment on the same line, if the end lies on s.
 void SegmentMeeter::meet_on_line(KeptId s, std::uint32_t point) {
   if (!mine(place(point), bounds_.position)) return;
   const SumVertex v = vertex(point);
@@ -142,8 +142,8 @@ void SegmentMeeter::meet_on_line(KeptId s, std::uint32_t point) {
   if (from_a == to_b) add_vertex_event(s, point);
 }
 
-/// From the ends' cross products with the other segment: they have opposite signs, so their
-/// difference does not cancel.
+/// Computes the position of a crossing along s from the cross products of s's ends with t. These
+/// have opposite signs, so their difference does not cancel.
 SegmentMeeter::Parameter SegmentMeeter::crossing_parameter(KeptId s, const Sides& of_s, KeptId t) {
   constexpr double kRounding = 0x1p-51;
   const double width = std::abs(of_s.start_value) + std::abs(of_s.end_value);
@@ -160,7 +160,7 @@ SegmentMeeter::Parameter SegmentMeeter::from_kernel(KeptId s, const PointOnSegme
   const KeptSegment& ks = kept_[s];
   const double lambda = predicates_.kernel().parameter(ks.segment, point);
   if (ks.joined == 0) return {lambda, kKernelError};
-  // The kernel knows the first member only, which begins where the whole begins.
+  // The kernel knows only the first member, which begins where the whole begins.
   const Vec<double> d = kept_[scratch_.join.joined[ks.joined - 1].first].d;
   const bool by_x = std::abs(ks.d.x) >= std::abs(ks.d.y);
   return {lambda * (by_x ? d.x / ks.d.x : d.y / ks.d.y), kKernelError};

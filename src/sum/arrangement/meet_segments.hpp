@@ -1,4 +1,4 @@
-// Where two kept segments meet.
+// Finds the points that two kept segments share.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace minksum {
 
-/// A part of the plane. Those of a grid tile it half-open: each point is in exactly one of them.
+/// A part of the plane. The parts of a grid are half-open, so each point is in exactly one of them.
 struct SegmentExtent {
   double x0 = -HUGE_VAL;
   double y0 = -HUGE_VAL;
@@ -18,31 +18,32 @@ struct SegmentExtent {
   }
 };
 
-/// Finds the points that pairs of segments share in one part after the other.
+/// Finds the points that pairs of segments share, in one part after the other.
 ///
-/// Pairs may share several parts; each point is taken in its own part, where both segments are
-/// listed. A point that is only roughly known (beyond the slack that segments were listed with) is
-/// taken in each, which costs repeated events and nothing else.
+/// A pair may be listed in several parts. Each point is taken in its own part, where both segments
+/// are listed. A point may be known only roughly, beyond the slack with which segments were listed.
+/// It is taken in each part, which costs nothing but repeated events.
 class SegmentMeeter {
  public:
   SegmentMeeter(const UniformGrid& grid, const Options& options, Predicates& predicates,
                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
 
-  /// From here on, points in this part are wanted.
+  /// Sets the part in which points are wanted from now on.
   void enter(const SegmentExtent& part) { part_ = part; }
-  /// Unites ends that coincide, adds crossings and events. s < t. O(1): four orientations at most.
+  /// Unites ends of s and t that coincide, and adds crossings and events. s must be less than t.
+  /// O(1): at most four orientations.
   void meet(KeptId s, KeptId t);
-  /// Segments are listed in every part within this distance.
+  /// Returns the distance from a part within which segments are listed in it.
   [[nodiscard]] double slack() const { return slack_; }
-  /// A bound on the error of a segment's place.
+  /// Returns a bound on the error of a segment's place.
   [[nodiscard]] double doubt() const { return bounds_.position; }
 
  private:
   /// Where the ends of a segment lie relative to another one's line.
   struct Sides {
-    double start_value;  ///< approximate cross products,
+    double start_value;  ///< approximate cross product of the start
     double end_value;
-    double bound;  ///< and a bound on the error of each; infinite if the kernel was asked
+    double bound;  ///< bound on the error of both values; infinite if the kernel was asked
     Sign start;
     Sign end;
     [[nodiscard]] bool apart() const { return start == end && start != kZero; }
@@ -58,7 +59,7 @@ class SegmentMeeter {
   [[nodiscard]] SumVertex end(KeptId s) const {
     return predicates_.end_vertex(last_segment(kept_[s], scratch_.join));
   }
-  /// Ends of segments by their numbers as points: 2s and 2s + 1.
+  /// Returns an end of a segment by its number as a point, 2s or 2s + 1.
   [[nodiscard]] SumVertex vertex(std::uint32_t point) const {
     return point % 2 == 0 ? start(point / 2) : end(point / 2);
   }
@@ -81,7 +82,7 @@ class SegmentMeeter {
   [[nodiscard]] bool mine(const Vec<double>& p, double error) const {
     return !(error < slack_ / 2) || part_.contains(p);
   }
-  /// Without trust in doubles every order is decided by the kernel.
+  /// Returns an infinite error if doubles are not trusted. Then the kernel decides every order.
   [[nodiscard]] double doubted(double error) const { return trust_ ? error : HUGE_VAL; }
 
   Predicates& predicates_;
@@ -90,7 +91,7 @@ class SegmentMeeter {
   const RoundingBounds bounds_;
   std::uint64_t most_crossings_;
   double slack_;
-  bool exact_;  ///< cross products have no rounding
+  bool exact_;  ///< whether cross products have no rounding
   bool trust_;
   SegmentExtent part_;
 };

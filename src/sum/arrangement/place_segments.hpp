@@ -1,4 +1,4 @@
-// What segments look like in doubles, and which of them are the same.
+// Places segments in doubles, and finds equal ones.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,7 @@
 
 namespace minksum {
 
-/// A segment as it is kept, not known to meet the cover.
+/// Makes a kept segment that is not known to meet the cover.
 inline KeptSegment place_segment(const Operands& o, const Segment& segment) {
   const auto& [x, y, dx, dy, next] = o.sites;
   const auto& [e, v] = segment;
@@ -20,7 +20,7 @@ inline KeptSegment place_segment(const Operands& o, const Segment& segment) {
           rank, false};
 }
 
-/// A segment in cell units.
+/// A segment's line in units of cells.
 struct CellLine {
   Vec<double> start;
   double rise;  ///< height / width, or 0 where that would magnify rounding much
@@ -34,7 +34,7 @@ struct CellLine {
   [[nodiscard]] double height_at(double x) const { return start.y + (x - start.x) * rise; }
 };
 
-/// Finds segments that are equal as directed segments, where doubles hold them exactly.
+/// Finds segments that are equal, direction included. Doubles must hold their ends exactly.
 class DuplicateFinder {
  public:
   DuplicateFinder(std::vector<KeptId>& table, const std::vector<KeptSegment>& kept,
@@ -42,8 +42,8 @@ class DuplicateFinder {
       : table_(table), kept_(kept), cancellation_(cancellation) {
     table_.assign(kSmallest, kEmpty);
   }
-  /// Whether a segment equal to the last one was seen before. To be asked for each that may have an
-  /// equal, in turn; those that have are to be taken away.
+  /// Whether an equal of the last kept segment was seen before. Must be called in turn for each
+  /// segment that may have an equal. A segment that was seen must be removed.
   bool seen() {
     if (2 * kept_.size() > table_.size()) grow();
     return enter(static_cast<KeptId>(kept_.size() - 1));
@@ -73,7 +73,7 @@ class DuplicateFinder {
     }
   }
   static std::size_t hash(const KeptSegment& s) {
-    // + 0.0 turns a negative zero, equal to zero, into zero.
+    // Negative zero equals zero, and must have its hash: + 0.0 turns it into zero.
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
     const std::uint64_t h = bits(s.a.x) * 0x9E3779B97F4A7C15U + bits(s.a.y) * 0xC2B2AE3D27D4EB4FU +
                             bits(s.b.x) * 0xFF51AFD7ED558CCDU + bits(s.b.y) * 0xD6E8FEB86659FD93U;

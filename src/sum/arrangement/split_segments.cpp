@@ -1,4 +1,4 @@
-// Events along segments to nodes and pieces.
+// Turns the events along segments into nodes and pieces.
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +48,8 @@ class Splitter {
   }
 
  private:
-  /// A piece ends at an event, or where its line does: this bounds their number, too.
+  /// Throws if there are too many events. Each piece ends at an event or at its segment's end, so
+  /// the number of pieces is bounded too.
   void limit_events() const {
     if (scratch_.events.size() + scratch_.line_count < kNoPiece) return;
     throw Error(ErrorCode::kLimitExceeded, "segments meet at 2^32 places or more");
@@ -88,7 +89,8 @@ class Splitter {
     return crossing.first == s ? crossing.second : crossing.first;
   }
 
-  /// Whether two points are certainly one on s: known to be equal, or crossings with one line.
+  /// Whether two points on s are certainly equal: they are known to be, or one line crosses s at
+  /// both.
   bool same(KeptId s, std::uint32_t a, std::uint32_t b) {
     if (find_root(scratch_.parent, a) == find_root(scratch_.parent, b)) return true;
     if (a < ends_ || b < ends_) return false;
@@ -102,8 +104,8 @@ class Splitter {
                                      point_on(s, a.point), b.lambda, b.error, point_on(s, b.point));
   }
 
-  /// Rounded positions bring events almost into their order; insertion then costs about one exact
-  /// comparison each, and meets all equal neighbours.
+  /// Sorts the events on s, and unites equal ones. Rounded positions bring events almost into
+  /// order. Insertion then costs about one exact comparison each, and meets all equal neighbours.
   void order_events(KeptId s) {
     const std::span<Event> events = events_of(s);
     if (events.size() < 2) return;
@@ -137,7 +139,8 @@ class Splitter {
     }
     return id;
   }
-  /// In its place: a copy of what was just written in parts would have to wait for them.
+  /// Writes a node in its place. Copying a node whose parts were just written would have to wait
+  /// for these.
   void make_node(std::uint32_t root, Node& node) const {
     node.point.is_crossing = root >= ends_;
     if (root < ends_) {
@@ -153,11 +156,12 @@ class Splitter {
     node.point.first = s.segment;
     node.point.second = result_.kept[c.second].segment;
     node.at = {s.a.x + c.lambda * s.d.x, s.a.y + c.lambda * s.d.y};
-    // An unknown place stays unknown on a segment whose vector doubles do not tell from 0.
+    // An infinite error stays infinite, even where the segment's vector is 0 in doubles.
     node.error = std::isinf(c.error) ? c.error : c.error * reach + predicates_.bounds().position;
   }
 
-  /// Pieces of one segment, but for those that run through covered cells: they are not boundary.
+  /// Cuts one segment into pieces. It leaves out pieces inside the sum, such as those that run
+  /// through covered cells, because they are not boundary.
   void cut(KeptId s) {
     const KeptSegment& k = result_.kept[s];
     Event last{0, 0, s, 2 * s};
@@ -189,8 +193,8 @@ class Splitter {
     }
     add({1, 0, s, 2 * s + 1}, k.b);
   }
-  /// The first member of a joined segment, from `member` on, that goes on after a point. (It starts
-  /// before, or there: members overlap.)
+  /// Returns the first member of a joined segment, from `member` on, that goes on after a point.
+  /// (The member starts at the point or before, because members overlap.)
   KeptId member_after(KeptId s, const Event& from, KeptId member) {
     const KeptSegment& k = result_.kept[s];
     const KeptId end = scratch_.join.joined[k.joined - 1].end;
@@ -208,9 +212,9 @@ class Splitter {
     return member;
   }
 
-  /// Whether a piece of s begins, or ends, with a crossing to or from the left of another segment:
-  /// the sum's interior is there, all along that segment. (Of joined segments that is not known
-  /// where one ends and the next begins.)
+  /// Whether a piece of s begins or ends at a crossing on whose other segment's left it lies. The
+  /// sum's interior is there, all along that segment. (For joined segments that is not known where
+  /// one member ends and the next begins.)
   [[nodiscard]] bool is_inside(KeptId s, std::uint32_t begin, std::uint32_t end) const {
     if (tight_wanted_) return false;  // tight places are inside
     const auto is_left_of = [&](KeptId other) { return result_.kept[other].joined == 0; };
@@ -227,8 +231,9 @@ class Splitter {
     bool covered = false;
     cancellation_.check(1 + static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) *
                                                        cover_.grid.inverse));
-    // Cells within kMargin of the piece are covered with three times that margin, so a walk that
-    // meets one has met a point of the piece inside the sum (up to rounding, which is far less).
+    // The walk takes cells within kMargin of the piece, and covered cells have three times that
+    // margin inside the sum. So a walk that meets a covered cell has met a point of the piece
+    // inside the sum (up to rounding, which is far less).
     cover_.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {
       covered = cover_.is_covered(i, j);
       return !covered;
@@ -236,7 +241,7 @@ class Splitter {
     return covered;
   }
 
-  /// Adds a piece. Of pieces with the same ends one is kept; of opposite ones none.
+  /// Adds a piece. One of several equal pieces is kept, and none of opposite ones.
   void add_piece(NodeId from, NodeId to, KeptId s) {
     make_room(result_.pieces, 1, cancellation_);
     if (!may_coincide_) {
@@ -303,7 +308,7 @@ class Splitter {
       if (!is_covered(node)) result_.crowded.push_back(node_of(root));
     }
   }
-  /// Whether each of these directions, sorted, is followed by another within half a circle.
+  /// Whether each of these sorted directions is followed by another one within half a circle.
   [[nodiscard]] bool turns_are_small(std::span<const Incident> around) const {
     const std::uint32_t size = operands_.place_count;
     const auto turn = [size](std::uint32_t from, std::uint32_t to) {
@@ -336,9 +341,9 @@ class Splitter {
   Cancellation& cancellation_;
   ArrangementScratch& scratch_;
   Arrangement& result_;
-  std::uint32_t ends_;  ///< points below are ends of segments
-  /// Whether pieces may have the same ends: those of segments that overlap on one line. Where all
-  /// segments meet all others it is known whether there are such.
+  std::uint32_t ends_;  ///< points of lower numbers are ends of segments
+  /// Whether pieces may have the same ends, because segments overlap on one line. Only if all
+  /// segments were swept at once is it known whether any do.
   bool may_coincide_;
 };
 

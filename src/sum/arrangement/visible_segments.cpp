@@ -12,15 +12,15 @@
 namespace minksum {
 namespace {
 
-// Boxes are sums of two, in cells, in single precision: cells are below 2^13, so that is off by at
-// most three times 2^-12, and covered cells are inside the sum with a margin of 3 ·
-// kMargin around them.
+// Boxes are sums of two boxes, in cells and in single precision. Numbers are below 2^13, so a sum
+// is off by at most three times 2^-12. That is below the margin of 3 · kMargin around covered
+// cells, which lies inside the sum too.
 static_assert(UniformGrid::kMaxSide <= 1 << 13);
 
-/// Tells most boxes that lie wholly in covered cells, with one look at a bitmap.
+/// Recognises most boxes that lie wholly in covered cells, by one look at a bitmap.
 ///
-/// A box of up to 2^k by 2^k cells lies in the covered ones if the block of so many cells that
-/// starts at its lower left cell does.
+/// A box of up to 2^k by 2^k cells lies in covered cells if the block of so many cells that starts
+/// at the box's lower left cell does.
 class CoveredBlocks {
  public:
   CoveredBlocks(const Cover& cover, std::array<Bitmap, VisibleScratch::kLevels + 1>& blocks)
@@ -33,7 +33,7 @@ class CoveredBlocks {
       bits_[k] = smaller->row(0);
     }
     blocks.back().reset(cover.grid.columns, cover.grid.rows, words_);
-    bits_.back() = blocks.back().row(0);  // what is too long
+    bits_.back() = blocks.back().row(0);  // for boxes that are too long
   }
   [[nodiscard]] bool hides(const CellSite& edge, const CellSite& vertex) const {
     const auto i0 = static_cast<std::int32_t>(edge.box.x0 + vertex.x);
@@ -50,7 +50,7 @@ class CoveredBlocks {
   }
 
  private:
-  /// Blocks of twice the side: four blocks of `side` each.
+  /// Makes blocks of twice the side, each from four blocks of `side`.
   static void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater) {
     const std::size_t words = blocks.words_per_row();
     greater.reset(blocks.columns(), blocks.rows(), words);
@@ -70,7 +70,8 @@ class CoveredBlocks {
   std::array<const std::uint64_t*, VisibleScratch::kLevels + 2> bits_{};
 };
 
-/// Tells all of them: the uncovered cells of a box are a sum of four counts.
+/// Recognises all boxes that lie wholly in covered cells. A sum of four counts is the number of
+/// uncovered cells in a box.
 class UncoveredCounts {
  public:
   UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts)
@@ -127,11 +128,11 @@ void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sit
 
 CellBounds point_box(const CellSite& site) { return {site.x, site.y, site.x, site.y}; }
 
-/// Ranks on their circle.
+/// The circle of ranks.
 class RankCircle {
  public:
   explicit RankCircle(DirectionRank count) : count_(count) {}
-  /// How far it is counter-clockwise.
+  /// Returns how many ranks the counter-clockwise way takes.
   [[nodiscard]] DirectionRank way(DirectionRank from, DirectionRank to) const {
     return to >= from ? to - from : to + count_ - from;
   }
@@ -140,7 +141,7 @@ class RankCircle {
     const int in_b = way(b.from, a.from) < b.length ? 1 : 0;
     return std::min(a.length, b.length) != 0 && (in_a | in_b) != 0;
   }
-  /// The shorter of the ranges that begin as one of these does and have both.
+  /// Returns the shorter of the two ranges that contain both given ones and begin as one of them.
   [[nodiscard]] RankRange unite(const RankRange& a, const RankRange& b) const {
     const DirectionRank from_a = std::max(a.length, way(a.from, b.from) + b.length);
     const DirectionRank from_b = std::max(b.length, way(b.from, a.from) + a.length);
@@ -205,7 +206,7 @@ class TreeBuilder {
   VisibleScratch& scratch_;
 };
 
-/// Edges of one operand at vertices of the other, pairs of runs at a time.
+/// Finds visible segments of one operand's edges at the other's vertices, pairs of runs at a time.
 class RunSearch {
  public:
   RunSearch(const Operands& o, const RankCircle& circle, const UncoveredCounts& uncovered,
@@ -240,7 +241,7 @@ class RunSearch {
           tree.level_begin[level] + 2 * (pair.run[larger] - tree.level_begin[level + 1]);
       const SiteRun& fixed = trees_[other]->runs[pair.run[other]];
       if (pairs.size() < count + 2) pairs.resize(2 * (count + 2));
-      // Without branches on which of them stay: that is hard to foresee.
+      // There is no branch on which parts stay, because that is hard to predict.
       for (const std::uint32_t part : {first, first + 1}) {
         pairs[count] = pair;
         pairs[count].run[larger] = part;
@@ -298,7 +299,7 @@ class RunSearch {
   VisibleScratch& scratch_;
 };
 
-/// Vertex by vertex, each one's edges from the first direction that it meets.
+/// Orders segments by vertex, and those of a vertex from the first direction that it meets.
 void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& cancellation,
                      VisibleScratch& scratch) {
   auto& place = scratch.place;
@@ -330,14 +331,14 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
   resize_in_pieces(visible, segments.size(), cancellation);
   std::size_t count = 0;
   const CoveredBlocks covered(cover, scratch.blocks);
-  // Without branches: which are hidden is hard to foresee.
+  // There is no branch on which segments are hidden, because that is hard to predict.
   for (const Segment& segment : segments) {
     cancellation.check();
     visible[count] = segment;
     count += covered.hides(sites[segment.edge], sites[segment.vertex]) ? 0U : 1U;
   }
   visible.resize(count);
-  // Many may be too long for blocks.
+  // Many of these may be too long for blocks.
   if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
     const UncoveredCounts uncovered(cover, scratch.uncovered);
     std::erase_if(visible, [&](const Segment& segment) {
@@ -366,7 +367,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   for (SiteId v = 0; v < operands.size(); ++v) {
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
   }
-  // Points of segments and crossings are numbered in 32 bits.
+  // The numbers of segments' points and of crossings have 32 bits.
   constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
   const RankCircle circle(operands.rank_count);
   const UncoveredCounts uncovered(cover, scratch.uncovered);

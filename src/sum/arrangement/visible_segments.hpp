@@ -1,5 +1,5 @@
-// Which segments may touch uncovered cells. Hidden ones are dropped by runs, never one by one, if
-// there are many.
+// Finds the segments that may touch uncovered cells. If there are many segments, hidden ones are
+// dropped by runs, never one by one.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace minksum {
 
-/// A box in cells of the cover's grid.
+/// A box in units of the cover's cells.
 struct CellBounds {
   float x0, y0, x1, y1;
 };
 
-/// A site, and the box of its edge, in cells; rounded.
+/// A site and the box of its edge, rounded, in units of cells.
 struct CellSite {
   float x, y;
   CellBounds box;
@@ -26,21 +26,21 @@ struct CellSite {
 /// A run of an operand's sites: of its edges, or of its convex vertices.
 struct SiteRun {
   CellBounds box;
-  RankRange directions;  ///< has those of the edges, or those that the vertices meet
+  RankRange directions;  ///< contains the edges' directions, or those that the vertices meet
 };
 
-/// All runs of an operand's edges or vertices: leaves of a few sites each, then pairs of them, and
-/// so on.
+/// All runs of an operand's edges or vertices. Leaves have a few sites each; the runs of each
+/// further level unite two runs of the level before.
 struct RunTree {
   static constexpr SiteId kLeaf = 8;
-  SiteId begin = 0;  ///< the operand's sites
+  SiteId begin = 0;  ///< the operand's sites are [begin, end)
   SiteId end = 0;
-  /// Level by level, the leaves first: an even number, but for the root.
+  /// The runs level by level, the leaves first. All levels but the root's have an even number.
   std::vector<SiteRun> runs;
   std::vector<std::uint32_t> level_begin;
 };
 
-/// A run of edges, and one of vertices.
+/// A run of edges and a run of vertices.
 struct RunPair {
   std::array<std::uint32_t, 2> run;
   std::array<std::uint32_t, 2> level;
@@ -50,9 +50,9 @@ struct RunPair {
 struct VisibleScratch {
   static constexpr std::size_t kLevels = 3;
   std::vector<CellSite> sites;
-  /// Where blocks of 2, 4, 8 cells a side are covered; then nothing.
+  /// Bitmaps of where blocks of 2, 4 and 8 cells a side are covered, and then an empty bitmap.
   std::array<Bitmap, kLevels + 1> blocks;
-  std::vector<std::uint32_t> uncovered;  ///< cells below and to the left of each corner
+  std::vector<std::uint32_t> uncovered;  ///< by corner: uncovered cells below and to the left
   std::vector<RankRange> ranges;  ///< by site: directions that it meets; none if it is reflex
   RunTree edges;
   RunTree vertices;
@@ -62,19 +62,19 @@ struct VisibleScratch {
   std::vector<std::uint32_t> place;  ///< by site: where its segments are in `visible`
 };
 
-/// Whether a cover has anything.
+/// Whether a cover has any covered cell.
 [[nodiscard]] bool covers_any(const Cover& cover);
 
-/// All segments but such as lie, with a margin, in covered cells of an active cover: most of those.
-/// In the order in which they are listed.
+/// Lists the segments that may touch uncovered cells of an active cover, in the convolution's
+/// order. It leaves out most of those that lie, with a margin, in covered cells. Throws
+/// Error(kLimitExceeded) if more segments are visible than `limits` allows.
 ///
-/// If the convolution is listed, each segment is looked at. Else both operands' sites are arranged
-/// in trees by runs along their rings, with the boxes and directions of their edges, and the boxes
-/// of their convex vertices with the directions that these meet. Of two runs, one of edges, one of
-/// vertices, all segments are hidden if the sum of their boxes is covered, and there are none if no
-/// direction is met; else the larger is divided. So hidden segments are dropped run by run, and
-/// what the search takes depends on those that are visible. Throws Error(kLimitExceeded) for more
-/// visible ones than `limits` allows.
+/// If the convolution is listed, each segment is tested. Otherwise both operands' sites are put
+/// into trees of runs along their rings. A run of edges has their box and directions. A run of
+/// convex vertices has their box and the directions that they meet. A run of edges and a run of
+/// vertices have only hidden segments if the sum of their boxes is covered. They have no segments
+/// if no direction is met. Otherwise the larger run is divided. So hidden segments are dropped run
+/// by run, and the work depends on the visible ones.
 [[nodiscard]] std::span<const Segment> visible_segments(const Operands& operands,
                                                         const Convolution& convolution,
                                                         const Cover& cover, const Limits& limits,
