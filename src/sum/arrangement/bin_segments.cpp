@@ -25,8 +25,8 @@ class SegmentSpread {
     });
   }
   [[nodiscard]] Vec<double> size() const { return {width_, height_}; }
-  /// Returns a grid with about no more cells than segments. The side of a cell is at least the
-  /// segments' average width plus height.
+  /// Returns a grid for the segments. A cell's side is about their average width plus height, but
+  /// there are not more cells than segments.
   [[nodiscard]] UniformGrid grid() const {
     const double most = std::sqrt(count_);
     const double side = std::max(width_, height_) * count_ / (across_ + up_);

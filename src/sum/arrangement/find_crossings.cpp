@@ -86,7 +86,7 @@ class CrossingFinder {
     if (items.size() < 2) return;
     row_ = row;
     column_ = column;
-    // Larger squares are leaves, which the cover found to be of no use to divide.
+    // Larger squares are leaves: dividing them further was found to be of no use.
     solve(items, part_of_square(side), side == 1 ? 0 : kMaxDepth);
   }
 

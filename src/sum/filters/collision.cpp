@@ -71,7 +71,8 @@ bool CollisionTest::leaves_cross(std::size_t leaf_p, std::size_t leaf_q) {
   return false;
 }
 
-/// x in the open parallelogram e ⊕ f: between the two lines along e, and between those along f.
+/// Whether x lies in the open parallelogram e ⊕ f, that is, between its two lines along e and
+/// between its two lines along f.
 bool CollisionTest::edges_cross(SiteId e, SiteId f) {
   const auto& next = o_.sites.next;
   const auto side = [&](SiteId edge, SiteId a, SiteId b) {
@@ -97,8 +98,8 @@ bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
   return x < box.x0 - doubt_ || x > box.x1 + doubt_ || y < box.y0 - doubt_ || y > box.y1 + doubt_;
 }
 
-/// Whether a ray from x − `other` to the right passes an odd number of these edges, which are whole
-/// rings. O(log n) for each that it comes near.
+/// Whether a ray from x − `other` to the right passes an odd number of the edges [begin, end),
+/// which must be whole rings. O(log n) for each edge that the ray comes near.
 bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
   const BoxTree& tree = trees_.tree[o_.operand_of(begin)];
   const Vec<double> at{at_.x - o_.sites.x[other], at_.y - o_.sites.y[other]};
@@ -119,7 +120,7 @@ bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
       const double y0 = o_.sites.y[e];
       const double y1 = o_.sites.y[f];
       if (std::max(y0, y1) < at.y - doubt_ || std::min(y0, y1) > at.y + doubt_) continue;
-      // An edge going up has the point on its left if it passes right of it.
+      // An edge that goes up has the point on its left if it passes on the right of the point.
       const bool f_above = above(f);
       if (above(e) != f_above &&
           (predicates_.orientation(e, sum_vertex(e, other), probe_, at_) == kPositive) == f_above) {
@@ -130,13 +131,13 @@ bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
   return odd;
 }
 
-/// Whether x − `other` lies in the other operand, whose rings these are: parity along a ray to the
-/// right.
+/// Whether x − `other` lies in the other operand, whose rings are [first_ring, last_ring). The
+/// parity along a ray to the right decides.
 bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring) {
   if (!o_.holes_filled || o_.connected) {
     return passes_odd_times(other, o_.rings[first_ring].begin, o_.rings[last_ring - 1].end);
   }
-  // Polygon by polygon: filled holes may contain further polygons.
+  // Polygons are taken one by one, because filled holes may contain further polygons.
   bool inside = false;
   for (std::size_t r = first_ring; r < last_ring; ++r) {
     predicates_.cancellation().check();
@@ -161,7 +162,7 @@ Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<dou
   const double doubt = (bounds.position + 4 * bounds.direction) / length + 0x1p-50;
   const double low = std::max(0.0, lambda(from_at)) + from_error / length + doubt;
   const double high = std::min(1.0, lambda(to_at)) - to_error / length - doubt;
-  // The fewest bits that put a point well between.
+  // These are the fewest bits that put a point well between both nodes.
   if (high - low > 0x1p-50) {
     const double middle = low + (high - low) / 2;
     const int shift = std::max(1, 2 - std::ilogb(high - low));

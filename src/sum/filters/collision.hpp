@@ -1,4 +1,4 @@
-// The exact collision test: does P meet x − Q?
+// The exact collision test, which decides whether P meets x − Q.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class BoxTree {
   [[nodiscard]] const Box& box(std::size_t level, std::size_t node) const {
     return boxes_[first_[level] + node];
   }
-  /// The edges of a leaf (level 0).
+  /// Returns the first edge of a leaf, a node of level 0.
   [[nodiscard]] SiteId first_edge(std::size_t leaf) const {
     return begin_ + static_cast<SiteId>(leaf) * kLeafEdges;
   }
@@ -34,8 +34,8 @@ class BoxTree {
     return std::min(end_, first_edge(leaf) + kLeafEdges);
   }
   [[nodiscard]] std::size_t leaf_of(SiteId edge) const { return (edge - begin_) / kLeafEdges; }
-  /// The first edge from `e` on, or `end`, whose leaf is not certainly of no interest: all edges
-  /// before it are in boxes for which `skip(box)` holds. O(log n) for a long way.
+  /// Returns the first edge from `e` on whose leaf may be of interest, or `end`. All edges before
+  /// it are in boxes for which `skip(box)` holds. O(log n) for a long way.
   template <class Skip>
   [[nodiscard]] SiteId skip_edges(SiteId e, SiteId end, Skip skip) const {
     while (e < end) {
@@ -68,11 +68,11 @@ struct BoxPair {
 struct BoxTrees {
   BoxTree tree[2];
   std::vector<BoxTree::Box> ring_boxes;  ///< by ring of both operands
-  std::vector<std::size_t> outer_rings;  ///< both operands'
+  std::vector<std::size_t> outer_rings;  ///< indices of both operands' outer rings
 
   void build(const Operands& operands, Cancellation& cancellation);
-  /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet,
-  /// x being `at`, give or take `doubt`. O(log n) for each pair of leaves that come near.
+  /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet.
+  /// x is within `doubt` of `at`. O(log n) for each pair of leaves that come near.
   template <class Visit>
   [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
                               Visit visit);
@@ -80,7 +80,7 @@ struct BoxTrees {
   std::vector<BoxPair> stack;
 };
 
-/// Whether a box of P and one of x − Q may meet, x being `at`, give or take `doubt`.
+/// Whether a box of P and one of x − Q may meet. x is within `doubt` of `at`.
 [[nodiscard]] inline bool may_meet(const BoxTree::Box& p, const BoxTree::Box& q,
                                    const Vec<double>& at, double doubt) {
   return p.x1 + doubt >= at.x - q.x1 && at.x - q.x0 + doubt >= p.x0 &&
@@ -117,11 +117,11 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
   return false;
 }
 
-/// Decides for probes x whether P meets x − Q, exactly.
+/// Decides exactly for probes x whether P meets x − Q.
 ///
-/// A probe is in general position, so the two sets meet if and only if two edges cross, or a
+/// A probe is in general position. So the two sets meet if and only if two edges cross, or a
 /// polygon of one lies inside the other. Edge e of P crosses edge f of x − Q if and only if x lies
-/// in the parallelogram e ⊕ f: four sides of convolution lines to x.
+/// in the parallelogram e ⊕ f. The sides of four convolution lines on which x lies decide that.
 class CollisionTest {
  public:
   CollisionTest(const Operands& operands, BoxTrees& trees, Predicates& predicates)
@@ -144,8 +144,8 @@ class CollisionTest {
   double doubt_ = 0;
 };
 
-/// A probe just right of the middle of the part of `segment` between two nodes on it. `exact` is
-/// where its position is kept if it needs more bits than a Probe has.
+/// Returns a probe just to the right of `segment`, about in the middle between two nodes on it.
+/// `exact` holds the probe's position if that needs more bits than a Probe has.
 [[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from,
                                   const Vec<double>& from_at, double from_error,
                                   const NodePoint& to, const Vec<double>& to_at, double to_error,

@@ -11,8 +11,8 @@ class LoopFilter {
   LoopFilter(const Arrangement& arrangement, const Loops& loops, Predicates& predicates)
       : arrangement_(arrangement), loops_(loops), predicates_(predicates) {}
 
-  /// The loop that is the sum's outer boundary if the operands are connected: the positive loop
-  /// that has the lexicographically smallest node.
+  /// Returns the loop that is the sum's outer boundary if the operands are connected. It is the
+  /// positive loop that has the lexicographically smallest node.
   [[nodiscard]] std::size_t outermost() {
     std::size_t best = loops_.size();
     NodeId best_node = 0;
@@ -27,7 +27,7 @@ class LoopFilter {
     return best;
   }
 
-  /// A probe at the loop's longest piece: there the fewest bits tell its place.
+  /// Returns a probe at the loop's longest piece, where a probe's place needs the fewest bits.
   [[nodiscard]] Probe probe(std::size_t loop, BigRational& exact) const {
     PieceId longest = loops_.loop(loop)[0];
     double best = -1;
@@ -105,7 +105,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
       ++filtered.rejected_by_collision;
     }
   }
-  // The outer boundary of a sum that is not empty is always there.
+  // A sum that is not empty always has an outer boundary.
   if (std::find(filtered.state.begin(), filtered.state.end(), LoopState::kAccepted) ==
       filtered.state.end()) {
     throw Error(ErrorCode::kInternal, "no loop is left", {}, "filters");

@@ -1,4 +1,4 @@
-// Stage 6: which orientable loops bound the sum.
+// Stage 6: decides which orientable loops bound the sum.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ struct FilteredLoops {
   std::uint64_t rejected_by_collision = 0;
 };
 
-/// Judges every loop. First by nesting (Behar and Lien, section IV-D): the sum of two connected
-/// operands is connected, so inside its outer boundary no positive loop can be true. Then by one
-/// collision test each. With several polygons in an operand islands are valid: collision alone
-/// decides.
+/// Decides for every loop whether it bounds the sum. The nesting filter comes first (Behar and
+/// Lien, section IV-D): the sum of two connected operands is connected, so no positive loop inside
+/// its outer boundary can bound it. One collision test decides each other loop. If an operand has
+/// several polygons, the sum may have islands, and collision alone decides.
 void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                   Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered);
 
-/// Whether each loop has a state and the counts agree, and each accepted loop's face is free by
-/// tests at all its pieces; what is wrong, if not.
+/// Returns what is wrong with the filtered loops, or nothing. Each loop must have a state, and the
+/// counts must agree. A collision test at each piece must agree with its loop's state.
 [[nodiscard]] std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loops,
                                                const Arrangement& arrangement,
                                                const Operands& operands);

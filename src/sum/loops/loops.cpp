@@ -3,10 +3,11 @@
 namespace minksum {
 namespace {
 
-/// The piece that follows an incoming one around the face on its right, if that is an outgoing one.
+/// Returns the piece that follows an incoming one around the face on its right, if that piece goes
+/// out.
 ///
-/// Seen from the node, that face lies counter-clockwise of where the chain came from, up to the
-/// first piece found there. An incoming one there has the face on its left: no loop.
+/// Seen from the node, that face lies counter-clockwise of the incoming piece, up to the first
+/// other piece. If that one comes in, it has the face on its left, and there is no loop.
 PieceId successor(const Spoke& back, std::span<const Spoke> spokes, const DirectionCircle& circle) {
   std::uint32_t best_turn = circle.size();
   std::uint32_t best = kNoPiece;
@@ -20,8 +21,8 @@ PieceId successor(const Spoke& back, std::span<const Spoke> spokes, const Direct
       best = spoke.item;
     }
   }
-  // Turn 0 is a piece that runs back over this one; a tie, two pieces over each other. Neither
-  // happens where all crossings are known, that is, on the boundary.
+  // Turn 0 means that a piece runs back over this one, and a tie means that two pieces lie over
+  // each other. Neither happens where all crossings are known, that is, on the boundary.
   if (best == kNoPiece || tie || best_turn == 0 || best % 2 != 0) return kNoPiece;
   return best / 2;
 }
@@ -36,7 +37,7 @@ bool run_against(const Arrangement& arrangement, PieceId a, PieceId b) {
 /// Sets the successor of each piece, or none.
 void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
                  Cancellation& cancellation, LoopScratch& scratch) {
-  constexpr std::uint32_t kFew = 2;  // then there is no choice
+  constexpr std::uint32_t kFew = 2;  // so few pieces leave no choice
   const auto& pieces = arrangement.pieces;
   auto& ends = scratch.ends;
   assign_in_pieces(ends, arrangement.nodes.size(), NodeEnds{}, cancellation);
@@ -85,7 +86,7 @@ void find_loops(const Operands& operands, const Arrangement& arrangement,
   loops.begin.assign(1, 0);
   loops.positive.clear();
   // Successors are unique both ways, so chains are paths or cycles. Each piece is marked with the
-  // first piece of the walk that came to it: a walk that ends at a mark of its own has gone round.
+  // first piece of the walk that came to it. A walk that ends at its own mark has gone round.
   assign_in_pieces(scratch.walk, n, kNoPiece, cancellation);
   for (PieceId first = 0; first < n; ++first) {
     cancellation.check();

@@ -1,4 +1,4 @@
-// Stage 5: orientable loops: the only closed chains that can bound a free face.
+// Stage 5: finds orientable loops, the only closed chains that can bound a free face.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace minksum {
 
-/// Closed chains of pieces, each with one and the same face of the arrangement on its right.
+/// Closed chains of pieces. Each chain has one and the same face of the arrangement on its right.
 ///
-/// A face is free only if it lies on the right of all its edges; so a chain that meets an edge from
-/// the wrong side ends there and is no loop (Behar and Lien, section IV-C; Lemma 4.5 makes each
-/// loop wholly boundary of the sum or wholly not).
+/// A face is free only if it lies on the right of all its edges. So a chain that meets an edge from
+/// the wrong side ends there and is no loop (Behar and Lien, section IV-C). By their Lemma 4.5, a
+/// loop is boundary of the sum as a whole or not at all.
 struct Loops {
   std::vector<PieceId> pieces;         ///< loop after loop, in order
-  std::vector<std::uint32_t> begin;    ///< by loop, and one more
-  std::vector<std::uint8_t> positive;  ///< by loop: it runs counter-clockwise around its inside
+  std::vector<std::uint32_t> begin;    ///< by loop: its first piece; and one entry more
+  std::vector<std::uint8_t> positive;  ///< by loop: whether it runs counter-clockwise
 
   [[nodiscard]] std::size_t size() const { return begin.empty() ? 0 : begin.size() - 1; }
   [[nodiscard]] std::span<const PieceId> loop(std::size_t i) const {
@@ -28,7 +28,7 @@ struct Loops {
   }
 };
 
-/// Directions by rank, all integers.
+/// The circle of directions. Directions are named by their ranks, so all work is on integers.
 class DirectionCircle {
  public:
   explicit DirectionCircle(const Operands& operands, const Arrangement& arrangement)
@@ -36,19 +36,19 @@ class DirectionCircle {
   [[nodiscard]] DirectionRank rank(PieceId piece) const {
     return arrangement_->kept[arrangement_->pieces[piece].segment].rank;
   }
-  /// Place of a direction, or of its reverse, on a circle of `size()` places.
+  /// Returns a direction's place on a circle of `size()` places; `reverse` returns its reverse's.
   [[nodiscard]] std::uint32_t place(DirectionRank rank) const { return operands_->place[rank]; }
   [[nodiscard]] std::uint32_t reverse(DirectionRank rank) const {
     return operands_->reverse_place[rank];
   }
   [[nodiscard]] std::uint32_t size() const { return operands_->place_count; }
-  /// Steps counter-clockwise from one place to another.
+  /// Returns the steps counter-clockwise from one place to another.
   [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + size() - from;
   }
-  /// How often a turn by less than half a circle passes the positive x axis, where places begin:
-  /// -1, 0 or 1. To the left it does if the turn's end comes before the reverse of its begin, and
-  /// that before the begin itself; to the right the other way round.
+  /// Returns how often a turn by less than half a circle passes the positive x axis, where places
+  /// begin: -1, 0 or 1. A left turn passes it if the turn's end comes before the reverse of its
+  /// begin, and that reverse before the begin. A right turn does in the opposite case.
   [[nodiscard]] int wraps(DirectionRank from, DirectionRank to) const {
     const std::uint32_t begin = place(from);
     const std::uint32_t back = reverse(from);
@@ -62,7 +62,8 @@ class DirectionCircle {
   const Arrangement* arrangement_;
 };
 
-/// A piece that ends at a node: where it stands on the circle of directions, seen from there.
+/// A piece that begins or ends at a node, with its place on the circle of directions around the
+/// node.
 struct Spoke {
   std::uint32_t place;
   std::uint32_t item;  ///< 2·piece for an outgoing, 2·piece + 1 for an incoming piece
@@ -78,7 +79,7 @@ struct Incidence {
     return std::span(spokes).subspan(begin[node], begin[node + 1] - begin[node]);
   }
 };
-/// Lists the pieces for which `take(piece, node)` holds at their nodes.
+/// Lists each piece at those of its nodes for which `take(piece, node)` holds.
 template <class Take>
 void list_incidence(const Arrangement& arrangement, const DirectionCircle& circle, Take take,
                     Cancellation& cancellation, Incidence& incidence) {
@@ -105,9 +106,9 @@ void list_incidence(const Arrangement& arrangement, const DirectionCircle& circl
   begin.pop_back();
 }
 
-/// What ends at a node.
+/// A summary of the pieces that begin or end at a node.
 struct NodeEnds {
-  PieceId out = kNoPiece;  ///< the last that was seen
+  PieceId out = kNoPiece;  ///< the last outgoing piece that was seen
   std::uint32_t degree = 0;
 };
 
@@ -115,15 +116,15 @@ struct LoopScratch {
   std::vector<NodeEnds> ends;  ///< by node
   Incidence incidence;         ///< of nodes where more than two pieces end
   std::vector<PieceId> next;
-  std::vector<PieceId> walk;  ///< by piece: where the walk began that came to it first
+  std::vector<PieceId> walk;  ///< by piece: first piece of the walk that came to it first
 };
 
-/// Finds all orientable loops. At each node the chain turns clockwise as far as it can; O(pieces ·
-/// degree).
+/// Finds all orientable loops. At each node a chain turns clockwise as far as it can.
+/// O(pieces · degree).
 void find_loops(const Operands& operands, const Arrangement& arrangement,
                 Cancellation& cancellation, LoopScratch& scratch, Loops& loops);
 
-/// Whether loops close and no piece is in two; what is wrong, if not.
+/// Returns what is wrong with the loops, or nothing. Loops must close, and no piece may be in two.
 [[nodiscard]] std::optional<std::string> check(const Loops& loops, const Arrangement& arrangement);
 
 }  // namespace minksum

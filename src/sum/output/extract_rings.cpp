@@ -1,4 +1,4 @@
-// Accepted pieces to simple rings.
+// Links accepted pieces into simple rings.
 #include <algorithm>
 
 #include "machine/make_room.hpp"
@@ -52,7 +52,7 @@ class RingExtractor {
   static constexpr std::uint8_t kAccepted = 1;
   static constexpr std::uint8_t kFollowed = 2;
 
-  /// Whether the accepted loops pass each node once: they are simple rings then, and touch nowhere.
+  /// Whether the accepted loops pass no node twice. Then they are simple rings that touch nowhere.
   bool loops_are_rings(const Loops& loops, const FilteredLoops& filtered) {
     assign_in_pieces(scratch_.passed, arrangement_.nodes.size(), std::uint8_t{0}, cancellation_);
     for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -76,8 +76,8 @@ class RingExtractor {
     }
   }
 
-  /// The piece after `piece` around the sum's interior on its left: the first one clockwise from
-  /// where it came.
+  /// Returns the piece after `piece` around the sum's interior on its left. That is the first one
+  /// clockwise from `piece` at the node.
   [[nodiscard]] PieceId successor(PieceId piece) const {
     const auto spokes = scratch_.incidence.at(arrangement_.pieces[piece].to);
     cancellation_.check(1 + spokes.size());
@@ -96,8 +96,8 @@ class RingExtractor {
     return best / 2;
   }
 
-  /// Walks along the interior from `first` until it closes; cuts off a ring at each return to a
-  /// node.
+  /// Walks along the interior from `first` until the walk closes. Cuts off a ring at each return to
+  /// a node.
   void follow(PieceId first, std::uint32_t walk) {
     auto& stack = scratch_.stack;
     auto& place = scratch_.stack_place;
@@ -115,7 +115,7 @@ class RingExtractor {
     cut(0, walk);
   }
 
-  /// The pieces on the stack from `begin` on are a ring.
+  /// Takes the pieces from `begin` on off the stack. They are a ring.
   void cut(std::uint32_t begin, std::uint32_t walk) {
     const std::span<const PieceId> ring = std::span(scratch_.stack).subspan(begin);
     for (const PieceId p : ring) {

@@ -1,4 +1,4 @@
-// Exact comparisons between nodes, with the filter in front.
+// Compares nodes exactly, with the filter in front.
 #pragma once
 
 #include "sum/arrangement/arrangement.hpp"
@@ -16,12 +16,12 @@ class NodeOrder {
     const Node& q = (*nodes_)[b];
     return predicates_->compare(p.point, p.at, p.error, q.point, q.at, q.error, axis);
   }
-  /// By x, then by y.
+  /// Compares by x, and then by y.
   Sign compare(NodeId a, NodeId b) const {
     const Sign by_x = compare(a, b, Axis::kX);
     return by_x != kZero ? by_x : compare(a, b, Axis::kY);
   }
-  /// The side of a segment on which a node lies.
+  /// Returns the side of a segment on which a node lies.
   Sign orientation(const Segment& segment, NodeId node) const {
     const Node& n = (*nodes_)[node];
     return predicates_->orientation(segment, n.point, n.at, n.error);

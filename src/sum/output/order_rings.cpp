@@ -1,4 +1,4 @@
-// Rings to polygons, in canonical order.
+// Groups rings into polygons, in canonical order.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -46,7 +46,7 @@ class PolygonBuilder {
   [[nodiscard]] NodeId node(std::uint32_t ring, std::uint32_t k) const {
     return b_.vertices[b_.rings[ring].begin + k].node;
   }
-  /// Rings differ in their first vertex, or at least in the one after it.
+  /// Whether ring a comes before ring b. They differ in their first vertex, or else in the second.
   [[nodiscard]] bool ring_before(std::uint32_t a, std::uint32_t b) const {
     const Sign first = order_.compare(node(a, 0), node(b, 0));
     return (first != kZero ? first : order_.compare(node(a, 1), node(b, 1))) == kNegative;
@@ -92,8 +92,8 @@ class PolygonBuilder {
     for (std::uint32_t r = first; r < last; ++r) scratch_.outer_of[r] = outer;
   }
 
-  /// The innermost outer ring around the point just left of (and less below) a node that is the
-  /// smallest of its hole: that point is inside the sum.
+  /// Returns the innermost outer ring around the point just left of (and less far below) a node.
+  /// That point is inside the sum if the node is the smallest of its hole.
   std::uint32_t surrounding(NodeId at) {
     auto& around = scratch_.around;
     list_around(at, around);
@@ -118,7 +118,7 @@ class PolygonBuilder {
     return best;
   }
 
-  /// The outer rings that contain that point.
+  /// Lists the outer rings that contain the point just left of a node.
   void list_around(NodeId at, std::vector<std::uint32_t>& around) {
     if (scratch_.rows.begin.empty()) build_rows();
     const RowIndex& rows = scratch_.rows;
@@ -130,7 +130,7 @@ class PolygonBuilder {
       scratch_.odd[edge.ring] ^= 1;
       around.push_back(edge.ring);
     }
-    // Those passed an odd number of times, once each.
+    // This keeps the rings that were passed an odd number of times, once each.
     std::erase_if(around, [&](std::uint32_t r) { return std::exchange(scratch_.odd[r], 0) == 0; });
   }
 
@@ -157,7 +157,7 @@ class PolygonBuilder {
     rows.inverse = height > 0x1p-900 ? static_cast<double>(count) / height : 0;
     rows.count = count;
     rows.begin.assign(count + 2, 0);
-    // Twice the error: the edge's end and the point that is asked about.
+    // The edge's end and the point that is asked about each have that error.
     const auto for_each_row = [&](const Node& v, const Node& w, auto visit) {
       const std::size_t first = row_of(std::min(v.at.y, w.at.y) - 2 * rows.error);
       const std::size_t last = row_of(std::max(v.at.y, w.at.y) + 2 * rows.error);
@@ -189,14 +189,14 @@ class PolygonBuilder {
     }
   }
 
-  /// Whether the point (−ε, −ε²) off a node is inside a ring: parity along a ray to the right.
+  /// Whether the point (−ε, −ε²) off a node is inside a ring, by parity along a ray to the right.
   bool contains(std::uint32_t ring, NodeId at) {
     const BoundaryRing& r = b_.rings[ring];
     bool inside = false;
     for (std::uint32_t i = r.begin; i < r.end; ++i) inside ^= passes(r, i, at);
     return inside;
   }
-  /// Whether the ray passes the edge that starts at this vertex.
+  /// Whether the ray passes the edge that starts at vertex i.
   bool passes(const BoundaryRing& r, std::uint32_t i, NodeId at) {
     cancellation_.check(2);
     const BoundaryVertex& v = b_.vertices[i];
@@ -205,7 +205,8 @@ class PolygonBuilder {
     const bool v_above = order_.compare(v.node, at, Axis::kY) != kNegative;
     const bool w_above = order_.compare(w.node, at, Axis::kY) != kNegative;
     if (v_above == w_above) return false;
-    // On the line of the edge: off to the left, which is the left side of a rising edge.
+    // If the node is on the edge's line, the point is off to the left: the left side of a rising
+    // edge.
     Sign side = order_.orientation(
         arrangement_.kept[arrangement_.pieces[v.piece].segment].segment, at);
     if (side == kZero) side = w_above ? kPositive : kNegative;

@@ -1,4 +1,4 @@
-// Stage 7: from the loops that passed to a region.
+// Stage 7: turns accepted loops into a region.
 #pragma once
 
 #include <cstdint>
@@ -18,28 +18,28 @@ struct BoundaryVertex {
 };
 
 struct BoundaryRing {
-  std::uint32_t begin = 0;  ///< its vertices, from the lexicographically smallest on
+  std::uint32_t begin = 0;  ///< its vertices are [begin, end), lexicographically smallest first
   std::uint32_t end = 0;
   bool positive = false;
   std::uint32_t walk = 0;   ///< rings that were one walk along the interior share this
 };
 
-/// Simple rings in canonical form: the sum on the left of each, no vertex in the middle of a
+/// Simple rings in canonical form. Each has the sum on its left, and no vertex in the middle of a
 /// straight edge. Rings touch at most at nodes.
 struct Boundary {
   std::vector<BoundaryVertex> vertices;
   std::vector<BoundaryRing> rings;
   std::vector<std::uint32_t> ring_order;     ///< polygon after polygon, outer ring first
-  std::vector<std::uint32_t> polygon_begin;  ///< in ring_order, and one more
+  std::vector<std::uint32_t> polygon_begin;  ///< by polygon: index in ring_order; one entry more
 };
 
-/// Edges of outer rings by rows of the plane: which pass a height, without asking all of them.
+/// The edges of outer rings, by rows of the plane. Only one row's edges may pass a given height.
 struct RowIndex {
   double bottom = 0;
   double inverse = 0;                ///< rows per unit
-  double error = 0;                  ///< of any node's place
-  std::size_t count = 0;             ///< of rows
-  /// By row, and one more: where its edges are; empty if it is not built.
+  double error = 0;                  ///< bound on the error of any node's place
+  std::size_t count = 0;             ///< number of rows
+  /// By row: where its edges begin in `edges`; and one entry more. Empty until the index is built.
   std::vector<std::uint32_t> begin;
   struct Edge {
     std::uint32_t ring;
@@ -56,13 +56,13 @@ struct OutputScratch {
   std::vector<PieceId> stack;
   std::vector<std::uint32_t> outer_of;     ///< by ring
   RowIndex rows;
-  std::vector<std::uint8_t> odd;           ///< by ring: passed an odd number of times
-  std::vector<std::uint32_t> around;       ///< rings
+  std::vector<std::uint8_t> odd;           ///< by ring: parity of the times that a ray passed it
+  std::vector<std::uint32_t> around;       ///< outer rings around a point
   Vec<ExactCoordinate> coordinates;
 };
 
-/// Links the pieces of accepted loops into rings and polygons. O(c log c), plus a search along one
-/// row of edges for the outer ring of each hole where there are several.
+/// Links the pieces of accepted loops into rings and polygons. O(c log c), and a search along one
+/// row of edges for each hole if there are several outer rings.
 void extract_rings(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                    const FilteredLoops& filtered, Predicates& predicates, OutputScratch& scratch,
                    Boundary& boundary);
@@ -71,13 +71,13 @@ void extract_rings(const Operands& operands, const Arrangement& arrangement, con
 void order_rings(const Arrangement& arrangement, Predicates& predicates, OutputScratch& scratch,
                  Boundary& boundary);
 
-/// Writes exact coordinates and origins.
+/// Writes the boundary as a region, with exact coordinates and origins.
 void write_region(const Operands& operands, const Arrangement& arrangement,
                   const Boundary& boundary, Cancellation& cancellation, OutputScratch& scratch,
                   Region& region);
 
-/// Whether the rings are simple as far as their nodes tell, oriented and in canonical order; what
-/// is wrong, if not.
+/// Returns what is wrong with the boundary, or nothing. Its rings must be simple as far as their
+/// nodes tell, oriented, and in canonical order.
 [[nodiscard]] std::optional<std::string> check(const Boundary& boundary,
                                                const Arrangement& arrangement,
                                                const Operands& operands);

@@ -1,4 +1,4 @@
-// Nodes to exact coordinates.
+// Writes the boundary's nodes as exact coordinates.
 #include <algorithm>
 
 #include "region/region_access.hpp"
@@ -17,7 +17,8 @@ class CoordinateWriter {
         scratch_(scratch),
         region_(region) {}
 
-  /// As compact numbers if they are integers of 63 bits on the operands' grid, else as limbs.
+  /// Stores coordinates as compact numbers if they are integers of 63 bits on the operands' grid,
+  /// else as limbs.
   Vec<StoredCoordinate> store(const NodePoint& point) {
     Vec<std::int64_t> at{};
     if (!point.is_crossing && kernel_.integer_coordinates(point.vertex, at)) {

@@ -28,7 +28,7 @@ class TightFinder {
     return {{false, {}, {}, v}, predicates_.position(v), predicates_.bounds().difference};
   }
 
-  /// Points at which two corners of each operand alternate, and P° and (x − Q)° do not meet.
+  /// Lists points at which two corners of each operand alternate, and P° and (x − Q)° do not meet.
   void find_pinches(std::vector<SumVertex>& pinches) {
     const TouchingRings& p = scratch_.touching[0];
     const TouchingRings& q = scratch_.touching[1];
@@ -43,7 +43,8 @@ class TightFinder {
     }
   }
 
-  /// A slit is free or not but for pinches on it. So the point that is tested is none of those.
+  /// Whether a slit is free. That is the same all along the slit but for pinches on it, so the
+  /// point that is tested is no pinch.
   [[nodiscard]] bool slit_is_free(const Piece& slit, const std::vector<SumVertex>& pinches) {
     BigRational position;
     Probe probe = probe_on(slit, position);
@@ -79,8 +80,8 @@ class TightFinder {
     const std::size_t begin = point == 0 ? 0 : touching.end[point - 1];
     return std::span(touching.corners).subspan(begin, touching.end[point] - begin);
   }
-  /// Whether, going around, there are corners of P, of x − Q, of P, of x − Q. (If any meet, that
-  /// does not matter.)
+  /// Whether two corners of P alternate with two of x − Q around a point. (It does not matter
+  /// whether corners meet.)
   [[nodiscard]] bool alternate(std::span<const Corner> of_p, std::span<const Corner> of_q) {
     auto& order = around_;
     order.clear();

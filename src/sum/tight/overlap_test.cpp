@@ -68,7 +68,8 @@ bool OverlapTest::parts_overlap(const EdgePart& e, const EdgePart& f) {
   if (f_from == kZero && f_to == kZero) return overlap_on_line(e, f);
   if (f_from != kZero && f_to != kZero && e_from != kZero && e_to != kZero) return true;
   touch(e, f);
-  // A corner belongs to the part that starts with it: what ends here is left to what goes on.
+  // A corner belongs to the part that starts with it. A part that ends here is left to the part
+  // that goes on.
   if (f_from == kZero) {
     if (e_to == kZero) return false;
     return meet(e_from == kZero ? corner(e) : half_plane(e), corner(f));
@@ -79,7 +80,7 @@ bool OverlapTest::parts_overlap(const EdgePart& e, const EdgePart& f) {
 bool OverlapTest::overlap_on_line(const EdgePart& e, const EdgePart& f) {
   const Axis axis = predicates_.component(e.edge, Axis::kX) == kZero ? Axis::kY : Axis::kX;
   const Sign forward = predicates_.component(e.edge, axis);
-  // Where the ends of f are, seen from those of e, along e.
+  // These tell where the ends of f are along e, seen from the ends of e.
   const Sign from_from = forward * compare(e.from, f.from, axis);
   const Sign from_to = forward * compare(e.from, f.to, axis);
   const Sign to_from = forward * compare(e.to, f.from, axis);
@@ -156,7 +157,7 @@ bool OverlapTest::a_ring_is_inside(int operand) {
     }
     return false;
   }
-  // What is inside has all its edges in the other one's box.
+  // A ring inside the other operand has all its edges in that operand's box.
   const BoxTree& other = trees_.tree[1 - operand];
   const BoxTree::Box& all = other.box(other.levels() - 1, 0);
   const auto misses = [&](const BoxTree::Box& box) {
@@ -177,7 +178,7 @@ bool OverlapTest::a_ring_is_inside(int operand) {
   return false;
 }
 
-/// Whether a ring touches nothing and is inside the other operand.
+/// Whether a ring touches nothing and is inside the given operand, which is not its own.
 bool OverlapTest::is_inside(std::size_t ring, int operand) {
   if (scratch_.met[ring] == number_) return false;
   const BoxTree& tree = trees_.tree[operand];
@@ -187,8 +188,8 @@ bool OverlapTest::is_inside(std::size_t ring, int operand) {
          has_inside(operand, o_.rings[ring].begin);
 }
 
-/// Whether x − `vertex`, which is on no edge of an operand, is inside it: parity along a ray to the
-/// right. (Polygons do not overlap, see `fill_holes`.)
+/// Whether x − `vertex` is inside an operand, by parity along a ray to the right. The point must be
+/// on no edge. (Polygons do not overlap, see `fill_holes`.)
 bool OverlapTest::has_inside(int operand, SiteId vertex) {
   const BoxTree& tree = trees_.tree[operand];
   const Vec<double> at{x_.at.x - o_.sites.x[vertex], x_.at.y - o_.sites.y[vertex]};
@@ -205,7 +206,7 @@ bool OverlapTest::has_inside(int operand, SiteId vertex) {
     for (; e < leaf_end; ++e) {
       predicates_.cancellation().check();
       const bool goes_up = above(o_.sites.next[e]);
-      // An edge going up has the point on its left if it passes right of it.
+      // An edge that goes up has the point on its left if it passes on the right of the point.
       if (above(e) != goes_up && (side(e, vertex) == kPositive) == goes_up) odd = !odd;
     }
   }

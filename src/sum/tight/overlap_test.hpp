@@ -1,4 +1,4 @@
-// Do the insides of P and x − Q meet, where x is in any position?
+// Decides whether the insides of P and x − Q meet, for x in any position.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace minksum {
 
-/// A point of the plane of sums: a node, or a point of a segment (the probe's, not off it).
+/// A placement: a node, or the point on a segment that a probe names (not the point off it).
 struct ContactPosition {
   const Node* node = nullptr;
   Probe probe{};
@@ -15,20 +15,21 @@ struct ContactPosition {
   double error = 0;
 };
 
-/// Decides for placements x whether P° meets (x − Q)°, exactly.
+/// Decides exactly for placements x whether P° meets (x − Q)°.
 ///
-/// They do if and only if
+/// They meet if and only if
 /// 1. two edges cross, or
 /// 2. at a point of both boundaries a corner of one meets a corner of the other, or
 /// 3. a vertex of a ring that does not touch the other's boundary lies in the other's inside.
-/// Each is enough. If 1 and 2 fail: a ring with a point inside the other cannot come to the other's
-/// boundary (its own inside, along it, would come there with it), so it is one of 3. If there is no
-/// such ring, each component of an inside is in one component of the rest: then both are equal and
-/// 2 holds, or they are disjoint. Edges are cut where rings of their polygon touch them, so that
-/// what is inside one polygon near an edge's inner point is half a disk.
+/// Each of these is enough. Now suppose that 1 and 2 fail. A ring with a point inside the other
+/// operand cannot come to that operand's boundary, because the ring's own inside, along it, would
+/// come there with it. So that ring is one of 3. If there is no such ring, each component of an
+/// inside is in one component of the plane without the other's boundary. Then two components are
+/// equal and 2 holds, or all are disjoint. Edges are cut where rings of their polygon touch them.
+/// So near an inner point of an edge, the polygon's inside is half a disk.
 ///
-/// Edges cross or touch if and only if x lies in the closed parallelogram of both: four sides of
-/// convolution lines to x. Trees of boxes find the pairs that may.
+/// Edges cross or touch if and only if x lies in the closed parallelogram of both. The sides of
+/// four convolution lines on which x lies decide that. Trees of boxes find the pairs that may.
 class OverlapTest {
  public:
   OverlapTest(const Operands& operands, BoxTrees& trees, Predicates& predicates,
@@ -36,14 +37,15 @@ class OverlapTest {
   [[nodiscard]] bool overlaps(const ContactPosition& x);
 
  private:
-  /// A part of an edge between touching points. Its corner starts with it and ends with `last`.
+  /// A part of an edge between touching points. The part's corner starts with the part, and ends
+  /// with `last`.
   struct EdgePart {
     SiteId edge;
     SiteId from;
     SiteId to;
     SiteId last;
   };
-  /// Directions from `begin` counter-clockwise up to `end`, both not included.
+  /// The open range of directions from `begin` counter-clockwise to `end`.
   struct Arc {
     std::uint32_t begin;
     std::uint32_t end;
@@ -64,15 +66,15 @@ class OverlapTest {
     scratch_.met[scratch_.ring_of[e.edge]] = number_;
     scratch_.met[scratch_.ring_of[f.edge]] = number_;
   }
-  /// The corner of P that starts with a part, or of x − Q, which is turned by half a circle; and
-  /// what is inside along the part.
+  /// Returns the corner of P, or of x − Q, that starts with a part. x − Q is turned by half a
+  /// circle against Q. `half_plane` returns what is inside along the part.
   [[nodiscard]] Arc corner(const EdgePart& part) const;
   [[nodiscard]] Arc half_plane(const EdgePart& part) const;
   [[nodiscard]] bool meet(const Arc& a, const Arc& b) const;
 
-  /// On which side of an edge moved by a vertex x lies.
+  /// Returns the side of an edge, moved by a vertex, on which x lies.
   [[nodiscard]] Sign side(SiteId edge, SiteId vertex);
-  /// Sign of x − (a + b) along an axis.
+  /// Returns the sign of x − (a + b) along an axis.
   [[nodiscard]] Sign compare(SiteId a, SiteId b, Axis axis);
 
   const Operands& o_;

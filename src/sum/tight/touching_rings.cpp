@@ -1,4 +1,4 @@
-// Where rings of one polygon touch.
+// Finds where rings of one polygon touch.
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -44,13 +44,13 @@ class TouchFinder {
   }
 
  private:
-  /// A vertex on an edge of another ring: at its start, or on its inside.
+  /// A vertex on an edge of another ring, at the edge's start or within the edge.
   struct Touch {
     SiteId at;
     SiteId edge;
     bool at_start;
   };
-  /// An edge that starts at a touching point (named by one of its vertices), or passes it.
+  /// An edge that starts at a touching point or passes it. A vertex at the point names the point.
   struct Member {
     SiteId point;
     SiteId edge;
@@ -114,7 +114,8 @@ class TouchFinder {
     members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
   }
 
-  /// Each edge out of a point bounds a corner up to the first edge into it, counter-clockwise.
+  /// Makes the corners at a touching point. Each edge out of the point starts a corner, which goes
+  /// counter-clockwise up to the first edge into the point.
   void link(std::span<const Member> around) {
     const SiteId point = around.front().point;
     for (const Member& out : around) {
@@ -142,7 +143,8 @@ class TouchFinder {
     result_.end.push_back(static_cast<std::uint32_t>(result_.corners.size()));
     join_rings(around);
   }
-  /// Rings that are joined already, by way of other points, enclose something together.
+  /// Joins the rings at a touching point. Rings that are joined already, by way of other points,
+  /// enclose something together.
   void join_rings(std::span<const Member> around) {
     const std::uint32_t first = root(ring_parent_, ring_index(around.front().edge));
     for (const Member& member : around.subspan(1)) {

@@ -1,4 +1,4 @@
-// Slits and nodes to polylines and points with exact coordinates, in canonical order.
+// Writes slits and nodes as polylines and points with exact coordinates, in canonical order.
 #include <algorithm>
 #include <functional>
 
@@ -36,7 +36,7 @@ class TightWriter {
   }
 
  private:
-  /// One end of a slit at a node: 2 · slit, and 1 more for its second end.
+  /// One end of a slit at a node. `end` is 2 · slit, and one more for the slit's second end.
   struct End {
     NodeId node;
     std::uint32_t end;
@@ -50,7 +50,8 @@ class TightWriter {
     }
     std::sort(ends_.begin(), ends_.end(), cancellation_.counting(std::less<>()));
     written_.assign(places_.slits.size(), 0);
-    // Paths end where one slit ends or three meet; what is left then is closed.
+    // Paths end where one slit ends, or where three or more meet. Slits that are left then make
+    // closed paths.
     for (const End& e : ends_) {
       if (ends_at(e.node).size() != 2 && written_[e.end / 2] == 0) follow(e.end, true);
     }
@@ -61,7 +62,7 @@ class TightWriter {
               cancellation_.counting(polyline_less));
   }
 
-  /// From one end of a slit on, as far as exactly one other slit goes on.
+  /// Writes the path from one end of a slit on, as far as exactly one other slit goes on.
   void follow(std::uint32_t first, bool ends_are_fixed) {
     Polyline path{point(node_of(first))};
     std::uint32_t end = first;

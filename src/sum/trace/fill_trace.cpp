@@ -5,7 +5,7 @@
 namespace minksum {
 namespace {
 
-/// From the pipeline's moved and scaled doubles to the operands' own units.
+/// Fills a trace, turning the pipeline's moved and scaled doubles into the operands' own units.
 class Tracer {
  public:
   Tracer(const Operands& operands, Cancellation& cancellation, Trace& trace)

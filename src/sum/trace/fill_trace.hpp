@@ -1,4 +1,4 @@
-// What the stages made, in doubles, for the public Trace.
+// Fills the public Trace with what the stages made, in doubles.
 #pragma once
 
 #include "minksum/trace.hpp"
