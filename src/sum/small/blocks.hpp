@@ -1,4 +1,4 @@
-// Boxes of runs of segments: most of them are not near a given one.
+// Boxes of blocks of segments. Most blocks are not near a given one, and are left out by their box.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct SmallBlocks {
     return {low_x[block], low_y[block], high_x[block], high_y[block]};
   }
 
-  /// Of `count` segments, which are filled up with any.
+  /// Sets the boxes of `count` segments. Entries beyond these are not read.
   [[gnu::always_inline]] void set(const double* x, const double* y, const double* dx,
                                   const double* dy, std::size_t count) {
     size = filled_up(count) / kLanes;
@@ -51,7 +51,7 @@ struct SmallBlocks {
       low_x[b] = low_y[b] = high_x[b] = high_y[b] = 0;
     }
   }
-  /// Of up to 64 blocks from `first` on (a multiple of 8), those whose boxes meet this one.
+  /// Returns those of up to 64 blocks from `first` on (a multiple of 8) whose boxes meet `box`.
   [[nodiscard, gnu::always_inline]] LaneBits near(const Box& box, std::size_t first) const {
     LaneBits bits = 0;
     const std::size_t n = filled_up(std::min<std::size_t>(size - first, 64));

@@ -1,4 +1,4 @@
-// Eight numbers at a time, and sets of few things.
+// Arrays that are read eight numbers at a time, and sets of few things.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace minksum {
 
 inline constexpr std::size_t kLanes = 8;
-/// How many entries arrays have that are read eight at a time.
+/// Returns how many entries an array of `size` has if it is read eight at a time.
 [[nodiscard]] constexpr std::size_t filled_up(std::size_t size) {
   return (size + kLanes - 1) / kLanes * kLanes;
 }

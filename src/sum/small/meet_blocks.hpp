@@ -1,22 +1,23 @@
-// How two blocks of eight segments meet.
+// Finds the meetings of two blocks of eight segments.
 #pragma once
 
 #include "sum/small/small_segments.hpp"
 
 namespace minksum {
 
-/// Pairs of a segment r of one block and t of another: bit 8 r + t.
+/// The meetings of two blocks. Bit 8 r + t stands for the pair of a segment r of one block and a
+/// segment t of the other.
 struct BlockMeetings {
-  /// On the way of r behind its start, t leads to its right.
+  /// On the way of r, behind its start, t leads to the right of r.
   LaneBits right = 0;
-  /// The same the other way round: r leads to the right of t.
+  /// On the way of t, behind its start, r leads to the right of t.
   LaneBits right_of_other = 0;
-  /// At the end of r, t leads to its left, or is on its line.
+  /// At the end of r, t leads to the left of r, or is on its line.
   LaneBits at_end = 0;
   LaneBits at_end_of_other = 0;
 };
 
-/// Of `rows` of a block with those of another one.
+/// Finds the meetings of the segments `rows` of a block with those of another block.
 template <class Number>
 [[gnu::always_inline]] inline BlockMeetings meet_blocks(const SmallSegments& s, std::size_t block,
                                                         std::size_t other, LaneBits rows) {
@@ -32,13 +33,13 @@ template <class Number>
     const auto of_y = static_cast<Number>(s.y[of]);
     const auto of_dx = static_cast<Number>(s.dx[of]);
     const auto of_dy = static_cast<Number>(s.dy[of]);
-    LaneBits bits = 0;  // a byte of each kind
+    LaneBits bits = 0;  // one byte for each kind
     for (std::size_t t = 0; t < kLanes; ++t) {
       const Number ax = static_cast<Number>(x[t]) - of_x;
       const Number ay = static_cast<Number>(y[t]) - of_y;
       const auto tx = static_cast<Number>(dx[t]);
       const auto ty = static_cast<Number>(dy[t]);
-      // Seen from t, `along` is the start of r, -`left` its end, and -`turn` its turn.
+      // Seen from t, `along` is the start of r, -`left` is its end, and -`turn` is its turn.
       const Number start = of_dx * ay - of_dy * ax;  // how far t starts on the left of r
       const Number turn = of_dx * ty - of_dy * tx;   // and how much farther it ends there
       const Number end = start + turn;

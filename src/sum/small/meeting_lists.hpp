@@ -1,15 +1,15 @@
-// Where any number of segments meet.
+// Finds the meetings of any number of segments.
 #pragma once
 
 #include "sum/small/meet_blocks.hpp"
 
 namespace minksum {
 
-/// The meetings of more segments. A meeting has a number.
+/// The meetings of more than 64 segments. Each meeting has a number.
 class SmallMeetingLists {
  public:
   static constexpr std::size_t kMax = 5 * SmallSegments::kMax;
-  std::uint32_t right_count;  ///< of meetings on the right
+  std::uint32_t right_count;  ///< number of meetings on the right
 
   void clear(std::uint32_t segments) {
     for (auto& last : last_) std::fill_n(last.begin(), segments, kNone);
@@ -35,13 +35,13 @@ class SmallMeetingLists {
     add_all(m.at_end, kAtEnd);
     if (block != other) add_all_of_other(m.at_end_of_other, kAtEnd);
   }
-  /// Whether there is room for the meetings of two blocks more. Where segments have many at their
-  /// ends, as those on few lines have, the stages are faster.
+  /// Whether there is room for the meetings of two more blocks. Room is bounded because the stages
+  /// are faster where segments have many meetings at ends, as segments on few lines have.
   [[nodiscard]] bool has_room(std::uint32_t segments) const {
     return size_ + 4 * kLanes * kLanes <= kMax && size_ <= 6 * segments + 64;
   }
 
-  /// Of all: those at ends have numbers, too.
+  /// Calls visit(meeting) for all meetings: those at ends have numbers, too.
   template <class Visit>
   void for_each_number(std::uint32_t /*segments*/, Visit visit) const {
     for (std::size_t k = 0; k < size_; ++k) visit(k);
@@ -65,7 +65,7 @@ class SmallMeetingLists {
   static_assert(kMax <= kNone);
   struct Pair {
     std::uint16_t other;
-    std::uint16_t before;  ///< the number of the one before of the same segment and kind
+    std::uint16_t before;  ///< number of the last meeting before, of the same segment and kind
   };
   [[gnu::always_inline]] void add(std::size_t segment, std::size_t other, Kind kind) {
     pairs_[size_] = {static_cast<std::uint16_t>(other), last_[kind][segment]};
@@ -77,7 +77,7 @@ class SmallMeetingLists {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Of the eight segments of a block, those whose boxes meet this one.
+/// Returns those of a block's eight segments whose boxes meet `box`.
 [[nodiscard, gnu::always_inline]] inline LaneBits segments_near(
     const SmallSegments& s, std::size_t block, const SmallSegments::Blocks::Box& box) {
   const double* const x = s.x.data() + block * kLanes;
@@ -94,8 +94,8 @@ class SmallMeetingLists {
   return bits & s.lanes_of(block);
 }
 
-/// False if there are too many, or too much has to be looked at: pairs of blocks of eight that are
-/// near one another.
+/// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
+/// are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetingLists& m) {
   SmallSegments::Blocks blocks;
@@ -105,7 +105,7 @@ template <class Number>
   constexpr LaneBits kEachRow = 0x0101010101010101;
   constexpr LaneBits kDiagonal = 0x8040201008040201;
   const LaneBits pairs_with_last = s.lanes_of(last) * kEachRow;
-  // Each takes about a tenth of what the stages take for a segment.
+  // Each look takes about a tenth of the time that the stages take for a segment.
   std::size_t looks_left = 8 * std::size_t{s.size} + 64;
   for (std::size_t i = 0; i < blocks.size; ++i) {
     const SmallSegments::Blocks::Box box = blocks.box_of(i);

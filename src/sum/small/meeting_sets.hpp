@@ -1,17 +1,17 @@
-// Where up to 64 segments meet.
+// Finds the meetings of up to 64 segments.
 #pragma once
 
 #include "sum/small/small_segments.hpp"
 
 namespace minksum {
 
-/// Whom a segment meets on its way and may be left for, of up to 64.
+/// The segments, of up to 64, to which the walk may switch from one segment.
 struct SmallMeetingBits {
-  LaneBits right = 0;   ///< those that lead to its right from a point behind its start
-  LaneBits at_end = 0;  ///< at its end: those that lead to its left, are on its line, or end there
+  LaneBits right = 0;   ///< segments that lead to its right from a point behind its start
+  LaneBits at_end = 0;  ///< at its end: segments that lead to its left, lie on its line, end there
 };
 
-/// Those of the first `count` that segment `of` meets.
+/// Returns those of the first `count` segments that segment `of` meets.
 template <class Number>
 [[gnu::always_inline]] inline SmallMeetingBits meetings_among(const SmallSegments& s,
                                                               std::uint32_t of, std::size_t count) {
@@ -37,34 +37,34 @@ template <class Number>
   return bits;
 }
 
-/// The meetings of up to 64 segments. A meeting has a number.
+/// The meetings of up to 64 segments. Each meeting on the right has a number.
 struct SmallMeetingSets {
   static constexpr std::size_t kMaxSegments = 64;
   static constexpr std::size_t kMax = kMaxSegments * kMaxSegments;
 
-  std::uint32_t right_count;  ///< of meetings on the right
+  std::uint32_t right_count;  ///< number of meetings on the right
   std::array<SmallMeetingBits, kMaxSegments> of;
 
-  /// Calls visit(meeting) for all on the right.
+  /// Calls visit(meeting) for all meetings on the right.
   template <class Visit>
   void for_each_number(std::uint32_t segments, Visit visit) const {
     for (std::uint32_t at = 0; at < segments; ++at) {
       for_each_right(at, [&](std::uint32_t, std::size_t meeting) { visit(meeting); });
     }
   }
-  /// Calls visit(segment, meeting).
+  /// Calls visit(segment, meeting) for the meetings on the right of a segment.
   template <class Visit>
   [[gnu::always_inline]] void for_each_right(std::uint32_t at, Visit visit) const {
     for_each_bit(of[at].right, [&](std::uint32_t t) { visit(t, kMaxSegments * at + t); });
   }
-  /// Calls visit(segment).
+  /// Calls visit(segment) for the meetings at the end of a segment.
   template <class Visit>
   [[gnu::always_inline]] void for_each_at_end(std::uint32_t at, Visit visit) const {
     for_each_bit(of[at].at_end, visit);
   }
 };
 
-/// False if there are too many.
+/// Finds all meetings. Returns false if there are too many.
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetingSets& m) {
   const LaneBits all = first_bits(s.size);

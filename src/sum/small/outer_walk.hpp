@@ -1,4 +1,4 @@
-// The walk along the outer boundary of a small convolution.
+// Walks along the outer boundary of a small convolution.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,8 @@
 
 namespace minksum {
 
-/// A vertex of the boundary, and the segment that starts the edge there: at along / whole of it.
+/// A vertex of the boundary. The edge after it is part of `segment`, and starts at along / whole of
+/// the segment's way.
 struct SmallCorner {
   std::uint32_t segment;
   std::int64_t along;
@@ -18,7 +19,7 @@ struct SmallCorner {
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
   std::uint32_t size;
-  std::uint32_t between;  ///< corners that are not the start of a segment
+  std::uint32_t between;  ///< number of corners that are not the start of a segment
   std::array<SmallCorner, kMax> corners;
 };
 
@@ -32,7 +33,7 @@ struct SmallFraction {
   return Int128{a.above} * b.below < Int128{b.above} * a.below;
 }
 
-/// By meeting on the right, which walk turned there, and as its how manieth turn.
+/// By meeting on the right: the walk that turned there, and that turn's number in the walk.
 struct RightMeetings {
   struct WalkStep {
     std::uint16_t walk;  ///< 0: none
@@ -41,7 +42,7 @@ struct RightMeetings {
   std::array<WalkStep, std::max(SmallMeetingSets::kMax, SmallMeetingLists::kMax)> of;
 };
 
-/// Walks along the boundary of the unbounded face, the sum on its left. One use.
+/// Walks along the boundary of the unbounded face, with the sum on the left. May be used once.
 template <class Number, class Meetings>
 class OuterWalk {
  public:
@@ -51,8 +52,8 @@ class OuterWalk {
     m_.for_each_number(s_.size, [&](std::size_t meeting) { turns_.of[meeting] = {0, 0}; });
   }
 
-  /// From the smallest point. False if the walk does not come back, or might not be all of the
-  /// sum's boundary.
+  /// Walks from the smallest point. Returns false if the walk does not come back, or might not be
+  /// all of the sum's boundary.
   bool run(double start_x, double start_y) {
     boundary_.size = 0;
     boundary_.between = 0;
@@ -85,17 +86,17 @@ class OuterWalk {
     std::uint32_t segment = kNone;
     SmallFraction passed{0, 1};
   };
-  /// Where the walk goes on.
+  /// The place at which the walk goes on, and the turn that it takes.
   struct Next {
     WalkLocation place;
-    Number turn = 0;  ///< negative: to the right
+    Number turn = 0;  ///< negative if to the right
     std::size_t meeting = 0;
   };
 
   [[nodiscard]] Number turn(std::uint32_t a, std::uint32_t b) const {
     return cross(way(a), way(b));
   }
-  /// How far on the left of a segment another one starts.
+  /// Returns how far on the left of a segment another one starts.
   [[nodiscard]] Number start_of(std::uint32_t t, std::uint32_t of) const {
     return cross(way(of), between(of, t));
   }
@@ -112,7 +113,7 @@ class OuterWalk {
     boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
     if (place.passed.above != 0) ++boundary_.between;
   }
-  /// Of those that start at the smallest point, the one that is farthest clockwise.
+  /// Returns the farthest clockwise of all segments that start at the smallest point.
   [[nodiscard]] std::uint32_t first_segment(double x, double y) const {
     std::uint32_t first = kNone;
     for (std::uint32_t t = 0; t < s_.size; ++t) {
@@ -122,8 +123,9 @@ class OuterWalk {
     return first;
   }
 
-  /// The first ray counter-clockwise from where the walk came: to the right at the first place that
-  /// offers it, else at the end, as far to the right as may be.
+  /// Returns the first ray counter-clockwise from where the walk came. It leads to the right at the
+  /// first place that offers such a ray. Otherwise it starts at the end, as far to the right as
+  /// possible.
   [[nodiscard, gnu::always_inline]] Next next_after(const WalkLocation& place) {
     const std::uint32_t at = place.segment;
     Next next;
@@ -152,7 +154,7 @@ class OuterWalk {
       ++looks;
       const Number c = turn(at, t);
       if (c == 0) {
-        // What goes on straight is before all that turns to the left.
+        // A segment that goes straight on comes before all that turn to the left.
         const WalkLocation along = straight_on(at, t);
         if (along.segment == kNone) return;
         const bool is_straight = next.turn == 0 && next.place.segment != kNone;
@@ -160,7 +162,7 @@ class OuterWalk {
         return;
       }
       const Number start = start_of(t, at);
-      if (start + c == 0) return;  // it ends there
+      if (start + c == 0) return;  // t ends there
       const bool first = next.place.segment == kNone;
       if (first || (next.turn != 0 && is_preferred(t, next.place.segment))) {
         next = {{t, fraction(-start, c)}, c, 0};
@@ -169,14 +171,15 @@ class OuterWalk {
     looks_ += looks;
     return next;
   }
-  /// Of two rays from a place: the one on the right, or what was listed first of the same.
+  /// Whether one ray is preferred to another from the same place. The one on the right is, and the
+  /// one that was listed first if both are in the same direction.
   [[nodiscard, gnu::always_inline]] bool is_preferred(std::uint32_t t, std::uint32_t other) const {
     const Number c = turn(other, t);
     return c < 0 || (c == 0 && s_.is_before(t, other));
   }
-  /// Of a segment on the same line: where the end of `at` is on it, if it leads on from there.
+  /// Returns where the end of `at` is on a segment t of the same line, if t leads on from there.
   [[nodiscard, gnu::noinline]] WalkLocation straight_on(std::uint32_t at, std::uint32_t t) const {
-    // Seen along the axis that the line is closer to.
+    // Places are taken along the axis that the line is closer to.
     const bool by_x = std::abs(s_.dx[t]) >= std::abs(s_.dy[t]);
     const double whole = by_x ? s_.dx[t] : s_.dy[t];
     const double along = by_x ? s_.x[at] + s_.dx[at] - s_.x[t] : s_.y[at] + s_.dy[at] - s_.y[t];
@@ -187,9 +190,9 @@ class OuterWalk {
             {static_cast<std::int64_t>(sense * along), static_cast<std::int64_t>(sense * whole)}};
   }
 
-  /// A hole is walked with the sum on the left, too, and has three corners where it turns right,
-  /// none of them one of the outer boundary. Where a walk from what looks like such a corner ends,
-  /// there is none.
+  /// Whether the sum certainly has no hole. A walk around a hole has the sum on its left, too, and
+  /// turns right at three corners. None of these is a corner of the outer boundary. If a walk from
+  /// a possible corner of this kind ends, it is no hole's.
   [[nodiscard]] bool no_holes(std::uint32_t taken) {
     looks_ = 0;
     std::uint16_t walk = 1;
@@ -201,8 +204,8 @@ class OuterWalk {
     }
     return none;
   }
-  /// Whether no hole is on the walk from this corner: it ends, or leads to a corner of an earlier
-  /// one, or goes round with too few right turns.
+  /// Whether no hole is on the walk from this corner. Then the walk ends, leads to a corner of an
+  /// earlier walk, or goes round with too few right turns.
   bool ends(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint16_t walk,
             std::uint32_t& taken) {
     std::uint16_t count = 0;
@@ -222,8 +225,8 @@ class OuterWalk {
       }
       place = next.place;
     }
-    // Where a segment is left at its end depends on nothing else: it goes round without right
-    // turns.
+    // Where a walk leaves a segment at its end depends on the segment alone. So this walk goes
+    // round without right turns.
     return true;
   }
 
@@ -231,7 +234,7 @@ class OuterWalk {
   const Meetings& m_;
   RightMeetings& turns_;
   SmallBoundary& boundary_;
-  std::uint32_t looks_ = 0;  ///< at places and at ends, by walks that look for holes
+  std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes
 };
 
 }  // namespace minksum

@@ -1,4 +1,4 @@
-// Where the segments of a small convolution meet.
+// Finds the meetings of the segments of a small convolution.
 #pragma once
 
 #include "machine/vectors.hpp"
@@ -7,8 +7,8 @@
 
 namespace minksum {
 
-/// By such vectors, which the machine must have. False if there are too many, or finding them takes
-/// too long: the stages are faster then.
+/// Finds meetings by such vectors, which the machine must have. Returns false if there are too many
+/// meetings, or if finding them takes too long: the stages are faster then.
 template <class Number, class Meetings>
 bool find_meetings_by(Vectors vectors, const SmallSegments& s, Meetings& m) {
   return with_vectors(

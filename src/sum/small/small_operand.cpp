@@ -12,12 +12,12 @@
 namespace minksum {
 namespace {
 
-/// Sums of two offsets and two coordinates have their place in 64 bits.
+/// The largest offset and coordinate: sums of two offsets and two coordinates fit in 64 bits.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 60;
 
 bool fits(const Int128& offset) { return -kFarthest <= offset && offset <= kFarthest; }
 
-/// Sets the exponents to the smallest in use; false if all coordinates are zero.
+/// Sets the exponents to the smallest in use. Returns false if all coordinates are zero.
 bool find_grid(const Region& region, SmallOperand& s) {
   bool known = false;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
@@ -36,7 +36,7 @@ Vec<std::int64_t> step(const SmallOperand& s, std::uint32_t from, std::uint32_t 
           static_cast<std::int64_t>(s[SmallOperand::kY][to] - s[SmallOperand::kY][from])};
 }
 
-/// The extent of the longest edge; false if that is too long for any numbers.
+/// Sets the longest extent of an edge. Returns false if that is too long for any number type.
 bool find_longest(SmallOperand& s) {
   const double* const x = s[SmallOperand::kX];
   const double* const y = s[SmallOperand::kY];
@@ -49,8 +49,8 @@ bool find_longest(SmallOperand& s) {
   return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumberType::kNone;
 }
 
-/// The vertices of a ring as they are given, on a grid that is set; false if they are no short
-/// integers there. The origin is at the box, or where it is given, below that.
+/// Loads the vertices of a ring as they are given, on a grid that is set. Returns false if they are
+/// no short integers there. The origin is the box's lower left corner, unless `origin` is given.
 bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
           SmallOperand& s) {
   const std::size_t n = ring.size();
@@ -91,7 +91,8 @@ bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>*
   return find_longest(s);
 }
 
-/// Drops vertices in the middle of straight edges; false if one is repeated, or a spike.
+/// Drops vertices in the middle of straight edges. Returns false if a vertex is repeated or is the
+/// tip of a spike.
 bool drop_straight(SmallOperand& s) {
   std::array<bool, SmallOperand::kMaxVertices> stays;
   bool all = true;
@@ -131,7 +132,7 @@ void find_smallest(SmallOperand& s) {
   }
 }
 
-/// Counter-clockwise, with the sources of edges.
+/// Makes the ring counter-clockwise, and keeps the sources of edges right.
 void orient(SmallOperand& s) {
   find_smallest(s);
   const std::uint32_t n = s.size;
@@ -147,7 +148,7 @@ void orient(SmallOperand& s) {
                    s[SmallOperand::kEdgeSource]);
 }
 
-/// What follows from the places.
+/// Sets edges and convexity, which follow from the places.
 void set_edges(SmallOperand& s) {
   const std::uint32_t n = s.size;
   double* const dx = s[SmallOperand::kDx];
@@ -193,7 +194,8 @@ bool is_simple_ring(const SmallOperand& s) {
       widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
 }
 
-/// Reads the holes; false if they are many or not clearly valid, or some two rings touch.
+/// Reads the sizes of the holes. Returns false if they are many or not clearly valid, or if two
+/// rings touch.
 bool read_holes(const Region& region, SmallOperand& s) {
   const std::size_t count = region.ring_count() - 1;
   if (count > SmallOperand::kMaxHoles) return false;

@@ -1,4 +1,4 @@
-// Operands of a few vertices with short coordinates.
+// Operands with few vertices and short coordinates.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace minksum {
 
-/// An operand of one polygon of a few vertices, whose coordinates are short integers: its outer
-/// ring, counter-clockwise, in arrays that vectors are loaded from, and how wide its holes are.
-/// Edge i starts at vertex i.
+/// An operand of one polygon with few vertices, whose coordinates are short integers. Vectors are
+/// loaded from arrays of its outer ring, which runs counter-clockwise. Of holes it has the sizes
+/// only. Edge i starts at vertex i.
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
   static constexpr std::size_t kMaxHoles = 32;
-  /// Of any box.
+  /// The largest extent of a box.
   static constexpr double kWidest = 0x1p36;
 
-  /// What is known of each vertex, one array each, filled up with zeros.
+  /// What is known of each vertex: one array for each of these, filled up with zeros.
   enum Row : std::uint8_t {
     kX,
     kY,
@@ -42,22 +42,22 @@ class SmallOperand {
   std::uint32_t size = 0;
   std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
   bool convex = false;
-  /// How many convex vertices meet an edge of another operand, on average of eight directions.
+  /// The number of convex vertices that meet an edge, on average over eight directions.
   double turning = 1;
-  Vec<double> extent{};            ///< of the box, which is at (0, 0)
-  std::vector<Vec<double>> holes;  ///< the extents of their boxes
-  double longest = 0;              ///< of the edges' extents along the axes
-  Vec<std::int64_t> offset{};      ///< where the box is
+  Vec<double> extent{};            ///< extent of the box, whose lower left corner is (0, 0)
+  std::vector<Vec<double>> holes;  ///< extents of the holes' boxes
+  double longest = 0;              ///< longest extent of an edge along an axis
+  Vec<std::int64_t> offset{};      ///< place of the box in the region
   Vec<std::int64_t> first{};       ///< the first vertex of the region that it was read from
   int exp2 = 0;                    ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
 
-  /// Makes room for rows of so many vertices, not to be relied on before they are set.
+  /// Makes room for rows of so many vertices. Values must be set before they are read.
   void make_rows(std::size_t vertices) {
     stride_ = filled_up(vertices);
     rows_.resize(kRows * stride_);
   }
-  /// Of a vertex, or of the edge that starts there.
+  /// Returns the index in the region of a vertex, or of the edge that starts there.
   [[nodiscard]] std::uint32_t source(Row row, std::uint32_t vertex) const {
     return static_cast<std::uint32_t>((*this)[row][vertex]);
   }
@@ -69,8 +69,8 @@ class SmallOperand {
   std::vector<double> rows_;
 };
 
-/// The numbers that hold all cross products of edges up to so long and of them with differences
-/// of points of a box so wide.
+/// A number type that holds all cross products of edges with each other, and with differences of
+/// points of a box.
 enum class SmallNumberType : std::uint8_t { kDoubles, kIntegers, kNone };
 
 [[nodiscard]] inline SmallNumberType small_numbers(double longest, double width) {
@@ -82,18 +82,18 @@ enum class SmallNumberType : std::uint8_t { kDoubles, kIntegers, kNone };
                                                       : SmallNumberType::kNone;
 }
 
-/// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages:
-/// it is worth it for operands that are used again.
+/// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages.
+/// That pays only for operands that are used again.
 enum class SmallHoles : std::uint8_t { kNone, kSome };
 
-/// Whether a region is such an operand, and valid; fills `small` if so. What is not clearly one is
-/// not: faults are left to `validate`. O(n²) for n vertices, with a small constant.
+/// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
+/// are left to `validate`. O(n²) for n vertices, with a small constant.
 bool read_small(const Region& region, SmallHoles may_have, SmallOperand& small);
 
-/// The operand turned counter-clockwise by so many times 90 degrees, about the origin.
+/// Turns an operand counter-clockwise by `quarters` times 90 degrees about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);
 
-/// The operand on the finer grid of these exponents; false if it does not fit.
+/// Brings an operand to the finer grid of these exponents. Returns false if it does not fit there.
 bool refine(int exp2, int exp10, SmallOperand& operand);
 
 }  // namespace minksum

@@ -1,4 +1,4 @@
-// How the edges of small rings meet.
+// Tests whether small rings are simple, meet, or hold each other.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace minksum {
 
-/// The edges, of up to 64 from `first` on, that edge i of a ring meets.
+/// Returns those of up to 64 edges of `s`, from `first` on, that edge i of `ring` meets.
 template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_meeting(const SmallOperand& ring, std::uint32_t i,
                                                      const SmallOperand& s, std::size_t first,
@@ -32,7 +32,7 @@ template <class Number>
     const Number end = start + turn;
     const Number along = ax * ty - ay * tx;
     const Number left = along - turn;
-    // Neither lies on one side of the other's line, and their boxes meet.
+    // Edges meet if neither lies on one side of the other's line, and if their boxes meet.
     const bool meets = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
                        !((along > 0) & (left > 0)) & !((along < 0) & (left < 0)) &
                        (std::abs(2 * ax + tx - dx) <= std::abs(dx) + std::abs(tx)) &
@@ -89,14 +89,15 @@ template <class Number>
   return met != 0;
 }
 
-/// Whether a ring, of any orientation, holds the first vertex of another one that it does not meet.
+/// Whether a ring of any orientation holds the first vertex of another one. The rings must not
+/// meet.
 [[nodiscard]] inline bool holds(const SmallOperand& a, const SmallOperand& b) {
   const Vec<double> at{b[SmallOperand::kX][0], b[SmallOperand::kY][0]};
   bool inside = false;
   for (std::uint32_t i = 0; i < a.size; ++i) {
     const Vec<double> d{a[SmallOperand::kDx][i], a[SmallOperand::kDy][i]};
     const Vec<double> to{at.x - a[SmallOperand::kX][i], at.y - a[SmallOperand::kY][i]};
-    // Edges that pass the height of the point, on its right.
+    // This counts edges that pass the height of the point, on its right.
     const bool up = to.y >= 0 && to.y < d.y;
     const bool down = to.y < 0 && to.y >= d.y;
     const double side = d.x * to.y - d.y * to.x;
@@ -118,7 +119,7 @@ struct SmallBox {
       high = {std::max(high.x, x), std::max(high.y, y)};
     }
   }
-  /// Whether it is in a box of this size at the origin.
+  /// Whether this box is in a box of the given extent at the origin.
   [[nodiscard]] bool is_in(const Vec<double>& extent) const {
     return low.x >= 0 && low.y >= 0 && high.x <= extent.x && high.y <= extent.y;
   }

@@ -1,4 +1,4 @@
-// The reduced convolution of two small operands.
+// Lists the reduced convolution of two small operands.
 #pragma once
 
 #include <tuple>
@@ -9,19 +9,20 @@
 
 namespace minksum {
 
-/// All numbers are integers. `Number`, below, holds all cross products of their differences.
+/// The segments of a small sum. All numbers are integers. The type `Number` in the functions below
+/// holds all cross products of their differences.
 struct SmallSegments {
   static constexpr std::size_t kMaxBlocks = 192;
   static constexpr std::size_t kMax = kLanes * kMaxBlocks;
   using Blocks = SmallBlocks<kMaxBlocks>;
-  /// Entries of the same index lie in different places of a page: so a store to one row does not
-  /// hold up loads from another one.
+  /// Rows are longer than kMax, so that entries of the same index lie in different places of a
+  /// page. Then a store to one row does not hold up loads from another.
   using Row = std::array<double, kMax + 128>;
   /// An edge of one operand, moved by a vertex of the other.
   struct Origin {
     std::uint16_t edge;
     std::uint16_t vertex;
-    bool of_first;  ///< whose edge it is
+    bool of_first;  ///< whether the edge is the first operand's
   };
 
   std::uint32_t size;
@@ -31,11 +32,12 @@ struct SmallSegments {
   alignas(64) Row dy;
   std::array<Origin, kMax> origin;
 
-  /// Those of a block's eight that there are.
+  /// Returns those of a block's eight entries that are segments.
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
     return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
   }
-  /// Of two, whether the first was listed before: by vertices of the first ring.
+  /// Whether segment i was listed before segment j. Segments are listed by vertices of the first
+  /// ring.
   [[nodiscard]] bool is_before(std::uint32_t i, std::uint32_t j) const {
     const auto place = [this](std::uint32_t k) {
       const Origin& o = origin[k];
@@ -43,19 +45,19 @@ struct SmallSegments {
     };
     return place(i) < place(j);
   }
-  /// To be read eight at a time.
+  /// Fills up the rows, so that they can be read eight entries at a time.
   void fill_up() {
     for (std::size_t i = size; i < filled_up(size); ++i) x[i] = y[i] = dx[i] = dy[i] = 0;
   }
 };
 
-/// Where so many segments turn right into one another more often, most corners lie inside, and the
-/// stages are faster.
+/// Returns the most meetings on the right that so many segments may have. If they have more, most
+/// corners lie inside, and the stages are faster.
 [[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
   return 2 * segments + 16;
 }
 
-/// Of up to 64 vertices, those that meet an edge of this direction: in (in, out].
+/// Returns those of up to 64 vertices that meet an edge of this direction: it is in (in, out].
 template <class Number>
 [[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallOperand& o, std::size_t first,
                                                         std::size_t count, Number dx, Number dy) {
@@ -72,7 +74,7 @@ template <class Number>
   }
   return bits;
 }
-/// Of up to 64 edges, those whose direction is in [in, out).
+/// Returns those of up to 64 edges whose direction is in [in, out).
 template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_between(const SmallOperand& o, std::size_t first,
                                                      std::size_t count, const Vec<Number>& in,
@@ -89,8 +91,8 @@ template <class Number>
   return bits;
 }
 
-/// The reduced convolution, in the order of the first operand's ring: what is near in the plane is
-/// mostly near in the list. False if there are too many.
+/// Lists the reduced convolution in the order of the first operand's ring. So segments that are
+/// near in the plane are mostly near in the list. Returns false if there are too many.
 template <class Number>
 [[gnu::always_inline]] inline bool list_segments(const SmallOperand& p, const SmallOperand& q,
                                                  SmallSegments& s) {
@@ -143,8 +145,8 @@ template <class Number>
   return true;
 }
 
-/// Puts segments that are near one another in the plane together: by squares of a 32nd of the sum's
-/// width, in the order of Hilbert's curve. O(s).
+/// Sorts segments by squares of a 32nd of the sum's width, in the order of Hilbert's curve. Then
+/// segments that are near one another in the plane are near in the list. O(s).
 class SmallOrder {
  public:
   void apply(const SmallSegments& from, double width, SmallSegments& to) {
@@ -171,7 +173,7 @@ class SmallOrder {
 
  private:
   static constexpr std::uint32_t kSide = 32;
-  /// By row and column, a square's place on the curve.
+  /// By row and column: a square's place on the curve.
   static constexpr auto kCurve = [] {
     std::array<std::uint16_t, kSide * kSide> curve{};
     for (std::uint32_t square = 0; square < curve.size(); ++square) {

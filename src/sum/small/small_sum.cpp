@@ -22,10 +22,11 @@ struct SmallScratch::State {
 
 namespace {
 
-/// Corners of the sum to vertices of a region.
+/// Writes corners of the sum as vertices of a region.
 class SmallWriter {
  public:
-  /// `corners` may be too many, and so few between the ends of segments.
+  /// Makes room for `corners` vertices, which may be too many. `between` of them are not at the
+  /// start of a segment.
   SmallWriter(const SmallOperand& p, const SmallOperand& q, std::size_t corners,
               std::size_t between, Region& region)
       : p_(p),
@@ -35,7 +36,7 @@ class SmallWriter {
         exp10_(static_cast<std::int16_t>(p.exp10)),
         region_(region) {
     region.clear();
-    constexpr std::size_t kLimbs = 4;  // most numerators and denominators are one
+    constexpr std::size_t kLimbs = 4;  // most numerators and denominators take one limb
     RegionAccess::make_ring(region, {corners, corners, 1, 1, kLimbs * between});
   }
   void add(double x, double y, const SmallSegments::Origin& origin) {
@@ -49,7 +50,7 @@ class SmallWriter {
     const StoredCoordinate y = store(s.y[i], s.dy[i], corner, offset_.y);
     set(x, y, s.origin[i]);
   }
-  /// When all corners are there: they may be fewer.
+  /// Must be called after the last corner, if there may be fewer than there is room for.
   void finish() { RegionAccess::keep_vertices(region_, size_); }
 
  private:
@@ -97,21 +98,21 @@ class SmallWriter {
   std::size_t size_ = 0;
 };
 
-/// Whether the other operand fits into none of the holes, as its box does not: a hole is open, so
-/// equal width is too wide.
+/// Whether the other operand fits into none of the holes, because its box does not. A hole is open,
+/// so a box of equal width is too wide.
 bool are_filled(const std::vector<Vec<double>>& holes, const SmallOperand& other) {
   return std::ranges::all_of(holes, [&](const Vec<double>& hole) {
     return other.extent.x >= hole.x || other.extent.y >= hole.y;
   });
 }
 
-/// Where the smallest points of both operands come to lie.
+/// Returns the sum of the smallest points of both operands, which is the sum's smallest point.
 Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
   return {p[SmallOperand::kX][p.smallest] + q[SmallOperand::kX][q.smallest],
           p[SmallOperand::kY][p.smallest] + q[SmallOperand::kY][q.smallest]};
 }
 
-/// Edges of both in the order of their directions: all of the boundary.
+/// Merges both operands' edges in order of direction. These are all of the sum's boundary.
 template <class Number>
 void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) {
   /// Goes round a ring from its smallest vertex.
@@ -144,7 +145,7 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
   Round a(p);
   Round b(q);
   while (a.left + b.left > 0) {
-    // Neither is half a circle behind the other one: edges of a convex ring turn by less.
+    // Neither edge is half a circle behind the other, because convex rings turn by less.
     const Number turn = a.left == 0 ? -1 : b.left == 0 ? 1 : cross(a.way(), b.way());
     const auto i = static_cast<std::uint16_t>(a.at);
     const auto j = static_cast<std::uint16_t>(b.at);
@@ -180,7 +181,7 @@ bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScrat
   if (scratch.segments.size <= SmallMeetingSets::kMaxSegments) {
     return walk<Number>(p, q, scratch.segments, scratch.sets, scratch, result);
   }
-  // Of these, most pairs of blocks are near one another anyway.
+  // If segments are so few, most pairs of blocks are near one another anyway.
   constexpr std::uint32_t kMostInRingOrder = 300;
   if (scratch.segments.size <= kMostInRingOrder) {
     return walk<Number>(p, q, scratch.segments, scratch.lists, scratch, result);
@@ -230,7 +231,7 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
     }
     return true;
   }
-  // Of more segments, looking at each pair of blocks takes longer than the stages.
+  // If segments are more, looking at each pair of blocks takes longer than the stages.
   constexpr double kMostSegments = 1400;
   if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
   return wide ? walk<std::int64_t>(p, q, width, scratch.state(), result)

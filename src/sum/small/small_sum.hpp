@@ -1,4 +1,4 @@
-// The sum of two operands of few vertices, by one walk along its outer boundary.
+// Computes the sum of two operands of few vertices by one walk along its outer boundary.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace minksum {
 
-/// Memory that is kept from sum to sum; it is taken when it is needed first.
+/// Memory that is kept from sum to sum. It is allocated at first use.
 class SmallScratch {
  public:
   SmallScratch();
@@ -22,15 +22,16 @@ class SmallScratch {
   std::unique_ptr<State> state_;
 };
 
-/// P ⊕ Q, in canonical form, with origins: the same region as by the stages. False if it takes
-/// them: if the sum may have a hole or an operand may fit into one of the other's, or there are
-/// more segments than are worth it, or too long coordinates; `result` is then as it was.
+/// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false
+/// if the stages are needed, and leaves `result` as it was. They are if the sum may have a hole, if
+/// an operand may fit into a hole of the other, if there are more segments than pay, or if
+/// coordinates are too long.
 ///
-/// The reduced convolution is listed; the walk starts at the smallest point and turns into the
+/// The reduced convolution is listed. The walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. It is all of the sum's boundary if fewer than three
 /// corners are left where one segment could turn right into another: a hole has three of them. See
-/// docs/pipeline.md, "Small operands". O(s²) for s segments, eight at a time. Of convex operands
-/// edges are merged in the order of their directions.
+/// docs/pipeline.md, "How is a small sum computed?". O(s²) for s segments, eight at a time. The
+/// edges of two convex operands are merged in order of direction instead.
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch, Region& result);
 
 /// Whether no sum of small operands could go beyond these limits.
