@@ -51,17 +51,17 @@ struct CallerOperand {
   const SmallOperand* small = nullptr;       ///< null if `region` is not known to be small
 };
 
-/// The sum of two that are not empty, by Method::kReduced or kFull.
+/// Computes the sum of two operands that are not empty, by Method::kReduced or kFull.
 void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options,
                   Workspace::State& w, Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
-/// Combines a prepared operand with one that is valid.
+/// Combines a prepared operand with a region that is known to be valid.
 void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
                    const Options& options, Cancellation& cancellation, Workspace::State& w);
-/// Lists the convolution, or where there is much of it a sample.
+/// Lists the convolution, or only a sample of it if it has very many segments.
 void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation);
-/// The stages after the operands'. With a raster for these operands, or null.
+/// Runs the stages after the first. `shared` is a raster for these operands, or null.
 void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
                 Workspace::State& w, Region& result);
 

@@ -115,8 +115,8 @@ struct JoinedSegments {
   KeptId end;
 };
 
-/// A segment's position on its line. The line is told by the cross product with the direction of
-/// the segment's rank, rounded. The ends are measured along that direction.
+/// A segment's position on its line. `line` is the rounded cross product with the direction of the
+/// segment's rank. `from` and `to` are its ends along that direction.
 struct LinePosition {
   double line;
   double from;

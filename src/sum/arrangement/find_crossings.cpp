@@ -159,7 +159,7 @@ class CrossingFinder {
       list_near(items, corner, side, scratch_.stack[level + quarter]);
       total += scratch_.stack[level + quarter].size();
     }
-    // Crowds that no division parts are left to the sweep.
+    // Crowds that no division separates are left to the sweep.
     if (total >= 3 * items.size()) return false;
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const bool right = (quarter & 1) != 0;

@@ -8,7 +8,7 @@ namespace minksum {
 /// The segments, of up to 64, to which the walk may switch from one segment.
 struct SmallMeetingBits {
   LaneBits right = 0;   ///< segments that lead to its right from a point behind its start
-  LaneBits at_end = 0;  ///< at its end: segments that lead to its left, lie on its line, end there
+  LaneBits at_end = 0;  ///< at its end: segments that lead to its left, lie on its line or end
 };
 
 /// Returns those of the first `count` segments that segment `of` meets.
