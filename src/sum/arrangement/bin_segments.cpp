@@ -97,7 +97,7 @@ class Binner {
   static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyway
 
   /// Orders segments by the sites of the operand that has more sites. Segments that are near in the
-  /// plane are then near in memory. So is all that is made of them, up to the output.
+  /// plane are then near in memory, and so is all that is made of them up to the output.
   std::span<const Segment> order_along_rings(std::span<const Segment> segments) {
     const int longer = 2 * o_.split >= o_.size() ? 0 : 1;
     const auto site = [&](const Segment& s) {

@@ -57,7 +57,7 @@ struct QuadCell {
   std::int64_t half;
 };
 
-/// What `classify` counts in a list, for one quarter.
+/// The counts that `classify` makes of a list, for one quarter.
 struct Tally {
   std::int32_t near = 0;
   std::int32_t reduced = 0;   ///< near segments that are in the reduced convolution

@@ -21,7 +21,7 @@ int choose_plain_side(std::uint64_t segments) {
   return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
 }
 /// Chooses the cells along the longer side of the first grid with a cover. Moving bitmaps of s
-/// cells a side costs in proportion to s^3, and the share of segments that stay visible is in
+/// cells a side costs in proportion to s^3. The share of segments that stay visible is in
 /// proportion to 1 / s. The total cost is least where s^4 is in proportion to all segments.
 int choose_side(std::uint64_t segments, const Options& options) {
   if (options.grid > 0) return std::min(options.grid, kMaxSide);

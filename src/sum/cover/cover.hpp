@@ -124,9 +124,9 @@ void cover_by_parallelograms(const Operands& operands, Cancellation& cancellatio
 
 /// Divides the sum's box into quarters, again and again, and marks cells inside the sum.
 ///
-/// A cell is not divided if it is certainly inside the sum, if few segments are near it, or if it
-/// is one of `side` · `side` cells (a power of two, at most 4096). Cells that an active cover had
-/// before stay covered, as far as whole cells of the new grid go.
+/// A cell is not divided if it is certainly inside the sum, or if few segments are near it. The
+/// smallest cells are those of a grid of `side` · `side` cells (a power of two, at most 4096).
+/// Cells that an active cover had before stay covered, as far as whole cells of the new grid go.
 ///
 /// Let K be the signed convolution. Without holes, its winding number w_K(x) is the number of
 /// components of P ∩ (x − Q), which is positive inside the sum. Each cell has a list of all
@@ -144,9 +144,9 @@ void cover_by_parallelograms(const Operands& operands, Cancellation& cancellatio
 ///    then sweeps a quadrilateral, whose boundary winds around c at most once. So a *doubtful*
 ///    segment, one that may come within a unit of c, changes the winding number by at most one.
 ///    Others do not change it. Hence w_K(c) ≥ w_K'(c) − doubtful.
-/// 4. On a straight way from c to a point y near the cell, w_K falls by one at each segment that
-///    has c on its left and y on its right, and never otherwise. Such a segment is in the list. Its
-///    rounded copy has c on its left, or within the bound of what rounding does to that
+/// 4. Take a straight way from c to a point y near the cell. On it w_K falls by one at each segment
+///    that has c on its left and y on its right, and never otherwise. Such a segment is in the
+///    list. Its rounded copy has c on its left, or within the bound of what rounding does to that
 ///    determinant. Such segments are *losing*. Hence w_K(y) ≥ w_K(c) − losing.
 ///
 /// So a cell with w_K'(c) > doubtful + losing is inside the sum. Tight places are in no such cell:

@@ -13,7 +13,7 @@ void prepare_operand(const Region& region, const Options& options, std::size_t m
 namespace {
 
 /// Checks that places go round once, counter-clockwise. Each step from a direction or reverse to
-/// the next must turn left by less than half a circle, and directions must be in order of rank.
+/// the next must turn left by less than half a circle. Directions must be in order of rank.
 std::optional<std::string> check_places(const Operands& o) {
   struct Ray {
     SiteId edge;

@@ -12,9 +12,9 @@
 
 namespace minksum {
 
-/// An operand of one polygon with few vertices, whose coordinates are short integers. Vectors are
-/// loaded from arrays of its outer ring, which runs counter-clockwise. Of holes it has the sizes
-/// only. Edge i starts at vertex i.
+/// An operand of one polygon with few vertices, whose coordinates are short integers. Arrays hold
+/// its outer ring, counter-clockwise, so that vectors can be loaded from them. Only the sizes of
+/// holes are kept. Edge i starts at vertex i.
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
@@ -22,7 +22,7 @@ class SmallOperand {
   /// The largest extent of a box.
   static constexpr double kWidest = 0x1p36;
 
-  /// What is known of each vertex: one array for each of these, filled up with zeros.
+  /// The properties of each vertex. Each property has an array, filled up with zeros.
   enum Row : std::uint8_t {
     kX,
     kY,

@@ -23,9 +23,9 @@ class SmallScratch {
 };
 
 /// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false
-/// if the stages are needed, and leaves `result` as it was. They are if the sum may have a hole, if
-/// an operand may fit into a hole of the other, if there are more segments than pay, or if
-/// coordinates are too long.
+/// if the stages are needed, and leaves `result` as it was. The stages are needed if the sum may
+/// have a hole, or if an operand may fit into a hole of the other. They are also needed if there
+/// are more segments than pay, or if coordinates are too long.
 ///
 /// The reduced convolution is listed. The walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. It is all of the sum's boundary if fewer than three

@@ -22,9 +22,9 @@ struct ContactPosition {
 /// 2. at a point of both boundaries a corner of one meets a corner of the other, or
 /// 3. a vertex of a ring that does not touch the other's boundary lies in the other's inside.
 /// Each of these is enough. Now suppose that 1 and 2 fail. A ring with a point inside the other
-/// operand cannot come to that operand's boundary, because the ring's own inside, along it, would
-/// come there with it. So that ring is one of 3. If there is no such ring, each component of an
-/// inside is in one component of the plane without the other's boundary. Then two components are
+/// operand cannot come to that operand's boundary. The ring's own inside lies along the ring, and
+/// would come there with it. So that ring is one of 3. If there is no such ring, each component of
+/// an inside is in one component of the plane without the other's boundary. Then two components are
 /// equal and 2 holds, or all are disjoint. Edges are cut where rings of their polygon touch them.
 /// So near an inner point of an edge, the polygon's inside is half a disk.
 ///

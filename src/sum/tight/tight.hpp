@@ -18,7 +18,7 @@ namespace minksum {
 /// contacts p + q = x. At each, take the cones of P at p and of Q at q, as open parts of the plane
 /// around 0. Near x, U is x plus the union of the sums of one cone of each operand. X is x plus the
 /// intersection C of the complements of these sums. x lies in S° if C has no inner points; then C
-/// is 0 alone, or some rays. What follows takes one polygon of each operand at a time.
+/// is 0 alone, or some rays. The proof takes one polygon of each operand at a time.
 ///
 /// 1. *Segments bound X.* Take cones A of P and B of Q; A and −B are disjoint. If one is reflex,
 ///    say A, then A ⊕ B is A. The edges at p bound it, and the convex vertex q moves them. If both
