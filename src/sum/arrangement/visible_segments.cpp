@@ -19,8 +19,8 @@ static_assert(UniformGrid::kMaxSide <= 1 << 13);
 
 /// Recognises most boxes that lie wholly in covered cells, by one look at a bitmap.
 ///
-/// Take the block of 2^k by 2^k cells that starts at the lower left cell of a box. If the box has no
-/// more cells and the block is covered, the box lies in covered cells.
+/// Take the block of 2^k by 2^k cells that starts at the lower left cell of a box. If the box is no
+/// larger and the block is covered, the box lies in covered cells.
 class CoveredBlocks {
  public:
   CoveredBlocks(const Cover& cover, std::array<Bitmap, VisibleScratch::kLevels + 1>& blocks)

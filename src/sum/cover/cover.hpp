@@ -71,7 +71,7 @@ struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< for inner loops; the result does not depend on it
   OperandRaster raster[2];
   Bitmap boundary;     ///< cells that an operand's boundary may touch
-  std::vector<std::uint64_t> widened;  ///< a bitmap united with itself, moved by columns
+  std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
@@ -97,9 +97,9 @@ void cover_interior(const Operands& operands, const Options& options, Cancellati
 /// Marks cells of the cover's grid that lie inside translates of an operand.
 ///
 /// Let C be a cell and q a point of Q. If C − q lies in the interior of P, then C = (C − q) + q
-/// lies in the interior of P + q, and so of P ⊕ Q. So P's interior is rasterised on cells of the
-/// same size. The raster is moved by one point of Q for each cell that has one, runs of cells at a
-/// time. The moved rasters are united. The same is done with P and Q exchanged.
+/// lies in the interior of P + q. So C lies in the interior of P ⊕ Q. P's interior is rasterised on
+/// cells of the same size. The raster is moved by one point of Q for each cell that has one, runs
+/// of cells at a time. The moved rasters are united. The same is done with P and Q exchanged.
 /// O(words of a raster · runs of the other).
 void cover_by_translates(const Operands& operands, Cancellation& cancellation,
                          CoverScratch& scratch, Cover& cover);
@@ -160,8 +160,8 @@ void divide_by_winding(const Operands& operands, const Convolution& convolution,
 void make_blocks(const Bitmap& bitmap, Bitmap& block);
 
 /// Returns what is wrong with the cover, or nothing. The cover must fit its grid. It must leave out
-/// all cells at the border of the sum's box, where the sum's boundary must be. (Unit tests check by
-/// exact membership that covered cells are inside the sum.)
+/// all cells at the border of the sum's box, where the sum's boundary must be. (Tests check from
+/// outside, by exact membership, that covered cells are inside the sum.)
 [[nodiscard]] std::optional<std::string> check(const Cover& cover, const Operands& operands);
 
 }  // namespace minksum

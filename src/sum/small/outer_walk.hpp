@@ -171,8 +171,8 @@ class OuterWalk {
     looks_ += looks;
     return next;
   }
-  /// Whether one ray is preferred to another from the same place. The one on the right is, and the
-  /// one that was listed first if both are in the same direction.
+  /// Whether ray t is preferred to ray `other` from the same place. The ray on the right is
+  /// preferred. Of two rays in the same direction, the one that was listed first is.
   [[nodiscard, gnu::always_inline]] bool is_preferred(std::uint32_t t, std::uint32_t other) const {
     const Number c = turn(other, t);
     return c < 0 || (c == 0 && s_.is_before(t, other));

@@ -181,7 +181,7 @@ bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScrat
   if (scratch.segments.size <= SmallMeetingSets::kMaxSegments) {
     return walk<Number>(p, q, scratch.segments, scratch.sets, scratch, result);
   }
-  // If segments are so few, most pairs of blocks are near one another anyway.
+  // With so few segments, most pairs of blocks are near one another anyway.
   constexpr std::uint32_t kMostInRingOrder = 300;
   if (scratch.segments.size <= kMostInRingOrder) {
     return walk<Number>(p, q, scratch.segments, scratch.lists, scratch, result);
@@ -231,7 +231,7 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
     }
     return true;
   }
-  // If segments are more, looking at each pair of blocks takes longer than the stages.
+  // With more segments, looking at each pair of blocks takes longer than the stages.
   constexpr double kMostSegments = 1400;
   if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
   return wide ? walk<std::int64_t>(p, q, width, scratch.state(), result)
