@@ -1,4 +1,4 @@
-// CGAL's `.dat` polygons: numbers alone, in one of two layouts.
+// Reads CGAL's `.dat` polygons, which are numbers alone in one of two layouts.
 #include <optional>
 
 #include "io/formats.hpp"
@@ -9,8 +9,8 @@ namespace minksum::io {
 namespace {
 
 enum class Layout {
-  kSimple,     ///< rings one after the other, each a count and its points: each is a polygon
-  kWithHoles,  ///< for each polygon the outer ring, the number of holes, and each hole
+  kSimple,     ///< each ring, a count and its points, is a polygon
+  kWithHoles,  ///< a polygon is its outer ring, the number of holes, and each hole
 };
 
 class DatReader {
@@ -107,7 +107,7 @@ Attempt try_layout(std::string_view text, const ReadLimits& limits, Layout layou
   return {layout, std::nullopt, text.size()};
 }
 
-// The layout that fits; if neither does, the one that got further is the likelier meaning.
+// Returns the layout that fits. If neither fits, the one that got further is the likelier meaning.
 Attempt try_layouts(std::string_view text, const ReadLimits& limits, Rules rules) {
   Attempt simple = try_layout(text, limits, Layout::kSimple, rules);
   if (!simple.error) return simple;
@@ -118,7 +118,7 @@ Attempt try_layouts(std::string_view text, const ReadLimits& limits, Rules rules
 }  // namespace
 
 Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules) {
-  // What is a region is read as that one: tiny rings could make the other layout fit as well.
+  // The rules of regions come first: with rings of one or two vertices, the wrong layout may fit.
   Attempt attempt = try_layouts(text, limits, Rules::kRegion);
   if (attempt.error && rules == Rules::kGeometry) attempt = try_layouts(text, limits, rules);
   if (attempt.error) throw *attempt.error;

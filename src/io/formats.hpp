@@ -1,4 +1,4 @@
-// One reader and one writer a format.
+// Declares a reader and a writer for each format.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,16 @@ namespace minksum::io {
 [[nodiscard]] Geometry read_poly(std::string_view text, const ReadLimits& limits, Rules rules);
 [[nodiscard]] Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules);
 
-/// See `feature_properties`.
+/// Returns the same as `feature_properties`, for a text that is GeoJSON.
 [[nodiscard]] std::optional<std::string> geojson_properties(std::string_view text,
                                                             const ReadLimits& limits);
 
-/// A geometry that is not owned: so regions are written without being copied.
+/// Refers to a geometry without owning it, so that regions are written without a copy.
 struct GeometryView {
   const Region& region;
   std::span<const Polyline> polylines = {};
   std::span<const Point> points = {};
-  /// How many kinds there are: polygons, polylines, points.
+  /// Returns how many kinds are present: polygons, polylines, points.
   [[nodiscard]] int kinds() const {
     return int{!region.empty()} + int{!polylines.empty()} + int{!points.empty()};
   }

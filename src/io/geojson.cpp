@@ -1,4 +1,4 @@
-// GeoJSON (RFC 7946): all its geometries, and what contains them.
+// Reads and writes GeoJSON (RFC 7946): all of its geometries, and features with them.
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,7 +12,7 @@ namespace minksum::io {
 
 namespace {
 
-// A name from the text for a message: one short line of ASCII.
+// Makes a name from the text fit for a message: one short line of ASCII.
 std::string quoted(std::string_view name) {
   std::string result = "\"";
   for (const char c : name.substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';
@@ -39,7 +39,7 @@ class GeoJsonReader {
  private:
   enum class Expected { kAnything, kGeometry, kFeature };
 
-  // Where the members of one object are that matter; they may come in any order.
+  // Positions of one object's members, which may come in any order.
   struct Members {
     std::size_t start = 0;
     std::optional<std::string> type;
@@ -51,8 +51,8 @@ class GeoJsonReader {
     bool content_read = false;
   };
 
-  // Reads the content where it stands if "type" came first, else goes back for it at the end: an
-  // object whose type comes last is passed over twice.
+  // If "type" comes first, the content is read where it stands. Otherwise the reader goes back for
+  // it at the end of the object, and so passes over that content twice.
   void object(Expected expected) {
     Members members;
     members.start = json_.text().position();
@@ -191,7 +191,7 @@ class GeoJsonReader {
     builder_.add_point(x, y);
   }
 
-  // `[]` is the empty point.
+  // Accepts `[]`, which is the empty point.
   void point() {
     const std::size_t start = json_.text().position();
     if (json_.accept('[') && json_.accept(']')) return;
@@ -211,7 +211,7 @@ class GeoJsonReader {
     return {std::move(x), std::move(y)};
   }
 
-  // A JSON number, or any number in quotes: "1/3".
+  // Takes a JSON number, or any number in quotes, such as "1/3".
   Number coordinate() {
     if (json_.peek() != '"') {
       const char c = json_.text().peek();

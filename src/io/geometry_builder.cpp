@@ -9,7 +9,7 @@ std::string counted_points(std::size_t count) {
 }
 
 void GeometryBuilder::count_vertex() {
-  // What was read since the last vertex, digit by digit.
+  // The work counts all text since the last vertex; a number of many digits takes quadratic time.
   const std::size_t length = cursor_.position() - std::exchange(counted_to_, cursor_.position());
   cancellation_.check(16 + work_of_product(4 * length));
   if (++vertices_ <= max_vertices_) return;
@@ -90,7 +90,7 @@ void GeometryBuilder::add_point(const Number& x, const Number& y) {
 }
 
 std::string GeometryBuilder::ring_name() const {
-  // Words for people count from 1, as lines and columns do.
+  // Messages count from 1, as they do for lines and columns.
   return "polygon " + std::to_string(geometry_.region.polygon_count()) + ", ring " +
          std::to_string(ring_ + 1);
 }

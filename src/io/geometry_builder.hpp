@@ -1,4 +1,4 @@
-// Geometries under construction, and the rules that readers keep to.
+// Builds geometries from what readers read, by the rules that all readers keep.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 
 namespace minksum::io {
 
-/// What a text may hold.
+/// Says which kinds of shapes a text may hold.
 enum class Rules {
   kRegion,    ///< polygons alone; rings of three vertices or more
   kGeometry,  ///< polylines and points too; rings of one vertex or more, to be read by `resolve`
 };
 
-/// Fewest vertices of a ring.
+/// Returns how many vertices a ring must have at least.
 [[nodiscard]] inline std::size_t fewest_vertices(Rules rules) {
   return rules == Rules::kRegion ? 3 : 1;
 }
 
-/// "3 points", "1 point".
+/// Returns the count in words, such as "3 points" or "1 point".
 [[nodiscard]] std::string counted_points(std::size_t count);
 
-/// Takes the vertices of rings, polylines and points as they are read; counts them.
+/// Builds a geometry vertex by vertex as a reader goes on, and keeps the limit on vertices.
 class GeometryBuilder {
  public:
-  /// `cursor` is the reader's: faults are reported where it stands.
+  /// `cursor` belongs to the reader; errors name the position at which it stands.
   GeometryBuilder(const TextCursor& cursor, const ReadLimits& limits, Rules rules)
       : cursor_(cursor),
         max_vertices_(limits.max_vertices),
@@ -39,18 +39,19 @@ class GeometryBuilder {
   [[nodiscard]] std::size_t polygon_count() const { return geometry_.region.polygon_count(); }
   void begin_polygon();
 
-  /// A ring without repetition of its first vertex.
+  /// Begins a ring whose text does not repeat the first vertex.
   void begin_ring() { geometry_.region.begin_ring(); }
   void add_vertex(const Number& x, const Number& y);
 
-  /// A ring that repeats its first vertex at the end (WKT, GeoJSON). Begun where it starts.
+  /// Begins a ring whose text repeats the first vertex at its end, as in WKT and GeoJSON. The
+  /// cursor must stand where the ring starts, because errors name that position.
   void begin_closed_ring();
   void add_to_closed_ring(Number x, Number y);
   void end_closed_ring();
 
   void begin_line();
   void add_to_line(const Number& x, const Number& y);
-  /// A line without vertices is none.
+  /// Ends the line, and drops it if it has no vertices.
   void end_line();
 
   void add_point(const Number& x, const Number& y);
@@ -67,10 +68,10 @@ class GeometryBuilder {
   Rules rules_;
   Geometry geometry_;
   std::size_t vertices_ = 0;
-  std::size_t counted_to_ = 0;  // where in the text the last vertex was counted
+  std::size_t counted_to_ = 0;  // position in the text at the last counted vertex
   std::size_t ring_ = 0;
-  std::size_t start_ = 0;   // of the ring or line
-  std::size_t points_ = 0;  // of the ring so far
+  std::size_t start_ = 0;   // position of the ring or line
+  std::size_t points_ = 0;  // points of the ring so far
   Number first_x_, first_y_;
   Number last_x_, last_y_;  // held back: the closing point is not a vertex
 };

@@ -7,8 +7,8 @@ namespace minksum::io {
 
 namespace {
 
-// How much of the text is as it stands in a string: neither its end, nor an escape, nor what must
-// not be there.
+// Returns the length of the prefix that a string takes over unchanged. It ends at a quote, an
+// escape, a control character, or a byte that is not UTF-8.
 std::size_t plain_length(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size() && text[at] != '"' && text[at] != '\\' &&

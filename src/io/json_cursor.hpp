@@ -1,4 +1,4 @@
-// Strict JSON (RFC 8259), pulled token by token from a text in memory.
+// Reads strict JSON (RFC 8259) token by token from a text in memory.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace minksum::io {
 
-/// Numbers stay text until their reader takes them, so that nothing passes through a double.
+/// Walks over a JSON text on request. Numbers stay text until their reader takes them, so that no
+/// number passes through a double.
 class JsonCursor {
  public:
   JsonCursor(std::string_view text, int max_depth) : cursor_(text), max_depth_(max_depth) {}
 
   [[nodiscard]] TextCursor& text() { return cursor_; }
-  /// The first character of the next value or mark, after white space.
+  /// Skips white space and returns the first character of the next value or mark.
   [[nodiscard]] char peek() {
     skip_space();
     return cursor_.peek();
@@ -34,10 +35,10 @@ class JsonCursor {
 
   /// Reads a string; escapes are decoded.
   std::string take_string();
-  /// Checks and passes over any value.
+  /// Passes over a value of any kind, which must be valid JSON.
   void skip_value();
 
-  /// Calls item() for each element; item must take it.
+  /// Calls item() for each element of the array here; item must read that element.
   template <typename Item>
   void array(const char* what, Item item) {
     expect('[', what);
@@ -49,7 +50,8 @@ class JsonCursor {
     } while (accept(','));
     expect(']', "',' or ']'");
   }
-  /// Calls member(name) for each member; member must take its value. The cursor stands there.
+  /// Calls member(name) for each member of the object here. The cursor then stands at the member's
+  /// value, and `member` must read that value.
   template <typename Member>
   void object(const char* what, Member member) {
     expect('{', what);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kQuickDigits = 18;  // 10^18 fits 63 bits
 constexpr auto kDigitLimit = static_cast<std::size_t>(Rational::kMaxDigits);
 
-// The parts of a number in the text: positions of digit runs, and the exponent's value.
+// The parts of a number in the text: its runs of digits, and the value of its exponent.
 struct Parts {
   std::size_t start = 0;
   bool negative = false;
@@ -108,7 +108,7 @@ std::int64_t signed_value(bool negative, std::uint64_t magnitude) {
 
 Number exact_number(const TextCursor& cursor, const Parts& parts, const std::string& text) {
   std::optional<Rational> value = Rational::parse(parts.negative ? '-' + text : text);
-  if (!value) {  // the syntax has been checked: only a value out of reach is left
+  if (!value) {  // the syntax is right, so the value exceeds a limit
     cursor.fail(ErrorCode::kLimitExceeded, "a number beyond the limits", parts.start);
   }
   return {false, {}, *std::move(value)};

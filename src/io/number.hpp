@@ -1,4 +1,4 @@
-// Numbers in texts, read exactly.
+// Reads numbers from texts exactly.
 #pragma once
 
 #include "io/text_cursor.hpp"
@@ -18,12 +18,12 @@ struct Number {
 
 enum class NumberSyntax {
   kLenient,  ///< [+-] digits, also `.5`, `5.`, exponents and `p/q`
-  kJson,     ///< as JSON has it
+  kJson,     ///< the numbers that JSON allows
 };
 
-/// Reads the number here. Limits: Rational::kMaxDigits and kMaxExponent.
+/// Reads the number at the cursor. Its limits are Rational::kMaxDigits and kMaxExponent.
 [[nodiscard]] Number scan_number(TextCursor& cursor, NumberSyntax syntax);
-/// Reads a count: digits alone.
+/// Reads a count, which has digits only; `what` names the count in errors.
 [[nodiscard]] std::size_t scan_count(TextCursor& cursor, const std::string& what);
 
 }  // namespace minksum::io

@@ -1,4 +1,5 @@
-// The `.poly` format of the paper's authors: chains of points, each with an order of visits.
+// Reads and writes the `.poly` format of the paper's authors: chains of points, each followed by
+// the order in which they are visited.
 #include <utility>
 #include <vector>
 
@@ -75,7 +76,7 @@ class PolyReader {
     }
   }
 
-  // The permutation of 1 to count: each point is visited once.
+  // Reads the permutation of 1 to `count` in which the points are visited.
   void order(std::size_t count) {
     seen_.assign(count, false);
     for (std::size_t visit = 0; visit < count; ++visit) {

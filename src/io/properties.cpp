@@ -1,4 +1,4 @@
-// What a GeoJSON Feature says beside its geometry.
+// Finds the properties of a GeoJSON Feature.
 #include <optional>
 #include <string>
 
@@ -14,7 +14,7 @@ class PropertiesReader {
   PropertiesReader(std::string_view text, const ReadLimits& limits)
       : json_(text, limits.max_depth) {}
 
-  // The cursor stands at an object.
+  // Reads the object at which the cursor stands.
   std::optional<std::string> object() {
     std::string type;
     std::string properties = "null";

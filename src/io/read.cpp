@@ -1,4 +1,4 @@
-// Which format a text is in, and how a file becomes a text.
+// Loads files as texts, and finds out which format a text is in.
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -28,7 +28,8 @@ void check_encoding(std::string_view text) {
   }
 }
 
-// A single count and then `COUNT out` or `COUNT in`; `0` alone is a `.poly` without chains.
+// A `.poly` text starts with a count, and then has `COUNT out` or `COUNT in`. A text that is just
+// `0` is a `.poly` without chains.
 bool looks_like_poly(TextCursor cursor) {
   const auto take_count = [&cursor] {
     cursor.skip_space_and_comments();
@@ -64,7 +65,7 @@ std::string read_all(std::FILE* file, const ReadLimits& limits, std::size_t expe
   text.reserve(expected);
   for (;;) {
     const std::size_t before = text.size();
-    // One byte beyond the limit is enough to see that it is exceeded.
+    // Reading stops one byte beyond the limit, which is enough to see that it is exceeded.
     const std::size_t room = limits.max_bytes - before;
     const std::size_t want = room < kChunk ? room + 1 : kChunk;
     text.resize(before + want);

@@ -1,5 +1,5 @@
-// A picture of a geometry: areas as one path, lines, dots; y upwards, fitted into a frame of a
-// thousand units.
+// Writes a picture of a geometry: one path for its areas, strokes for polylines, and dots. The y
+// axis points up, and the picture fits into a frame of a thousand units.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kFrame = 1000;
 constexpr double kMargin = 30;
 
-// Halves of doubles: so that the extent of two huge ones does not overflow.
+// Keeps halves of coordinates, so that the width of a box of huge doubles does not overflow.
 struct HalfBox {
   double min_x = std::numeric_limits<double>::infinity();
   double min_y = min_x;
@@ -44,7 +44,7 @@ struct HalfBox {
   }
 };
 
-// From the geometry's coordinates to the picture's.
+// Maps the coordinates of the geometry to those of the picture.
 struct View {
   double min_x = 0;
   double max_y = 0;
@@ -76,7 +76,7 @@ struct View {
   [[nodiscard]] double y(double value) const { return kMargin + (max_y - value / 2) * scale; }
 };
 
-// A hundredth of a unit is more than a screen shows.
+// A hundredth of a unit is finer than a screen shows.
 double rounded(double value) {
   const double result = std::round(value * 100) / 100;
   return std::isfinite(result) ? result : 0;
@@ -99,7 +99,7 @@ class SvgWriter {
   }
 
  private:
-  // Blue and vermilion of the Okabe-Ito palette: told apart by all common kinds of colour vision.
+  // Blue and vermilion are from the Okabe-Ito palette, which the colour-blind can tell apart.
   void region() {
     writer_.text(R"(<path fill="#0072B2" fill-opacity="0.3" fill-rule="evenodd" stroke="#0072B2" )"
                  R"(stroke-width="1.5" stroke-linejoin="round" d=")");
@@ -135,7 +135,7 @@ class SvgWriter {
     }
   }
 
-  // Moves to the first vertex of a path, draws to the others.
+  // The first vertex of a path takes the command M, and all others take L.
   void step(char& command, double x, double y) {
     writer_.text(command);
     command = 'L';

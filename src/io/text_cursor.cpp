@@ -46,7 +46,7 @@ void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t po
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0
   const std::string_view in_line = before.substr(line_start);
-  // Columns count characters: the later bytes of a UTF-8 sequence add none.
+  // Columns count characters, so the later bytes of a UTF-8 sequence do not count.
   const auto column = std::count_if(in_line.begin(), in_line.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   });

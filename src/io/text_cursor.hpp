@@ -1,4 +1,4 @@
-// A place in a text, and errors that tell it.
+// Keeps a position in a text, and reports errors there.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class TextCursor {
   explicit TextCursor(std::string_view text) : text_(text) {}
 
   [[nodiscard]] bool at_end() const { return position_ == text_.size(); }
-  /// The character here; NUL at the end (a NUL in the text is no character that any format knows).
+  /// Returns the character here, or NUL at the end. No format knows a NUL, so the two do not clash.
   [[nodiscard]] char peek() const { return at_end() ? '\0' : text_[position_]; }
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] std::string_view text() const { return text_; }
@@ -35,16 +35,16 @@ class TextCursor {
   }
   /// Skips white space and `#` comments.
   void skip_space_and_comments();
-  /// Takes `c` if it is here.
+  /// Passes over `c` if it stands here; returns whether it did.
   bool accept(char c) {
     if (at_end() || text_[position_] != c) return false;
     ++position_;
     return true;
   }
-  /// The run of letters here, in upper case; taken.
+  /// Passes over the run of letters here, and returns it in upper case.
   std::string take_word();
 
-  /// What stands here, for a message: a quoted word or character, a byte, or the end of the text.
+  /// Describes for a message what stands here: a quoted word or character, a byte, or the end.
   [[nodiscard]] std::string found() const;
   [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t position,
                          const std::optional<ExceededLimit>& limit = {}) const;
@@ -58,7 +58,7 @@ class TextCursor {
   std::size_t position_ = 0;
 };
 
-/// A limit on nesting, counted by whoever descends.
+/// Counts one level of nesting while it lives, and fails beyond the limit.
 class DepthGuard {
  public:
   DepthGuard(const TextCursor& cursor, int& depth, int limit);

@@ -1,4 +1,4 @@
-// Well-known text: polygons, lines, points, several of each, and collections.
+// Reads and writes well-known text: polygons, lines, points, several of each, and collections.
 #include <array>
 #include <span>
 #include <utility>
@@ -25,7 +25,7 @@ class WktReader {
   }
 
  private:
-  // `SRID=4326;`, as PostGIS writes it: it says nothing about the shape.
+  // PostGIS writes a prefix such as `SRID=4326;`, which says nothing about the shape.
   void skip_srid() {
     cursor_.skip_space();
     const std::size_t start = cursor_.position();
@@ -57,7 +57,7 @@ class WktReader {
     }
   }
 
-  // All of these: whether the word is one that is known, and then what follows it is taken.
+  // `areas` and `thin_parts` return whether they know the word; if so, they read what follows it.
   bool areas(const std::string& word) {
     if (word == "POLYGON") {
       maybe_empty([this] { polygon(); });
@@ -84,7 +84,7 @@ class WktReader {
     return true;
   }
 
-  // Z, M or ZM after the word, or at its end.
+  // Takes Z, M or ZM from the end of the word, or from behind it.
   std::string take_dimension(std::string& word) {
     for (const char* type : {"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "POINT", "MULTIPOINT",
                              "LINESTRING", "MULTILINESTRING"}) {
@@ -126,7 +126,7 @@ class WktReader {
     return false;
   }
 
-  // A run of opening brackets where none belongs: say that it is too deep if it is.
+  // A run of opening brackets in a wrong place is told to be too deep, if it is that.
   void check_depth_here() {
     int depth = depth_;
     for (const char c : cursor_.rest()) {
@@ -136,7 +136,7 @@ class WktReader {
     }
   }
 
-  // '(' item ',' item ... ')'
+  // Reads '(' item ',' item ... ')'.
   template <typename Item>
   void list(Item item) {
     cursor_.skip_space();
@@ -192,7 +192,7 @@ class WktReader {
     if (!cursor_.accept(')')) cursor_.fail_expected("')'");
   }
 
-  // Both `(1 2), (3 4)` and `1 2, 3 4` are in use.
+  // Files have both `(1 2), (3 4)` and `1 2, 3 4`.
   void multipoint_member() {
     cursor_.skip_space();
     if (cursor_.peek() == '(') {
@@ -214,7 +214,7 @@ class WktReader {
     cursor_.skip_space();
     Number y = coordinate();
     const char next = cursor_.peek();
-    if (next != ',' && next != ')') fail_on_third_coordinate(next);  // these follow nearly always
+    if (next != ',' && next != ')') fail_on_third_coordinate(next);  // nearly always one of the two
     return {std::move(x), std::move(y)};
   }
 
@@ -287,7 +287,7 @@ void append_multipoint(Writer& writer, std::span<const Point> points) {
     writer.text("POINT ");
     return append_points(writer, points);
   }
-  // Parentheses around each, as OGC has it.
+  // The OGC's standard puts parentheses around each point.
   writer.text("MULTIPOINT (");
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0) writer.text(", ");

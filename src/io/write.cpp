@@ -1,4 +1,4 @@
-// The writers by format.
+// Calls the writer of the chosen format.
 #include <sstream>
 
 #include "io/formats.hpp"
@@ -30,7 +30,7 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
 template <class Set>
 std::string to_text(const Set& set, Format format, const Coordinates& style) {
   std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
+  out.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
   write(out, set, format, style);
   return std::move(out).str();
 }

@@ -10,7 +10,7 @@ namespace minksum::io {
 
 namespace {
 
-// How often `factor` divides `value`; divided out.
+// Divides `value` by `factor` as often as that leaves an integer; returns how often.
 template <typename Integer>
 int divide_out(Integer& value, int factor);
 
@@ -40,8 +40,8 @@ std::optional<int> finite_decimal_digits_of(Integer denominator) {
   return std::max(twos, fives);
 }
 
-// Digits after the point that write `value` exactly; nothing if no number of digits does, or only
-// more than a reader would take.
+// Returns how many digits after the point write `value` exactly. Returns nothing if no number of
+// digits does, or if a reader would refuse so many.
 std::optional<int> finite_decimal_digits(const Rational& value) {
   const Rational denominator = value.denominator();
   const std::size_t bits = denominator.bits();
@@ -51,7 +51,7 @@ std::optional<int> finite_decimal_digits(const Rational& value) {
   const auto limit = static_cast<std::size_t>(Rational::kMaxDigits);
   const std::optional<int> digits =
       bits <= limit ? finite_decimal_digits_of(denominator) : std::nullopt;
-  // Before the point there are at most as many digits as the numerator has bits, and one.
+  // A numerator of b bits has at most b / 3 + 1 digits, which bounds those before the point.
   if (digits && static_cast<std::size_t>(*digits) + value.numerator().bits() / 3 + 1 > limit) {
     return {};
   }
@@ -90,7 +90,7 @@ void Writer::nearest(double value) {
 }
 
 void Writer::count_work(const Rational& value) {
-  // In digits it takes a division for each, or a few products.
+  // Writing the number in digits takes a division for each digit, or a few products.
   const auto digits = static_cast<std::size_t>(std::max(style_.digits, 0));
   const std::size_t decimals = style_.style == Coordinates::Style::kDecimal ? 4 * digits : 0;
   cancellation_.check(16 * work_of_product(value.bits() + decimals));
@@ -109,7 +109,7 @@ void Writer::coordinate(const Rational& value) {
 }
 
 void Writer::coordinate(const Region& region, std::size_t vertex, bool is_x) {
-  if (style_.style == Coordinates::Style::kDouble) {  // without a Rational
+  if (style_.style == Coordinates::Style::kDouble) {  // needs no Rational
     cancellation_.check(8);
     return nearest(is_x ? region.x(vertex) : region.y(vertex));
   }

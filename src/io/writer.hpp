@@ -1,4 +1,4 @@
-// Buffered output of coordinates in the style asked for.
+// Writes coordinates in the chosen style through a buffer.
 #pragma once
 
 #include <ostream>
@@ -24,14 +24,14 @@ class Writer {
   }
   void text(char c) { buffer_ += c; }
   void count(std::size_t value);
-  /// x, separator, y.
+  /// Writes x, the separator and y.
   void point(const Region& region, std::size_t vertex, char separator);
   void point(const Point& point, char separator);
-  /// For JSON: numbers that are no finite decimals become strings.
+  /// From now on, numbers without a finite decimal become strings, because JSON lacks fractions.
   void quote_quotients() { json_ = true; }
-  /// A double in its shortest form.
+  /// Writes a double in its shortest form.
   void real(double value);
-  /// Hands the buffer on. A writer that is not flushed at its end writes nothing more.
+  /// Hands the buffer to the stream. The destructor does not: text after the last flush is lost.
   void flush();
 
  private:
@@ -50,7 +50,7 @@ class Writer {
   std::string buffer_;
 };
 
-/// `append(item)` for each, with commas between.
+/// Calls `append(item)` for each item, and writes commas between.
 template <class Items, class Append>
 void append_separated(Writer& writer, const Items& items, Append append) {
   bool first = true;
@@ -61,8 +61,8 @@ void append_separated(Writer& writer, const Items& items, Append append) {
   }
 }
 
-/// What a geometry has of regions, polylines and points, each kind by its own function; between
-/// `open` and `close` if it is of several kinds. Of none, an empty region.
+/// Writes the region, polylines and points of a geometry, each kind by its own function. Several
+/// kinds stand between `open` and `close`. An empty geometry is written as an empty region.
 template <class AppendRegion, class AppendPolylines, class AppendPoints>
 void append_kinds(Writer& writer, const GeometryView& geometry, std::string_view open,
                   std::string_view close, AppendRegion append_region,
