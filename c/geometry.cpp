@@ -1,4 +1,4 @@
-// Geometries of the C interface: made from arrays, read into arrays, read and written as text.
+// Implements geometries of the C interface: from arrays, into arrays, from text and to text.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -50,7 +50,7 @@ minksum_status tell_exception(minksum_error* error) {
     constexpr minksum_status kStatus[] = {MINKSUM_BAD_INPUT, MINKSUM_LIMIT_EXCEEDED,
                                           MINKSUM_CANCELLED, MINKSUM_INTERNAL};
     return tell(error, kStatus[static_cast<int>(cause.code())], cause.what(), &cause);
-  } catch (const std::length_error&) {  // more elements than a list can have
+  } catch (const std::length_error&) {  // asked for more elements than a list can have
     return tell_out_of_memory(error);
   } catch (const std::bad_alloc&) {
     return tell_out_of_memory(error);
@@ -228,7 +228,7 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
     const auto index = as<std::size_t>(format, MINKSUM_SVG);
     const auto kind = as<io::Coordinates::Style>(style, MINKSUM_DECIMALS);
     std::ostringstream out;
-    out.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
+    out.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
     io::write(out, value_of(geometry), kFormats[index], io::Coordinates{kind, digits, {}});
     const std::string written = std::move(out).str();
     result = static_cast<char*>(std::malloc(written.size() + 1));

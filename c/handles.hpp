@@ -1,4 +1,4 @@
-// What the handles of the C interface hold, and how exceptions become errors.
+// Defines the handles of the C interface, and turns exceptions into errors.
 #pragma once
 
 #include <algorithm>
@@ -31,20 +31,20 @@ struct minksum_space {
 
 namespace minksum::c {
 
-/// An argument that is not what it must be.
+/// Throws the error of a bad argument.
 [[noreturn]] inline void refuse(const char* what) { throw Error(ErrorCode::kBadInput, what); }
 
 inline void require(bool good, const char* what) {
   if (!good) refuse(what);
 }
 
-/// Fills `error`, which may be null, and returns its status.
+/// Fills `error`, which may be null, and returns `status`.
 minksum_status tell(minksum_error* error, minksum_status status, const std::string& message,
                     const Error* cause = nullptr);
-/// The same for the exception that is being handled.
+/// Does the same for the exception being handled, and returns its status.
 minksum_status tell_exception(minksum_error* error);
 
-/// Runs `work`, from which no exception gets out.
+/// Runs `work`, and turns any exception into an error. Returns the status.
 template <class Work>
 minksum_status guarded(minksum_error* error, const Work& work) noexcept {
   try {
@@ -54,7 +54,7 @@ minksum_status guarded(minksum_error* error, const Work& work) noexcept {
     return tell_exception(error);
   }
 }
-/// The same for a function that makes a handle.
+/// Does the same for a function that makes a handle.
 template <class Handle, class Make>
 minksum_status made(Handle** result, minksum_error* error, const Make& make) noexcept {
   if (result == nullptr) return tell(error, MINKSUM_BAD_INPUT, "the result has nowhere to go");
@@ -62,7 +62,7 @@ minksum_status made(Handle** result, minksum_error* error, const Make& make) noe
   return guarded(error, [&] { *result = new Handle{make()}; });
 }
 
-/// A result that a failure leaves at 0. Throws for NULL.
+/// Returns the place for a result after setting it to 0, which a failure leaves. Throws for NULL.
 template <class Result>
 Result& result_at(Result* result) {
   if (result == nullptr) refuse("the result has nowhere to go");
@@ -75,7 +75,7 @@ const auto& value_of(const Handle* handle) {
   return handle->value;
 }
 
-/// An enumerator of C as that of C++ at the same position.
+/// Converts an enumerator of C to that of C++ at the same position.
 template <class To, class From>
 To as(From value, From last) {
   require(static_cast<int>(value) >= 0 && value <= last, "an enumerator that does not exist");
@@ -83,7 +83,7 @@ To as(From value, From last) {
 }
 inline RoundingSide as_side(minksum_side side) { return as<RoundingSide>(side, MINKSUM_INSIDE); }
 
-/// Options by the names that those of most operations share.
+/// Converts options. Most option structs share the names of their members, which this relies on.
 template <class Options>
 Options options_of(const minksum_options* given) {
   Options options;
@@ -102,7 +102,7 @@ Options options_of(const minksum_options* given) {
   }
   return options;
 }
-/// The cancel token alone.
+/// Converts the cancel token alone.
 inline std::optional<CancelToken> cancel_of(const minksum_options* given) {
   return options_of<ResolveOptions>(given).cancel;
 }

@@ -1,4 +1,4 @@
-// Operations of the C interface: sums and what is made of them, and questions about sets.
+// Implements operations of the C interface: sums, uses of sums, and questions about sets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using Handle = minksum_geometry;
 
-/// A function of two sets, by its options.
+/// Runs an operation of two sets with its options.
 template <class Options, class Operation>
 minksum_status binary(const Handle* a, const Handle* b, const minksum_options* options,
                       Handle** result, minksum_error* error, Operation operation) {
@@ -21,7 +21,7 @@ minksum_status binary(const Handle* a, const Handle* b, const minksum_options* o
   });
 }
 
-/// A boolean operation of areas, each read by the fill rule.
+/// Runs a boolean operation of areas, each of which is read by the fill rule.
 template <class Operation>
 minksum_status of_areas(const Handle* a, const Handle* b, const minksum_options* options,
                         Handle** result, minksum_error* error, Operation operation) {
@@ -237,7 +237,7 @@ minksum_status minksum_check_sum(const Handle* result, const Handle* a, const Ha
   return guarded(error, [&] {
     minksum_sum_check& answer = result_at(check);
     CheckOptions checking;
-    const Limits limits = checking.limits;  // of the proof; the caller's are those of sums
+    const Limits limits = checking.limits;  // limits of the proof; the caller's are for sums
     checking = options_of<CheckOptions>(options);
     checking.limits = limits;
     checking.within = within;

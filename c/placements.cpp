@@ -1,4 +1,4 @@
-// The C interface for parts to be placed, and for robots.
+// Implements the C interface for placing parts and for robots.
 #include <cstdlib>
 #include <span>
 #include <vector>

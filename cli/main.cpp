@@ -1,4 +1,4 @@
-// The program: arguments in, exit code out. Each subcommand has a file of its own.
+// Runs the program: parses the arguments, calls the chosen subcommand, returns its exit code.
 #include <ostream>
 #include <string>
 #include <vector>

@@ -12,7 +12,7 @@
 namespace minksum::cli {
 namespace {
 
-// What a line asks for; values are JSON as it stands there.
+// Holds what a line asks for; values are JSON as it stands in the line.
 struct Job {
   std::string_view id;  ///< empty = none
   std::string operation;
@@ -23,7 +23,7 @@ struct Job {
 
 Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
 
-// The code of an error; docs/batch.md has the table.
+// Returns the code that results of failed jobs have; docs/batch.md has the table.
 const char* name_of(ExitCode code) {
   switch (code) {
     case kWrongUsage:
@@ -73,7 +73,7 @@ Job parse_job(std::string_view text, std::string_view& id) {
   return job;
 }
 
-// A value as it would be typed: [1, 2] as 1,2.
+// Returns a value as it would be typed after the program's name: [1, 2] as 1,2.
 std::string typed_value(const std::string& name, std::string_view value) {
   if (auto text = json_string(value)) return "--" + name + "=" + *text;
   if (const auto elements = json_elements(value)) {
@@ -87,7 +87,8 @@ std::string typed_value(const std::string& name, std::string_view value) {
   return "--" + name + "=" + std::string(value);
 }
 
-// Whether it is a list of placements, not one: [x, y], where numbers may be strings, is one.
+// Returns whether the value is a list of placements. One placement is [x, y], whose numbers may be
+// strings.
 bool is_list(std::string_view value) {
   const auto elements = json_elements(value);
   if (!elements) return false;
@@ -124,7 +125,7 @@ std::vector<OptionText> parse_options(std::string_view text) {
   return options;
 }
 
-// An operand, and what messages call it.
+// An operand with its name in messages.
 struct NamedOperand {
   Geometry geometry;
   std::string name;
@@ -143,7 +144,7 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
   if (const auto path = json_string(value)) {
     if (path->empty() || *path == "-") throw usage(std::string("'") + name + "' names no file");
     const std::string file = (std::filesystem::path(folder) / *path).string();
-    // Reading those may never end, and the time limit does not reach it.
+    // Reading a special file may never end, and the time limit cannot stop it.
     if (is_special(file)) {
       throw Failure(kBadInput, *path + ": is no file; jobs read no pipes, devices, and folders");
     }
@@ -168,7 +169,7 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
 }
 
 const ReadyOperation& ready(const Job& job, const BatchArguments& arguments, Worker& worker) {
-  constexpr std::size_t kMost = 64;  // of different ones that a thread remembers
+  constexpr std::size_t kMost = 64;  // different operations that a thread remembers
   const std::string key = job.operation + ' ' + std::string(job.options);
   if (const auto found = worker.ready.find(key); found != worker.ready.end()) {
     return *found->second;

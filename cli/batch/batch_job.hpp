@@ -1,4 +1,4 @@
-// One line of a file of jobs: what it asks for, done.
+// Runs one line of a file of jobs.
 #pragma once
 
 #include <cstdint>
@@ -13,50 +13,51 @@ namespace minksum::cli {
 
 /// A line of a file of jobs.
 struct JobLine {
-  std::uint64_t number = 0;   ///< of the line, from 1
-  std::string text;           ///< without its end
-  std::uint64_t dropped = 0;  ///< bytes beyond the limit, which are not in `text`
+  std::uint64_t number = 0;   ///< number of the line, from 1
+  std::string text;           ///< the line without its end
+  std::uint64_t dropped = 0;  ///< bytes beyond the limit, missing in `text`
 };
 
-/// 64 bits in hexadecimal that tell texts from each other (FNV-1a): not against an adversary.
+/// Computes 64 bits, shown in hexadecimal, that tell texts from each other (FNV-1a). They do not
+/// withstand an adversary.
 class Digest {
  public:
-  Digest& add(std::string_view text);  ///< with its length
+  Digest& add(std::string_view text);  ///< adds the text and its length
   [[nodiscard]] std::string text() const;
 
  private:
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-/// The settings that results depend on, for digests.
+/// Returns the digest of the settings that results depend on.
 [[nodiscard]] Digest digest_of_settings(const BatchArguments& arguments);
 
-/// How the line of a result begins: `{"job":7,"digest":"..."`.
+/// Returns how the line of a result begins: `{"job":7,"digest":"..."`.
 [[nodiscard]] std::string result_head(std::uint64_t job, const std::string& digest);
-/// Whether the line that an earlier run has written is whole and begins so; if it is, `failed` says
-/// whether the job has failed.
+/// Returns whether a line of an earlier run is whole and begins with `head`. If so, `failed` tells
+/// whether the job failed.
 [[nodiscard]] bool is_result(std::string_view line, const std::string& head, bool& failed);
 
-/// Whether the text begins as the result of any job does, or ends before that can be told. A whole
-/// line has its end, '\n'.
+/// Returns whether the text begins like the result of some job, or ends before that can be told.
+/// The text of a whole line includes its '\n'.
 [[nodiscard]] bool is_any_result(std::string_view line);
-/// Whether it begins as the result with this head does.
+/// Returns whether the text may be the beginning of the result with this head.
 [[nodiscard]] bool may_begin(std::string_view line, const std::string& head);
 
-/// `"error":{"code":...,"message":...}` for the exception being handled.
+/// Returns `"error":{"code":...,"message":...}` for the exception being handled.
 [[nodiscard]] std::string error_json(double seconds);
 
-/// Does jobs; one for all threads.
+/// Runs jobs; all threads share one.
 class JobRunner {
  public:
   explicit JobRunner(const BatchArguments& arguments);
   [[nodiscard]] std::string head(const JobLine& line) const;
-  /// The line of its result. Whatever goes wrong is told there.
+  /// Returns the line of the job's result. If the job fails, the line has the error.
   [[nodiscard]] Done run(const JobLine& line, Worker& worker);
 
  private:
   const BatchArguments& arguments_;
-  std::string folder_;  ///< paths are relative to it
+  std::string folder_;  ///< the folder to which paths in jobs are relative
   Digest settings_;
   Watchdog watchdog_;
 };

@@ -1,4 +1,4 @@
-// What batches of jobs and of pairs share: going on, running, counting, ending.
+// Does what batches of jobs and batches of pairs share: resuming, running, counting and ending.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +18,19 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchArguments& arguments);
 
-  /// The jobs, as far as an earlier run has done them.
+  /// The jobs as a sequence, for comparison with what an earlier run did.
   struct Jobs {
-    /// How the next job's result begins; nothing if there are no more jobs.
+    /// Returns how the next job's result begins, or nothing after the last job.
     std::function<std::optional<std::string>()> head;
-    std::function<void()> pass;  ///< the next job is done
+    std::function<void()> pass;  ///< passes over the next job, which is done
   };
-  /// Takes what an earlier run has written, or forgets it if that is asked for. Throws a Failure,
-  /// and leaves everything as it was, if a line is not its job's result, or, to be forgotten, no
-  /// result at all.
+  /// Takes over what an earlier run has written; with --restart, discards it. Throws a Failure, and
+  /// changes nothing, if a line is not the result of its job. With --restart, any result passes.
   void go_on(const Jobs& jobs);
-  /// Does the work, whose `consume` is this function's own; `share` tells how much is done, if that
-  /// is known.
+  /// Does the work, but sets its `consume` itself. `share` returns which share of the work is done,
+  /// if that is known.
   void run(Work work, const std::function<std::optional<double>()>& share);
-  /// Ends the output, writes statistics, of which some are given, and returns the exit code.
+  /// Ends the output, writes statistics with `more` among them, and returns the exit code.
   [[nodiscard]] int finish(const Json& more, OutputFiles& files);
 
   [[nodiscard]] std::uint64_t jobs() const { return jobs_; }
@@ -42,9 +41,9 @@ class BatchRun {
   [[noreturn]] void refuse(std::uint64_t line, std::string_view text) const;
 
   const BatchArguments& arguments_;
-  std::optional<LineOutput> output_;  ///< none = nothing is written
+  std::optional<LineOutput> output_;  ///< none = results are not written
   std::uint64_t jobs_ = 0;
-  std::uint64_t earlier_ = 0;  ///< of these, done by an earlier run
+  std::uint64_t earlier_ = 0;  ///< jobs that an earlier run has done
   std::uint64_t failed_ = 0;
   double seconds_ = 0;
 };

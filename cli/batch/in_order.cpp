@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kTasksPerThread = 64;
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-// A task on its way; its address stays.
+// A task under way. Its address is stable, because a thread works on it.
 struct Slot {
   Task task;
   Done result;
@@ -63,7 +63,7 @@ class Pool {
     const std::lock_guard lock(mutex_);
     return slots_.front()->done;
   }
-  // The result of the oldest task.
+  // Waits for the oldest task, and returns its result.
   Done take() {
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return slots_.front()->done; });
@@ -76,9 +76,9 @@ class Pool {
   }
 
  private:
-  // Fewer threads do the same, if there is no memory, or the system gives no more.
+  // If memory or threads run out, fewer threads do the work.
   void start(int threads) {
-    // Signals end the process by the thread that they would have ended without this pool.
+    // Only the main thread takes signals, as it would without this pool.
     const SignalsBlocked blocked;
     try {
       for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
@@ -87,7 +87,7 @@ class Pool {
     }
   }
   void work() {
-    std::optional<Worker> worker;  // made where its failure is one of a task
+    std::optional<Worker> worker;  // made in a task, which then reports a failure
     std::unique_lock lock(mutex_);
     for (;;) {
       wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
@@ -101,7 +101,7 @@ class Pool {
       } catch (...) {
         slot.failure = std::current_exception();
       }
-      slot.task.run = nullptr;  // and what it holds
+      slot.task.run = nullptr;  // frees what the task holds
       lock.lock();
       slot.done = true;
       if (&slot == slots_.front().get()) done_.notify_one();
@@ -111,8 +111,8 @@ class Pool {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::condition_variable done_;
-  std::deque<std::unique_ptr<Slot>> slots_;  // taken and not consumed; changed by one thread only
-  std::deque<Slot*> waiting_;                // of these, those that nobody works on
+  std::deque<std::unique_ptr<Slot>> slots_;  // not yet consumed; only one thread changes this
+  std::deque<Slot*> waiting_;                // slots whose work has not begun
   bool ending_ = false;
   std::size_t bytes_ = 0;
   std::vector<std::thread> threads_;

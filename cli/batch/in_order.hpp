@@ -1,4 +1,4 @@
-// Work for all cores whose results come in order, with bounded memory.
+// Runs tasks on many threads, with results in the order of the tasks and bounded memory.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@ namespace minksum::cli {
 
 struct ReadyOperation;
 
-/// What a thread keeps from task to task.
+/// Keeps what one thread reuses from task to task.
 struct Worker {
   Workspace workspace;
   Region sum;
   Geometry geometry;
-  /// Operations with their options, by the text that asks for them.
+  /// Operations with their options, by the text of a job that asks for them.
   std::map<std::string, std::shared_ptr<const ReadyOperation>> ready;
 };
 
-/// What came out of a task: lines, and of how many jobs.
+/// The result of a task: its lines, and how many jobs they are of.
 struct Done {
   std::string lines;
   std::uint64_t jobs = 0;
@@ -33,25 +33,24 @@ struct Done {
 
 struct Task {
   std::function<Done(Worker&)> run;
-  std::size_t bytes = 0;  ///< about how much memory it holds
+  std::size_t bytes = 0;  ///< roughly the memory that the task holds
 };
 
-/// What there is to do, and what becomes of it; called by one thread.
+/// Supplies tasks and takes their results. One thread calls all of these functions.
 struct Work {
-  /// The next task; nothing at the end. May wait, for input.
+  /// Returns the next task, or nothing at the end. May wait for input.
   std::function<std::optional<Task>()> next;
-  /// Whether `next` would not wait. If it would, what is done goes out first, so that a program
-  /// that asks for one thing after the other through a pipe has its answer.
+  /// Returns whether `next` can return without waiting. If it cannot, finished results are written
+  /// first: a program at the other end of a pipe may wait for one before it asks for more.
   std::function<bool()> is_at_hand = [] { return true; };
-  /// Takes what came out of tasks, in their order.
+  /// Takes the results of tasks, in the order of the tasks.
   std::function<void(const Done&)> consume;
 };
 
 /// Runs all tasks on `threads` threads.
 ///
-/// At a time there are at most 64 tasks a thread, or fewer if they are large, that were taken and
-/// not yet consumed: that bounds the memory. What a task or a function throws ends all, and is
-/// thrown.
+/// At most 64 tasks a thread, or fewer if they are large, are taken and not yet consumed at a time,
+/// which bounds the memory. An exception of a task or function ends the run and is rethrown.
 void run_in_order(int threads, const Work& work);
 
 }  // namespace minksum::cli

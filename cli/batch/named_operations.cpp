@@ -13,14 +13,14 @@
 namespace minksum::cli {
 namespace {
 
-/// What is done with operands, and by which rule these are read.
+/// An operation as its maker returns it, with the rule by which it reads operands.
 struct Made {
   FillRule fill;
   decltype(ReadyOperation::run) run;
 };
 using Cancel = std::optional<CancelToken>;
 
-// A subcommand of its own, which reads one list of options.
+// Parses one list of options with the subcommand that has them.
 class Parser {
  public:
   Parser(const char* name, int operands, const std::vector<OptionText>& options) : name_(name) {
@@ -32,7 +32,7 @@ class Parser {
   }
   [[nodiscard]] const char* name() const { return name_; }
   CommandLine& line() { return line_; }
-  // After a subcommand was added to the line.
+  // Parses the options. The subcommand must have been added to the line.
   void parse() { static_cast<void>(line_.parse(words_)); }
 
  private:
@@ -58,7 +58,7 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
   SumText typed;
   bool tight = false;
   const Command command = add_sum(parser.line(), arguments, typed, limits);
-  command.remove_option("--tight");  // which names a file
+  command.remove_option("--tight");  // in the subcommand it takes the name of a file
   command.add_flag("--tight", tight);
   parser.parse();
   convert(arguments, typed);
@@ -160,8 +160,7 @@ Made make_offset(Parser& parser, ProcessLimits& limits) {
   return {arguments.options.fill, run};
 }
 
-// An operation is a line here: its name, its maker, what it takes beside limits, and of how many
-// operands.
+// One operation: its name, its maker, its options beside limits, and its number of operands.
 struct Entry {
   const char* name;
   Made (*make)(Parser& parser, ProcessLimits& limits);
@@ -194,7 +193,7 @@ const std::vector<Entry>& operations() {
   return kOperations;
 }
 
-// Those that are there or not; all others have a value.
+// These options take true or false; all others have a value.
 constexpr const char* kFlags[] = {"regularize", "strict", "tight"};
 
 constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
@@ -213,7 +212,7 @@ bool has_own_option(const Entry& entry, const std::string& name) {
   return std::ranges::find(entry.options, name) != entry.options.end();
 }
 
-// Options of a job are checked against the list: the subcommand would take names of files, too.
+// Only listed options pass, because the subcommand would also take options that name files.
 void require_known(const Entry& entry, const std::vector<OptionText>& typed) {
   for (const OptionText& option : typed) {
     const bool is_limit = std::ranges::find(kLimitOptions, option.name) != std::end(kLimitOptions);
@@ -247,7 +246,7 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<Option
   std::vector<OptionText> all = typed;
   for (const OptionText& option : defaults) {
     const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
-    if (at && holds(typed, "at")) continue;  // its answers are no geometry
+    if (at && holds(typed, "at")) continue;  // the answers of --at are not a geometry
     if (option.name == "fill" && asks_for(typed, "strict")) continue;
     if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
   }
@@ -266,7 +265,7 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<Option
 std::string geometry_json(const Geometry& geometry, io::Format format,
                           const io::Coordinates& coordinates) {
   std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // else a stream out of memory is just a shorter text
+  text.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
   const bool wkt = format == io::Format::kWkt;
   if (wkt) text << R"({"wkt":")";
   io::write(text, geometry, format, coordinates);

@@ -1,4 +1,4 @@
-// Operations by name, with options by name: what `minksum batch` runs.
+// Makes the operations that `minksum batch` runs, from their names and those of their options.
 #pragma once
 
 #include <functional>
@@ -16,34 +16,35 @@
 
 namespace minksum::cli {
 
-/// An option and how it is typed: "coords", {"--coords=exact"}; "tight", {"--tight"}.
+/// An option with the words that one would type: "coords", {"--coords=exact"}, or "tight",
+/// {"--tight"}.
 struct OptionText {
   std::string name;
   std::vector<std::string> words;
-  bool is_off = false;  ///< "tight": false; there are no words
+  bool is_off = false;  ///< set for `"tight": false`, which has no words
 };
 
-/// An operation with its options, for any operands and any thread.
+/// An operation with its options, ready for any operands and any thread.
 struct ReadyOperation {
-  int operands = 2;  ///< of one, `run` does not look at b
-  /// The members of a result, as JSON: `"result":...`. Throws Error.
+  int operands = 2;  ///< if 1, `run` ignores b
+  /// Returns the members of a result as JSON: `"result":...`. Throws Error.
   std::function<std::string(const Geometry& a, const Geometry& b,
                             const std::optional<CancelToken>& cancel, Worker& worker)>
       run;
-  FillRule fill = FillRule::kAutomatic;  ///< how it reads operands
+  FillRule fill = FillRule::kAutomatic;  ///< the rule by which operands are read
   io::ReadLimits limits;
   double seconds = 0;  ///< 0 = no limit
 };
 
-/// The operation by this name. Options are those of the subcommand of that name, but for those that
-/// name files. `defaults` are options for operations that know them, unless `typed` says else.
-/// Throws a Failure for wrong usage.
+/// Returns the operation of this name. It takes the options of the subcommand of that name, except
+/// those that name files. Options of `defaults` apply where the operation has them and `typed` does
+/// not set them. Throws a Failure for wrong usage.
 [[nodiscard]] ReadyOperation ready_operation(const std::string& name,
                                              const std::vector<OptionText>& typed,
                                              const std::vector<OptionText>& defaults,
                                              const ProcessLimits& limits);
 
-/// The geometry, rounded already, as JSON: {"wkt":"..."}, or as GeoJSON.
+/// Returns a geometry as JSON: {"wkt":"..."}, or GeoJSON. The geometry must be rounded already.
 [[nodiscard]] std::string geometry_json(const Geometry& geometry, io::Format format,
                                         const io::Coordinates& coordinates);
 

@@ -1,4 +1,4 @@
-// minksum batch: many operations, on all cores, in order.
+// minksum batch: runs many operations on all cores, with results in order.
 #include "commands/batch.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@
 namespace minksum::cli {
 namespace {
 
-// The lines of a file of jobs, but for empty ones; read as they are needed.
+// Reads the lines of a file of jobs as they are needed, and passes over empty ones.
 class JobLines {
  public:
   JobLines(const std::string& file, std::size_t max_bytes)
@@ -50,18 +50,18 @@ class JobLines {
       if (line->text.find_first_not_of(" \t") != std::string::npos) return line;
     }
   }
-  // The next line, which stays that; nullptr if there is none.
+  // Returns the next line without taking it; nullptr if there is none.
   const JobLine* peek() {
     if (!ahead_) ahead_ = next();
     return ahead_ ? &*ahead_ : nullptr;
   }
-  // Whether the next line, or the end, can be read without waiting for whoever writes it.
+  // Returns whether the next line, or the end, can be read without waiting for its writer.
   [[nodiscard]] bool are_at_hand() const {
     if (ahead_ || buffer_.find('\n', at_) != std::string::npos) return true;
     pollfd poll{descriptor_, POLLIN, 0};
     return ::poll(&poll, 1, 0) != 0;
   }
-  // Of the file, by its size; nothing for a pipe.
+  // Returns the share of the file's bytes that has been read; nothing for a pipe.
   [[nodiscard]] std::optional<double> share() const {
     if (size_ == 0) return {};
     return static_cast<double>(read_) / static_cast<double>(size_);

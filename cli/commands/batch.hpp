@@ -1,4 +1,4 @@
-// The options of `minksum batch`.
+// Declares `minksum batch` and its options.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace minksum::cli {
 struct BatchArguments : ResultArguments {
   std::string jobs;               ///< "-" = standard input
   std::string pairs;              ///< a folder, instead of jobs
-  std::string operation = "nfp";  ///< of pairs
+  std::string operation = "nfp";  ///< what --pairs computes
   int rotations = 1;
   bool tight = false;  ///< pairs: with tight places
   int threads = 0;     ///< 0 = as many as the machine has
@@ -24,28 +24,29 @@ struct BatchArguments : ResultArguments {
   bool no_output = false;  ///< pairs: compute only
   std::string stats;       ///< empty = none
   FillRule fill = FillRule::kAutomatic;
-  std::vector<OptionText> defaults;   ///< for jobs
-  ProcessLimits limits;               ///< seconds are those of a job
+  std::vector<OptionText> defaults;   ///< options of jobs that do not set them
+  ProcessLimits limits;               ///< the limit on seconds is one for each job
 };
 
-/// These options as they are typed.
+/// Options as they are typed; `convert` turns them into BatchArguments.
 struct BatchText : ResultText {
   double seconds = 0;
 };
 
-/// Adds the subcommand; parsing fills the other three. The limit on time is not the process's.
+/// Adds the subcommand; parsing fills the other three arguments. The time limit is one for each
+/// job, not for the process.
 Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed,
                   ProcessLimits& limits);
 
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(BatchArguments& arguments, const BatchText& typed);
 
-/// Takes note of the outputs, of which none may be another, nor JOBS. Throws a Failure.
+/// Registers the output files. Throws a Failure if two of them, or one and JOBS, are the same file.
 void expect_files(const BatchArguments& arguments, OutputFiles& files);
 
-/// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
+/// Runs `minksum batch`. Returns an exit code, or throws what `report_failure` (failure.hpp) names.
 int run_batch(const BatchArguments& arguments);
-/// The same for pairs.
+/// Runs `minksum batch --pairs` in the same way.
 int run_pairs(const BatchArguments& arguments);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// minksum batch --pairs: all ordered pairs of parts, at all multiples of an angle.
+// minksum batch --pairs: takes all ordered pairs of parts at all multiples of an angle.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -20,15 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Tasks of fewer pairs would be dominated by handing them over.
+// Smaller tasks would take longer to hand over than to compute.
 constexpr std::size_t kPairsPerTask = 64;
 
-// A part, prepared once for all of its pairs.
+// A part that is prepared once for all of its pairs.
 struct Part {
   std::string name;
   PreparedRegion fixed;
-  /// For each rotation what is added to a fixed part: for no-fit polygons the part turned round its
-  /// reference point, so that sums need not be moved.
+  /// What is added to a fixed part, for each rotation. For no-fit polygons this is the turned part
+  /// times −1, moved so that a sum already lies at the reference point.
   std::vector<PreparedRegion> moving;
 };
 
@@ -59,7 +59,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return files;
 }
 
-// The second operand of a pair, turned.
+// Returns the second operand of a pair, turned and for no-fit polygons reflected.
 Region moving_region(const BatchArguments& arguments, const Geometry& given, const Region& resolved,
                      const Turn& turn) {
   Region turned = transform(resolved, turn.map);
@@ -108,7 +108,7 @@ Parts load(const BatchArguments& arguments) {
 }
 
 std::string degrees(int k, int rotations) {
-  // In lowest terms of whole degrees where there are such; else as a double.
+  // Whole degrees are written as an integer, others as a double.
   if (360 * k % rotations == 0) return std::to_string(360 * k / rotations);
   return Json(360.0 * k / rotations).dump();
 }
@@ -130,7 +130,8 @@ class PairRunner {
   [[nodiscard]] std::string head(std::uint64_t pair) const {
     return result_head(pair + 1, digest_);
   }
-  // Pairs are numbered by the fixed part, then the moving one, then the turn.
+  // Runs the pairs from `first` to before `last`. Pairs are numbered by the fixed part first, then
+  // by the moving one, then by the turn.
   Done run(std::uint64_t first, std::uint64_t last, Worker& worker) {
     Done done;
     for (std::uint64_t pair = first; pair < last; ++pair) run(pair, worker, done);
@@ -169,7 +170,7 @@ class PairRunner {
     text += "}\n";
   }
 
-  // The sum goes to the worker's; tight places, if they are wanted, to `places`.
+  // Puts the sum into `worker.sum`, and tight places, if they are wanted, into `places`.
   void sum(std::uint64_t fixed, std::uint64_t moving, std::uint64_t turn,
            const std::optional<CancelToken>& cancel, Worker& worker, Geometry& places) {
     Options options;
@@ -197,7 +198,7 @@ class PairRunner {
   const Parts& parts_;
   std::string digest_;
   NoFitArguments nesting_;
-  std::vector<std::string> names_;  // as JSON
+  std::vector<std::string> names_;  // as JSON strings
   std::vector<std::string> turns_;
   Watchdog watchdog_;
 };

@@ -1,4 +1,4 @@
-// minksum check: is a file the sum of two others?
+// minksum check: tells whether a file is the sum of two others.
 #include "minksum/check.hpp"
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The subcommands, and what their arguments say.
+// Declares the subcommands and their arguments.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace minksum::cli {
 
-/// What the program returns to its caller; `docs/cli.md` and `--help` say the same.
+/// Exit codes of the program; `docs/cli.md` and `--help` list the same.
 enum ExitCode : int {
   kFine = 0,
   kWrongUsage = 1,
@@ -27,19 +27,19 @@ enum ExitCode : int {
   kWrongResult = 5,    ///< `minksum check` found an error
 };
 
-/// Where and how a result is written.
+/// Says where and how a result is written.
 struct ResultArguments {
   std::string output;  ///< empty = standard output
   io::Format format = io::Format::kWkt;
   io::Coordinates coordinates;
-  RoundingSide rounding = RoundingSide::kNearest;  ///< but for exact coordinates
-  std::optional<CancelToken> cancel;               ///< stops rounding, and writing of a job
+  RoundingSide rounding = RoundingSide::kNearest;  ///< unused for exact coordinates
+  std::optional<CancelToken> cancel;               ///< stops rounding and, in jobs, writing
 };
 
 /// `minksum sum P Q ...`
 struct SumArguments : ResultArguments {
   std::string operands[2];       ///< file names; "-" = standard input
-  bool keep_properties = false;  ///< write a Feature with those of P
+  bool keep_properties = false;  ///< write a Feature with P's properties
   std::string tight;             ///< empty = none
   io::Format tight_format = io::Format::kWkt;
   std::string stats;    ///< empty = none
@@ -68,7 +68,7 @@ struct CheckArguments {
   CheckOptions options;
 };
 
-/// `minksum dilate A B ...`, and erode, open, close
+/// `minksum dilate A B ...`, and also erode, open and close
 struct MorphologyArguments : ResultArguments {
   enum class Operation { kDilate, kErode, kOpen, kClose };
   Operation operation = Operation::kDilate;
@@ -82,7 +82,7 @@ struct MorphologyArguments : ResultArguments {
 struct NoFitArguments : ResultArguments {
   bool inner_fit = false;
   std::string operands[2];
-  std::vector<Point> placements;  ///< to be told about, if there are any, instead of the polygon
+  std::vector<Point> placements;  ///< asks for contacts there, not for the polygon
   std::string picture;            ///< empty = none
   io::ReadLimits limits;
   NoFitOptions options;
@@ -91,14 +91,15 @@ struct NoFitArguments : ResultArguments {
 /// `minksum depth A B ...`
 struct DepthArguments {
   std::string operands[2];
-  std::optional<Point> along;  ///< for the time of impact
+  std::optional<Point> along;  ///< direction for the time of impact
   bool json = false;
   std::string picture;  ///< empty = none
   io::ReadLimits limits;
   DepthOptions options;
 };
 
-/// All return an exit code, and throw what `report_failure` (failure.hpp) can name.
+/// Each function runs a subcommand. It returns an exit code, or throws what `report_failure`
+/// (failure.hpp) can name.
 int run_sum(const SumArguments& arguments);
 int run_info(const InfoArguments& arguments);
 int run_check(const CheckArguments& arguments);

@@ -19,7 +19,7 @@
 namespace minksum::cli {
 namespace {
 
-/// What is made of one slice by the thread that computed it.
+/// The texts that the thread of a slice makes from it.
 struct Written {
   std::string feature;
   std::string picture;
@@ -53,7 +53,7 @@ std::string feature(const Slice& slice, const CspaceArguments& arguments) {
   return std::move(out).str();
 }
 
-/// slice-000.svg and so on: names sort as the slices do.
+/// Returns slice-000.svg and so on, with so many digits that names sort as the slices do.
 std::string slice_file(const CspaceArguments& arguments, std::size_t index) {
   const std::string number = std::to_string(index);
   constexpr std::size_t kFewestDigits = 3;
@@ -185,7 +185,7 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& ty
   command.add_flag("--tight", arguments.options.tight,
                    "With --free: where the robot has no play as well, as points and polylines");
   add_result_options(command, arguments.result, typed.result, "slices");
-  command.remove_option("--format");  // it is GeoJSON always
+  command.remove_option("--format");  // the output is always GeoJSON
   command.add_option("--svg", arguments.picture, "Draw some of the slices").type_name("FILE");
   command.add_option("--slices", arguments.slices, "Draw each slice into a file in this folder")
       .type_name("DIR");

@@ -1,4 +1,5 @@
-// minksum cspace: configuration-space obstacles and free space of a robot that moves and turns.
+// Declares `minksum cspace`, which computes the configuration-space obstacles and the free space
+// of a robot that moves and turns.
 #pragma once
 
 #include "options/result_options.hpp"
@@ -26,7 +27,7 @@ struct CspaceText : RobotText {
 
 Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& typed,
                    ProcessLimits& limits);
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(CspaceArguments& arguments, const CspaceText& typed);
 int run_cspace(const CspaceArguments& arguments);
 

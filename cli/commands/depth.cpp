@@ -1,4 +1,4 @@
-// minksum depth: how two shapes stand to each other.
+// minksum depth: tells how two shapes stand to each other.
 #include <memory>
 #include <ostream>
 

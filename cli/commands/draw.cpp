@@ -1,4 +1,4 @@
-// minksum draw: geometries as a picture.
+// minksum draw: draws geometries as a picture.
 #include "commands/draw.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Several files lie on top of each other, the first one lowest, in one frame and t
 one scale. Files as for `minksum sum`; one of them may be "-" for standard input.
 )";
 
-// Layers by the names that --as takes, and their styles.
+// The styles of layers, by the names that --as takes.
 const std::map<std::string, std::string> kStyles = {{"first", "first"},
                                                     {"second", "second"},
                                                     {"result", "sum"},
@@ -48,7 +48,7 @@ std::string caption_of(const DrawArguments& arguments, std::size_t index) {
   if (index < arguments.captions.size()) return arguments.captions[index];
   const std::string& file = arguments.files[index];
   if (file == "-") return shown_name(file);
-  // Names of files may be any bytes; XML holds neither control characters nor what is not UTF-8.
+  // File names may have any bytes, but XML must be UTF-8 without control characters.
   return printable(std::filesystem::path(file).stem().string(),
                    [](std::string_view) { return "\ufffd"; });
 }
@@ -64,8 +64,8 @@ Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry
     } catch (const Error& error) {
       throw failure_of(error, arguments.files[index]);
     }
-    // As they stand: those within the area would be lost in it, such as the tight places of a
-    // no-fit polygon.
+    // Thin parts are drawn unresolved. Resolving would drop those inside the area, such as the
+    // tight places of a no-fit polygon.
     std::ranges::copy(given.polylines, std::back_inserter(layer.geometry.polylines));
     std::ranges::copy(given.points, std::back_inserter(layer.geometry.points));
   }
@@ -75,7 +75,7 @@ Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry
   return layer;
 }
 
-// What is typed is not mended in silence.
+// Unlike a file name, a text from the command line is refused rather than mended silently.
 void require_printable(const char* option, const std::string& text) {
   if (is_printable(text)) return;
   throw Failure(kWrongUsage,
@@ -153,7 +153,7 @@ int run_draw(const DrawArguments& arguments) {
   files.expect("-o", arguments.output);
   std::vector<Geometry> given;
   for (const std::string& file : arguments.files) {
-    // With --faults, the picture tells.
+    // With --faults the picture shows the faults, so standard error need not tell them.
     given.push_back(arguments.faults
                         ? read_operand(file, arguments.limits).geometry
                         : read_operand(file, arguments.limits, arguments.fill).geometry);

@@ -1,4 +1,4 @@
-// The options of `minksum draw`.
+// Declares `minksum draw` and its options.
 #pragma once
 
 #include <optional>
@@ -16,26 +16,26 @@ namespace minksum::cli {
 struct DrawArguments {
   std::vector<std::string> files;   ///< "-" = standard input
   std::string output;               ///< empty = standard output
-  std::vector<std::string> styles;  ///< one a file, or none: by position
+  std::vector<std::string> styles;  ///< one for each file; empty = chosen by position
   std::vector<std::string> captions;
   std::string title;
   double width = 960;
   Theme theme = Theme::kAuto;
   bool axes = true;
   bool legend = true;
-  bool faults = false;  ///< draws rings as they stand, with their faults
-  bool labels = false;  ///< numbers vertices
+  bool faults = false;  ///< draw rings as they stand, with their faults
+  bool labels = false;  ///< number the vertices
   FillRule fill = FillRule::kAutomatic;
   io::ReadLimits limits;
 };
 
-/// Adds the subcommand; parsing fills the other two.
+/// Adds the subcommand; parsing fills the other two arguments.
 Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits);
 
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(DrawArguments& arguments);
 
-/// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
+/// Runs `minksum draw`. Returns an exit code, or throws what `report_failure` (failure.hpp) names.
 int run_draw(const DrawArguments& arguments);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// minksum info: what a file holds, whether its polygons are valid, and what they mean.
+// minksum info: tells what a file holds, whether its polygons are valid, and what they mean.
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -22,7 +22,7 @@ namespace minksum::cli {
 namespace {
 
 constexpr std::size_t kMaxFaults = 100;
-// What the polygons mean, by the fill rule.
+// What the polygons mean by the fill rule.
 struct ResolvedOperand {
   Geometry geometry;
   Rational area;
@@ -34,10 +34,11 @@ struct OperandReport {
   Rational area;
   std::size_t bits = 0;
   std::vector<Fault> faults;
-  std::optional<ResolvedOperand> meaning;  ///< none if the rule is strict and there are faults
+  std::optional<ResolvedOperand> meaning;  ///< none if the rule is strict and faults exist
 };
 
-// All vertices as rings: for measures of a region that do not ask what its rings are like.
+// Returns a region with all vertices of the geometry, polylines and points included. It serves for
+// measures that accept any rings.
 Region all_vertices(const Geometry& geometry) {
   Region all = geometry.region;
   const auto add = [&all](const std::vector<Point>& points) {

@@ -1,4 +1,4 @@
-// minksum dilate, erode, open, close.
+// minksum dilate, erode, open and close: apply the operations of morphology.
 #include <memory>
 #include <ostream>
 

@@ -1,4 +1,4 @@
-// minksum nfp, ifp: where a part can be placed.
+// minksum nfp and ifp: tell where a part can be placed.
 #include <memory>
 #include <ostream>
 
@@ -41,7 +41,7 @@ void draw(const NoFitArguments& arguments, const Geometry& fixed, const Geometry
   const Captions captions = arguments.inner_fit
                                 ? Captions{"Inner-fit polygon", "Bin", "Part", "Inner-fit polygon"}
                                 : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
-  // A part without area would have failed already if it had to have a first vertex.
+  // A part without a first vertex would have failed before this point.
   const Point mark =
       arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
   const Drawing drawing{
@@ -81,8 +81,8 @@ Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
 
 Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& polygon) {
   if (arguments.inner_fit) return rounded(polygon, arguments);
-  // The tight places of a no-fit polygon are within its area, so that they cannot be rounded with
-  // it as parts of one set.
+  // The tight places of a no-fit polygon lie within its area. As parts of one set they would
+  // vanish in it, so they are rounded separately.
   ResultArguments nearest = arguments;
   nearest.rounding = RoundingSide::kNearest;
   Geometry result = rounded(without_thin_parts(polygon), arguments);

@@ -1,4 +1,4 @@
-// minksum offset.
+// minksum offset: grows or shrinks a shape by a distance.
 #include "commands/offset.hpp"
 
 #include <map>
@@ -106,7 +106,7 @@ void convert(OffsetArguments& arguments, const OffsetText& typed) {
   if (options.side != RoundingSide::kNearest && !round) {
     throw Failure(kWrongUsage, "--side is for round joins and caps only");
   }
-  // What is written keeps the side, unless something else is asked for.
+  // By default, rounding the output keeps the side of the offset.
   if (typed.round.empty()) arguments.rounding = options.side;
 }
 

@@ -1,4 +1,4 @@
-// minksum offset: its arguments and options.
+// Declares `minksum offset` and its options.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct OffsetArguments : ResultArguments {
   OffsetOptions options;
 };
 
-/// Options as they are typed; turned into OffsetArguments when all of them are known.
+/// Options as they are typed; `convert` turns them into OffsetArguments.
 struct OffsetText : ResultText {
   std::string distance;
   std::string join;
@@ -30,14 +30,15 @@ struct OffsetText : ResultText {
   std::string side;
 };
 
-/// Adds the subcommand; parsing fills the other three.
+/// Adds the subcommand; parsing fills the other three arguments.
 Command add_offset(CommandLine& line, OffsetArguments& arguments, OffsetText& typed,
                    ProcessLimits& limits);
 
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(OffsetArguments& arguments, const OffsetText& typed);
 
-/// Returns an exit code, and throws what `report_failure` (failure.hpp) can name.
+/// Runs `minksum offset`. Returns an exit code, or throws what `report_failure` (failure.hpp)
+/// names.
 int run_offset(const OffsetArguments& arguments);
 
 }  // namespace minksum::cli

@@ -1,5 +1,5 @@
-// What the subcommands for uses of sums compute, apart from files: `minksum batch` does the same.
-// All throw Error; its culprit names the operand.
+// Computes what the subcommands for uses of sums compute, without files. `minksum batch` uses it,
+// too. All functions throw Error, whose culprit names the operand.
 #pragma once
 
 #include <vector>
@@ -9,39 +9,39 @@
 
 namespace minksum::cli {
 
-/// Dilation, erosion, opening or closing, exactly.
+/// Returns the exact dilation, erosion, opening or closing.
 [[nodiscard]] Geometry morphology(const MorphologyArguments& arguments, const Geometry& a,
                                   const Geometry& b);
 
-/// The no-fit or inner-fit polygon with its tight places, exactly.
+/// Returns the exact no-fit or inner-fit polygon with its tight places.
 [[nodiscard]] Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
                                    const Geometry& moving);
-/// That polygon as it is to be written; tight places are rounded to the nearest.
+/// Returns that polygon rounded for output; tight places are rounded to the nearest.
 [[nodiscard]] Geometry rounded_fit_polygon(const NoFitArguments& arguments,
                                            const Geometry& polygon);
-/// "free", "touching" or "overlapping" for each of the placements that were asked for.
+/// Returns "free", "touching" or "overlapping" for each of the requested placements.
 [[nodiscard]] std::vector<const char*> contacts(const NoFitArguments& arguments,
                                                 const Geometry& fixed, const Geometry& moving);
 
-/// Where in its operand a vertex is.
+/// Names a vertex, or the edge that starts there, by its position in an operand.
 struct Feature {
   const char* operand;
   Culprit place;
 };
-/// What touches: an edge, by its first vertex, and a vertex.
+/// An edge and a vertex that touch. The edge is named by its first vertex.
 struct ContactList {
   Feature edge;
   Feature vertex;
 };
-/// How two shapes stand to each other.
+/// Tells how two shapes stand to each other.
 struct DepthReport {
   Depth depth;
   std::optional<ContactList> contacts;
-  std::optional<Rational> impact;  ///< if asked for, and if there is one
+  std::optional<Rational> impact;  ///< set if it was asked for and the shapes meet
 };
 [[nodiscard]] DepthReport find_depth(const DepthArguments& arguments, const Geometry& a,
                                      const Geometry& b);
-/// With the keys that docs/operations.md describes.
+/// Returns the report as JSON, with the keys that docs/operations.md describes.
 [[nodiscard]] Json depth_json(const DepthArguments& arguments, const DepthReport& findings);
 
 }  // namespace minksum::cli

@@ -39,7 +39,7 @@ void write_json(std::ostream& out, const Reach& found) {
   out << json.dump(2) << '\n';
 }
 
-/// Lines and GeoJSON have doubles alone.
+/// Throws if a waypoint is beyond doubles, because lines of text and GeoJSON have only doubles.
 void require_doubles(const Reach& found) {
   for (const Waypoint& waypoint : found.path) {
     if (std::isfinite(waypoint.at.x.to_double()) && std::isfinite(waypoint.at.y.to_double())) {
@@ -51,7 +51,7 @@ void require_doubles(const Reach& found) {
   }
 }
 
-/// yes or no, and a line for each waypoint.
+/// Writes yes or no, and then a line for each waypoint.
 void write_text(std::ostream& out, const Reach& found) {
   require_doubles(found);
   out << (found.reachable ? "yes\n" : "no\n");
@@ -61,7 +61,7 @@ void write_text(std::ostream& out, const Reach& found) {
   }
 }
 
-/// A line needs two points, also where nothing moves.
+/// Writes the path as a line. A line needs two points, even if nothing moves.
 void write_geojson(std::ostream& out, const Reach& found) {
   require_doubles(found);
   Json line = nullptr;

@@ -1,4 +1,5 @@
-// minksum reach: whether a robot gets from one configuration to another, and how.
+// Declares `minksum reach`, which tells whether and how a robot gets from one configuration to
+// another.
 #pragma once
 
 #include "minksum/reach.hpp"
@@ -11,7 +12,7 @@ struct ReachArguments : RobotArguments {
   Configuration from;
   Configuration to;
   bool json = false;
-  std::string output;   ///< of the path as GeoJSON; empty = none
+  std::string output;   ///< for the path as GeoJSON; empty = none
   std::string picture;  ///< empty = none
   ReachOptions options;
 };
@@ -24,11 +25,11 @@ struct ReachText : RobotText {
 
 Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed,
                   ProcessLimits& limits);
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(ReachArguments& arguments, const ReachText& typed);
 int run_reach(const ReachArguments& arguments);
 
-/// The scene, and the robot on its way, if there is one.
+/// Draws the scene and, if a path exists, the robot along it.
 [[nodiscard]] std::string reach_picture(const ReachArguments& arguments,
                                         const ReachOptions& options, const RobotScene& scene,
                                         const Reach& found);

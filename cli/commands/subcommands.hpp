@@ -1,4 +1,4 @@
-// The subcommands of the program. To add one, write its file and put its function into both lists.
+// Lists the subcommands. To add one, write its file and put its function into both lists below.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,19 @@
 
 namespace minksum::cli {
 
-/// The program as its subcommands see it.
+/// Holds what the subcommands see of the program.
 struct Program {
   CommandLine& line;
   ProcessLimits& limits;
   std::map<std::string, std::function<int()>> run_of;  ///< by the subcommand's name
 
-  /// `run` is called if this subcommand was chosen, after parsing. It returns the exit code.
+  /// Registers `run`, which is called after parsing if this subcommand was chosen. It returns the
+  /// exit code.
   void add(const Command& command, std::function<int()> run) {
     run_of[command.name()] = std::move(run);
   }
-  /// Adds a subcommand that computes sums: the limits are set, and what no option can see by itself
-  /// is converted, before it runs.
+  /// Adds a subcommand that computes sums. Before it runs, its limits are set and `convert` is
+  /// called.
   template <class Arguments, class Typed>
   void add(const Command& command, const std::shared_ptr<Arguments>& arguments,
            const std::shared_ptr<Typed>& typed, int (*run)(const Arguments&)) {
@@ -36,7 +37,7 @@ struct Program {
   }
 };
 
-// Each adds one subcommand, or a few that share their options.
+// Each function adds one subcommand, or several that share their options.
 void add_sum(Program& program);
 void add_info(Program& program);
 void add_check(Program& program);
@@ -49,7 +50,7 @@ void add_reach(Program& program);
 void add_draw(Program& program);
 void add_batch(Program& program);
 
-/// In the order in which `--help` shows them.
+/// All of these functions, in the order in which `--help` shows the subcommands.
 inline constexpr void (*kSubcommands[])(Program&) = {
     add_sum,   add_info,   add_check, add_morphology, add_no_fit, add_offset,
     add_depth, add_cspace, add_reach, add_draw,       add_batch};

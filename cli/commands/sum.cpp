@@ -1,4 +1,4 @@
-// minksum sum: read two geometries, add them, write the sum and what is asked for beside it.
+// minksum sum: reads two geometries, adds them, and writes the sum and any other output.
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -58,7 +58,8 @@ void read_operands(const SumArguments& arguments, SumRun& run) {
   }
 }
 
-// Runs the sum `repeat` times in the same memory; `statistics` and `result` are the last run's.
+// Runs the sum `repeat` times in the same memory. The statistics and the result are those of the
+// last run.
 void compute(const SumArguments& arguments, SumRun& run) {
   Workspace workspace;
   std::vector<double> sums;
@@ -79,7 +80,7 @@ void compute(const SumArguments& arguments, SumRun& run) {
   for (int s = 0; s < kStageCount; ++s) run.seconds.stages[s] = median(stages[s]);
 }
 
-// Tracing takes a run of its own, so that the times are those of plain runs.
+// Tracing takes a separate run, so that the times are those of plain runs.
 void compute_and_write_trace(const SumArguments& arguments, const SumRun& run, OutputFiles& files) {
   Trace trace;
   Options options = arguments.options;
@@ -89,7 +90,7 @@ void compute_and_write_trace(const SumArguments& arguments, const SumRun& run, O
            [&] { write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace); });
 }
 
-// What is written: rounded as a whole, so that it stays valid.
+// Rounds the result as a whole, so that it stays valid.
 void round_result(const SumArguments& arguments, SumRun& run) {
   if (arguments.coordinates.style == Style::kExact) return;
   const Stopwatch watch;

@@ -1,4 +1,4 @@
-// One run of `minksum sum`: what was read, what came of it, how long it took.
+// Holds one run of `minksum sum`: operands, results and times.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace minksum::cli {
 
-/// Times of one run of the program; those of the sum are medians over its repetitions.
+/// Times of one run of the program. Those of the sum are medians over its repetitions.
 struct Seconds {
   double read = 0;
   double sum = 0;
@@ -21,9 +21,9 @@ struct Seconds {
 
 struct SumRun {
   Geometry operands[2];
-  std::optional<std::string> properties;  ///< of P
+  std::optional<std::string> properties;  ///< those of P
   Geometry exact;
-  std::optional<Geometry> tight;           ///< if asked for
+  std::optional<Geometry> tight;           ///< set if it was asked for
   std::optional<RoundingReport> rounding;  ///< none = exact coordinates are written
   Geometry rounded;
   Geometry rounded_tight;

@@ -64,7 +64,7 @@ Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed
 void convert(BatchArguments& arguments, const BatchText& typed) {
   convert_result(arguments, typed);
   if (arguments.format != io::Format::kGeoJson || typed.format.empty()) {
-    arguments.format = io::Format::kWkt;  // whatever the output's name ends in
+    arguments.format = io::Format::kWkt;  // the ending of the output's name does not matter
   }
   if (!typed.format.empty() && typed.format != "wkt" && typed.format != "geojson") {
     throw Failure(kWrongUsage, "--format takes wkt or geojson here");

@@ -1,5 +1,5 @@
-// The command line: options, subcommands, help. The library behind it takes long to compile, and
-// only command_line.cpp knows it.
+// Declares the command line: options, subcommands and help. Only command_line.cpp includes the
+// library behind them, because it takes long to compile.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +16,28 @@ class Option;
 
 namespace minksum::cli {
 
-/// What a value has to be.
+/// A condition on the value of an option.
 struct ValueCheck {
-  std::function<std::string(const std::string& text)> fault;  ///< of a value; empty = none
-  std::string what;                                           ///< for --help
+  std::function<std::string(const std::string& text)> fault;  ///< why a value is bad; empty = good
+  std::string what;                                           ///< the condition in --help
 };
 
-/// An option of a subcommand, which owns it. All functions return the same option.
+/// An option of a subcommand, which owns it. Each function returns the option itself.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required() const;
-  Option type_name(const char* name) const;  ///< of its value, for --help
-  Option group(const char* name) const;      ///< for --help
+  Option type_name(const char* name) const;  ///< names its value in --help
+  Option group(const char* name) const;      ///< names its section of --help
   Option one_of(const std::vector<std::string>& names) const;
   Option in_range(int low, int high) const;
   Option check(const ValueCheck& check) const;
-  /// May be given again, with one value each time.
+  /// The option may be given several times, with one value each time.
   Option repeats() const;
-  /// One text may hold several values.
+  /// One text may hold several values with `between` between them.
   Option delimiter(char between) const;
-  /// The other one is there already.
+  /// The two options cannot be given together. The other one must have been added before.
   Option excludes(const char* other) const;
 
  private:
@@ -51,7 +51,7 @@ class Command {
 
   explicit Command(CLI::App& app) : app_(&app) {}
 
-  /// By names as "-o,--output"; a name without a hyphen is that of a positional.
+  /// Adds an option with names such as "-o,--output". A name without a hyphen makes a positional.
   Option add_option(const char* names, std::string& value, const std::string& what) const;
   Option add_option(const char* names, std::vector<std::string>& value,
                     const std::string& what) const;
@@ -59,7 +59,7 @@ class Command {
   Option add_option(const char* names, std::uint64_t& value, const std::string& what) const;
   Option add_option(const char* names, double& value, const std::string& what) const;
   Option add_option(const char* names, const Take& take, const std::string& what) const;
-  /// A name as "!--no-axes" sets the value to false.
+  /// Adds a flag. A name such as "!--no-axes" makes it set the value to false.
   Option add_flag(const char* names, bool& value, const std::string& what = {}) const;
   Option add_flag(const char* name, const std::function<void()>& take,
                   const std::string& what) const;
@@ -71,7 +71,7 @@ class Command {
   CLI::App* app_;
 };
 
-/// A command line with one subcommand.
+/// Parses a command line that has one subcommand.
 class CommandLine {
  public:
   explicit CommandLine(const char* what = "", const char* program = "");
@@ -79,19 +79,19 @@ class CommandLine {
 
   Command add_command(const char* name, const char* what);
   void add_version(const char* text);
-  /// Ends the help of the program and of each subcommand, after what that has.
+  /// Adds `text` at the end of the help of the program and of each subcommand.
   void add_footer(const char* text);
-  /// Returns what --help or --version, if it is there, asks for. Throws a Failure for wrong usage,
-  /// whose message ends in `hint`.
+  /// Parses the words. Returns the text that --help or --version asks for, if one of them is there.
+  /// Throws a Failure for wrong usage, whose message ends in `hint`.
   std::optional<std::string> parse(const std::vector<std::string>& words, const char* hint = "");
-  /// The name of the subcommand that was parsed.
+  /// Returns the name of the subcommand that was parsed.
   [[nodiscard]] std::string chosen() const;
 
  private:
   std::unique_ptr<CLI::App> app_;
 };
 
-/// Tells the parser that an option does not take a value.
+/// Throws what makes the parser refuse the value of an option.
 [[noreturn]] void reject_value(const char* option, const std::string& why);
 
 }  // namespace minksum::cli

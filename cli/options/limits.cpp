@@ -55,7 +55,7 @@ std::uint64_t take_size(const char* name, const std::string& text) {
 double take_seconds(const std::string& text) {
   double seconds = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-  constexpr double kMost = 1e8;  // three years; and what any system's timer takes
+  constexpr double kMost = 1e8;  // three years, which the timer of any system accepts
   if (error != std::errc() || end != text.data() + text.size() || !(seconds > 0) ||
       seconds > kMost) {
     reject_value("--timeout", "takes seconds as 10 or 0.5, not '" + text + "'");
@@ -75,7 +75,7 @@ std::optional<std::uint64_t> parse_count(const std::string& text) {
 
 std::optional<std::uint64_t> default_memory() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return {};  // a sanitizer reserves far more addresses than there is memory
+  return {};  // a sanitizer reserves more addresses than memory exists
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
     __has_feature(memory_sanitizer)

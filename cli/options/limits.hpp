@@ -1,4 +1,4 @@
-// Limits that the user sets: their options, and how the process keeps to them.
+// Declares the limits that the user sets: their options, and how the process keeps them.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,28 @@ namespace minksum::cli {
 struct ProcessLimits {
   io::ReadLimits read;
   Limits sum;
-  /// Bytes of addresses; none = no limit. Without the option: `default_memory`.
+  /// Bytes of addresses; none = no limit. Without the option it is `default_memory`.
   std::optional<std::uint64_t> memory;
   double seconds = 0;  ///< 0 = no limit
 };
 
-/// As much as the machine has; none where that is not known or makes no sense.
+/// Returns the size of the machine's memory; none where it is unknown or no useful limit.
 [[nodiscard]] std::optional<std::uint64_t> default_memory();
 
 /// Adds --max-vertices, --max-bytes, --max-memory and --timeout; with `sum`, --max-segments and
-/// --max-crossings as well. What is typed wrongly is rejected by the parser.
+/// --max-crossings as well. The parser rejects bad values.
 void add_limit_options(const Command& command, ProcessLimits& limits, bool sum);
 
 /// Adds --timeout alone.
 void add_seconds(const Command& command, double& seconds, const char* what);
 
-/// Makes the process keep to the limits on memory and time from now on. Afterwards there is none on
-/// memory if the system has set a lower one.
+/// Makes the process keep the limits on memory and time from now on. If the system has set a lower
+/// limit on memory, `limits.memory` becomes none.
 void apply(ProcessLimits& limits);
 
-/// "4G" as 4 · 1024³; the suffixes are K, M, G and T. Nothing if it is no size.
+/// Returns "4G" as 4 · 1024³; the suffixes are K, M, G and T. Returns nothing if it is not a size.
 [[nodiscard]] std::optional<std::uint64_t> parse_size(const std::string& text);
-/// "2M" as 2,000,000; the suffixes are K, M and G. Nothing if it is no count.
+/// Returns "2M" as 2,000,000; the suffixes are K, M and G. Returns nothing if it is not a count.
 [[nodiscard]] std::optional<std::uint64_t> parse_count(const std::string& text);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// The options of the subcommands for what sums are used for: morphology, nesting, depth.
+// Declares the options of the subcommands for uses of sums: morphology, nesting and depth.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace minksum::cli {
 
 struct MorphologyText : ResultText {};
 
-/// Options as they are typed; turned into NoFitArguments when all of them are known.
+/// Options as they are typed; `convert` turns them into NoFitArguments.
 struct NoFitText : ResultText {
   std::string reference;
   std::vector<std::string> placements;
@@ -23,7 +23,7 @@ struct DepthText {
   std::string along;
 };
 
-/// Each adds a subcommand by this name; parsing fills the other three.
+/// Each function adds a subcommand; parsing fills its last three arguments.
 Command add_morphology(CommandLine& line, MorphologyArguments::Operation operation,
                        MorphologyArguments& arguments, MorphologyText& typed,
                        ProcessLimits& limits);
@@ -32,7 +32,7 @@ Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
 Command add_depth(CommandLine& line, DepthArguments& arguments, DepthText& typed,
                   ProcessLimits& limits);
 
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(MorphologyArguments& arguments, const MorphologyText& typed);
 void convert(NoFitArguments& arguments, const NoFitText& typed);
 void convert(DepthArguments& arguments, const DepthText& typed);

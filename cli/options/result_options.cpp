@@ -7,7 +7,7 @@
 namespace minksum::cli {
 namespace {
 
-constexpr int kMaxDecimals = 4096;  // as RoundOptions::decimals has it
+constexpr int kMaxDecimals = 4096;  // the largest that RoundOptions::decimals takes
 
 const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
                                                     {"geojson", io::Format::kGeoJson},

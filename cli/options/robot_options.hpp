@@ -1,4 +1,4 @@
-// What the subcommands about robots share: their operands, and how these are read.
+// Declares what the subcommands about robots share: their operands and how these are read.
 #pragma once
 
 #include <string>
@@ -18,23 +18,23 @@ struct RobotArguments {
   io::ReadLimits limits;
 };
 
-/// Options as they are typed.
+/// Options as they are typed; `convert_robot` turns them into ConfigurationOptions.
 struct RobotText {
   std::string reference;
 };
 
 void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
                        ConfigurationOptions& options);
-/// Throws a Failure for wrong usage.
+/// Fills `options`. Throws a Failure for wrong usage.
 void convert_robot(const RobotArguments& arguments, const RobotText& typed,
                    ConfigurationOptions& options);
 
-/// More slices than anybody waits for.
+/// The largest number of slices; nobody would wait for more.
 inline constexpr int kMostTurns = 1'000'000;
-/// A number of angles, 1 to kMostTurns. Throws a Failure.
+/// Returns a number of angles from 1 to kMostTurns. Throws a Failure.
 [[nodiscard]] std::size_t parse_angles(const std::string& text);
 
-/// Robot and obstacles; the workspace goes to the options.
+/// The robot and the obstacles. The workspace goes to the options instead.
 struct RobotScene {
   Geometry robot;
   Geometry obstacles;
@@ -42,7 +42,7 @@ struct RobotScene {
 [[nodiscard]] RobotScene read_scene(const RobotArguments& arguments,
                                     ConfigurationOptions& options);
 
-/// As fail_about, for errors that may be about the workspace.
+/// Does the same as `fail_about`, also for errors about the workspace.
 [[noreturn]] void fail_about_scene(const Error& error, const RobotArguments& arguments);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// The options of `minksum sum`.
+// Declares the options of `minksum sum`.
 #pragma once
 
 #include "commands/commands.hpp"
@@ -8,19 +8,19 @@
 
 namespace minksum::cli {
 
-/// Options as they are typed; turned into SumArguments when all of them are known.
+/// Options as they are typed; `convert` turns them into SumArguments.
 struct SumText : ResultText {
   bool no_cover = false;
   bool no_filter = false;
 };
 
-/// Adds the subcommand; parsing fills the other three.
+/// Adds the subcommand; parsing fills the other three arguments.
 Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed, ProcessLimits& limits);
 
-/// Adds --fill, for any subcommand.
+/// Adds --fill to any subcommand.
 Option add_fill_option(const Command& command, FillRule& fill);
 
-/// What no option can see by itself. Throws a Failure for wrong usage.
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(SumArguments& arguments, const SumText& typed);
 
 }  // namespace minksum::cli

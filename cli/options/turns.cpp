@@ -11,7 +11,7 @@ Turn turn_by(int k, int rotations) {
   const auto nearest = nearest_turn(Rational(std::int64_t{360} * k, rotations), kDegrees);
   Turn turn{nearest.map(), {}};
   if (std::int64_t{4} * k % rotations == 0) return turn;
-  // The tangent of a sum, quarter by quarter of which the half is 45 degrees.
+  // Each quarter turn adds 45 degrees to half the angle; the tangent follows by its sum formula.
   Rational half = nearest.tan_half;
   for (int i = 0; i < nearest.quarters; ++i) half = (half + 1) / (Rational(1) - half);
   turn.half = half;

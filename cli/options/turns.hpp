@@ -1,4 +1,4 @@
-// Parts of a full turn as exact rotations.
+// Makes exact rotations of parts of a full turn.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@ namespace minksum::cli {
 /// A rotation by an angle whose half has a rational tangent.
 struct Turn {
   Affine map;
-  /// The tangent of half the angle; none for multiples of 90 degrees, which are exact.
+  /// The tangent of half the angle; none for multiples of 90 degrees, whose rotations are exact.
   std::optional<Rational> half;
 };
 
-/// Counter-clockwise by about k/R of a full turn (0 ≤ k < R): exactly, if that is a multiple of 90
-/// degrees; else by less than 10^-5 radians more or less, and `half` says exactly by how much.
+/// Returns a counter-clockwise rotation by about k/R of a full turn, for 0 ≤ k < R. Multiples of 90
+/// degrees are exact. Others are off by less than 10^-5 radians, and `half` gives the exact angle.
 [[nodiscard]] Turn turn_by(int k, int rotations);
 
 }  // namespace minksum::cli

@@ -10,7 +10,7 @@
 namespace minksum::cli {
 namespace {
 
-// Files have .5 and 5. as well, which Rational does not read.
+// Adds the zeros that Rational requires, so that options take .5 and 5. as files do.
 std::string completed(std::string_view text) {
   std::string number(text);
   const std::size_t point = number.find('.');
@@ -28,7 +28,7 @@ std::string completed(std::string_view text) {
   return number;
 }
 
-// Whether it would be a number if its exponent were nearer to zero.
+// Returns whether only the size of the exponent prevents the text from being a number.
 bool has_too_large_exponent(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   if (e == std::string_view::npos || !Rational::parse(completed(text.substr(0, e)))) return false;
@@ -45,7 +45,7 @@ std::string in_quotes(std::string_view text) {
   return quoted;
 }
 
-// The number; nothing if it is none.
+// Returns the number, or nothing if the text is not a number.
 std::optional<Rational> read(const std::string& option, std::string_view text) {
   std::optional<Rational> number = Rational::parse(completed(text));
   if (!number && has_too_large_exponent(text)) {

@@ -1,4 +1,4 @@
-// Faults of a region, told.
+// Describes the faults of a region as text and as JSON.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace minksum::cli {
 
-/// "polygon 1, ring 1, vertex 3: edges cross at (1, 2)".
+/// Returns a text such as "polygon 1, ring 1, vertex 3: edges cross at (1, 2)".
 [[nodiscard]] std::string described(const Fault& fault);
-/// With the keys polygon, ring, vertex (all from 1, as far as they are known), meets (the same of
-/// what is met there), at (exactly, as texts), near (in doubles; null beyond them) and message.
+/// Returns an object with the keys polygon, ring, vertex, meets, at, near and message. The first
+/// three count from 1 and may be missing; `meets` has the same keys for what is met there. `at` has
+/// exact texts, and `near` doubles, or null beyond their range.
 [[nodiscard]] Json fault_json(const Fault& fault);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// The one file that knows the library for JSON, which takes long to compile.
+// Only this file includes the library for JSON, because it takes long to compile.
 #include "output/json.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// JSON values: what the program writes, and the little that it asks about a text.
+// Builds the JSON values that the program writes, and answers a few questions about JSON texts.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace minksum::cli {
 
-/// A value that is made to be written. Members of an object keep the order in which they came.
+/// A JSON value to be written. Members of an object keep the order in which they were added.
 class Json {
  public:
   Json() = default;  ///< null; the first element or member makes it an array or an object
@@ -18,24 +18,24 @@ class Json {
   Json(bool value);
   Json(std::integral auto value) : text_(std::to_string(value)) {}
   Json(double value);  ///< null, if it is not finite
-  /// What is not UTF-8 is replaced: names of files and messages may hold any bytes.
+  /// Bytes that are not UTF-8 are replaced, because file names and messages may have any bytes.
   Json(std::string_view value);
   Json(const std::string& value) : Json(std::string_view(value)) {}
   Json(const char* value) : Json(std::string_view(value)) {}
-  /// An object, if all values are pairs whose first one is a string; else an array.
+  /// Makes an object if all values are pairs that start with a string, else an array.
   Json(std::initializer_list<Json> values);
 
   [[nodiscard]] static Json array();
   [[nodiscard]] static Json object();
 
-  /// The member of an object by this name; added, if there is none.
+  /// Returns the member of an object by its name. A missing member is added.
   Json& operator[](std::string_view key);
   /// Adds an element to an array.
   void push_back(Json value);
-  /// Sets all members that another object has.
+  /// Takes over all members of another object.
   void update(const Json& other);
 
-  /// In one line without spaces; in lines that are indented, if `indent` is not 0.
+  /// Returns the text: one line without spaces, or indented lines if `indent` is not 0.
   [[nodiscard]] std::string dump(std::size_t indent = 0) const;
 
  private:
@@ -44,14 +44,14 @@ class Json {
   Json& member(const std::string& key);
 
   Kind kind_ = Kind::kScalar;
-  std::string text_ = "null";      // of a scalar
-  std::vector<std::string> keys_;  // of an object, as JSON
+  std::string text_ = "null";      // the text of a scalar
+  std::vector<std::string> keys_;  // the keys of an object, as JSON
   std::vector<Json> values_;       // elements, or members by their keys
 };
 
-/// Whether the text is JSON whose numbers doubles can hold.
+/// Returns whether the text is JSON whose numbers are all in the range of doubles.
 [[nodiscard]] bool is_plain_json(std::string_view text);
-/// The string that `text`, which is a string in JSON, is.
+/// Returns the value of `text`, which must be a string in JSON.
 [[nodiscard]] std::string parse_json_string(std::string_view text);
 
 }  // namespace minksum::cli

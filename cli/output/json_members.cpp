@@ -7,7 +7,7 @@
 namespace minksum::cli {
 namespace {
 
-// Whether the text is a number as JSON has it (RFC 8259, section 6).
+// Returns whether the text is a number by the rules of JSON (RFC 8259, section 6).
 bool is_number(std::string_view text) {
   const auto digits = [&text] {
     const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
@@ -29,8 +29,8 @@ bool is_number(std::string_view text) {
   return text.empty();
 }
 
-// Whether the text is JSON. The library that is asked refuses numbers beyond the range of doubles:
-// it gets a 0 for each number.
+// Returns whether the text is JSON. The library that tells refuses numbers beyond the range of
+// doubles, so it gets a 0 instead of each number.
 bool is_json(std::string_view text) {
   std::string simpler;
   simpler.reserve(text.size());
@@ -49,7 +49,7 @@ bool is_json(std::string_view text) {
   return is_plain_json(simpler);
 }
 
-// Walks over JSON that is known to be valid.
+// Walks over a text, which must be valid JSON.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) { skip_space(); }
@@ -59,7 +59,7 @@ class Scanner {
     ++at_;
     skip_space();
   }
-  // The value here, which is passed.
+  // Returns the value here, and passes over it.
   std::string_view take_value() {
     const std::size_t begin = at_;
     if (peek() == '"') {

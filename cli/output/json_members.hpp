@@ -1,4 +1,4 @@
-// The members of a JSON object as they stand in its text: numbers keep all their digits.
+// Finds the members of a JSON object as they stand in its text, so that numbers keep all digits.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,14 @@ struct JsonMember {
   std::string_view value;  ///< within the text
 };
 
-/// The members of the object that `text` is, in their order; nothing if it is no JSON object.
+/// Returns the members of the object `text` in their order; nothing if `text` is not a JSON object.
 [[nodiscard]] std::optional<std::vector<JsonMember>> json_members(std::string_view text);
-/// The elements of the array that `text`, which is valid JSON, is; nothing if it is no array.
+/// Returns the elements of the array `text`, which must be valid JSON; nothing if it is not an
+/// array.
 [[nodiscard]] std::optional<std::vector<std::string_view>> json_elements(std::string_view text);
-/// The string that `text`, which is valid JSON, is; nothing if it is no string.
+/// Returns the value of the string `text`, which must be valid JSON; nothing if it is not a string.
 [[nodiscard]] std::optional<std::string> json_string(std::string_view text);
-/// `text` as a JSON string; what is not UTF-8 is replaced.
+/// Returns `text` as a JSON string; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string to_json(std::string_view text);
 
 }  // namespace minksum::cli

@@ -19,7 +19,7 @@ namespace minksum::cli {
 
 namespace {
 
-// Whether the name is of the file that the descriptor is of, and not a link to it.
+// Returns whether the name is that of the descriptor's file itself, and not of a link to it.
 bool is_at(const std::string& name, int descriptor) {
   struct stat named {};
   struct stat opened {};
@@ -47,8 +47,8 @@ void LineOutput::open_file(const std::string& path) {
   partial_ = unfinished_place(path);
   std::error_code ignored;
   shown_ = std::filesystem::is_symlink(path, ignored) ? partial_ : path + ".partial";
-  // Whatever has that name already: no link is followed, and nobody at a pipe's other end is waited
-  // for. Only the owner reads it until it takes its place.
+  // Anything may have that name already, so no link is followed, and opening never waits for the
+  // other end of a pipe. Until the file is moved to its place, only the owner can read it.
   constexpr int kFlags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;
   descriptor_ = ::open(partial_.c_str(), kFlags, 0600);
   const int reason = errno;
@@ -59,7 +59,7 @@ void LineOutput::open_file(const std::string& path) {
   if (descriptor_ < 0) fail(reason);
   if (status.st_nlink > 1) refuse("has another name as well, a hard link");
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) tell_other_run();
-  // The other run may have moved it to its place before the lock was free.
+  // Another run may have moved the file to its place before the lock was free.
   if (!is_at(partial_, descriptor_)) tell_other_run();
   reading_ = true;
 }

@@ -1,4 +1,4 @@
-// Output line by line, with which a run that was interrupted can go on.
+// Writes results line by line, so that a run can resume after an interruption.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace minksum::cli {
 
-/// Lines that go to standard output (an empty path), to a device, or to a file.
+/// Writes lines to standard output (an empty path), to a device, or to a file.
 ///
-/// A file is written as `path`.partial and moved to its place by `finish`: until then the old file
-/// stays. What a run leaves in `path`.partial when it is killed, even in the middle of a line, the
-/// next one finds there, and may take up or forget. One run at a time: the file is locked. What is
-/// no file, but a link, a pipe or a device, is refused and left alone.
+/// A file is written as `path`.partial, and `finish` moves it to its place; until then the old file
+/// stays. A killed run leaves its output in `path`.partial, perhaps with a torn last line. The next
+/// run may keep or discard that output. The file is locked, so only one run writes it at a time. If
+/// that name belongs to a link, a pipe or a device, it is refused and left alone.
 class LineOutput {
  public:
   /// Throws a Failure with the system's reason.
@@ -21,21 +21,21 @@ class LineOutput {
   LineOutput(const LineOutput&) = delete;
   LineOutput& operator=(const LineOutput&) = delete;
 
-  /// The next line that an earlier run wrote in full, without its end; nothing if there is no more.
-  /// All are taken before anything is written.
+  /// Returns the next whole line of an earlier run, without its end, or nothing after the last one.
+  /// All lines must be taken before anything is written.
   [[nodiscard]] std::optional<std::string> earlier_line();
-  /// What stands behind the last of these lines, without an end: it was torn.
+  /// Returns the text behind the last whole line: a line that was torn.
   [[nodiscard]] const std::string& torn() const { return torn_; }
-  /// Writing begins: behind the earlier lines, or in place of everything that was there. Until then
-  /// nothing is lost.
+  /// Begins writing: behind the earlier lines if `keep` is true, else instead of them. The file
+  /// does not change before this call.
   void begin(bool keep);
-  /// Appends text that ends with the end of a line.
+  /// Appends whole lines.
   void write(std::string_view lines);
-  /// Everything is written. Without this the file stays unfinished.
+  /// Moves the file to its place. Without this call the file stays unfinished.
   void finish();
-  /// Where a file stays until it is finished. Throws a Failure.
+  /// Returns the path at which a file is kept until it is finished. Throws a Failure.
   [[nodiscard]] static std::string unfinished_place(const std::string& path);
-  /// What messages call the unfinished file.
+  /// Returns the name of the unfinished file for messages.
   [[nodiscard]] const std::string& unfinished() const { return shown_; }
 
  private:
@@ -44,15 +44,15 @@ class LineOutput {
   [[noreturn]] void tell_other_run() const;
   void open_file(const std::string& path);
 
-  std::string place_;  // where the finished file goes; empty = written as it is
+  std::string place_;  // path of the finished file; empty = written directly
   std::string partial_;
   std::string shown_ = "standard output";
   int descriptor_ = -1;
   bool reading_ = false;
-  std::string buffer_;        // read and not yet taken
-  std::size_t taken_ = 0;     // of the buffer
+  std::string buffer_;        // text that is read and not yet taken
+  std::size_t taken_ = 0;     // characters of the buffer
   std::string torn_;
-  std::size_t complete_ = 0;  // bytes of the file that are lines taken
+  std::size_t complete_ = 0;  // bytes of the lines that were taken
 };
 
 }  // namespace minksum::cli

@@ -7,13 +7,13 @@
 namespace minksum::cli {
 namespace {
 
-// A decimal is easier to read than a fraction, if it is short.
+// Up to this length, a decimal is easier to read than a fraction.
 constexpr int kMaxReadableDigits = 40;
 
-// Nobody reads more than some two hundred digits, and writing very many takes long.
+// Nobody reads more than about two hundred digits, and writing very many takes long.
 constexpr std::size_t kMaxReadableBits = 700;
 
-// A decimal of few digits, also of what no double is near to.
+// Returns a decimal of few digits, also for numbers beyond the range of doubles.
 std::string about(const Rational& value) {
   const double nearest = value.to_double();
   if (std::isnormal(nearest)) return shortest(nearest);
@@ -21,7 +21,7 @@ std::string about(const Rational& value) {
                     static_cast<double>(value.denominator().bits());
   int exponent = static_cast<int>(std::floor(bits * std::log10(2.0)));
   const double mantissa = (value / Rational(Decimal{1, exponent})).to_double();
-  // The mantissa is from a tenth to a hundred, and right to 15 digits.
+  // The mantissa lies between a tenth and a hundred, and is right to 15 digits.
   constexpr int kBeside = 100;
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.15g", mantissa * 1e100);

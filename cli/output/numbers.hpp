@@ -1,4 +1,4 @@
-// Numbers for people to read.
+// Writes numbers for people to read.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace minksum::cli {
 
-/// The number exactly: as a decimal if it is one of few digits, else as a fraction and about; only
-/// about, if it is too long to read.
+/// Returns the exact number: a short decimal, or a fraction with an approximation. Numbers that are
+/// too long to read are only approximated.
 [[nodiscard]] std::string readable(const Rational& value);
-/// The fewest digits that are read back as the same double.
+/// Returns the fewest digits that are read back as the same double.
 [[nodiscard]] std::string shortest(double value);
 
 }  // namespace minksum::cli

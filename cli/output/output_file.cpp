@@ -30,8 +30,8 @@ namespace fs = std::filesystem;
 
 bool is_standard_output(const std::string& path) { return path.empty() || path == "-"; }
 
-// Writes to a file descriptor. Unlike a file stream's, its buffer needs no memory of the heap, and
-// the first failure is thrown, with its reason.
+// Writes to a file descriptor. Unlike a file stream, this needs no memory of the heap, and throws
+// at the first failure, with the reason.
 class DescriptorBuffer : public std::streambuf {
  public:
   DescriptorBuffer(int descriptor, const std::string& shown)
@@ -85,7 +85,7 @@ void write_descriptor(int descriptor, const std::string& shown,
                       const std::function<void(std::ostream&)>& write) {
   DescriptorBuffer buffer(descriptor, shown);
   std::ostream out(&buffer);
-  out.exceptions(std::ios::badbit);  // so that what is thrown below passes through the stream
+  out.exceptions(std::ios::badbit);  // lets exceptions of the buffer pass the stream
   made_for(shown, [&] { write(out); });
   out.flush();
 }
@@ -106,8 +106,8 @@ class Descriptor {
 
 enum class AccessList { kNone, kTakenOver, kLost };
 
-// With an access control list, the permission bits of the group stand for the most that anyone on
-// the list may do: they say nothing without it.
+// With an access control list, the permission bits of the group are the maximum for all entries of
+// the list. They mean nothing without the list.
 AccessList take_over_access_list(int descriptor, const fs::path& place) {
   constexpr const char* kName = "system.posix_acl_access";
   const ssize_t size = ::getxattr(place.c_str(), kName, nullptr, 0);
@@ -118,7 +118,7 @@ AccessList take_over_access_list(int descriptor, const fs::path& place) {
   return taken ? AccessList::kTakenOver : AccessList::kLost;
 }
 
-// What the path stands for, if it is there.
+// Fills the status of the file at the path; returns whether there is one.
 bool find(const fs::path& path, struct stat& status) { return ::stat(path.c_str(), &status) == 0; }
 
 void check_writable(const std::string& path) {
@@ -152,7 +152,7 @@ void take_over_rights(int descriptor, const fs::path& place) {
   const bool same_group = ::fchown(descriptor, old.st_uid, old.st_gid) == 0 ||
                           ::fchown(descriptor, kSameOwner, old.st_gid) == 0;
   const AccessList list = same_group ? take_over_access_list(descriptor, place) : AccessList::kLost;
-  if (list == AccessList::kTakenOver) return;  // the permission bits came with it
+  if (list == AccessList::kTakenOver) return;  // the list brought the permission bits
   mode_t rights = old.st_mode & 0777;
   if (list == AccessList::kLost) rights &= 0707 | ((rights & 07) << 3);
   ::fchmod(descriptor, rights);
@@ -176,10 +176,10 @@ bool is_special(const std::string& path) {
 }
 
 fs::path real_place(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the system has it
+  constexpr int kMostLinks = 40;  // the limit of the system
   std::error_code error;
   fs::path at = path;
-  // Links to what is not there yet would be taken for files that are not there.
+  // `weakly_canonical` would take a link to a missing file for a missing file.
   for (int links = 0; links < kMostLinks && fs::is_symlink(at, error); ++links) {
     at = at.parent_path() / fs::read_symlink(at, error);
   }
@@ -242,8 +242,8 @@ void OutputFiles::write(const std::string& path, const std::function<void(std::o
   TemporaryFile& file = written_.emplace_back(path, place).file;
   write_descriptor(file.descriptor(), path, write);
   take_over_rights(file.descriptor(), place);
-  // Without this, the loss of power soon after could leave an empty file in the old one's place.
-  // Where a file system cannot do it (EINVAL, ENOTSUP), there is nothing to wait for.
+  // Without this, a loss of power soon after could leave an empty file in the old one's place. If a
+  // file system lacks this call (EINVAL, ENOTSUP), nothing better is possible.
   if (::fsync(file.descriptor()) != 0 && (errno == EIO || errno == ENOSPC || errno == EDQUOT)) {
     fail(path, "cannot be written", errno);
   }

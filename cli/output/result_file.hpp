@@ -1,4 +1,4 @@
-// Results: rounded as a whole, so that they stay valid, and written.
+// Rounds results as a whole, so that they stay valid, and writes them.
 #pragma once
 
 #include <string>
@@ -8,20 +8,21 @@
 
 namespace minksum::cli {
 
-/// How the arguments ask for rounding; not for exact coordinates, which are not rounded.
+/// Returns the rounding that the arguments ask for. They must not ask for exact coordinates, which
+/// are not rounded.
 [[nodiscard]] RoundOptions rounding_of(const ResultArguments& arguments);
 
-/// Writes a geometry whose coordinates are rounded already, or exact; with `properties`, as a
-/// GeoJSON Feature.
+/// Writes a geometry without rounding it. With `properties` it becomes a GeoJSON Feature.
 void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
                     io::Format format, const io::Coordinates& coordinates,
                     const std::string* properties = nullptr);
 
-/// The geometry, which is resolved, as it is to be written; itself if nothing is to be rounded.
+/// Returns the geometry as it is to be written: rounded, or unchanged for exact coordinates. The
+/// geometry must be resolved.
 [[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
-/// Writes it where and in the format that the arguments say.
+/// Writes the geometry to the file and in the format that the arguments name.
 void write_geometry(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry);
-/// The same for one that is to be rounded first.
+/// Rounds the geometry, and writes it in the same way.
 void write_rounded(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry);
 
 }  // namespace minksum::cli

@@ -34,8 +34,8 @@ double length(const std::vector<Polyline>& polylines) {
 Json result_json(const SumArguments& arguments, const SumRun& run) {
   Json json = size_json(run.exact);
   json["area"] = approximate_area(run.exact.region);
-  // The common denominator of thousands of crossings has hundreds of thousands of digits, and takes
-  // longer than the sum: only for those who ask for exact numbers.
+  // The common denominator of thousands of crossings has hundreds of thousands of digits and takes
+  // longer than the sum. Only those who ask for exact numbers get it.
   if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
     json["area_exact"] = area(run.exact.region).to_string();
   }

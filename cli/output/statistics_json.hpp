@@ -1,4 +1,4 @@
-// What `minksum sum --stats` says: docs/cli.md describes each key.
+// Makes the statistics of `minksum sum --stats`; docs/cli.md describes each key.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace minksum::cli {
 
-/// The middle value; the mean of the two middle ones for an even number of them.
+/// Returns the middle value, or the mean of the two middle values.
 [[nodiscard]] double median(std::vector<double> values);
 
 [[nodiscard]] const char* to_string(Method method);
@@ -18,7 +18,7 @@ namespace minksum::cli {
 
 [[nodiscard]] Json statistics_json(const SumArguments& arguments, const SumRun& run);
 
-/// Seconds that people can read: "1.2 ms".
+/// Returns seconds for people to read, such as "1.2 ms".
 [[nodiscard]] std::string readable_seconds(double seconds);
 
 }  // namespace minksum::cli

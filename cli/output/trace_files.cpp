@@ -14,20 +14,20 @@ constexpr double kWidth = 960;
 constexpr double kMaxHeight = 900;
 constexpr double kMargin = 24;
 constexpr double kCaption = 52;
-// Ticks on more segments than this would only blacken the picture; its caption says so.
+// Ticks on more segments would only blacken the picture, so they are left out; the caption tells.
 constexpr std::size_t kMaxTicked = 30'000;
 
 using Segment = Trace::Segment;
 using Vertex = Trace::Vertex;
 
-// Appended piece by piece: for `"[" + text`, g++ 12 warns of a copy that cannot happen.
+// The text is appended piece by piece, because g++ 12 warns of an impossible copy in `"[" + text`.
 std::string position(const Vertex& v) {
   std::string text = "[";
   text.append(shortest(v.x)).append(",").append(shortest(v.y)).append("]");
   return text;
 }
 
-// A GeoJSON FeatureCollection, feature by feature.
+// Writes a GeoJSON FeatureCollection, feature by feature.
 class Features {
  public:
   explicit Features(std::ostream& out) : out_(out) {
@@ -95,7 +95,7 @@ class TraceWriter {
       features.finish();
     });
   }
-  // A page with the sum's extent: title and note above, `paint` below.
+  // Saves a picture with the sum's extent: title and note at the top, and `paint` below.
   template <typename Paint>
   void save_picture(const std::string& name, const std::string& title, const std::string& note,
                     Paint paint) const {
@@ -211,7 +211,7 @@ class TraceWriter {
     });
   }
 
-  // An empty style leaves that kind of loop out.
+  // Draws loops, each kind in its style. A kind with an empty style is left out.
   void paint_loops(SvgPicture& picture, const PictureTransform& placement, const char* accepted,
                    const char* nesting, const char* collision) const {
     const char* const styles[] = {accepted, nesting, collision};
@@ -253,7 +253,7 @@ void TraceWriter::write_cover() const {
     out << "{\"min_x\":" << shortest(grid.min_x) << ",\"min_y\":" << shortest(grid.min_y)
         << ",\"cell\":" << shortest(grid.cell) << ",\"columns\":" << grid.columns
         << ",\"rows\":" << grid.rows << ",\"covered\":[";
-    // A string a row, the lowest row first: "1" is covered.
+    // Each row is a string in which "1" means covered; the lowest row comes first.
     for (std::uint32_t row = 0; row < grid.rows; ++row) {
       out << (row == 0 ? "\n\"" : ",\n\"");
       for (std::uint32_t column = 0; column < grid.columns; ++column) {

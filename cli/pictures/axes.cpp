@@ -7,12 +7,12 @@
 namespace minksum::cli {
 namespace {
 
-// digit · 10^exponent, which as a double would not have an exact multiple.
+// The number digit · 10^exponent. As a double, it would have no exact multiples.
 struct Step {
   int digit;
   int exponent;
 
-  // The double nearest to the multiple, which makes for the shortest label.
+  // Returns the double nearest to the multiple, because that has the shortest label.
   [[nodiscard]] double times(std::int64_t factor) const {
     const std::string text = std::to_string(factor * digit) + "e" + std::to_string(exponent);
     double value = 0;
@@ -51,7 +51,7 @@ std::vector<Tick> ticks_between(double low, double high, double apart) {
   const double length = step.times(1);
   const double first = std::ceil(low / length);
   const double last = std::floor(high / length);
-  constexpr double kMost = 1e15;  // so that multiples, and five times these, are exact
+  constexpr double kMost = 1e15;  // up to here multiples, and five times these, are exact
   if (!(length > 0) || !(std::fabs(first) < kMost) || !(std::fabs(last) < kMost)) return ticks;
   for (auto i = static_cast<std::int64_t>(first); i <= static_cast<std::int64_t>(last); ++i) {
     const double value = step.times(i);

@@ -1,4 +1,4 @@
-// Round numbers along the sides of a picture.
+// Finds round numbers for the axes of a picture.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ struct Tick {
   std::string label;
 };
 
-/// Marks at multiples of the smallest of 1, 2, 5, 10, 20, ... (and 0.5, 0.2, ...) that is `apart`
-/// or more, from `low` to `high`. None where doubles are too coarse to tell them from each other.
+/// Returns marks from `low` to `high`, at multiples of the smallest of ..., 0.5, 1, 2, 5, 10, ...
+/// that is `apart` or more. Returns none where doubles are too coarse to tell marks apart.
 [[nodiscard]] std::vector<Tick> ticks_between(double low, double high, double apart);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// Pictures of slices of a configuration space: one each, or some of them side by side.
+// Draws slices of a configuration space: each in its own picture, or some of them side by side.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace minksum::cli {
 
-/// What all slices' pictures share. Any number of threads may use it.
+/// Draws slices with what all their pictures share. Any number of threads may use one object.
 class CspacePicture {
  public:
   CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
                 const ConfigurationOptions& options);
 
-  /// What a picture in so much width is high; and a slice drawn into it.
+  /// Returns the height of a slice's drawing of that width.
   [[nodiscard]] double height_for(double width) const;
   void draw(SvgPicture& picture, const Slice& slice, double left, double top, double width) const;
 
-  /// A picture of this slice alone.
+  /// Returns a picture of this slice alone.
   [[nodiscard]] std::string one(const Slice& slice) const;
 
  private:
@@ -27,14 +27,14 @@ class CspacePicture {
   Geometry obstacles_;
   Region workspace_;
   Region robot_;
-  Point corner_;  ///< where the robot is shown
+  Point corner_;  ///< the point at which the robot is drawn
 };
 
-/// Some of many slices, evenly chosen, in rows.
+/// Draws some of many slices, evenly chosen, in rows.
 class Overview {
  public:
   Overview(const CspacePicture& slices, std::size_t count, bool free);
-  /// To be called for each slice, in order.
+  /// Draws the slice if it is one of the chosen. Must be called for each slice, in order.
   void offer(std::size_t index, const Slice& slice);
   [[nodiscard]] std::string finish() &&;
 

@@ -12,21 +12,21 @@ namespace minksum::cli {
 namespace {
 
 constexpr double kMargin = 20;
-constexpr double kPadding = 16;  // between the frame and what is in it
-constexpr double kTitleHeight = 28;  // of one line
-constexpr double kTitleRow = 20;     // each further line
+constexpr double kPadding = 16;  // between the frame and its content
+constexpr double kTitleHeight = 28;  // height of a title of one line
+constexpr double kTitleRow = 20;     // height of each further line
 constexpr double kLegendRow = 22;
-constexpr double kLegendLine = 17;  // between the lines of one caption
+constexpr double kLegendLine = 17;  // distance between the lines of a caption
 constexpr double kSwatch = 18;
 constexpr double kTickLength = 5;
-constexpr double kTickLabels = 24;  // below the frame
+constexpr double kTickLabels = 24;  // room below the frame
 constexpr double kFaultRow = 18;
-constexpr double kFaultIndent = 26;  // of what follows a fault's number
-constexpr double kMinHeight = 120;  // of the frame, so that a mere point has some room
-constexpr double kPointScale = 48;  // for what has no extent: some numbers beside it
+constexpr double kFaultIndent = 26;  // indent of the text behind a fault's number
+constexpr double kMinHeight = 120;  // least height of the frame, for a mere point
+constexpr double kPointScale = 48;  // scale of a mere point: some numbers fit beside it
 constexpr std::size_t kMaxFaultsListed = 20;
 
-// Fonts are not known here: about as wide as the widest of the usual ones.
+// Fonts are not known here, so widths are about those of the widest usual font.
 constexpr double kCharacter = 7.4;
 constexpr double kTitleCharacter = 9.4;
 constexpr double kLabelCharacter = 6.6;
@@ -44,15 +44,15 @@ double label_width(const std::vector<Tick>& ticks) {
   return width;
 }
 
-// Where things are, from the top to the bottom.
+// Positions of a figure's parts, from the top to the bottom.
 struct Layout {
-  Extent extent;  // of what is drawn
+  Extent extent;  // box of what is drawn
   double scale = 1;
-  double left = 0;  // of the frame, and so on
+  double left = 0;  // this and the next three: the frame
   double top = 0;
   double width = 0;
   double height = 0;
-  double bottom = 0;  // of the frame with the axis's labels
+  double bottom = 0;  // bottom of the frame with the labels below it
   std::vector<Tick> x_ticks;
   std::vector<Tick> y_ticks;
 
@@ -97,9 +97,9 @@ Layout lay_out(const Figure& figure, double top) {
   layout.top = top;
   fit(figure, kMargin, layout);
   if (figure.axes && !layout.extent.empty) {
-    static_cast<void>(layout.placement());  // refuses what doubles cannot hold
+    static_cast<void>(layout.placement());  // throws if doubles cannot hold the figure
     choose_ticks(layout);
-    // The labels of the y axis take room, which changes the scale: once is enough, nearly.
+    // The labels of the y axis take room, which changes the scale. One more pass nearly settles it.
     fit(figure, kMargin + label_width(layout.y_ticks) + kTickLength + 4, layout);
     choose_ticks(layout);
   }
@@ -121,12 +121,12 @@ struct LegendEntry {
   double top;
 };
 
-// Entries flow like words; `top` becomes where they end.
+// Arranges entries in rows, as words in a text. `top` moves to their end.
 std::vector<LegendEntry> lay_out_legend(const Figure& figure, double& top) {
   std::vector<LegendEntry> entries;
   constexpr double kWordsFrom = kSwatch + 8;
   double left = kMargin;
-  double height = 0;  // of the row
+  double height = 0;  // height of the row
   for (const Layer& layer : figure.layers) {
     const std::string text = legend_text(layer);
     const double width = kWordsFrom + text_width(text) + 20;
@@ -196,7 +196,7 @@ Direction direction(const Trace::Vertex& from, const Trace::Vertex& to) {
   return {(to.x - from.x) / length, (to.y - from.y) / length};
 }
 
-// A number at each vertex, on the side of its larger angle, where there is more room.
+// Writes a number at each vertex, on the side of its larger angle, because there is more room.
 // Vertices are in units of the picture.
 void number_vertices(SvgPicture& picture, const std::vector<Trace::Vertex>& vertices, bool closed) {
   const std::size_t n = vertices.size();
@@ -209,7 +209,7 @@ void number_vertices(SvgPicture& picture, const std::vector<Trace::Vertex>& vert
     const Direction after = has_after ? direction(at, vertices[(i + 1) % n]) : Direction{0, 0};
     Direction away{-before.x - after.x, -before.y - after.y};
     double length = std::hypot(away.x, away.y);
-    if (length < 1e-3) {  // straight on, or a point: to the right of the way, or below
+    if (length < 1e-3) {  // straight: to the right; a lone point: below
       away = after.x == 0 && after.y == 0 ? Direction{0, 1} : Direction{-after.y, after.x};
       length = 1;
     }
@@ -251,7 +251,7 @@ void draw_layers(SvgPicture& picture, const Figure& figure, const PictureTransfo
     const Region& region = layer.geometry.region;
     if (!region.empty()) picture.region(region, placement, layer.style);
   }
-  // On top, so that no area of a later layer hides them.
+  // Thin parts come after all areas, so that no area of a later layer hides them.
   for (const Layer& layer : figure.layers) {
     picture.thin_parts(layer.geometry, placement, layer.style);
   }
@@ -260,13 +260,13 @@ void draw_layers(SvgPicture& picture, const Figure& figure, const PictureTransfo
   }
 }
 
-// Numbers of faults that share a mark, or nearly so.
+// Numbers of faults whose marks lie at the same place, or nearly so.
 struct FaultLabel {
-  double x;  // of the mark
+  double x;  // position of the mark
   double y;
   std::string numbers;
   std::size_t last;
-  bool is_run;  // the last numbers follow each other, and are not written out
+  bool is_run;  // a run of numbers up to `last` is not yet written
 };
 
 void add_number(std::vector<FaultLabel>& labels, double x, double y, std::size_t number) {
@@ -291,7 +291,7 @@ void add_number(std::vector<FaultLabel>& labels, double x, double y, std::size_t
   found->last = number;
 }
 
-// Marks with numbers, which the list below the frame explains.
+// Draws marks with numbers, which the list below the frame explains.
 void mark_faults(SvgPicture& picture, const Figure& figure, const PictureTransform& placement) {
   constexpr double kRadius = 7;
   std::size_t number = 0;
@@ -322,7 +322,7 @@ void mark_faults(SvgPicture& picture, const Figure& figure, const PictureTransfo
   }
 }
 
-// A line below the frame.
+// A line of text below the frame.
 struct ListedLine {
   double indent;
   std::string text;

@@ -1,4 +1,4 @@
-// Figures: geometries on top of each other in one frame, to one scale, with a legend.
+// Draws figures: geometries on top of each other in one frame, to one scale, with a legend.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace minksum::cli {
 
 /// One geometry of a figure.
 struct Layer {
-  Geometry geometry;            ///< as it is drawn
+  Geometry geometry;            ///< the geometry to be drawn
   std::string style = "first";  ///< a class of SvgPicture
   std::string caption;
-  std::vector<Fault> faults;  ///< marked and listed
-  /// As it was read, if its vertices are to be numbered: from 1 in each ring, polyline, and set of
-  /// points.
+  std::vector<Fault> faults;  ///< faults to be marked and listed
+  /// The geometry as it was read, if its vertices are to be numbered. Numbers start from 1 in each
+  /// ring, each polyline and the set of points.
   const Geometry* numbered = nullptr;
 };
 
@@ -30,7 +30,7 @@ struct Figure {
   bool legend = true;
 };
 
-/// The figure as SVG. Throws Error(kLimitExceeded) if doubles cannot hold it.
+/// Returns the figure as SVG. Throws Error(kLimitExceeded) if doubles cannot hold it.
 [[nodiscard]] std::string figure_picture(const Figure& figure);
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// The picture of a robot on its way.
+// Draws a robot on its way.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ constexpr double kWidth = 960;
 constexpr double kMaxHeight = 900;
 constexpr double kMargin = 24;
 constexpr double kCaption = 44;
-constexpr double kPoses = 24;  ///< about so many are drawn on the way
+constexpr double kPoses = 24;  ///< about how many poses are drawn on the way
 
 double length_of(const std::vector<Waypoint>& path) {
   double length = 0;
@@ -25,7 +25,7 @@ double length_of(const std::vector<Waypoint>& path) {
   return length;
 }
 
-/// Poses to draw: along each move at even distances, and after each turn by another tenth of a
+/// Returns the poses to draw: along each move at even distances, and in turns after each tenth of a
 /// circle.
 std::vector<Waypoint> poses_on(const std::vector<Waypoint>& path) {
   std::vector<Waypoint> poses;

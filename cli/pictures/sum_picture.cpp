@@ -13,7 +13,7 @@ constexpr double kWidth = 960;
 constexpr double kMaxHeight = 900;
 constexpr double kMargin = 24;
 constexpr double kGap = 40;
-constexpr double kCaption = 44;  // two lines of text above each region
+constexpr double kCaption = 44;  // room for two lines of text above each region
 
 // A caption may be wider than a small region below it.
 constexpr double kMinColumn = 190;
@@ -32,7 +32,7 @@ struct Layout {
   }
 };
 
-// The largest scale at which both columns fit the width, and the higher one fits the height.
+// Chooses the largest scale at which both columns fit the width, and the higher one the height.
 Layout lay_out(const Drawing& drawing, const Geometry* sum) {
   Layout layout;
   layout.extents[0] = extent_of(drawing.p);
@@ -61,7 +61,7 @@ Layout lay_out(const Drawing& drawing, const Geometry* sum) {
   return layout;
 }
 
-// Where one of the three is drawn, and how.
+// Position, style and caption of one of the three drawings.
 struct PictureFrame {
   const Extent& extent;
   double left;

@@ -9,8 +9,8 @@
 namespace minksum::cli {
 namespace {
 
-// Colours after Okabe and Ito, which the colour-blind can tell apart; the second set is for dark
-// surroundings. No CSS variables: several renderers do not know them.
+// The colours are from Okabe and Ito; the colour-blind can tell them apart. The second set is for
+// dark surroundings. CSS variables are avoided, because several renderers do not know them.
 constexpr std::string_view kStyle = R"(
 text{font:13px system-ui,"Segoe UI","DejaVu Sans",Helvetica,Arial,sans-serif;fill:#555}
 .title{font-size:15px;font-weight:600;fill:#222}
@@ -44,7 +44,7 @@ constexpr std::string_view kDarkStyle = R"(text{fill:#b5b5b5}.title{fill:#eee}.g
 .accepted{fill:#2fd6a5;stroke:#2fd6a5}
 .nesting{fill:#e79cc5;stroke:#e79cc5}.collision{fill:#f3bd45;stroke:#f3bd45}
 )";
-// What figures have beyond that.
+// Classes that only figures use.
 constexpr std::string_view kFigureStyle = R"(.region.tight{fill-opacity:.22}
 .outline{fill:#444;stroke:#444}
 .region.outline{fill:none;stroke-width:1.2}
@@ -126,7 +126,7 @@ double fitting_scale(const Extent& extent, double width, double height) {
   double scale = std::numeric_limits<double>::infinity();
   if (extent.width() > 0) scale = std::min(scale, width / extent.width());
   if (extent.height() > 0) scale = std::min(scale, height / extent.height());
-  // What has no extent in doubles is a dot at any scale.
+  // A box without extent in doubles is a dot at any scale.
   return extent.width() > 0 || extent.height() > 0 ? scale : 1;
 }
 
@@ -231,7 +231,7 @@ void SvgPicture::add_tick(const Trace::Segment& segment, const PictureTransform&
   if (!(length > 0)) return;
   const double x = x0 + dx / 2;
   const double y = y0 + dy / 2;
-  // The picture's y axis points down, so the right-hand normal of (dx, dy) is (-dy, dx).
+  // The y axis of the picture points down, so the right-hand normal of (dx, dy) is (-dy, dx).
   move_to(x, y);
   line_to(x - dy / length * kTickLength, y + dx / length * kTickLength);
 }

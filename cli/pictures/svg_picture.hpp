@@ -1,4 +1,4 @@
-// Drawings as SVG: quiet, thin, legible on light and dark ground and to the colour-blind.
+// Writes drawings as SVG, legible on light and dark ground and to the colour-blind.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace minksum::cli {
 
-/// A box of the plane in doubles; grows around what it is given.
+/// A box of the plane in doubles, which grows around given points.
 struct Extent {
   double min_x = 0;
   double min_y = 0;
@@ -26,7 +26,7 @@ struct Extent {
 
 [[nodiscard]] Extent extent_of(const Geometry& geometry);
 
-/// Which surroundings a picture is for; `kAuto` leaves that to whatever shows it.
+/// The surroundings of a picture; `kAuto` leaves the choice to the program that shows it.
 enum class Theme { kAuto, kLight, kDark };
 
 /// A straight line in units of the picture.
@@ -37,11 +37,11 @@ struct PictureLine {
   double y1;
 };
 
-/// Where the plane lies in the picture: x right, y up, the same scale both ways.
+/// Maps the plane to the picture: x to the right, y up, and the same scale in both directions.
 class PictureTransform {
  public:
-  /// The extent's upper left corner comes to (left, top), `scale` picture units to one of its own.
-  /// Throws Error(kLimitExceeded) if doubles cannot hold that.
+  /// Maps the upper left corner of the extent to (left, top), and each of its units to `scale`
+  /// units of the picture. Throws Error(kLimitExceeded) if doubles cannot hold that.
   PictureTransform(const Extent& extent, double left, double top, double scale);
   [[nodiscard]] double x(double world) const { return left_ + (world - min_x_) * scale_; }
   [[nodiscard]] double y(double world) const { return top_ + (max_y_ - world) * scale_; }
@@ -54,21 +54,21 @@ class PictureTransform {
   double scale_;
 };
 
-/// The scale by which `extent` fills at most width × height.
+/// Returns the largest scale at which `extent` fits into width × height.
 [[nodiscard]] double fitting_scale(const Extent& extent, double width, double height);
 
-/// A picture under construction. `style` is one of the classes in svg_picture.cpp:
-/// first, second, sum, tight, mark, pale, edge-first, edge-second, dropped, covered, grid, node,
-/// accepted, nesting, collision.
+/// Builds a picture. Each `style` is one of the classes in svg_picture.cpp: first, second, sum,
+/// tight, mark, pale, edge-first, edge-second, dropped, covered, grid, node, accepted, nesting,
+/// collision.
 class SvgPicture {
  public:
   SvgPicture(double width, double height, std::string_view title);
-  /// For figures (figure.hpp): with the further classes outline, fault, axis, label, number,
-  /// middle, end.
+  /// Begins a picture for figure.hpp, with the further classes outline, fault, axis, label,
+  /// number, middle and end.
   SvgPicture(double width, double height, std::string_view title, Theme theme);
 
   void region(const Region& region, const PictureTransform& placement, std::string_view style);
-  /// Polylines as strokes and points as dots, thicker than outlines, in the colour of the style.
+  /// Draws polylines as strokes and points as dots, thicker than outlines, in the style's colour.
   void thin_parts(const Geometry& geometry, const PictureTransform& placement,
                   std::string_view style);
   void geometry(const Geometry& geometry, const PictureTransform& placement,
@@ -78,7 +78,7 @@ class SvgPicture {
   }
   void ring(std::span<const Trace::Vertex> vertices, const PictureTransform& placement,
             std::string_view style);
-  /// All segments that `chosen` accepts, as one path.
+  /// Draws all segments that `chosen` accepts as one path.
   template <typename Chosen>
   void segments(std::span<const Trace::Segment> segments, const PictureTransform& placement,
                 std::string_view style, Chosen chosen) {
@@ -88,7 +88,7 @@ class SvgPicture {
     }
     end_path();
   }
-  /// A tick to the right of each segment's middle: its outer side.
+  /// Draws a tick at the middle of each segment, on its outer side, which is the right one.
   template <typename Chosen>
   void ticks(std::span<const Trace::Segment> segments, const PictureTransform& placement,
              std::string_view style, Chosen chosen) {
@@ -100,13 +100,13 @@ class SvgPicture {
   }
   void dots(std::span<const Trace::Vertex> points, const PictureTransform& placement, double radius,
             std::string_view style);
-  /// Runs of marked cells of a grid, merged row by row.
+  /// Draws the marked cells of a grid, merged to runs row by row.
   void cells(const Trace::Grid& grid, const PictureTransform& placement, std::string_view style);
   void text(double x, double y, std::string_view style, std::string_view words);
   void lines(std::span<const PictureLine> lines, std::string_view style);
   void box(double left, double top, double width, double height, std::string_view style);
 
-  /// The picture, complete.
+  /// Completes the picture and returns it.
   [[nodiscard]] std::string finish() &&;
 
  private:

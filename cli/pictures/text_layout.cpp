@@ -9,7 +9,7 @@ namespace {
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
-// The bytes of the first so many characters.
+// Returns how many bytes the first `characters` characters take.
 std::size_t bytes_of(std::string_view text, std::size_t characters) {
   std::size_t at = 0;
   for (; at < text.size(); ++at) {
@@ -18,7 +18,7 @@ std::size_t bytes_of(std::string_view text, std::size_t characters) {
   return at;
 }
 
-// How many bytes the printable character has that the text begins with; 0 if it is not printable.
+// Returns the length in bytes of the first character, or 0 if it is not printable.
 std::size_t printable_length(std::string_view text) {
   const std::size_t length = detail::utf8_length(text);
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -57,7 +57,7 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t characters) 
   const std::size_t most = std::max<std::size_t>(characters, 1);
   while (character_count(text) > most) {
     const std::size_t end = bytes_of(text, most);
-    // A space just behind the line is as good as one in it.
+    // A space just behind the line also allows a break.
     const std::size_t space = text.rfind(' ', end);
     const bool between_words = space != std::string_view::npos && space > 0;
     lines.emplace_back(text.substr(0, between_words ? space : end));

@@ -1,5 +1,5 @@
-// Text that comes from outside: lines of it for pictures, whose fonts are not known, and what
-// neither pictures nor terminals can take.
+// Treats text from outside: breaks it into lines for pictures, whose fonts are not known, and finds
+// characters that pictures and terminals cannot show.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace minksum::cli {
 
-/// How many characters UTF-8 text has.
+/// Returns how many characters a UTF-8 text has.
 [[nodiscard]] std::size_t character_count(std::string_view text);
 
-/// The text in lines of up to so many characters (one at least): between words, where that is
-/// possible, else within them.
+/// Breaks the text into lines of at most `characters` characters, which must be at least one. Lines
+/// break between words where possible, else within words.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t characters);
 
-/// Whether the text is UTF-8 without control characters (U+0000 to U+001F, U+007F to U+009F) and
-/// without U+FFFE and U+FFFF, which XML has not.
+/// Returns whether the text is UTF-8 without control characters (U+0000 to U+001F, U+007F to
+/// U+009F) and without U+FFFE and U+FFFF, which XML forbids.
 [[nodiscard]] bool is_printable(std::string_view text);
-/// The text with each character, and each byte that is none, that is not printable as `instead` has
-/// it.
+/// Returns the text with `instead(part)` for each character that is not printable, and for each
+/// byte that belongs to no character.
 [[nodiscard]] std::string printable(std::string_view text,
                                     const std::function<std::string(std::string_view)>& instead);
 

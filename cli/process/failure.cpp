@@ -25,7 +25,7 @@ ExitCode exit_code_of(ErrorCode code) {
   return kInternal;
 }
 
-// Input can put anything into a message; one line stays one line, and a terminal stays sane.
+// Input can put any bytes into a message. Escaping keeps it one line, and harmless for terminals.
 std::string one_line(const std::string& text) {
   return printable(text, [](std::string_view part) {
     std::string escaped;
@@ -62,8 +62,8 @@ bool is_about(const Error& error, std::string_view limit) {
   return error.limit() && error.limit()->name == limit;
 }
 
-// The message with the option that sets the limit or avoids it, not with the member that does so in
-// the library. Other limits are fixed, and have no option.
+// Names the option that sets or avoids the limit, instead of the library's member. Other limits are
+// fixed and have no option.
 std::string with_option(const Error& error) {
   constexpr std::pair<std::string_view, const char*> kOptions[] = {
       {"Limits::max_segments", "--max-segments"},
@@ -93,7 +93,7 @@ int tell_exception() {
     return fail_with(failure.code(), failure.what());
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::length_error&) {  // more elements than a vector can have
+  } catch (const std::length_error&) {  // asked for more elements than a vector can have
     throw std::bad_alloc();
   } catch (const std::exception& error) {
     return fail_with(kInternal, std::string("internal error: ") + error.what());
@@ -146,7 +146,7 @@ void fail_about_output(const Error& error, const std::string& output) {
 }
 
 void fail_about(const Error& error, const std::string (&operands)[2]) {
-  // So the library tells it where it throws nothing; the program has a line for this.
+  // Where the library throws nothing, it reports lack of memory as an error of this name.
   if (is_about(error, "memory")) throw std::bad_alloc();
   const int operand = error.culprit().operand;
   throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : "");

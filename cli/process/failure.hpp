@@ -1,4 +1,4 @@
-// Failures in one line: which file, where in it, what.
+// Reports failures in one line: the file, the place in it, and the reason.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace minksum::cli {
 
-/// A failure that is ready to be told: the line and the exit code.
+/// A failure as the user sees it: the line and the exit code.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& line) : std::runtime_error(line), code_(code) {}
@@ -22,28 +22,29 @@ class Failure : public std::runtime_error {
   ExitCode code_;
 };
 
-/// "polygon 1, ring 2, vertex 3", as far as it is known; all count from 1, ring 1 is the outer one.
+/// Returns a text such as "polygon 1, ring 2, vertex 3", without what is unknown. All numbers count
+/// from 1, and ring 1 is the outer ring.
 [[nodiscard]] std::string describe(const Culprit& place);
 
-/// "standard input" for "-".
+/// Returns the name of a file for messages: "standard input" for "-", else the path.
 [[nodiscard]] std::string shown_name(const std::string& file);
 
-/// Tells on standard error, in one line, what is no failure.
+/// Writes a note that is not a failure to standard error, in one line.
 void tell(const std::string& message);
 
-/// Handles `error`, the exception being handled, of what is made for an output: throws a Failure
-/// that names the output if numbers are beyond the range of doubles, else the exception itself.
+/// Throws a Failure that names the output if `error` says that numbers exceed the range of doubles.
+/// Otherwise rethrows `error`, which must be the exception being handled.
 [[noreturn]] void fail_about_output(const Error& error, const std::string& output);
 
-/// The failure that `error` is, if it came about while reading or using `file`.
+/// Returns `error` as a failure of reading or using `file`.
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
-/// Throws what `error`, raised by an operation on two operands, is: a Failure that names the file
-/// of the operand that it is about, or std::bad_alloc.
+/// Throws what `error` of an operation on two operands means: a Failure that names the file of its
+/// operand, or std::bad_alloc.
 [[noreturn]] void fail_about(const Error& error, const std::string (&operands)[2]);
 
-/// What `make` returns, which is made for an output (empty or "-": standard output): if that has no
-/// room for the numbers, a Failure that names it is thrown.
+/// Returns what `make` makes for an output, which is standard output if it is empty or "-". Throws
+/// a Failure that names the output if numbers exceed the range of doubles.
 template <class Make>
 auto made_for(const std::string& output, Make make) {
   try {
@@ -53,25 +54,25 @@ auto made_for(const std::string& output, Make make) {
   }
 }
 
-/// An operand as a file gives it.
+/// An operand as it was read from a file.
 struct ReadOperand {
   Geometry geometry;
   std::optional<std::string> properties;  ///< see io::feature_properties
 };
-/// Reads an operand; what goes wrong is thrown as a Failure that names the file.
+/// Reads an operand. Throws a Failure that names the file.
 [[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits);
-/// The same for an operand that is going to be read by this rule. Tells on standard error if its
-/// polygons are not valid, and how they are read then.
+/// Does the same for an operand that will be resolved by this rule. If its polygons are not valid,
+/// a note on standard error says how they are read.
 [[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits,
                                        FillRule fill);
 
-/// Why polygons are not valid and how they are read by this rule; nothing if they are valid, or if
-/// the rule refuses them.
+/// Returns why the polygons are not valid and how this rule reads them. Returns nothing if they are
+/// valid or if the rule refuses them.
 [[nodiscard]] std::optional<std::string> reading_of_faults(
     const Region& region, FillRule fill, const std::optional<CancelToken>& cancel = {});
 
-/// Tells the exception being handled on standard error, in one line; returns the exit code.
-/// Needs no memory to say that there is none; `memory_limit` in bytes, if there is one.
+/// Reports the exception being handled on standard error, in one line; returns the exit code.
+/// A report of lack of memory needs no memory; it names `memory_limit`, in bytes, if there is one.
 int report_failure(std::optional<std::uint64_t> memory_limit) noexcept;
 
 }  // namespace minksum::cli

@@ -19,8 +19,8 @@
 namespace minksum::cli {
 namespace {
 
-// What a signal handler needs has to be static. One thread of the program writes files, and it
-// alone takes signals; they are blocked while these change.
+// A signal handler can only reach static variables. One thread of the program writes files, and it
+// alone takes signals; they are blocked while these variables change.
 TemporaryFile* newest_file = nullptr;
 char timeout_message[128] = "";
 
@@ -40,7 +40,7 @@ bool is_ignored(int signal) {
 }
 
 void open_closed_streams() {
-  // Reading from standard input, or writing to the other two, still fails: the wrong way round.
+  // The stream is opened for the wrong direction, so that reading or writing still fails.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
     const int opened = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -50,26 +50,26 @@ void open_closed_streams() {
 
 std::uint64_t number_in(const char* file) {
   std::uint64_t value = 0;
-  std::ifstream(file) >> value;  // stays 0 for "max", and where there is no such file
+  std::ifstream(file) >> value;  // stays 0 for "max" and for a missing file
   return value;
 }
 
 }  // namespace
 }  // namespace minksum::cli
 
-// Handlers keep to what POSIX lets them call.
+// Handlers call only functions that POSIX allows in them.
 extern "C" {
 
 static void minksum_end_by_signal(int signal) {
   minksum::cli::TemporaryFile::remove_all();
-  ::raise(signal);  // once this handler returns, with the default action
+  ::raise(signal);  // acts by default once this handler returns
 }
 
 static void minksum_end_by_clock(int) {
   using namespace minksum::cli;
   TemporaryFile::remove_all();
   const auto written = ::write(STDERR_FILENO, timeout_message, std::strlen(timeout_message));
-  static_cast<void>(written);  // there is nobody left to tell
+  static_cast<void>(written);  // a failure here cannot be reported
   ::_exit(kLimitExceeded);
 }
 
@@ -92,14 +92,14 @@ void end_after(double seconds) {
   itimerval timer{};
   const double whole = std::floor(seconds);
   timer.it_value.tv_sec = static_cast<time_t>(whole);
-  // At least a microsecond: 0 would stop the clock.
+  // The time is at least a microsecond, because 0 would stop the clock.
   timer.it_value.tv_usec = static_cast<suseconds_t>(
       std::clamp((seconds - whole) * 1e6, whole > 0 ? 0.0 : 1.0, 999'999.0));
   setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 bool limit_memory(std::uint64_t bytes) {
-  // The stack must not have to grow when the memory is used up: that would be a crash.
+  // The stack grows now, because growing it once memory is used up would crash the program.
   constexpr std::size_t kStack = std::size_t{1} << 19;
   volatile char stack[kStack];
   for (std::size_t i = 0; i < kStack; i += 1024) stack[i] = 0;
@@ -134,7 +134,7 @@ SignalsBlocked::SignalsBlocked() {
 SignalsBlocked::~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
 TemporaryFile::TemporaryFile(const std::string& folder, const std::string& shown) {
-  // Not the final name and more: that could be too long for the file system.
+  // The final name with an ending could be too long for the file system, so this name is short.
   constexpr const char* kEnding = ".tmp";
   name_ = folder + "/minksum-XXXXXX" + kEnding;
   const SignalsBlocked blocked;

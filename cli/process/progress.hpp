@@ -1,4 +1,4 @@
-// How far a long run is, for a terminal.
+// Shows on a terminal how far a long run is.
 #pragma once
 
 #include <chrono>
@@ -7,16 +7,17 @@
 
 namespace minksum::cli {
 
-/// A line on standard error that is written over and over; nothing if that is no terminal, or if
-/// results are shown there, too.
+/// Keeps one line on standard error up to date. Writes nothing if standard error is not a terminal,
+/// or if results appear there, too.
 class Progress {
  public:
-  /// `beside_results`: these go to standard output.
+  /// `beside_results` tells that results go to standard output.
   explicit Progress(bool beside_results);
   ~Progress();  ///< removes the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// `share` of all work that is done, from 0 to 1, if that is known. At most ten times a second.
+  /// Updates the line, at most ten times a second. `share` is the share of all work that is done,
+  /// from 0 to 1, if known.
   void show(std::uint64_t jobs, std::uint64_t failed, std::optional<double> share);
 
  private:
@@ -24,7 +25,7 @@ class Progress {
   bool terminal_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
-  std::optional<std::uint64_t> first_;  // jobs at the first call: those are an earlier run's
+  std::optional<std::uint64_t> first_;  // jobs at the first call, done by an earlier run
 };
 
 }  // namespace minksum::cli

@@ -1,4 +1,4 @@
-// Time limits of single jobs.
+// Keeps the time limits of single jobs.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,8 @@
 
 namespace minksum::cli {
 
-/// Cancels what takes too long; used by many threads. Has a thread of its own once it is needed.
+/// Cancels jobs that take too long. Many threads may use one; it starts a thread of its own once
+/// that is needed.
 class Watchdog {
  public:
   Watchdog() = default;
@@ -21,7 +22,8 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// While this lives, its token is cancelled when the time is over. Without a limit, no token.
+  /// Watches one job while it lives, and cancels the token when the time is over. Without a limit
+  /// there is no token.
   class Watch {
    public:
     Watch(Watchdog& dog, double seconds);  ///< 0 = no limit
