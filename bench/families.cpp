@@ -103,7 +103,7 @@ bool crosses(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
   return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
 }
 
-// Whether the path a, b, c can replace the edge number `at` without crossing any other.
+// Returns whether the path a, b, c can replace the edge number `at` without crossing any other.
 bool fits(const Corners& ring, std::size_t at, const Corner& middle) {
   const std::size_t n = ring.size();
   const Corner& a = ring[at];

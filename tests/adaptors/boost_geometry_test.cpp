@@ -22,7 +22,7 @@ using Fraction = boost::multiprecision::cpp_rational;
 }
 
 namespace minksum::adaptors {
-// What a user writes for a number type of his own.
+// A user writes this for another number type.
 template <>
 struct NumberTraits<Fraction> {
   static Rational to_rational(const Fraction& number) { return *Rational::parse(number.str()); }
@@ -50,7 +50,7 @@ using Kinds = testing::Types<Multi<double, true, true>, Multi<double, true, fals
                              Multi<std::int64_t, true, false>, Multi<Fraction, true, true>>;
 TYPED_TEST_SUITE(BoostGeometry, Kinds);
 
-// Rings have the direction of their type, and the closing point if it wants one.
+// Rings have the direction of their type, and the closing point if the type wants one.
 TYPED_TEST(BoostGeometry, RoundTrips) {
   Random random(seed_from_environment(11));
   for (int i = 0; i < 200; ++i) {
@@ -134,7 +134,7 @@ TEST(BoostGeometryDoubles, AreExact) {
   EXPECT_TRUE(bg::equals(to_boost<PlainPolygon>(region).outer()[1], polygon.outer()[1]));
 }
 
-// Twice rounding, to a double and then to a float, would end in the wrong one.
+// Rounding twice, to a double and then to a float, would give the wrong float.
 TEST(BoostGeometryFloats, AreTheNearest) {
   const float one_up = std::nextafter(1.0F, 2.0F);
   const Rational middle = (Rational(1) + Rational(one_up)) / Rational(2);
@@ -175,7 +175,7 @@ TEST(BoostGeometryErrors, Tell) {
   const Region far = scaled(frame_and_triangle(), Rational(Decimal{1, 400}));
   error = error_of([&] { (void)to_boost<PlainMulti>(far); });
   EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
-  // The first vertex is 0; the next one in this direction is the region's last.
+  // The first vertex is 0, and the next one in this direction is the region's last.
   EXPECT_EQ(place_of(error), "0 0 3");
   EXPECT_EQ(error.limit()->name, "doubles");
   const Region far_for_int = scaled(frame_and_triangle(), Rational(1'000'000'000));

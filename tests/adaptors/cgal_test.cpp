@@ -57,7 +57,7 @@ TYPED_TEST(Cgal, RoundTrips) {
 
 TYPED_TEST(Cgal, IsExactOrRefuses) {
   using Number = typename TypeParam::FT;
-  // Fractions of a few bits, and of thousands of digits.
+  // The numbers are fractions of a few bits and of thousands of digits.
   Rational longer = Rational(1, 3);
   for (int i = 0; i < 12; ++i) longer = longer * longer;
   for (const Rational& factor : {Rational(-1, 3), Rational(Decimal{1, -5}) + longer}) {
@@ -92,7 +92,7 @@ TYPED_TEST(Cgal, TakesSinglePolygonsAndRanges) {
   EXPECT_EQ(refused([&] { (void)to_cgal<CGAL::Polygon_2<TypeParam>>(frame); }), "0 1 -");
   EXPECT_EQ(refused([&] { (void)to_cgal<WithHoles<TypeParam>>(frame_and_triangle()); }), "1 - -");
   EXPECT_EQ(refused([&] { (void)to_cgal<WithHoles<TypeParam>>(Region()); }), "- - -");
-  // Without an outer boundary it is the plane, less the holes.
+  // A polygon without an outer boundary is the plane less the holes.
   EXPECT_EQ(refused([] { (void)from_cgal(Many<TypeParam>(1)); }), "0 0 -");
 
   EXPECT_TRUE(to_cgal<CGAL::Polygon_2<TypeParam>>(Region()).is_empty());
@@ -129,7 +129,7 @@ TEST(CgalDoubles, NameWhatIsNotFinite) {
   EXPECT_EQ(from_cgal(to_cgal<Many<Epeck>>(far)), canonical(far));
 }
 
-// Numbers that CGAL has computed, not only those that it was given.
+// The coordinates are numbers that CGAL has computed, not only given ones.
 TEST(CgalExact, TakesLazyNumbers) {
   const Epeck::FT third = Epeck::FT(1) / Epeck::FT(3);
   CGAL::Polygon_2<Epeck> polygon;

@@ -23,7 +23,7 @@ using adaptors::to_clipper;
 #ifdef MINKSUM_TEST_CLIPPER2
 using Clipper2Lib::PathsD, Clipper2Lib::Paths64;
 #else
-// The same shapes.
+// These types have the shape of Clipper2's.
 struct Point64 {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -56,7 +56,7 @@ TYPED_TEST(Clipper2, RoundTrips) {
   }
 }
 
-// Times the scale there, divided by it back: exact both ways where the products are integers.
+// Coordinates are multiplied by the scale and divided again. Both are exact for integer products.
 TYPED_TEST(Clipper2, Scales) {
   Random random(seed_from_environment(22));
   for (int i = 0; i < 50; ++i) {
@@ -69,13 +69,13 @@ TYPED_TEST(Clipper2, Scales) {
 }
 
 TYPED_TEST(Clipper2, FillsByTheRule) {
-  // Two squares that cross, both counter-clockwise; each closed in one way of the two.
+  // The two squares cross, and both are counter-clockwise. Each is closed in one of the two ways.
   const TypeParam paths{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {{2, 2}, {6, 2}, {6, 6}, {2, 6}}};
   EXPECT_EQ(area(from_clipper(paths, FillRule::kNonZero)), Rational(28));
   EXPECT_EQ(area(from_clipper(paths, FillRule::kPositive)), Rational(28));
   EXPECT_EQ(area(from_clipper(paths, FillRule::kEvenOdd)), Rational(24));
   EXPECT_TRUE(from_clipper(paths, FillRule::kNegative).empty());
-  // A bow tie crosses itself at a point that no integer has.
+  // The bow tie crosses itself at a point without integer coordinates.
   const TypeParam bow{{{0, 0}, {3, 3}, {3, 0}, {0, 2}}};
   const Region both = from_clipper(bow, FillRule::kNonZero);
   EXPECT_EQ(both.polygon_count(), 2U);
@@ -88,7 +88,7 @@ TYPED_TEST(Clipper2, FillsByTheRule) {
 TYPED_TEST(Clipper2, NothingIsNothing) {
   EXPECT_TRUE(to_clipper<TypeParam>(Region()).empty());
   EXPECT_EQ(from_clipper(TypeParam(), FillRule::kNonZero), Region());
-  // Paths without area: empty, a point, a segment, and one that returns as it went.
+  // These paths have no area: empty, a point, a segment, and a path there and back.
   const TypeParam thin{{}, {{1, 1}}, {{1, 1}, {5, 5}}, {{1, 1}, {5, 5}, {9, 9}, {5, 5}}};
   EXPECT_EQ(from_clipper(thin, FillRule::kEvenOdd), Region());
   Region begun;
@@ -123,7 +123,7 @@ TEST(Clipper2Integers, AreNeverRounded) {
   EXPECT_STREQ(error.what(), "the coordinate 3/2 is not an integer: polygon 0, ring 0, vertex 1");
   EXPECT_EQ(to_clipper<Paths64>(region, Rational(2)).size(), 3U);
 
-  // A hole's vertex has its index in the region, although the path runs the other way.
+  // The error names the index of a hole's vertex in the region, although the path is reversed.
   Region hole = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
   hole.begin_ring();
   hole.add_vertex(1, 1);
@@ -133,7 +133,7 @@ TEST(Clipper2Integers, AreNeverRounded) {
   error = error_of([&] { (void)to_clipper<Paths64>(hole); });
   EXPECT_EQ(place_of(error), "0 1 2");
 
-  // 53 bits and more.
+  // The coordinates have more than 53 bits.
   const std::int64_t large = (std::int64_t{1} << 61U) + 1;
   const Paths64 paths{{{-large, -large}, {large, -large}, {large, large}}};
   const Region wide = from_clipper(paths, FillRule::kNonZero);
@@ -161,15 +161,15 @@ TEST(Clipper2Integers, HaveTheDirectionOfTheExactRing) {
     ASSERT_EQ(region.x(0), 1);
     EXPECT_EQ(there_and_back(scrambled(region, random)), region);
   }
-  // Both clockwise; the first vertex is as far left, or as far down, as a corner, but does not
-  // turn.
+  // Both outlines are clockwise. The first vertex is as far left, or as far down, as a corner, but
+  // is straight.
   for (const Outline& outline : {Outline{{0, 5}, {0, 9}, {9, 9}, {9, 0}, {0, 0}},
                                  Outline{{5, 0}, {0, 0}, {0, 9}, {9, 9}, {9, 0}}}) {
     EXPECT_EQ(there_and_back(tiny(make_polygon(outline))), tiny(rectangle(0, 0, 9, 9)));
   }
 }
 
-// As the page says: rounded to decimals, all is whole by a power of ten.
+// As the page says, decimals become integers by a power of ten.
 TEST(Clipper2Integers, TakeWhatWasRounded) {
   Random random(seed_from_environment(23));
   RoundOptions options;
@@ -185,7 +185,7 @@ TEST(Clipper2Doubles, AreTheNearest) {
   const Region region = scaled(frame_and_triangle(), Rational(1, 10));
   EXPECT_EQ(to_clipper<PathsD>(region)[0][1].x, 0.9);
   EXPECT_EQ(to_clipper<PathsD>(region, Rational(1, 3))[0][1].x, 0.3);
-  // 1/10 there and back: the double itself, as doubles mean what they are.
+  // 1/10 comes back as the double, because a double means exactly itself.
   const Region back = from_clipper(to_clipper<PathsD>(region), FillRule::kNonZero);
   EXPECT_EQ(back.exact_x(1), Rational(0.9));
   EXPECT_EQ(error_of([&] {
@@ -205,7 +205,7 @@ TEST(Clipper2Errors, NameThePath) {
 }
 
 #ifdef MINKSUM_TEST_CLIPPER2
-// Both agree on what paths mean, where the crossings are integers.
+// Both libraries agree on the meaning of paths if crossings are integers.
 TEST(Clipper2Itself, MeansTheSame) {
   Random random(seed_from_environment(24));
   for (int i = 0; i < 100; ++i) {

@@ -65,7 +65,7 @@ TEST_F(Geos, RoundTripsOfThinParts) {
   int mixed = 0;
   for (int i = 0; i < 300; ++i) {
     const Geometry geometry = resolve(random_mess(random));
-    // What crosses at fractions is no geometry in doubles.
+    // A geometry with crossings at fractions has no form in doubles.
     const auto integer = [](const Point& p) { return p.x.is_integer() && p.y.is_integer(); };
     bool integers = true;
     for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) {
@@ -98,7 +98,7 @@ TEST_F(Geos, HasATypeForEach) {
             "POINT (7 8))");
 }
 
-// Holes clockwise, outer rings counter-clockwise, whatever they were.
+// Whatever directions rings have, holes become clockwise, and outer rings counter-clockwise.
 TEST_F(Geos, DirectsRings) {
   const Region region =
       make_polygon({{0, 0}, {0, 9}, {9, 9}, {9, 0}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}});
@@ -130,7 +130,7 @@ TEST_F(Geos, ReadsEveryType) {
 }
 
 TEST_F(Geos, TellsWhatIsBad) {
-  // GEOS reads no such numbers from text, so they are put into rings one by one.
+  // GEOS does not read such numbers from text, so they are put into rings one by one.
   const auto polygon_with = [&](double x) {
     GEOSCoordSequence* const points = GEOSCoordSeq_create_r(context_, 4, 2);
     const double xs[] = {0, 4, x, 0};
@@ -158,7 +158,7 @@ TEST_F(Geos, TellsWhatIsBad) {
   EXPECT_EQ(place_of(error), "1 0 -");
   error = error_of([&] { (void)to_geos(context_, Geometry({}, {{{1, 1}}})); });
   EXPECT_EQ(error.code(), ErrorCode::kBadInput);
-  // The parts that were made before are destroyed: a leak checker sees it.
+  // The parts that were made before must be destroyed, which a leak checker would notice.
   const Rational far(Decimal{1, 400});
   error = error_of([&] { (void)to_geos(context_, Geometry(two.polygon(0), {}, {{far, 1}})); });
   EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);

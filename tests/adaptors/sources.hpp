@@ -1,4 +1,4 @@
-// Regions for round trips through other libraries, and what both ends are compared by.
+// Makes regions for round trips through other libraries, and compares both ends.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,15 +13,15 @@
 
 namespace minksum::test {
 
-/// The same set in canonical form.
+/// Returns the same set in canonical form.
 inline Region canonical(const Region& region) {
   ResolveOptions options;
   options.regularize = true;
   return resolve(region, options).region;
 }
 
-/// A random valid region in canonical form: several parts and holes are frequent. On integers so
-/// large that what `scrambled` puts between them is of integers, too.
+/// Returns a random valid region in canonical form; several parts and holes are frequent. Its
+/// integers are so large that vertices which `scrambled` puts between them are integers, too.
 inline Region random_source(Random& random) {
   const auto region = [&random] {
     switch (random.below(3)) {
@@ -36,13 +36,14 @@ inline Region random_source(Random& random) {
   return canonical(scaled(region(), Rational(1024)));
 }
 
-/// A square of 9 by 9 with a square hole of 3 by 3, and a triangle beside it.
+/// Returns a square of 9 by 9 with a square hole of 3 by 3, and a triangle beside it.
 inline Region frame_and_triangle() {
   return make_region({{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{3, 3}, {3, 6}, {6, 6}, {6, 3}}},
                       {{{20, 0}, {30, 0}, {20, 10}}}});
 }
 
-/// A polygon without rings, a triangle with an empty hole and a whole one, and an empty ring alone.
+/// Returns a polygon without rings, a triangle with an empty hole and a whole one, and an empty
+/// ring alone.
 inline Region with_empty_rings() {
   Region region;
   region.begin_polygon();
@@ -58,11 +59,11 @@ inline Region with_empty_rings() {
   ring({});
   return region;
 }
-/// What is left of it without these.
+/// Returns that region without its empty rings.
 inline Region without_empty_rings() {
   return make_polygon({{0, 0}, {9, 0}, {0, 9}}, {{{1, 1}, {1, 2}, {2, 1}}});
 }
-/// A hole in nothing.
+/// Returns a hole without an outer ring.
 inline Region hole_alone() {
   Region region;
   region.begin_polygon();
@@ -72,7 +73,7 @@ inline Region hole_alone() {
   return region;
 }
 
-/// The error that `run` throws; a failure if there is none.
+/// Returns the error that `run` throws; fails if it throws none.
 template <class Run>
 Error error_of(const Run& run) {
   try {
@@ -84,7 +85,7 @@ Error error_of(const Run& run) {
   return {ErrorCode::kInternal, "no error"};
 }
 
-/// Polygon, ring and vertex of an error, each "-" where it names none.
+/// Returns polygon, ring and vertex of an error, each "-" if the error does not name it.
 inline std::string place_of(const Error& error) {
   const auto text = [](std::size_t index) {
     return index == Culprit::kNone ? "-" : std::to_string(index);

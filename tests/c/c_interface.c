@@ -1,4 +1,4 @@
-/* Calls every function of the C interface, and compares with what must come out. */
+/* Calls every function of the C interface, and compares the results with the expected ones. */
 #include <math.h>
 #include <minksum_c.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@ static void expect(int good, const char *what, int line) {
 
 static minksum_error error;
 
-/* The exact WKT of a geometry is this. Frees the geometry. */
+/* Expects that the exact WKT of a geometry is `wkt`. Frees the geometry. */
 static void expect_wkt(minksum_status status, minksum_geometry *geometry, const char *wkt,
                        int line) {
   char *text = NULL;

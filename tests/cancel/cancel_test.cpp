@@ -1,4 +1,4 @@
-// Every operation ends when its token says stop, whenever that is, and leaves nothing behind.
+// Tests that every operation ends when its token says stop, at any time, and leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,7 +11,7 @@
 namespace minksum {
 namespace {
 
-/// Says stop at its n-th look, and from then on.
+/// A token that says stop at its n-th look and all later ones.
 class Stopper {
  public:
   explicit Stopper(std::uint64_t at) : at_(at) {}
@@ -27,7 +27,7 @@ class Stopper {
 
 constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
-/// Whether it ended because it was cancelled.
+/// Returns whether the operation ended because it was cancelled.
 bool is_cancelled(const test::CancelCase& hard, const CancelToken& token) {
   try {
     hard.run(token);
@@ -45,14 +45,14 @@ TEST(Cancel, EveryOperationEndsAtAnyLook) {
     for (std::uint64_t at = 1; ended && at < 256; at *= 2) {
       Stopper stopper(at);
       ended = is_cancelled(hard, stopper.token());
-      // It was told so, or came to its end before.
+      // The operation was told to stop, or ended before.
       EXPECT_EQ(ended, stopper.looks() >= at);
     }
   }
 }
 
 TEST(Cancel, LooksGrowWithTheWork) {
-  // Of n² pairs of edges that cross, so many units of work, or more, are counted.
+  // The n² pairs of edges that cross count at least as many units of work.
   Options options;
   Stopper stopper(kNever);
   options.cancel = stopper.token();

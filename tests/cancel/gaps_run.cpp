@@ -1,9 +1,9 @@
-// The longest time of a processor between two looks at a cancel token, for each operation on each
-// hard input: gaps_run [--size VERTICES] [--seconds PER_CASE] [--most MILLISECONDS] [WORD...]
+// Measures the longest processor time between two looks at a cancel token, for each operation on
+// each hard input: gaps_run [--size VERTICES] [--seconds PER_CASE] [--most MILLISECONDS] [WORD...]
 //
-// Prints a line for each case that has the words in its name: the longest time, and the time from
-// the last look to the end, in which memory is freed. Exits with 1 if either is longer than
-// MILLISECONDS.
+// Prints a line for each case that has the words in its name. The line has the longest time, and
+// the time from the last look to the end, in which memory is freed. Exits with 1 if either is
+// longer than MILLISECONDS.
 #include <time.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// What a thread saw of one run.
+/// The clock of one thread in one run.
 struct ThreadClock {
   unsigned run = 0;
   double begin = 0;
   double last = 0;
 };
 
-/// Looks by any thread. A thread's first look starts its clock.
+/// Measures the gaps between looks of all threads. A thread's first look starts its clock.
 class Gaps {
  public:
   Gaps(unsigned run, double seconds) : run_(run), seconds_(seconds) {}
@@ -46,7 +46,7 @@ class Gaps {
     looks_.fetch_add(1);
     return now - mine.begin > seconds_;
   }
-  /// For how long this thread has not looked.
+  /// Returns for how long this thread has not looked.
   [[nodiscard]] double since_last_look() const { return thread_seconds() - clock().last; }
   [[nodiscard]] double longest() const { return longest_.load(); }
   [[nodiscard]] unsigned long looks() const { return looks_.load(); }
@@ -93,7 +93,7 @@ Arguments parse(int argc, char** argv) {
   return arguments;
 }
 
-/// Whether no gap is too long.
+/// Returns whether no gap is too long.
 bool measure(const CancelCase& hard, unsigned run, const Arguments& arguments) {
   Gaps gaps(run, arguments.seconds);
   const CancelToken token = CancelToken::polling([&gaps] { return gaps.look(); });

@@ -1,4 +1,4 @@
-// What the notes of pairs.tsv say of the sums, as exact results. Tight places are tested elsewhere.
+// Tests the exact sums that the notes of pairs.tsv state. Tight places are tested elsewhere.
 #include <gtest/gtest.h>
 
 #include "degenerate/shapes.hpp"
@@ -147,7 +147,7 @@ TEST_F(Expected, Sweeps) {
   const Outline l_shape{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
   const Outline l_moved{{5, 1}, {9, 1}, {9, 3}, {7, 3}, {7, 5}, {5, 5}};
   EXPECT_EQ(sum_of("multi_points", "l_shape"), region(make_region({{l_shape}, {l_moved}})));
-  // A hole that takes all of its polygon leaves the rim, and that is swept.
+  // A hole that takes away all of its polygon leaves the rim, which the square sweeps along.
   EXPECT_EQ(sum_of("hole_equals_outer", "unit_square"),
             region(make_polygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}},
                                 {{{1, 1}, {4, 1}, {4, 4}, {1, 4}}})));

@@ -1,4 +1,4 @@
-// The shapes of data/degenerate.
+// Reads the shapes of data/degenerate, and sums them.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 
 namespace minksum::test {
 
-/// The folder; nothing if there is none.
+/// Returns the folder, or nothing if it does not exist.
 [[nodiscard]] std::optional<std::filesystem::path> degenerate_path();
-/// The names of all shapes, sorted, without ".wkt".
+/// Returns the names of all shapes, sorted, without ".wkt".
 [[nodiscard]] std::vector<std::string> degenerate_names();
-/// A shape as it is written: rings of any kind. Numbers are read exactly.
+/// Returns a shape as it is written, with rings of any kind. Numbers are read exactly.
 [[nodiscard]] Geometry read_shape(const std::string& name);
 
-/// P ⊕ Q by the reduced method, whose checkers run.
+/// Returns P ⊕ Q by the reduced method, whose checkers run.
 [[nodiscard]] Geometry reduced_sum(const Geometry& p, const Geometry& q);
 [[nodiscard]] Geometry signed_sum_of(const Geometry& p, const Geometry& q);
 

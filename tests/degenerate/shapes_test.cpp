@@ -1,4 +1,4 @@
-// Every shape alone and with others: the reduced method, the signed method and brute force agree.
+// Tests every shape alone and with others: both methods and brute force must agree.
 #include <gtest/gtest.h>
 
 #include <exception>
@@ -18,7 +18,7 @@ using namespace minksum::test;
 
 constexpr std::size_t kPartners = 10;
 
-/// Convex pieces of an operand, about: what brute force pairs.
+/// Returns about how many convex pieces an operand has, which brute force pairs.
 std::size_t pieces(const Geometry& geometry) {
   std::size_t count = geometry.points.size();
   for (const Polyline& polyline : geometry.polylines) count += polyline.size() - 1;
@@ -33,7 +33,8 @@ std::size_t bits(const Geometry& geometry) {
   return most;
 }
 
-/// Brute force takes time with the square of the pairs of pieces, and with the length of numbers.
+/// Returns whether brute force would take too long. Its time grows with the square of the pairs of
+/// pieces, and with the length of numbers.
 bool is_too_much(const Geometry& p, const Geometry& q) {
   constexpr double kMost = 3e7;
   const auto pairs = static_cast<double>(pieces(p) * pieces(q));
@@ -69,7 +70,7 @@ TEST(DegenerateShapes, EachAloneResolves) {
     EXPECT_EQ(reference::resolved_fault(resolved), "") << name;
     EXPECT_EQ(to_text(reference::brute_force_resolve(shape, FillRule::kAutomatic)),
               to_text(resolved)) << name;
-    // The origin is the identity of the sum.
+    // The origin is the identity of Minkowski sums.
     const Geometry origin{{}, {}, {Point{}}};
     EXPECT_EQ(to_text(minkowski_sum(shape, origin)), to_text(resolved)) << name;
     EXPECT_EQ(to_text(minkowski_sum(origin, shape)), to_text(resolved)) << name;
@@ -97,7 +98,7 @@ TEST(DegenerateShapes, EachWithTenOthersAgrees) {
   std::size_t skipped = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t k = 1; k <= kPartners; ++k) {
-      // Steps that differ, so that partners are of all kinds, and not the same few.
+      // The steps differ, so that partners are of all kinds and not always the same few.
       const std::size_t j = (i + k * k * 7 + k) % names.size();
       expect_agreement(names[i], names[j], skipped);
       ++count;

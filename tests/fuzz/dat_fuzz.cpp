@@ -1,4 +1,4 @@
-// The `.dat` reader, from the first point on.
+// Fuzzes the `.dat` reader, from the first point on.
 #include "reader_fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// The GeoJSON reader.
+// Fuzzes the GeoJSON reader.
 #include "reader_fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

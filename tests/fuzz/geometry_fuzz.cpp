@@ -1,6 +1,6 @@
-// Sums of anything: bytes become two geometries on a grid of 8 by 8 points, where nearly everything
-// coincides, a fill rule and a setting. Resolving, the sum, its tight places, its roundings and its
-// check are as by brute force.
+// Fuzzes sums of any geometries. Bytes become a fill rule, a setting, and two geometries on a grid
+// of 8 by 8 points, where nearly everything coincides. Resolving, the sum, its tight places, its
+// roundings and its check must agree with brute force.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace {
 
 using namespace minksum;
 
-// Operands beyond this take brute force too long.
+// Beyond this work, brute force takes too long.
 constexpr std::size_t kMaxWork = 100;
 
 Options read_setting(int rule, int byte) {

@@ -1,4 +1,4 @@
-// What fuzz targets read their operands with: any geometries, on a grid of 8 by 8 points.
+// Makes geometries of any kind from bytes for fuzz targets, on a grid of 8 by 8 points.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace minksum::fuzz {
 
-/// A byte from 64 on is one vertex. Those below begin something: so bytes can be written as text,
-/// with digits for these.
+/// Each byte from 64 on is one vertex, and smaller bytes begin something. So bytes can be written
+/// as text, in which digits begin something.
 class GeometryReader {
  public:
   GeometryReader(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
@@ -82,7 +82,7 @@ class GeometryReader {
   int before_ = 0;  ///< the vertex before the last one
 };
 
-/// One of those that take any rings.
+/// Returns one of the fill rules that take any rings.
 inline FillRule fill_rule(int byte) {
   constexpr std::array kRules = {FillRule::kAutomatic, FillRule::kEvenOdd, FillRule::kNonZero,
                                  FillRule::kPositive, FillRule::kNegative};

@@ -1,5 +1,5 @@
-// What sums are used for, on anything: bytes become two geometries, how they are read, and what is
-// done with them. Morphology, offsets, placements and slices keep their laws.
+// Fuzzes uses of sums on any geometries. Bytes become two geometries, a fill rule and an operation.
+// Morphology, offsets, placements and slices must keep their laws.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -76,7 +76,7 @@ void try_morphology(const Case& c, bool tight) {
     }
     options.tight = false;
   }
-  // Results and sets are read as they are, whatever the rule was.
+  // Results are sets, so they are read as they are, whatever the rule was.
   const Geometry opened = open(c.a, c.b, options);
   require(contains(a, opened.region), c, "an opening is within the set");
   require(open(opened, b) == opened, c, "opening is idempotent");
@@ -121,7 +121,7 @@ void try_placements(const Case& c, int x, int y) {
   nesting.fill = c.fill;
   nesting.reference = Point{};
   const NoFitPolygon nfp(c.a, c.b, nesting);
-  require_form({nfp.geometry().region, {}, {}}, c);  // tight places may be amid it
+  require_form({nfp.geometry().region, {}, {}}, c);  // tight places may lie in its area
   std::vector<Point> places = nfp.geometry().points;
   for (const Polyline& line : nfp.geometry().polylines) places.push_back(line.front());
   for (std::size_t v = 0; v < nfp.geometry().region.vertex_count(); v += 3) {
@@ -178,7 +178,7 @@ void try_slice(const Case& c, int degrees) {
   const Region all(Polygon{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
   require(unite(slice.obstacles.region, slice.free.region) == all, c,
           "obstacles and free space are all there is");
-  // Many slices share some of their work.
+  // Many slices share part of their work, and must stay the same.
   std::vector<Turn> turns;
   for (int k = 0; k < 8; ++k) turns.push_back(nearest_turn(turn.asked + Rational(7 * k), 0.5));
   const std::vector<Slice> slices = space.slices(turns, true);

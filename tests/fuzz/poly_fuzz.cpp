@@ -1,4 +1,4 @@
-// The `.poly` reader, from the first chain on.
+// Fuzzes the `.poly` reader, from the first chain on.
 #include "reader_fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

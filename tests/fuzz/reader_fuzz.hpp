@@ -1,5 +1,5 @@
-// What every reader must keep to, for any bytes: an answer or a ReadError with a place; and what
-// was read, written exactly and read again, is equal.
+// Fuzzes readers. For any bytes, a reader must return an answer or throw a ReadError with a place.
+// An answer that is written exactly and read again must be equal.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ inline void require(bool condition, const char* what) {
   std::abort();
 }
 
-// Numbers near the limits of reading can need more digits as a quotient than a reader takes.
+// Returns whether a point can be read again. As a quotient, a number near the limits may need more
+// digits than a reader takes.
 inline bool can_come_back(const Point& point) {
   constexpr std::size_t kBits = 13'000;
   return point.x.bits() <= kBits && point.y.bits() <= kBits;
@@ -58,7 +59,7 @@ inline void check_geometry(const Geometry& geometry) {
   require(bounding_box(region).has_value() == !region.empty(), "only the empty have no box");
 }
 
-/// What `read_it` makes of the text; nothing if that is a ReadError as it should be.
+/// Returns what `read_it` makes of the text, or nothing if it throws a proper ReadError.
 template <typename Read>
 auto try_to_read(const std::string& text, Read read_it) -> std::optional<decltype(read_it(text))> {
   try {
@@ -73,7 +74,7 @@ auto try_to_read(const std::string& text, Read read_it) -> std::optional<decltyp
   }
 }
 
-/// `prefix` leads the bytes to one reader; it may be empty.
+/// Runs the fuzz test of a reader. `prefix` makes the text go to that reader; it may be empty.
 inline int fuzz_reader(std::string_view prefix, const std::uint8_t* data, std::size_t size) {
   std::string text(prefix);
   for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(data[i]);

@@ -1,4 +1,4 @@
-// Runs a fuzz target without libFuzzer: on each seed given, on every prefix of it, and on many
+// Runs a fuzz target without libFuzzer: on each given seed, on every prefix of it, and on many
 // small changes to it, always the same ones. Usage: PROGRAM ROUNDS SEED...
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ void run(const std::string& text) {
   LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
 }
 
-// What readers react to, and some bytes that they do not.
+// Bytes to which readers react, and some others.
 constexpr std::string_view kBytes = "0123456789.-+eE/(),[]{}:\"\\ \n\t#POLYGNMTZutin\x01\x80\xFF";
 
 std::string changed(std::string text, minksum::test::Random& random) {

@@ -1,5 +1,5 @@
-// Rounding: bytes become a region with rational vertices; whatever it is rounded to is valid,
-// canonical as far as rounding again changes nothing, close to it, and on the right side of it.
+// Fuzzes rounding: bytes become a region with rational vertices. Each rounded region must be valid,
+// unchanged by rounding again, close to the exact region, and on the right side of it.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace minksum;
 
-/// A byte is one vertex, or ends a ring or a polygon: 16 columns and rows of different width, so
-/// that steps of rounding and of the shape go against each other.
+/// Each byte is one vertex, or ends a ring or a polygon. The 16 columns and rows have different
+/// widths, so that the steps of rounding differ from those of the shape.
 class ShapeReader {
  public:
   ShapeReader(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}

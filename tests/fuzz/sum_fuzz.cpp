@@ -1,5 +1,5 @@
-// The whole sum: bytes become two operands on a small grid; every setting gives the region that the
-// signed convolution gives.
+// Fuzzes whole sums: bytes become two operands on a small grid. Every setting must give the region
+// that the signed convolution gives.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -13,15 +13,16 @@ namespace {
 
 using namespace minksum;
 
-/// A byte is one vertex, or ends a ring, a polygon or an operand: so small changes to the bytes are
-/// small changes to the shapes, and bytes can be written as text.
+/// Each byte is one vertex, or ends a ring, a polygon or an operand. Small changes to the bytes are
+/// then small changes to the shapes, and bytes can be written as text.
 class ShapeReader {
  public:
   ShapeReader(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
 
   [[nodiscard]] int take() { return data_ == end_ ? kEndOfShape : *data_++; }
 
-  /// Vertices on a grid of 16 columns and rows (6 rows if all is text), `scale` apart.
+  /// Reads a region with vertices on a grid of 16 columns and rows, `scale` apart. Bytes that are
+  /// text use 6 rows only.
   [[nodiscard]] Region read_region(int scale) {
     Region region;
     region.begin_polygon();

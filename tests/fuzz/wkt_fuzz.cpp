@@ -1,4 +1,4 @@
-// The WKT reader, and the choice of the reader by content.
+// Fuzzes the WKT reader, and the choice of the reader by content.
 #include "reader_fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 # cmake -DLIBRARY=... -DNM=... -P public_names.cmake
-# Fails if the shared library shows functions that no public header declares.
+# Fails if the shared library exports functions that no public header declares.
 execute_process(COMMAND ${NM} -DC --defined-only ${LIBRARY}
   OUTPUT_VARIABLE names RESULT_VARIABLE result)
 if(NOT result EQUAL 0)

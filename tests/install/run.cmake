@@ -15,7 +15,7 @@ if(HOW STREQUAL "installed")
 else()
   set(where -DMINKSUM_SOURCE=${SOURCE} -DMINKSUM_BUILT=${LIBRARY})
 endif()
-# Without optimisation: what counts here is that it compiles, links and answers.
+# The build has no optimisation, because only compiling, linking and running count here.
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build ${where}
     -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
     "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})

@@ -1,11 +1,11 @@
-// The one file that sees CGAL: it takes long to compile.
+// Only this file includes CGAL, because CGAL takes long to compile.
 #include "oracle/cgal_oracle.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/version.h>
 
-// Needs the polygons above, but does not include them.
+// This header needs the polygons above, but does not include them.
 #include <CGAL/Minkowski_sum_2/Minkowski_sum_by_reduced_convolution_2.h>
 
 #include <algorithm>
@@ -34,7 +34,8 @@ using reference::Number;
 
 Kernel::FT to_cgal(const Number& value) { return Kernel::FT(Exact(value.str())); }
 
-// CGAL picks its exact type when it is configured; GMP's own needs another library to be streamed.
+// Writes a number of CGAL's exact type, which CGAL's configuration chooses. GMP's own type would
+// need another library to be streamed.
 template <class Type>
 std::string text_of(const Type& exact) {
   if constexpr (requires { exact.get_str(); }) {
@@ -78,13 +79,15 @@ Extent extent(const Loop& loop) {
   return {max_x - min_x, max_y - min_y};
 }
 
-// The rings of a region of one polygon: directed, repeated vertices gone, touching edges split.
+// Returns the rings of a region of one polygon: directed, without repeated vertices, and with
+// touching edges split.
 Loops rings_of(const Region& region) {
   if (region.polygon_count() != 1) throw std::runtime_error("CGAL sums single polygons only");
   return reference::directed_and_noded(reference::to_loops(region));
 }
 
-// An open hole cannot hold a translate of what is as wide or as high as itself.
+// Leaves out the holes that are too small: an open hole cannot hold an operand of its own width or
+// height.
 CgalPolygonWithHoles without_small_holes(const Loops& rings, const Extent& other) {
   CgalPolygonWithHoles result(to_cgal(rings[0]));
   for (std::size_t h = 1; h < rings.size(); ++h) {

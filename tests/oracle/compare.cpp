@@ -39,7 +39,7 @@ constexpr std::array kVerdicts{
 };
 
 constexpr std::size_t kMaxProofs = 6;
-[[maybe_unused]] constexpr rlim_t kMaxMemory = rlim_t{9} << 30U;  // so two children fit 24 GiB
+[[maybe_unused]] constexpr rlim_t kMaxMemory = rlim_t{9} << 30U;  // two children fit 24 GiB
 
 Loops all_rings(const Region& region) {
   Loops rings;
@@ -50,7 +50,7 @@ Loops all_rings(const Region& region) {
   return rings;
 }
 
-// Places where the two may tell different things: inside a ring and beside its edges.
+// Returns points at which the two sums may differ: inside a ring and beside its edges.
 std::vector<Pt> candidates(const Loop& ring) {
   std::vector<Pt> points{reference::point_strictly_inside({ring})};
   const Number close(1, 1 << 20);
@@ -127,7 +127,7 @@ Comparison explain(const Region& p, const Region& q, const Region& ours, const R
 
 namespace {
 
-// What a child says: lines "key value", each flushed at once, so that a crash leaves the rest.
+// Writes a child's report as lines "key value", each flushed at once, so that a crash loses none.
 class Teller {
  public:
   explicit Teller(int pipe) : pipe_(pipe) {}

@@ -1,4 +1,5 @@
-// One pair by minksum and by CGAL, compared exactly; where they differ, who is wrong.
+// Compares the sums of one pair by minksum and by CGAL exactly. If they differ, finds out which is
+// wrong.
 #pragma once
 
 #include <optional>
@@ -25,25 +26,25 @@ struct Comparison {
   std::string detail;  ///< one line; for a difference: points and their membership
   double minksum_seconds = 0;
   double cgal_seconds = 0;
-  std::size_t vertices = 0;  ///< of the sum
+  std::size_t vertices = 0;  ///< vertices of the sum
   std::size_t holes = 0;
 };
 
-/// Runs both in a child process, so that a crash or a time limit ends only that. CGAL is stopped
-/// after `cgal_limit` seconds of processor time.
+/// Compares in a child process, so that a crash or a time limit ends only that process. CGAL is
+/// stopped after `cgal_limit` seconds of processor time.
 [[nodiscard]] Comparison compare_in_child(const Region& p, const Region& q, int cgal_limit);
 
-/// Whether a comparison speaks against minksum.
+/// Returns whether a comparison speaks against minksum.
 [[nodiscard]] bool is_failure(Verdict verdict);
 
-/// A child that compares, and what it has said so far.
+/// A child process that compares, and what it has reported so far.
 class Child {
  public:
   Child(const Region& p, const Region& q, int cgal_limit);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child();
-  /// Waits until the child is through.
+  /// Waits until the child ends.
   [[nodiscard]] Comparison wait();
 
  private:
@@ -51,7 +52,7 @@ class Child {
   int pipe_ = -1;
 };
 
-/// Decides a difference by points near the rings that only one side has.
+/// Decides which sum is wrong, by points near the rings that only one of them has.
 [[nodiscard]] Comparison explain(const Region& p, const Region& q, const Region& ours,
                                  const Region& theirs);
 

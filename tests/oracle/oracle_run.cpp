@@ -1,10 +1,10 @@
-// Every pair that the oracle is asked about: minksum and CGAL, exactly equal or proven otherwise.
+// Compares minksum with CGAL on every pair of the oracle: equal exactly, or one is proven wrong.
 //
 //   oracle_run [--results FILE] [--limit SECONDS] [--jobs N] [--only paper|cgal|nesting]
 //
-// Rows are appended to FILE (default oracle.tsv) as they come; pairs that it has already are not
-// run again, so a run that was stopped goes on where it was. Ends with a summary; exit code 1 if
-// anything speaks against minksum, 2 if the folder of shapes is not there.
+// Appends rows to FILE (default oracle.tsv) as they come. Pairs that the file has already are not
+// run again, so a stopped run can resume. Ends with a summary. The exit code is 1 if anything
+// speaks against minksum, and 2 if the folder of shapes is missing.
 #include <unistd.h>
 
 #include <algorithm>
@@ -122,7 +122,7 @@ class Runner {
   std::deque<Running> running_;
 };
 
-// Counts all rows of the results by set and verdict; true if none speaks against minksum.
+// Counts all rows of the results by set and verdict. Returns whether none speaks against minksum.
 bool summarise(const std::string& results) {
   std::map<Key, std::size_t> counts;
   double ours = 0;

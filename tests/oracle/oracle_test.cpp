@@ -1,4 +1,4 @@
-// A sample of what oracle_run does, and shapes of our own making: exact equality with CGAL.
+// Tests exact equality with CGAL on a sample of oracle_run's pairs and on made shapes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,10 +60,10 @@ TEST(Oracle, LargerShapesOfOurOwn) {
       Verdict::kEqual);
 }
 
-// A hole with a blunt corner at the origin, a spike across the way from there to the nearest vertex
-// in front of it, whose middle is inside the spike. CGAL 5.5 takes that middle for an inner point
-// of the hole and so loses the hole, if it starts at that corner; then a point in the hole proves
-// it.
+// The hole has a blunt corner at the origin. A spike crosses the way from there to the nearest
+// vertex in front, and the middle of that way is inside the spike. If the hole starts at that
+// corner, CGAL 5.5 takes that middle for an inner point and loses the hole. A point in the hole
+// then proves CGAL wrong.
 TEST(Oracle, HolesThatFoolASearchForAnInnerPoint) {
   const std::vector<std::pair<double, double>> hole{
       {0, 0},     {100, 25},  {100, 60},  {1, 60},       {0, 23.75}, {-1, 60},

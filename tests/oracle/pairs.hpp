@@ -1,4 +1,4 @@
-// Which pairs the oracle is asked about.
+// Chooses the pairs that the oracle sums.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ struct PairName {
   std::string b;
 };
 
-/// Every unordered pair, with repetition, of the valid single polygons of paper/ with at most
-/// `max_vertices` vertices each.
+/// Returns every unordered pair, with repetition, of the valid single polygons of paper/ that have
+/// at most `max_vertices` vertices.
 [[nodiscard]] std::vector<PairName> paper_pairs(const std::filesystem::path& data,
                                                 std::size_t max_vertices);
-/// The pairs of cgal/pairs.tsv whose files are there.
+/// Returns the pairs of cgal/pairs.tsv whose files exist.
 [[nodiscard]] std::vector<PairName> cgal_pairs(const std::filesystem::path& data);
-/// `count` different pairs of valid parts of nesting/, the same ones each time.
+/// Returns `count` different pairs of valid parts of nesting/, the same ones each time.
 [[nodiscard]] std::vector<PairName> nesting_pairs(const std::filesystem::path& data,
                                                   std::size_t count);
 

@@ -41,7 +41,7 @@ struct Found {
   int thin = 0;
 };
 
-/// Whether the robot collides wherever it goes from here.
+/// Returns whether the robot collides wherever it goes from here.
 bool has_no_play(const reference::PlacedRobot& robot, const reference::Pt& at,
                  const reference::Pt& direction) {
   using reference::Number;

@@ -177,7 +177,7 @@ class Comparison {
     for (const Point& point : a.points) pieces_.add_point(to_vec(point));
   }
 
-  /// Whether the result is right at x; nothing if x is too close to a piece's boundary.
+  /// Returns whether the result is right at x; nothing if x is too close to a piece's boundary.
   [[nodiscard]] std::optional<bool> is_right(const Point& x) const {
     const Real sure = 2 * kTolerance * size_;
     const Real deepest = pieces_.deepest(to_vec(x));

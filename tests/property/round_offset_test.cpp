@@ -54,7 +54,7 @@ Rational squared_distance_to_lines(const Point& x, const Geometry& set) {
   return *best;
 }
 
-/// Whether x belongs to the region, its boundary included: by the tests' own reference.
+/// Returns whether x belongs to the region, its boundary included: by the tests' own reference.
 bool belongs(const Point& x, const Region& region) {
   return reference::locate(reference::to_pt(x), region) != reference::Side::kOutside;
 }

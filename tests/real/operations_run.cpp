@@ -1,12 +1,12 @@
-// Real shapes put to use: morphology, no-fit polygons, depth and slices of configuration space of
-// each shape of some folders with a small element and with the next shape, by law, by definition
-// and beside a raster.
+// Tests uses of sums on real shapes: morphology, no-fit polygons, depth and slices of configuration
+// spaces. Each shape of some folders meets a small element and the next shape. Results are tested
+// by law, by definition and beside a raster.
 //
 //   operations_run [--folders paper,nesting,fonts,gis,cgal] [--every N] [--first N] [--max-vertices
 //   N]
 //            [--raster N] [--placements N]
 //
-// Prints a row a shape; exit code 1 if anything is wrong, 2 without shapes.
+// Prints a row for each shape. The exit code is 1 if anything is wrong, and 2 without shapes.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -33,12 +33,12 @@ using namespace minksum;
 struct Arguments {
   test::ShapeRun shapes{{"paper", "nesting", "fonts", "gis", "cgal"}, 1, 0, 2000};
   int raster = 64;       ///< points along the longer side
-  int placements = 100;  ///< of each pair
+  int placements = 100;  ///< placements tried for each pair
 };
 
 Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 
-/// A double with few digits, near this one.
+/// Returns a double with few digits near this one.
 Rational short_number(double value) {
   const int exponent = std::ilogb(value == 0 ? 1 : value) - 8;
   return Rational(std::ldexp(std::nearbyint(std::ldexp(value, -exponent)), exponent));
@@ -57,7 +57,8 @@ struct Size {
   [[nodiscard]] Rational longer() const { return std::max(width, height); }
 };
 
-/// An element a fortieth as wide as the shape, not convex, the origin inside.
+/// Returns an element that is a fortieth as wide as the shape, is not convex, and has the origin
+/// inside.
 Region element_for(const Region& shape) {
   const Rational step = short_number(Size(shape).longer().to_double() / 160);
   return test::scaled(
@@ -115,7 +116,7 @@ class Runner {
     expect(contains(plain, dilate(as_geometry(eroded), b).region), "(A - B) + B is within A");
   }
 
-  // In a frame, what the complement's dilation by -B leaves is the erosion by B.
+  // In a frame, the erosion by B is what the dilation of the complement by -B leaves.
   void check_duality(const Region& shape, const Region& element) {
     const Size size(shape);
     const Rational far = size.longer();
@@ -130,9 +131,9 @@ class Runner {
            "duality");
   }
 
-  // By definition, x is in the erosion if x + b is in A for all b in B. Asked for points of B on
-  // a fine grid and its vertices: all that the erosion has must pass; what passes must be in the
-  // erosion of A grown by the grid's step.
+  // By definition, x is in the erosion if x + b is in A for all b in B. This is tested for the
+  // vertices of B and its points on a fine grid. All points of the erosion must pass. Points that
+  // pass must be in the erosion of A grown by the step of the grid.
   void check_raster(const Region& shape, const Region& element) {
     const Size size(shape);
     const Rational step = Size(element).longer() / Rational(16);
@@ -185,7 +186,7 @@ class Runner {
       expect(nfp.contact(t) == expected, "a placement");
       ++contacts_[static_cast<int>(expected)];
     };
-    // Around the shape at random, and a few at vertices of the polygon, which touch.
+    // Placements lie at random around the shape, and a few at vertices of the polygon, which touch.
     const Size size(nfp.geometry().region);
     for (int k = 0; k < arguments_.placements; ++k) {
       const Region& region = nfp.geometry().region;
@@ -220,8 +221,8 @@ class Runner {
     }
   }
 
-  // The next shape, about a tenth as large, as a robot among this one: a placed robot collides if
-  // and only if its configuration is inside the slice's obstacles.
+  // The next shape, about a tenth as large, is a robot among this one. A placed robot must collide
+  // if and only if its configuration is inside the obstacles of the slice.
   void check_slices(const Region& shape, const Region& next) {
     const double ratio = Size(shape).longer().to_double() / Size(next).longer().to_double();
     const Region robot = test::scaled(next, short_number(ratio / 10));

@@ -1,12 +1,12 @@
-// Real outlines: each shape of some folders ⊕ a 32-gon and ⊕ the next shape, everything checked.
+// Tests sums of real outlines: each shape of some folders ⊕ a 32-gon and ⊕ the next shape.
 //
 //   outlines_run [--folders gis,fonts,nesting] [--every N] [--max-vertices N] [--first N]
 //
-// For each sum: it is valid and canonical; points near its edges and at random agree with a test of
-// its own (check_sum); where the second method is fast enough, the sum equals what that gives; it
-// is rounded to doubles and to 3 decimals, to all three sides, and stays valid (by GEOS too, if
-// that is there) and on its side. Prints a row a sum; exit code 1 if anything is wrong, 2 without
-// shapes.
+// Each sum must be valid and canonical. Points near its edges and at random must agree with an
+// independent test (check_sum). Where the second method is fast enough, its sum must be equal. The
+// sum is rounded to doubles and to 3 decimals, to all three sides. It must stay valid, also by GEOS
+// if that is available, and on its side. Prints a row for each sum. The exit code is 1 if anything
+// is wrong, and 2 without shapes.
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -32,7 +32,7 @@ struct Arguments {
   std::uint64_t proof_segments = 50000;
 };
 
-/// A regular 32-gon, a fiftieth of the shape wide; its vertices are doubles.
+/// Returns a regular 32-gon that is a fiftieth of the shape wide; its vertices are doubles.
 Region disc_for(const Region& shape) {
   const Box box = *bounding_box(shape);
   const double radius = (box.max.x - box.min.x).to_double() / 100;

@@ -1,6 +1,6 @@
-// Going through the shapes of some folders: what programs over real shapes have in common.
+// Goes through the shapes of some folders, for all programs over real shapes.
 //
-//   [--folders gis,fonts,...] [--every N] [--first N] [--max-vertices N], and what each adds
+//   [--folders gis,fonts,...] [--every N] [--first N] [--max-vertices N], and the program's own
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,8 @@ struct ShapeRun {
   std::size_t first = 0;
   std::size_t max_vertices = 0;
 
-  /// `more`: options beyond these, and what takes their values. Throws std::runtime_error.
+  /// Reads the options. `more` has further options with functions that take their values. Throws
+  /// std::runtime_error.
   void read_options(int count, char** values,
                     std::map<std::string, std::function<void(const std::string&)>> more) {
     const auto number = [](std::size_t& target) {
@@ -46,7 +47,7 @@ struct ShapeRun {
     }
   }
 
-  /// visit(name, shape, name of the next one in its folder, that shape); `wanted` tells which
+  /// Calls visit(name, shape, name of the next one in its folder, that shape). `wanted` chooses the
   /// files.
   template <class Wanted, class Visit>
   void for_each(const std::filesystem::path& data, Wanted wanted, Visit visit) const {

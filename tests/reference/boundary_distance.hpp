@@ -5,7 +5,7 @@
 
 namespace minksum::reference {
 
-/// Whether some vertex or end of the boundary of `from` is farther from that of `to` than
+/// Returns whether some vertex or end of the boundary of `from` is farther from that of `to` than
 /// `distance`. Thin parts are boundary. O(nm).
 [[nodiscard]] bool farther_than(double distance, const Geometry& from, const Geometry& to);
 

@@ -24,7 +24,7 @@ int turn(const Spot& a, const Spot& b, const Spot& c) {
   return turn(a.at, b.at, c.at);
 }
 
-/// Whether boxes are certainly apart.
+/// Returns whether boxes are certainly apart.
 bool apart(const Span& s, const Span& t) {
   const double doubt = kDoubt * std::max(magnitude(s), magnitude(t));
   const auto beyond = [doubt](double a, double b, double c, double d) {

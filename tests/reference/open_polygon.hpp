@@ -35,13 +35,13 @@ class OpenPolygon {
   [[nodiscard]] const std::vector<Span>& edges() const { return edges_; }
   [[nodiscard]] const Spot& inner() const { return inner_; }
   [[nodiscard]] Side locate(const Spot& spot) const;
-  /// Whether some point of the span is inside.
+  /// Returns whether some point of the span is inside.
   [[nodiscard]] bool is_entered_by(const Span& span) const;
-  /// Whether no point of the span is outside.
+  /// Returns whether no point of the span is outside.
   [[nodiscard]] bool holds(const Span& span) const { return !meets(span, Side::kOutside); }
 
  private:
-  /// Whether some point of the span is on this side, which is not the boundary.
+  /// Returns whether some point of the span is on this side, which is not the boundary.
   [[nodiscard]] bool meets(const Span& span, Side side) const;
 
   std::vector<Span> edges_;
@@ -56,7 +56,7 @@ void add_meetings(const Span& span, const std::vector<Span>& others, std::vector
 /// One t from each gap between these, 0 and 1, in order.
 [[nodiscard]] std::vector<Number> between_meetings(std::vector<Number> meetings);
 
-/// Whether a point is inside of both.
+/// Returns whether a point is inside of both.
 [[nodiscard]] bool insides_meet(const OpenPolygon& a, const OpenPolygon& b);
 
 }  // namespace minksum::reference

@@ -32,7 +32,7 @@ class PlacedRobot {
 
   /// Of the robot turned to `direction` about its reference point, which is at `at` then.
   [[nodiscard]] Collision at(const Pt& at, const Pt& direction) const;
-  /// Whether the robot collides nowhere on a straight way.
+  /// Returns whether the robot collides nowhere on a straight way.
   [[nodiscard]] bool is_free_along(const Pt& a, const Pt& b, const Pt& direction) const;
 
  private:

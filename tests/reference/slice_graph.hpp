@@ -19,7 +19,7 @@ class SliceGraph {
   /// Slices with free space, counter-clockwise, of turns that differ.
   explicit SliceGraph(const std::vector<Slice>& slices);
 
-  /// Whether a way leads from one configuration to another one. Both turns need a slice.
+  /// Returns whether a way leads from one configuration to another one. Both turns need a slice.
   [[nodiscard]] bool connects(const Waypoint& from, const Waypoint& to);
   /// Whether a path is a way in the graph: each move stays in the closure of a part, each turn is
   /// on the spot from one to a part that is joined with it. Waypoints differ.

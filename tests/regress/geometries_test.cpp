@@ -1,4 +1,4 @@
-// Geometries that once were resolved or rounded wrongly. README.md says what each was about.
+// Tests geometries that once were resolved or rounded wrongly. README.md says what was wrong.
 #include "support/geometries.hpp"
 
 #include <gtest/gtest.h>

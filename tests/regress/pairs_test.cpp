@@ -1,6 +1,6 @@
-// Each file of `pairs` holds two operands, a line each: their sum is the same by every method, at
-// every setting, and by brute force, and so are their tight places. README.md says what each was
-// about.
+// Tests pairs that once went wrong. Each file of `pairs` has two operands, one a line. Their sum
+// must be the same by every method, at every setting, and by brute force, and so must their tight
+// places. README.md says what was wrong with each pair.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-/// Beyond this many pairs of vertices brute force takes too long.
+/// Beyond this many pairs of vertices, brute force takes too long.
 constexpr std::size_t kBruteForceLimit = 2000;
 
 std::vector<std::string> pair_names() {

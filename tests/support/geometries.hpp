@@ -23,7 +23,7 @@ namespace minksum::test {
 
 [[nodiscard]] Geometry scaled(const Geometry& geometry, const Rational& factor);
 
-/// Whether a ⊆ b, of resolved geometries: as sets, points and all.
+/// Returns whether a ⊆ b, of resolved geometries: as sets, points and all.
 [[nodiscard]] bool contains(const Geometry& b, const Geometry& a);
 
 /// Exact WKT, part after part, for messages.

@@ -1,4 +1,4 @@
-// The calls that a new user writes first compile, and do what they say.
+// Tests that the calls a new user writes first compile and do what they say.
 #include <gtest/gtest.h>
 
 #include <algorithm>

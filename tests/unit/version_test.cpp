@@ -1,4 +1,4 @@
-// The version in the header is the version of the package.
+// Tests that the version in the header is that of the package.
 #include "minksum/version.hpp"
 
 #include <gtest/gtest.h>

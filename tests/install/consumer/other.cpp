@@ -1,4 +1,4 @@
-// A second translation unit: headers must not define what may be defined only once.
+// A second translation unit shows that headers define nothing that may be defined only once.
 #include <minksum/minksum.hpp>
 
 minksum::Region make_square(int side) {

@@ -1,4 +1,4 @@
-// Fixed-width integers against Boost's; the laws of the predicates; all rungs agree.
+// Tests fixed-width integers against Boost's, the laws of the predicates, and that rungs agree.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -25,7 +25,7 @@ BigInteger to_big_integer(const WideInt<N>& value) {
 TEST(WideInt, AgreesWithBoost) {
   std::mt19937_64 random(7);
   const auto number = [&] {
-    // All lengths, and runs of ones and zeros, where carries go far.
+    // Numbers have all lengths, and runs of ones and zeros, where carries go far.
     Int128 value = static_cast<Int128>(static_cast<std::int64_t>(random())) << 64;
     value += static_cast<Int128>(random());
     value >>= static_cast<int>(random() % 127);
@@ -49,7 +49,7 @@ TEST(WideInt, AgreesWithBoost) {
   }
 }
 
-/// The same two operands on every rung.
+/// Returns the same two operands on every rung.
 std::vector<std::unique_ptr<Operands>> on_all_rungs(const Region& p, const Region& q) {
   std::vector<std::unique_ptr<Operands>> all;
   for (const Arithmetic rung : {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide,
@@ -65,7 +65,7 @@ std::vector<std::unique_ptr<Operands>> on_all_rungs(const Region& p, const Regio
 
 class Rungs : public ::testing::Test {
  protected:
-  // Many coincidences: all coordinates are multiples of 1 up to 6.
+  // All coordinates are integers up to 6, which makes many coincidences.
   Region p_ = make_polygon({{0, 0}, {6, 0}, {6, 6}, {4, 2}, {2, 6}, {1, 2}, {0, 4}});
   Region q_ = make_polygon({{0, 0}, {2, 0}, {4, 2}, {2, 1}, {0, 3}});
 };
@@ -196,7 +196,7 @@ TEST_F(Rungs, ProbesAreInGeneralPosition) {
                   o->kernel->probe_orientation(e, sum, same));
       }
     }
-    // Right of its own segment.
+    // The probe is on the right of its own segment.
     ASSERT_EQ(ladder.orientation(0, sum_vertex(0, o->split), probe, at), kNegative);
   }
 }
@@ -225,7 +225,7 @@ TEST(Ladder, TellsWhichRungAnswered) {
 }
 
 TEST(Ladder, SlowRungsAreRareOnOrdinaryInput) {
-  // A ragged 200-gon with eight-digit coordinates, added to a smaller copy.
+  // The operands are a ragged 200-gon with eight-digit coordinates and a smaller copy.
   std::mt19937_64 random(11);
   const auto ragged = [&](double radius) {
     Region region;

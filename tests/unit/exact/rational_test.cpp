@@ -1,4 +1,4 @@
-// Exact numbers: what they read, what they round to, and that arithmetic is exact.
+// Tests exact numbers: reading, rounding, and exact arithmetic.
 #include "minksum/rational.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Rational parsed(const std::string& text) {
   return value.value_or(Rational());
 }
 
-// Any finite double with equal chance, denormals included.
+// Returns any finite double with equal chance, denormals included.
 double any_double(test::Random& random) {
   for (;;) {
     const auto value = std::bit_cast<double>(random.next());

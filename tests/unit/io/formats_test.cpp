@@ -1,4 +1,4 @@
-// What each format says, read exactly; what is written; and round trips.
+// Tests that each format is read exactly, and tests writing and round trips.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -188,7 +188,7 @@ TEST(Svg, IsOnePathInAFrame) {
   EXPECT_THROW(write(out, Region(), Format::kDat), Error);
 }
 
-// Regions of any numbers at all; rings need not be valid to be read and written.
+// The numbers are of any kind, and rings need not be valid to be read and written.
 Region random_region(test::Random& random) {
   const auto number = [&random]() -> Rational {
     const auto small = random.between(-50, 50);

@@ -1,4 +1,4 @@
-// Areas, polylines and points in every format: what is read, what is written, and round trips.
+// Tests reading, writing and round trips of areas, polylines and points in every format.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -95,12 +95,13 @@ TEST(Geometries, CollapsedRings) {
   };
   for (const auto& [text, region] : table) {
     EXPECT_EQ(read_geometry(text), (Geometry{region, {}, {}})) << text;
-    if (region == twice) continue;  // three vertices: no fault of form
+    if (region == twice) continue;  // it has three vertices, so its form has no fault
     EXPECT_THROW(static_cast<void>(read(text)), ReadError) << text;
   }
 }
 
-// A ring of one point would make three polygons of the first; as a region it has a hole.
+// If rings of one point were tried first, the first text would be three polygons. It is a region
+// with a hole.
 TEST(Geometries, DatMeansTheSameAsForRegions) {
   for (const char* text :
        {"3 0 0 9 0 0 9 1 4 2 3 1 1 2 2 1 3", "4 0 0 9 0 9 9 0 9\n1\n3 1 1 2 1 1 2"}) {
@@ -213,7 +214,7 @@ TEST(Geometries, ExactTextComesBackEqual) {
   }
 }
 
-// What is a region is the same geometry.
+// A text that is a region is the same geometry.
 TEST(Geometries, RegionsAreReadAlike) {
   for (const char* text : {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 6, 6 6, 3 3))",
                            R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,1],[0,0]]]})",

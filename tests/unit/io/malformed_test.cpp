@@ -1,4 +1,4 @@
-// Texts that are no regions: each has its code, its message and its place.
+// Tests that each text that is not a region has the right code, message and place.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct Malformed {
   const char* name;
   std::string text;
   ErrorCode code;
-  const char* message;   // a part of it
+  const char* message;   // part of the message
   std::size_t line = 0;  // 0: not checked
   std::size_t column = 0;
 };
@@ -223,7 +223,7 @@ std::vector<Malformed> plain_table() {
   };
 }
 
-// Texts that are no geometries either.
+// Returns texts that are not geometries either.
 std::vector<Malformed> geometry_table() {
   const auto json = [](const std::string& type, const std::string& coordinates) {
     return R"({"type":")" + type + R"(","coordinates":)" + coordinates + "}";
@@ -300,7 +300,7 @@ TEST(Malformed, Geometries) {
   }
 }
 
-// Every prefix of a good text is an error or a region, and never anything worse.
+// Every prefix of a good text is an error or a region, and never crashes the reader.
 TEST(Malformed, EveryPrefixIsHandled) {
   for (const std::string& text :
        {std::string("SRID=1;MULTIPOLYGON (((0 0, 1e2 0, 1/2 -.5, 0 0)), EMPTY)"),
@@ -369,7 +369,7 @@ TEST(Files, AreReadOrSayWhyNot) {
   }
 }
 
-// Millions of bytes in well under a second each; the region is checked by its structure.
+// Each text has millions of bytes and takes well under a second. The structure is compared.
 TEST(Files, LargeTextsAreNoProblem) {
   constexpr int kCount = 200'000;
   std::string wkt = "POLYGON ((";

@@ -1,4 +1,4 @@
-// A result may be one of its operands: each way to be told, each method.
+// Tests that a result may be one of its operands, by each method and each way to get tight places.
 #include <gtest/gtest.h>
 
 #include "minksum/minkowski_sum.hpp"
@@ -16,7 +16,7 @@ Region frame() {
 Region wedge() { return make_polygon({{0, 0}, {2, 0}, {1, 3}}); }
 Geometry with_a_wall(Region region) { return {std::move(region), {{{20, 0}, {24, 3}}}, {{30, 1}}}; }
 
-/// Sums into each operand, and into both, are `expected`.
+/// Expects the right sum if the result is either operand, or if both are one object.
 template <class Set>
 void expect_aliasing_is_allowed(const Set& p, const Set& q, const Options& options) {
   Workspace workspace;
@@ -42,19 +42,19 @@ TEST(Aliasing, AResultMayBeAnOperand) {
     options.method = method;
     expect_aliasing_is_allowed(frame(), wedge(), options);
     expect_aliasing_is_allowed<Geometry>({frame(), {}, {}}, {wedge(), {}, {}}, options);
-    if (method == Method::kFull) continue;  // it takes no polylines
+    if (method == Method::kFull) continue;  // this method takes no polylines
     expect_aliasing_is_allowed(with_a_wall(frame()), with_a_wall(wedge()), options);
   }
 }
 
 TEST(Aliasing, AResultMayBeAnOperandOfTheStages) {
   Options options;
-  options.check = true;  // which small operands do not go by
+  options.check = true;  // small operands are not summed in their own way then
   expect_aliasing_is_allowed(frame(), wedge(), options);
   expect_aliasing_is_allowed(with_a_wall(frame()), with_a_wall(wedge()), options);
 }
 
-// A peg of the hole's own size: the tight place is a point.
+// The peg has the size of the hole, so the tight place is a point.
 TEST(Aliasing, TightPlacesMayGoToAnOperand) {
   const Geometry plate = with_a_wall(frame());
   const Geometry peg{rectangle(-3, -3, 0, 0), {}, {}};
@@ -71,7 +71,7 @@ TEST(Aliasing, TightPlacesMayGoToAnOperand) {
   options.tight = &second;
   EXPECT_EQ(minkowski_sum(plate, second, options), expected);
   EXPECT_EQ(second, expected_tight);
-  // Of regions, it is the operand's own geometry.
+  // For regions, tight places go to the geometry that owns the operand.
   Geometry owner{frame(), {}, {}};
   options.tight = &owner;
   EXPECT_EQ(minkowski_sum(owner.region, peg.region, options), minkowski_sum(frame(), peg.region));

@@ -1,4 +1,5 @@
-// Every operation takes polylines without vertices and of one vertex: nothing, and a point.
+// Tests that every operation reads a polyline without vertices as nothing, and one of one vertex as
+// a point.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -25,7 +26,7 @@ namespace {
 
 using test::rectangle;
 
-/// The same set: with such parts, and as resolved.
+/// One set, with such parts and resolved.
 struct Pair {
   Geometry given;
   Geometry plain;

@@ -1,5 +1,5 @@
-// Memory that runs out at any request: the failure is told as such, nothing leaks, nothing is cut
-// short in silence, and what comes after is as if nothing had happened.
+// Tests that memory may run out at any request. The failure is reported as such, no memory leaks,
+// no result is cut short silently, and later calls work as if nothing had happened.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@
 #include "support/rounding_options.hpp"
 
 namespace {
-// Requests that are still granted; below 0 all are.
+// Requests that are still granted; below 0, all are.
 long granted = -1;
 long held = 0;
 
@@ -34,7 +34,7 @@ void release(void* memory) {
 }
 }  // namespace
 
-// Not inlined: the compiler would see malloc meet delete.
+// These are not inlined, because the compiler would warn of malloc and delete together.
 [[gnu::noinline]] void* operator new(std::size_t size) { return request(size); }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { release(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { release(memory); }
@@ -44,8 +44,8 @@ namespace {
 
 enum class Ending { kFine, kWrong, kOutOfMemory, kOther };
 
-// How `step` ends if only so many requests are granted; it says whether its result is right, and
-// leaves the telling to others: an assertion that fails needs memory.
+// Returns how `step` ends if only so many requests are granted. The step returns whether its result
+// is right instead of asserting it, because an assertion that fails needs memory.
 Ending run_with(long requests, const std::function<bool()>& step) {
   granted = requests;
   Ending ending = Ending::kOther;
@@ -59,9 +59,9 @@ Ending run_with(long requests, const std::function<bool()>& step) {
   return ending;
 }
 
-// Lets every request of `step` fail, one after the other; returns how many there are.
+// Lets each request of `step` fail in turn; returns how many requests there are.
 long fail_at_each(const std::function<bool()>& step) {
-  EXPECT_TRUE(step());  // what is made once and kept is made now
+  EXPECT_TRUE(step());  // makes now what is made once and kept
   constexpr long kMost = 100'000;
   for (long requests = 0; requests < kMost; ++requests) {
     const long before = held;
@@ -106,7 +106,7 @@ TEST(OutOfMemory, Faults) {
   }
 }
 
-// A stream that runs out of memory within would be just a shorter text.
+// A stream that runs out of memory must not yield a shorter text.
 TEST(OutOfMemory, Writing) {
   const Geometry geometry = io::read_geometry(kTexts[0]);
   for (const auto style : {io::Coordinates::Style::kDouble, io::Coordinates::Style::kExact,
@@ -160,8 +160,8 @@ TEST(OutOfMemory, TightPlaces) {
   });
 }
 
-// A workspace keeps what it has, and stays good. While there is no memory at all, not even the
-// error can be made: then std::bad_alloc is what comes.
+// A workspace keeps its memory and stays usable. Without any memory not even the error can be made,
+// so the call throws std::bad_alloc.
 TEST(OutOfMemory, WorkspacesStayGood) {
   const Region p = triangle_fan();
   const Region expected = minkowski_sum(p, p);

@@ -1,4 +1,4 @@
-// A box less a region: the region's own rings, wherever these are the answer.
+// Tests that a box less a region has the region's own rings wherever they are the answer.
 #include "overlay/complement.hpp"
 
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ Box widened(const Box& box, const Rational& by) {
 }
 Region canonical(const Region& region) { return resolve({region, {}, {}}).region; }
 
-/// Whether the rings were enough.
+/// Expects the right difference; returns whether the rings were enough.
 bool expect_difference(const Box& box, const Region& region, const std::string& what) {
   const Region whole = as_region(box);
-  // The difference by the overlay alone.
+  // This difference comes from the overlay alone.
   const Region expected = symmetric_difference(whole, intersect(whole, region));
   EXPECT_EQ(subtract(whole, region), expected) << what;
   const auto result = complement_in(box, region);
@@ -64,7 +64,7 @@ TEST(Complement, SumsInsideOfIt) {
   EXPECT_LT(turned, sums);
 }
 
-// Fractions without a common denominator, and coordinates of 53 bits and more.
+// The coordinates are fractions without a common denominator, and numbers of 53 bits and more.
 TEST(Complement, CrossingsAsVertices) {
   Random random(2);
   int turned = 0;
@@ -83,7 +83,7 @@ TEST(Complement, CrossingsAsVertices) {
   EXPECT_GT(turned, 55);
 }
 
-// A ring around the box, and what is in its holes.
+// The region is a ring around the box, with islands in its holes.
 TEST(Complement, Frames) {
   Random random(3);
   int turned = 0;
@@ -98,7 +98,7 @@ TEST(Complement, Frames) {
 }
 
 TEST(Complement, IslandsInHoles) {
-  // Squares around squares, in two groups, listed by no order that would help.
+  // Squares lie around squares in two groups, and are listed in no helpful order.
   std::vector<std::vector<test::Outline>> polygons;
   for (const int x : {0, 100}) {
     for (const int k : {0, 2, 4}) {
@@ -115,7 +115,7 @@ TEST(Complement, IslandsInHoles) {
   EXPECT_TRUE(expect_difference(box_of(-1, -1, 200, 100), region, "squares"));
 }
 
-// Where rings touch, those of the complement are others.
+// Where rings touch, the complement has other rings.
 TEST(Complement, WhatTouches) {
   const Box box = box_of(-10, -10, 60, 60);
   const Region corner = canonical(test::make_region(
@@ -134,7 +134,7 @@ TEST(Complement, WhatTouches) {
   EXPECT_FALSE(expect_difference(box, {}, "nothing"));
 }
 
-// So near that doubles cannot tell.
+// The rings are so close that doubles cannot tell.
 TEST(Complement, HairsApart) {
   const Rational hair(1, std::int64_t{1} << 62);
   const Region left = test::make_polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
@@ -148,9 +148,9 @@ TEST(Complement, HairsApart) {
   EXPECT_FALSE(expect_difference(widened(*bounding_box(square), hair), square, "a hair's margin"));
 }
 
-// What would take longer to tell than an overlay takes.
+// For such lists, the test of the rings would take longer than an overlay.
 TEST(Complement, LongLists) {
-  // Edges over each other.
+  // The edges lie one above the other.
   test::Outline comb;
   for (int i = 0; i < 250; ++i) {
     for (const auto& at :
@@ -162,7 +162,7 @@ TEST(Complement, LongLists) {
   comb.push_back({0, -1});
   const Region teeth = canonical(test::make_polygon(comb));
   EXPECT_FALSE(expect_difference(box_of(-9, -9, 2000, 2000), teeth, "a comb"));
-  // Islands in a hole.
+  // The islands lie in a hole.
   const Region hole = test::round_polygon(2000, 100'000);
   Polygon around{
       {{-200'000, -200'000}, {200'000, -200'000}, {200'000, 200'000}, {-200'000, 200'000}},
@@ -177,7 +177,7 @@ TEST(Complement, LongLists) {
   EXPECT_FALSE(expect_difference(box_of(-300'000, -300'000, 300'000, 300'000), islands, "islands"));
 }
 
-// Rings in any direction, from any vertex on, in any order.
+// Rings may have any direction, any first vertex and any order.
 TEST(Complement, LegalRegions) {
   Random random(6);
   int turned = 0;
@@ -203,7 +203,7 @@ TEST(Complement, LegalRegions) {
     turned += expect_difference(widened(*bounding_box(region), Rational(3)), region, "") ? 1 : 0;
   }
   EXPECT_GT(turned, 50);
-  // Straight and repeated vertices are not in the result.
+  // The result has no straight or repeated vertices.
   const Box box = box_of(-1, -1, 12, 12);
   const Region straight = test::make_polygon({{0, 0}, {5, 0}, {10, 0}, {10, 10}, {0, 10}});
   EXPECT_FALSE(expect_difference(box, straight, "a straight vertex"));
@@ -211,7 +211,7 @@ TEST(Complement, LegalRegions) {
   EXPECT_FALSE(expect_difference(box, twice, "a repeated vertex"));
 }
 
-// Boxes from any corner on, in both directions; and what is none.
+// Boxes may start at any corner, in either direction; other polygons are not boxes.
 TEST(Complement, OfAnyBox) {
   const Region square = test::rectangle(2, 2, 4, 4);
   test::Outline box{{0, 0}, {9, 0}, {9, 6}, {0, 6}};

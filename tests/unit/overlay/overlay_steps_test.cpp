@@ -1,5 +1,5 @@
-// The steps of the overlay one by one: bounded doubles, exact points on every rung, contacts, the
-// sweep's status, and the checker of subdivisions.
+// Tests the steps of the overlay one by one: bounded doubles, exact points on every rung, contacts,
+// the status of the sweep, and the checker of subdivisions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using namespace minksum::overlay;
 using reference::Number;
 using test::Random;
 
-/// A number, and bounded doubles that claim to hold it.
+/// A number, with bounded doubles that claim to hold it.
 struct Claim {
   Number exact;
   Bounded bounded;
@@ -66,7 +66,7 @@ TEST(OverlayBounded, OverflowIsNeverCertain) {
   EXPECT_FALSE((Bounded{1e-300, 0} * Bounded{1e-300, 0}).certain());
 }
 
-// Everything that can be asked, on every rung, against rationals.
+// Compares every predicate on every rung with rationals.
 template <class Rung>
 std::unique_ptr<ExactPoints> points_on(const std::vector<std::pair<int, int>>& points) {
   using Length = typename Rung::Length;
@@ -197,7 +197,7 @@ TEST(OverlaySteps, NestedSegmentsHaveFewTouchesOnceJoined) {
   EXPECT_FALSE(find_contacts(plain.segments, 9000, contacts));
 }
 
-// Cells are divided often here; every pair is tried as well.
+// Here cells are divided often; the expected contacts come from all pairs.
 TEST(OverlaySteps, NoContactIsMissed) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random(seed);
@@ -258,7 +258,7 @@ TEST(OverlaySteps, CheckerRejects) {
             "pieces around a node are not counter-clockwise");
   EXPECT_EQ(fault([](Subdivision& s) { s.pieces[0].inside_above ^= true; }),
             "a face is inside at one piece and outside at the next");
-  // Without the contacts nothing is cut.
+  // Without contacts, no segment is cut.
   const auto uncut = [](const Geometry& geometry) {
     const Steps steps = run_steps(geometry);
     Subdivision bad = subdivide(steps.segments, {});
@@ -295,7 +295,7 @@ TEST(OverlayStatus, KeepsItsOrder) {
       ASSERT_EQ(status.piece(slot), piece);
     }
     ASSERT_EQ(status.above(slot), kNone);
-    // Searches: the pieces up to some height.
+    // The search must find the pieces up to some height.
     const int height = random.below(static_cast<int>(expected.size()) + 1);
     std::set<PieceId> lower;
     for (int k = 0; k < height; ++k) lower.insert(expected[static_cast<std::size_t>(k)].second);

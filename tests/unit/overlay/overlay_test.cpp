@@ -1,4 +1,4 @@
-// Fill rules and boolean operations on shapes that one can draw.
+// Tests fill rules and boolean operations on shapes that one can draw.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(Resolve, PentagramByRule) {
 }
 
 TEST(Resolve, SpikesAndCollapsedRings) {
-  // A square with an antenna from its side, one into its inside, and a ring that is a segment.
+  // The square has an antenna outwards, one into its inside, and a ring that is a segment.
   const Region region = make_region(
       {{{{0, 0}, {2, 0}, {2, 1}, {4, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {1, 2}, {0, 2}}},
        {{{7, 0}, {9, 0}, {8, 0}}},
@@ -70,9 +70,9 @@ TEST(Resolve, AntennaThroughAHole) {
                                      {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}});
   const Geometry result = resolved(region);
   EXPECT_EQ(result.region.hole_count(), 1U);
-  // The hole takes away what of the antenna is in it.
+  // The hole takes away the part of the antenna that is inside it.
   EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}}));
-  // By winding numbers alone a ring's own points belong wherever they are.
+  // By winding numbers, a ring's own points belong to the set wherever they are.
   const Geometry wound = resolved(region, FillRule::kEvenOdd);
   EXPECT_EQ(wound.polylines, (std::vector<Polyline>{{{-1, 3}, {0, 3}}, {{2, 3}, {4, 3}}}));
 }
@@ -106,7 +106,7 @@ TEST(Holes, TwoThatOverlapTakeTheirUnion) {
 }
 
 TEST(Holes, WhatTheyLeaveBetweenThemStays) {
-  // Two holes share an edge: a wall of no width. One is wider than its shell.
+  // Two holes share an edge, which is a wall without width. One is wider than the outer ring.
   const Region region =
       make_polygon({{0, 0}, {9, 0}, {9, 6}, {0, 6}},
                    {{{1, 1}, {4, 1}, {4, 9}, {1, 9}}, {{4, 1}, {8, 1}, {8, 5}, {4, 5}}});
@@ -125,7 +125,7 @@ TEST(Holes, ASpikeOfAHoleIntoItIsAWall) {
 }
 
 TEST(Holes, ABowTieHasTwoPartsToTakeAway) {
-  // Its halves wind in opposite directions; another hole covers one of them.
+  // The halves of the bow tie wind in opposite directions; another hole covers one of them.
   const Region region = make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
                                      {{{1, 1}, {7, 5}, {7, 1}, {1, 5}}, {{1, 1}, {4, 3}, {1, 5}}});
   const Geometry result = resolved(region);
@@ -139,7 +139,7 @@ TEST(Holes, EachIsOfItsOwnPolygon) {
       make_region({{{{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{1, 1}, {5, 1}, {5, 5}, {1, 5}}},
                    {{{2, 2}, {9, 2}, {9, 4}, {2, 4}}}});
   EXPECT_EQ(area(resolved(region).region), Rational(36 - 16 + 6 + 6));
-  // The same bow tie twice, in both directions: their windings cancel.
+  // The bow tie is there twice, in both directions, so the winding numbers cancel.
   const Region ties = make_region({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}},
                                    {{{0, 4}, {4, 0}, {4, 4}, {0, 0}}},
                                    {{{8, 8}, {9, 8}, {9, 9}}}});

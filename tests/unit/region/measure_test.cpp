@@ -1,4 +1,4 @@
-// Area, box and bits, on every kind of stored number.
+// Tests area, box and bits on every kind of stored number.
 #include "minksum/measure.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Region square_with_hole(const Rational& unit, const Rational& offset) {
   Region region;
   region.begin_polygon();
   add_ring(region, {{at(0), at(0)}, {at(4), at(0)}, {at(4), at(4)}, {at(0), at(4)}});
-  add_ring(region, {{at(1), at(1)}, {at(2), at(1)}, {at(2), at(2)}});  // as counter-clockwise
+  add_ring(region, {{at(1), at(1)}, {at(2), at(1)}, {at(2), at(2)}});  // counter-clockwise as well
   return region;
 }
 
@@ -49,7 +49,7 @@ TEST(Measure, AreaIgnoresOrientation) {
   EXPECT_EQ(area(region), Rational(31, 2));
 }
 
-// Fan of a star around a centre far away: the sum of triangles is the slow and obvious area.
+// The slow and obvious area is the sum of triangles around a centre far away.
 TEST(Measure, AreaOfLargeNumbersDoesNotOverflow) {
   constexpr std::int64_t kFar = (std::int64_t{1} << 61) - 1;
   Region region;
@@ -85,8 +85,8 @@ TEST(Measure, BothWaysToTheAreaAgree) {
   }
 }
 
-// Denominators that are equal, next to each other or not, that have divisors in common, that are 1,
-// doubles and decimals among them: against the sum by definition.
+// Compares with the sum by definition. Denominators may be equal, neighbours or not, may have
+// common divisors, or may be 1; doubles and decimals are among the numbers.
 TEST(Measure, AreaAndBitsOfManyDenominators) {
   test::Random random(12);
   const Rational below[] = {1,
@@ -106,7 +106,7 @@ TEST(Measure, AreaAndBitsOfManyDenominators) {
     const auto coordinate = [&] {
       const Rational value =
           Rational(random.between(-1000, 1000)) / below[random.below(round % 10 + 1)];
-      // The least common multiple, step by step.
+      // The grid becomes the least common multiple step by step.
       const Rational missing = (grid * value).denominator();
       grid = grid * missing;
       return value;
@@ -155,7 +155,7 @@ TEST(Measure, BoxIsExact) {
   Region region;
   region.begin_polygon();
   region.begin_ring();
-  const Rational tiny = *Rational::parse("1e-40");  // no double sees it beside 1
+  const Rational tiny = *Rational::parse("1e-40");  // vanishes beside 1 in doubles
   region.add_vertex(Rational(1), Rational(1, 3));
   region.add_vertex(Rational(1) + tiny, Rational(1, 3) - tiny);
   region.add_vertex(Rational(1) - tiny, Rational(1, 3) + tiny);

@@ -1,4 +1,4 @@
-// The container: structure, exact storage of every kind of number, equality, misuse.
+// Tests the container: structure, exact storage of every kind of number, equality, and misuse.
 #include "minksum/region.hpp"
 
 #include <gtest/gtest.h>
@@ -200,7 +200,7 @@ TEST(Region, ResultsCarryOriginsAndCopiesKeepThem) {
   EXPECT_EQ(copy.exact_x(0), Rational(-5, 3));
 }
 
-// What is left of a region that was moved is empty, and can be built on.
+// A region that was moved from is empty and can be built anew.
 TEST(Region, Moves) {
   const Region two = test::make_region(
       {{{{0, 0}, {4, 0}, {0, 4}}, {{1, 1}, {1, 2}, {2, 1}}}, {{{9, 9}, {12, 9}, {9, 12}}}});
@@ -231,7 +231,7 @@ Region with_origins() {
   return region;
 }
 
-// Copies have their memory in common until one of them is changed, in whatever way.
+// Copies share their memory until one of them is changed in any way.
 TEST(Region, ChangesOfACopyAreItsOwn) {
   const Region region = with_origins();
   const auto expect_unchanged = [&] {
@@ -308,7 +308,7 @@ TEST(Region, CopiesAreForDifferentThreads) {
   EXPECT_EQ(region, with_origins());
 }
 
-// Arrays of one block: short ones may grow one by one beside long ones.
+// The arrays lie in one block, where short ones may grow step by step beside long ones.
 TEST(Region, GrowsInAnyOrder) {
   Region region;
   test::Random random(5);

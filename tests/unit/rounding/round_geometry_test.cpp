@@ -1,4 +1,4 @@
-// Rounding what has thin parts: small enough to see it.
+// Tests rounding of geometries with thin parts that are small enough to check by eye.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ Geometry lines(std::vector<Polyline> polylines, std::vector<Point> points = {}) 
 
 Region polygon(Ring outer) { return Region(Polygon{std::move(outer), {}}); }
 
-/// Rounds to both sides, to doubles and to decimals, and holds what is promised.
+/// Expects that rounding to both sides, to doubles and to decimals, keeps its promises.
 void expect_sides_of(const Geometry& exact) {
   for (const std::optional<int> decimals :
        {std::optional<int>{}, std::optional<int>{1}, std::optional<int>{0}}) {
@@ -71,7 +71,7 @@ TEST(RoundGeometry, PathsThatWouldCrossAreSnapped) {
 TEST(RoundGeometry, PathsStayWhereTheyEndOnAnEdge) {
   Geometry geometry;
   geometry.region = third_triangle();
-  // Ends in the middle of the slanted edge.
+  // The polyline ends in the middle of the slanted edge.
   geometry.polylines = {{point("1/6", "1/3"), point("2", "2")}};
   RoundingReport report;
   const Geometry rounded = round(resolve(geometry), to_decimals(3), &report);
@@ -178,13 +178,13 @@ TEST(RoundGeometry, CrossingsThatAreNotOfTheTarget) {
 }
 
 TEST(RoundGeometry, ExactPathsThatARegionGrowsOver) {
-  // The slanted edge moves over the path's end: what is left of it ends between the integers.
+  // The slanted edge moves over the end of the path, so the rest ends between the integers.
   Geometry geometry = lines({{point("4", "4"), point("9", "5")},
                              {point("3", "5"), point("3", "9")},
                              {point("5", "3"), point("9", "3")}});
   geometry.region = polygon({point("0", "0"), point("33/4", "0"), point("0", "33/4")});
   expect_sides_of(resolve(geometry));
-  // Along the axes the cells around these ends have no width.
+  // The cells around these ends have no width along one axis.
   geometry.polylines = {{point("2", "25/4"), point("2", "9")},
                         {point("25/4", "2"), point("9", "2")}};
   expect_sides_of(resolve(geometry));

@@ -1,4 +1,4 @@
-// Rounding: what it does to regions small enough to see it.
+// Tests rounding on regions that are small enough to check by eye.
 #include "minksum/round.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(Round, WhatIsExactStays) {
 }
 
 TEST(Round, ResultsAreCanonicalWhateverWasGiven) {
-  // Clockwise, with a repeated vertex and one in the middle of an edge.
+  // The ring is clockwise, with a repeated vertex and one in the middle of an edge.
   const Region scrambled = make_polygon({{4, 0}, {2, 0}, {0, 0}, {0, 4}, {0, 4}, {4, 4}});
   EXPECT_EQ(round(scrambled), rectangle(0, 0, 4, 4));
   EXPECT_EQ(round(scrambled, to_decimals(2, RoundingSide::kInside)), rectangle(0, 0, 4, 4));
@@ -94,7 +94,7 @@ TEST(Round, WhatCollapsesGoes) {
 }
 
 TEST(Round, EdgesGoByTheVerticesThatTheyPassed) {
-  // The notch's tip at (5, 1/3) is above the lower edge; rounded, it would touch it.
+  // The tip of the notch at (5, 1/3) is above the lower edge. If rounded, it would touch that edge.
   const Region notched =
       polygon({point("0", "0"), point("9", "0"), point("9", "9"), point("16/3", "9"),
                point("5", "1/3"), point("4", "9"), point("0", "9")});
@@ -107,7 +107,7 @@ TEST(Round, EdgesGoByTheVerticesThatTheyPassed) {
 }
 
 TEST(Round, RingsThatComeToTouchMayCutAPolygon) {
-  // A hole from wall to wall, a quarter away from both.
+  // The hole ends a quarter before both walls.
   const Region ring =
       polygon({point("0", "0"), point("8", "0"), point("8", "8"), point("0", "8")},
               {{point("1/4", "4"), point("4", "3"), point("31/4", "4"), point("4", "5")}});
@@ -131,7 +131,7 @@ TEST(Round, OutsideAndInsideMoveTheVerticesThatMust) {
 }
 
 TEST(Round, SidesOfWhatIsTooThinForOneVertex) {
-  // Neither tip has a corner of its cell on the right sides of both its edges.
+  // No corner of either tip's cell is on the right sides of both its edges.
   const Region needle = polygon({point("0", "0"), point("100", "7"), point("601/6", "71/10")});
   const Region outside = round(needle, to_decimals(0, RoundingSide::kOutside));
   EXPECT_TRUE(contains(outside, needle));
@@ -163,7 +163,7 @@ TEST(Round, LargestDoubles) {
   EXPECT_EQ(rounded.vertex_count(), 3U);
   EXPECT_TRUE(contains(wide, round(wide, to_doubles(RoundingSide::kInside))));
   EXPECT_TRUE(contains(round(wide, to_doubles(RoundingSide::kOutside)), wide));
-  // No double is far enough out for this one.
+  // No double is far enough outside for this region.
   const Region wider =
       polygon({{Rational(0), Rational(0)}, {x + Rational(1, 3), Rational(0)}, {Rational(0), x}});
   EXPECT_EQ(round(wider).exact_x(1), x);
@@ -227,7 +227,7 @@ TEST(Round, SidesHaveNames) {
   EXPECT_STREQ(to_string(RoundingSide::kInside), "inside");
 }
 
-// -- The parts
+// -- The parts of rounding
 // -------------------------------------------------------------------------------------
 
 TEST(Settle, Judges) {
@@ -294,14 +294,14 @@ TEST(HotPixels, AreHalfOpen) {
 TEST(HotPixels, AreFoundLikeByTryingAll) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
-    // From one pixel for all to grids that no double can count.
+    // The grids range from one pixel for all points to more pixels than a double can count.
     const int scale = random.between(0, 70);
     Rational size(1, 7);
     for (int i = 0; i < scale; ++i) size = size * 2;
     std::vector<SnapPoint> points;
     for (int i = random.between(2, 60); i > 0; --i) {
       const Rational x = size * random.between(-50, 50);
-      // Now and then close to a diagonal.
+      // Some points are close to a diagonal.
       const Rational y = random.one_in(3) ? x + Rational(random.between(-9, 9), 7)
                                           : size * random.between(-50, 50);
       points.push_back(snap_point(x, y));

@@ -1,4 +1,4 @@
-// The sweep over boxes finds every pair that overlaps, once, and none that are far apart.
+// Tests that the sweep over boxes finds every overlapping pair once, and no pair that is far apart.
 #include "spatial/box_pairs.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ struct Plane {
   double height;
 };
 
-/// Most boxes are small; some are points, segments, or as large as all.
+/// Makes a random box. Most are small; some are points, segments, or as large as the plane.
 Box random_box(Random& random, const Plane& plane, double size) {
   const auto unit = [&] { return random.below(1 << 20) / double{(1 << 20) - 1}; };
   const auto range = [&](double most, double& low, double& high) {
@@ -34,7 +34,7 @@ Box random_box(Random& random, const Plane& plane, double size) {
   return box;
 }
 
-/// How far apart two boxes are, in parts of the plane; at most 0 where they overlap.
+/// Returns the gap between two boxes as a share of the plane; at most 0 if they overlap.
 double gap(const Box& a, const Box& b, const Plane& least) {
   const auto part = [](double distance, double whole) {
     return distance <= 0 ? 0 : distance / whole;
@@ -91,7 +91,7 @@ TEST(BoxPairs, ColumnsHoldManyAtOnePlace) {
   expect_pairs(boxes, {1, 1}, {1, 1}, 0, scratch);
 }
 
-/// A plane without height, or one whose height is below the boxes' errors: x alone tells.
+/// The plane has no height, or less than the boxes' errors, so only x tells.
 TEST(BoxPairs, FlatPlanesAndDoubts) {
   Random random(2);
   BoxPairScratch scratch;
@@ -103,7 +103,7 @@ TEST(BoxPairs, FlatPlanesAndDoubts) {
   }
 }
 
-/// Boxes that overlap only because each may be off by the doubt.
+/// The boxes overlap only because each may be off by the doubt.
 TEST(BoxPairs, RoundsOutwardsByMoreThanTheDoubt) {
   BoxPairScratch scratch;
   const double doubt = 0x1p-22;

@@ -1,4 +1,4 @@
-// Each stage's checker accepts what the stage makes and rejects what is damaged.
+// Tests that the checker of each stage accepts what the stage makes and rejects damage.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-/// A comb with a hole that a small L fits into, with room to spare.
+/// Returns a comb with a hole into which a small L fits with room to spare.
 Region comb() {
   return make_polygon({{0, 0}, {60, 0}, {60, 40}, {50, 40}, {50, 10}, {40, 10}, {40, 40}, {30, 40},
                        {30, 10}, {20, 10}, {20, 40}, {0, 40}},
@@ -22,7 +22,7 @@ Region comb() {
 }
 Region l_shape() { return make_polygon({{0, 0}, {9, 0}, {9, 3}, {3, 3}, {3, 13}, {0, 13}}); }
 
-/// All stages' results of one sum.
+/// Keeps the results of all stages of one sum.
 struct Stages {
   Options options;
   Operands operands;
@@ -90,7 +90,7 @@ TEST(Checkers, FiltersRejectAnAcceptedFalseLoop) {
   EXPECT_GE(false_loops, 5U) << "too few false loops to accept";
 }
 
-/// A way to damage the stages, and what the checker should say then.
+/// A way to damage the stages, and the checker's expected answer.
 struct Damage {
   const char* name;
   std::function<void(Stages&)> damage;

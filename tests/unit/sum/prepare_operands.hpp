@@ -1,4 +1,4 @@
-// The first stage for two regions, for tests of what comes after it.
+// Runs the first stage for two regions, for tests of later stages.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Polylines as operands: walks there and back, by both methods; and checkers that reject.
+// Tests polylines as operands by both methods, as walks there and back, and checkers that reject.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-/// A region or polylines, prepared, and what they are made of.
+/// A region or polylines as a prepared operand, with their sources.
 struct Made {
   Region region;
   PreparedOperand operand;
@@ -40,7 +40,7 @@ TEST(ThinOperand, IsWalkedThereAndBack) {
   EXPECT_EQ(to_text(hook.region),
             to_text(make_region({{{{0, 0}, {4, 0}, {4, 3}, {2, 3}, {4, 3}, {4, 0}}},
                                  {{{5, 5}, {6, 7}}}})));
-  // It turns left at its ends, and at each vertex within once.
+  // The walk turns left at both ends, and once at each inner vertex.
   EXPECT_EQ(hook.operand.convex, (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 1, 1}));
   ASSERT_EQ(hook.operand.rings.size(), 2U);
   EXPECT_EQ(hook.operand.rings[1].begin, 6U);
@@ -84,7 +84,7 @@ TEST(ThinOperand, EndsTakeHalfACircleOfDirections) {
   Convolution convolution;
   reduced_convolution(operands, {}, never, scratch, convolution);
   EXPECT_EQ(check(convolution, operands, false), std::nullopt);
-  // Both edges of the walk and all of the triangle: each once.
+  // Both edges of the walk and all edges of the triangle make one segment each.
   EXPECT_EQ(convolution.segments.size(), 5U);
   convolution.segments.pop_back();
   EXPECT_TRUE(check(convolution, operands, false).has_value());
@@ -107,7 +107,7 @@ TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
   const std::vector<Outline> across{{{0, 0}, {3, 0}}};
   EXPECT_EQ(segments_of(across, {{{0, 0}, {0, 2}}}), 4U);
   EXPECT_EQ(segments_of(across, {{{0, 0}, {7, 0}}}), 0U);
-  // An L: the corner takes the edge that is parallel to one of its own, its far end does not.
+  // The corner of the L takes the edge that is parallel to one of its own; its far end does not.
   EXPECT_EQ(segments_of(across, {{{0, 0}, {7, 0}, {7, 4}}}), 4U);
 }
 

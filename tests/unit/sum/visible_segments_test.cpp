@@ -1,4 +1,4 @@
-// Few segments listed, many hidden: the same sum as from all of them.
+// Tests that few listed segments with many hidden ones give the same sum as all segments.
 #include "sum/arrangement/visible_segments.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using test::Random;
 
-/// The stages up to the cover, from all segments or a sample.
+/// Runs the stages up to the cover, from all segments and from a sample.
 struct Covered {
   Options options;
   Operands operands;
@@ -44,7 +44,7 @@ struct Covered {
   }
 };
 
-/// The pipeline after the cover.
+/// Runs the pipeline after the cover.
 Region sum_of(const Covered& c, const Convolution& convolution) {
   Cancellation never;
   Predicates predicates(c.operands.sites, *c.operands.kernel, c.operands.bounds, never);
@@ -66,7 +66,7 @@ Region sum_of(const Covered& c, const Convolution& convolution) {
   return sum;
 }
 
-/// Whether all cells of a segment's box, up to rounding, are covered.
+/// Returns whether all cells of a segment's box, up to rounding, are covered.
 bool is_hidden(const Covered& c, const Segment& s) {
   const auto& [x, y, dx, dy, next] = c.operands.sites;
   const UniformGrid& grid = c.cover.grid;
@@ -85,7 +85,7 @@ bool is_hidden(const Covered& c, const Segment& s) {
   return true;
 }
 
-/// Compares the visible ones with all; how many are hidden.
+/// Compares the visible segments with all of them; returns how many are hidden.
 std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) {
   VisibleScratch scratch;
   Cancellation never;
@@ -103,7 +103,7 @@ std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) 
   return c.all.segments.size() - visible.size();
 }
 
-/// A cover with cells, for which not all segments were listed.
+/// Compares for a cover that has cells and for which only a sample was listed.
 bool compare(const Covered& c, const std::string& what, std::size_t& hidden) {
   EXPECT_EQ(check(c.sample, c.operands, false), std::nullopt) << what;
   if (c.sample.listed()) {
@@ -146,7 +146,7 @@ TEST(VisibleSegments, OfSmallDegeneratePairs) {
   EXPECT_GE(hidden, 1000U);
 }
 
-/// Each operand's square fits into the other's hole, so both holes stay; a hole never meets a hole.
+/// Each operand's square fits into the other's hole, so both holes stay, but they never meet.
 TEST(VisibleSegments, OfTwoWithHoles) {
   const Region p = test::make_region(
       {{{{0, 0}, {60, 0}, {61, 62}, {1, 60}}, {{2, 2}, {3, 12}, {4, 4}, {12, 3}}},

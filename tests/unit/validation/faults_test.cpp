@@ -1,4 +1,4 @@
-// Where faults are: exactly, and each crossing by itself.
+// Tests that faults have exact locations, and that each crossing is a fault of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ TEST(Faults, ACrossingIsWhereEdgesCross) {
 }
 
 TEST(Faults, EachCrossingOfOneEdgeIsAFault) {
-  // A zigzag over the first edge.
+  // A zigzag crosses the first edge.
   const Region region =
       make_polygon({{0, 0}, {12, 0}, {12, 5}, {9, -2}, {7, 2}, {5, -2}, {3, 2}, {0, 5}});
   EXPECT_EQ(texts(region), (Texts{"edges cross at (4, 0)", "edges cross at (6, 0)",
@@ -49,7 +49,7 @@ TEST(Faults, OfAnOverlapTheFirstSharedPoint) {
 }
 
 TEST(Faults, VerticesInTheMiddleOfEdgesAreCountedIn) {
-  // The straight edge has vertices; the crossing is on its third part.
+  // The straight edge has vertices, and the crossing is on its third part.
   const Region region = make_polygon({{0, 0}, {2, 0}, {4, 0}, {10, 0}, {10, 5}, {7, -3}, {0, 5}});
   for (const Fault& fault : validate(region)) {
     const std::size_t first = std::min(fault.place.vertex, fault.other.vertex);
@@ -59,7 +59,7 @@ TEST(Faults, VerticesInTheMiddleOfEdgesAreCountedIn) {
 }
 
 TEST(Faults, OfHolesTheEdgeIsCountedAsGiven) {
-  // Both directions of the hole: the crossing edge starts at its vertex 1.
+  // In both directions of the hole, the crossing edge starts at its vertex 1.
   for (const bool reversed : {false, true}) {
     test::Outline hole{{2, 2}, {2, 4}, {9, 3}};
     if (reversed) hole = {{9, 3}, {2, 4}, {2, 2}};
@@ -124,7 +124,7 @@ TEST(Faults, ARingWithoutVerticesHasNoPlace) {
   EXPECT_EQ(to_string(faults[0]), faults[0].message);
 }
 
-/// All crossings of the edges of one ring, by the definition.
+/// Counts all crossings of the edges of one ring, by the definition.
 std::size_t count_crossings(const std::vector<Point>& ring) {
   const auto side = [](const Point& a, const Point& b, const Point& c) {
     return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();

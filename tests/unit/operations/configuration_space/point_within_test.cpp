@@ -1,4 +1,4 @@
-// Points inside of regions that a coarse grid misses.
+// Tests the search for inner points of regions that a coarse grid misses.
 #include <gtest/gtest.h>
 
 #include "minksum/boolean.hpp"
@@ -24,7 +24,7 @@ TEST(PointWithin, ThinShapes) {
                                    {{{0, 50}, {50, 99}, {99, 50}, {50, 1}}}));
 }
 
-// The largest gap between heights is where there is none of them.
+// The largest gap between heights holds no shape.
 TEST(PointWithin, ThinShapesFarApart) {
   const Region low = test::rectangle(0, 0, 100, 1);
   expect_inside(unite(low, test::rectangle(0, 99, 100, 100)));

@@ -1,4 +1,4 @@
-// Tables of no-fit polygons: each entry is as if it were made alone.
+// Tests that each entry of a table of no-fit polygons equals the one made alone.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,14 +18,14 @@
 namespace minksum {
 namespace {
 
-/// A part as the table's entries have it: its first vertex at the origin, and turned about it.
+/// Returns a part as the table takes it: moved so that its first vertex is the origin, then turned.
 Geometry placed(const Geometry& part, int quarters) {
   const Point reference = part.region.point(0);
   return transform(part, Affine::quarter_turns(quarters)
                              .after(Affine::translation(-reference.x, -reference.y)));
 }
 
-/// All entries of a table of so many turns.
+/// Compares all entries of a table of so many turns.
 void expect_entries(const std::vector<Geometry>& parts, int turns) {
   NoFitTableOptions options;
   options.turns = turns;
@@ -96,7 +96,7 @@ TEST(NoFitTable, HasCrossingsWithDigits) {
 }
 
 TEST(NoFitTable, ReadsPartsByTheRule) {
-  // A bow-tie, and a square with a spike that has no area.
+  // The parts are a bow-tie, and a square with a spike that has no area.
   const Geometry bow_tie{test::make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), {}, {}};
   const Geometry spiked{
       test::make_polygon({{0, 0}, {1, 0}, {1, 1}, {3, 1}, {1, 1}, {0, 1}}), {}, {}};
@@ -118,7 +118,7 @@ TEST(NoFitTable, KnowsOriginsOfEitherPart) {
       const Point edge = operands[edge_of_first ? 0 : 1]->point(origin.edge);
       const Point vertex = operands[edge_of_first ? 1 : 0]->point(origin.vertex);
       const Point at = entry.region.point(v);
-      // Fixed − moving: no two edges are parallel, and both parts run counter-clockwise.
+      // The sum is fixed − moving. No edges are parallel, and both parts run counter-clockwise.
       const Point expected = edge_of_first ? Point{edge.x - vertex.x, edge.y - vertex.y}
                                            : Point{vertex.x - edge.x, vertex.y - edge.y};
       EXPECT_EQ(at, expected) << "vertex " << v << " of " << test::to_text(entry.region);

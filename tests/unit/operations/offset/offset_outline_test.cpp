@@ -1,4 +1,4 @@
-// The outlines that offsets are read from: nowhere do they wind the wrong way.
+// Tests that the outlines from which offsets are read wind the wrong way nowhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using test::Random;
 
 constexpr std::array kJoins = {Join::kRound, Join::kMiter, Join::kSquare, Join::kBevel};
 
-/// Each vertex three times, moved by up to 50 units.
+/// Returns the region with each vertex repeated three times, each moved by up to 50 units.
 Region roughened(const Region& region, const Rational& unit, Random& random) {
   const auto jitter = [&] { return Rational(random.between(-50, 50)) * unit; };
   Ring ring;
@@ -30,8 +30,8 @@ Region roughened(const Region& region, const Rational& unit, Random& random) {
   return resolve({Region(Polygon{ring, {}}), {}, {}}, {FillRule::kNonZero, true, {}}).region;
 }
 
-/// A long shape with one side bent, convex or not, of edges as short as `unit`, which turn by far
-/// less than directions on the grid can tell; put at an angle.
+/// Returns a long shape, put at an angle, with one side bent, convex or not. The edges of that side
+/// are as short as `unit`, and turn by far less than directions on the grid can tell.
 Region bent(int bend, const Rational& unit, Random& random) {
   Ring ring{{-1, -9}, {1, -9}};
   for (int k = 100; k >= -100; --k) {
@@ -77,7 +77,7 @@ void expect_no_wrong_way(const Region& region, const Rational& d) {
   }
 }
 
-// Edges from much longer than the grid's step (at most d/640 here) to far below it.
+// Edges range from much longer than the step of the grid (at most d/640 here) to far below it.
 TEST(OffsetOutline, NeverWindsTheWrongWay) {
   Random random(test::seed_from_environment(7));
   for (int i = 0; i < test::count_from_environment(15); ++i) {

@@ -1,4 +1,4 @@
-// The sum of geometries as a call: how operands are read, what is refused, what is reported.
+// Tests the call for sums of geometries: how it reads operands, what it refuses and reports.
 #include <gtest/gtest.h>
 
 #include "minksum/minkowski_sum.hpp"
@@ -34,7 +34,7 @@ TEST(GeometrySum, OriginsAreThereIfOperandsAreUsedAsGiven) {
 }
 
 TEST(GeometrySum, FillRulesSayWhatRingsMean) {
-  // Two rings of one direction, one in the other: a hole by parity, none by winding.
+  // Two rings of one direction are nested: the inner one is a hole by parity, but not by winding.
   Region nested;
   nested.begin_polygon();
   for (const std::int64_t k : {0, 3}) {
@@ -69,13 +69,13 @@ TEST(GeometrySum, SpikesAreSweptUnlessRegularized) {
 TEST(GeometrySum, ThinSumsAreResolved) {
   const Geometry cross = minkowski_sum(make_lines({{{0, 0}, {4, 0}}}, {{0, 9}, {1, 9}}),
                                        make_lines({{{0, 0}, {2, 0}}, {{0, 0}, {0, 1}}}));
-  // A rectangle, with what sticks out of it, and the points' translates above.
+  // The sum is a rectangle, the paths that stick out of it, and the translates of the points above.
   EXPECT_EQ(to_text(cross),
             "MULTIPOLYGON (((0 0, 4 0, 4 1, 0 1, 0 0))) LINESTRING (0 10, 0 9, 1 9) "
             "LINESTRING (1 9, 1 10) LINESTRING (1 9, 3 9) LINESTRING (4 0, 6 0)");
 }
 
-/// A path that crosses, covers and touches itself, turns back and stands still.
+/// Returns a path that crosses, covers and touches itself, turns back and repeats vertices.
 Polyline tangle(Random& random, int count, int size) {
   Polyline path;
   while (static_cast<int>(path.size()) < count) {
@@ -100,7 +100,7 @@ TEST(GeometrySum, CrossingsOfPolylinesNeedNoVertices) {
     if (i % 4 == 1) p.region = random_two_opt(random, 8, size);
     if (i % 4 == 2) q = {random_two_opt(random, 8, size), {}, {}};
     if (i % 5 == 3) p.points.push_back({random.below(size), random.below(size)});
-    // Resolved, each crossing is a vertex.
+    // In resolved operands each crossing is a vertex.
     const Geometry expected = minkowski_sum(resolve(p), resolve(q));
     for (const Method method : {Method::kReduced, Method::kSigned}) {
       Options options;
@@ -126,7 +126,7 @@ TEST(GeometrySum, StrictRefusesWithThePlace) {
     EXPECT_EQ(outcome.error->culprit().ring, 0U);
     EXPECT_TRUE(sum.empty());
   }
-  // Beside an empty operand as well; and thin parts are no fault.
+  // The rule is also strict beside an empty operand, but thin parts are not faults.
   EXPECT_FALSE(minkowski_sum(bow_tie, Geometry{}, strict, workspace, sum).ok());
   Geometry flagged = square;
   flagged.polylines = make_lines({{{2, 2}, {5, 2}}}).polylines;
@@ -200,14 +200,14 @@ TEST(GeometrySum, ThinPartsCoverTightPlaces) {
   const Region filled = rectangle(-1, -1, 7, 7);
   EXPECT_EQ(minkowski_sum(Geometry{framed, {}, {}}, square, options).region, filled);
   EXPECT_EQ(to_text(tight), to_text(make_lines({}, {{3, 3}})));
-  // A point in the hole is in the way; one that is far away is not.
+  // A point in the hole covers the tight place; one that is far away does not.
   for (const auto& [x, covers] : {std::pair{3, true}, {20, false}}) {
     const Geometry with_point{framed, {}, {Point{x, 3}}};
     EXPECT_EQ(minkowski_sum(with_point, square, options).region.polygon_count(), covers ? 1U : 2U);
     EXPECT_EQ(tight.points.size(), covers ? 0U : 1U);
   }
-  // Where a path runs along the hole it is the area's, and takes nothing, though it goes on through
-  // the area and crosses its edge.
+  // A path along the hole belongs to the area there, and takes no tight place away. It does not
+  // matter that it goes on through the area and crosses its edge.
   const Geometry with_path{framed, {{{2, 2}, {4, 2}, {3, -2}}}, {}};
   static_cast<void>(minkowski_sum(with_path, square, options));
   EXPECT_EQ(to_text(tight), to_text(make_lines({}, {{3, 3}})));

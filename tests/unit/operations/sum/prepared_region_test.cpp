@@ -1,4 +1,4 @@
-// A prepared operand gives what the region itself gives, whatever it meets.
+// Tests that a prepared operand has the same sums as the region itself, with any other operand.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -13,7 +13,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-/// Shapes whose coordinates need different scales and rungs, some with holes.
+/// Returns shapes whose coordinates need different scales and rungs; some have holes.
 std::vector<Region> mixed_shapes() {
   Random random(7);
   std::vector<Region> shapes{random_two_opt(random, 25, 100), random_with_holes(random, 60, 3),
@@ -64,7 +64,7 @@ TEST(PreparedRegion, GivesWhatTheRegionsGive) {
 }
 
 TEST(PreparedRegion, TakesLongDecimalsForWhatTheyAre) {
-  // Twenty digits: more than a decimal of 64 bits has, fewer than fixed-width arithmetic.
+  // Twenty digits are more than a decimal of 64 bits has, and fewer than fixed-width integers have.
   const Rational x = Rational(1) / Rational(std::int64_t{1'000'000'000'000'000'000});
   const Rational y = x / Rational(40);
   Region region;
@@ -83,7 +83,8 @@ TEST(PreparedRegion, TakesLongDecimalsForWhatTheyAre) {
   EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
 }
 
-/// Whether all settings give the sum that rationals of any size give; the rung of the first.
+/// Expects that all settings give the sum that rationals of any size give. Returns the rung of the
+/// first setting.
 Arithmetic expect_same_by_rationals(const Region& p, const Region& q) {
   Statistics statistics;
   Geometry tight;
@@ -106,7 +107,7 @@ Arithmetic expect_same_by_rationals(const Region& p, const Region& q) {
   return rung;
 }
 
-// What a turn makes of integers has a common denominator: integers on a finer grid.
+// Turned integers have a common denominator, so they are integers on a finer grid.
 TEST(PreparedRegion, PutsCommonDenominatorsOnTheGrid) {
   Random random(11);
   const Rational halves[] = {{1, 2}, {-2, 3}, {5, 58}, {237, 239}, {1, 100003}};
@@ -124,8 +125,8 @@ TEST(PreparedRegion, PutsCommonDenominatorsOnTheGrid) {
   }
 }
 
-// Holes are filled by sizes in one unit: here a square of 9/7 and a hole that is a hair wider, as
-// wide, or narrower.
+// Sizes are compared in one unit: here those of a square of 9/7 and of a hole that is a hair wider,
+// equally wide, or narrower.
 TEST(PreparedRegion, ComparesSizesOnDifferentGrids) {
   const Region part = scaled(rectangle(0, 0, 9, 9), Rational(1, 7));
   const Rational whole(1'000'000'007);
@@ -143,7 +144,7 @@ TEST(PreparedRegion, ComparesSizesOnDifferentGrids) {
   }
 }
 
-// Denominators that have no short common multiple go to rationals, as do long ones.
+// Rationals take denominators that are long or have no short common multiple.
 TEST(PreparedRegion, LeavesOtherDenominatorsToRationals) {
   const auto triangle = [](std::int64_t a, std::int64_t b, std::int64_t c) {
     return Region(Polygon{{{0, 0}, {Rational(5, a), 0}, {Rational(1, b), Rational(7, c)}}, {}});

@@ -1,4 +1,4 @@
-// A workspace makes repeated calls free of allocation; calls do not disturb each other; calls stop.
+// Tests that repeated calls with a workspace do not allocate, do not disturb each other, and stop.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -15,7 +15,8 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-// Counts every allocation of this program. Not inlined: the compiler would see malloc meet delete.
+// Counts every allocation of this program. The operators are not inlined, because the compiler
+// would warn of malloc and delete together.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size != 0 ? size : 1)) return memory;
@@ -29,7 +30,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-/// A ragged ring around a hole, of `n` vertices each; coordinates of about six digits.
+/// Returns a ragged ring around a hole, each of `n` vertices with coordinates of about six digits.
 Region ragged_frame(int n, double radius, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Region region;
@@ -55,7 +56,7 @@ TEST(Workspace, RepeatedCallsDoNotAllocate) {
   ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
   const Region first = sum;
   EXPECT_GT(sum.hole_count(), 0U);
-  // Buffers are swapped as they pass through the stages: a second call may still grow some.
+  // Buffers are swapped as they pass through the stages, so a second call may still grow some.
   ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
   const std::size_t before = allocations;
   const Outcome outcome = minkowski_sum(p, q, options, workspace, sum);

@@ -1,5 +1,5 @@
-// check_sum asks for no sum by the method that it checks. The linker lets every sum of geometries
-// that is asked for pass through `recorded_sum`.
+// Tests that check_sum asks for no sum by the method that it checks. The linker makes every sum of
+// geometries pass through `recorded_sum`.
 #include <gtest/gtest.h>
 
 #include "minksum/check.hpp"

@@ -1,4 +1,4 @@
-// check_sum accepts what is right, and catches what was planted.
+// Tests that check_sum accepts right results and catches planted errors.
 #include "minksum/check.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using test::make_polygon;
 using test::make_region;
 using test::rectangle;
 
-// A frame and a bar that passes through its hole: the sum has a hole of 2 by 1.
+// The sum of this frame and the bar, which passes through its hole, has a hole of 2 by 1.
 Region frame() {
   return make_polygon({{0, 0}, {12, 0}, {12, 12}, {0, 12}}, {{{3, 3}, {3, 8}, {8, 8}, {8, 3}}});
 }
@@ -30,7 +30,7 @@ SumCheck check(const Region& result, const CheckOptions& options = {}) {
 }
 
 TEST(CheckSum, FindsALostHoleThatIsSmall) {
-  // A hole of a tenth by a tenth in a sum of 901 by 901, far from all of its other edges.
+  // The hole has a tenth by a tenth in a sum of 901 by 901, far from all of its other edges.
   const Region square = rectangle(0, 0, 1, 1);
   const Region lost = rectangle(0, 0, 901, 901);
   Region plate;
@@ -99,7 +99,7 @@ TEST(Check, RefutesPlantedErrors) {
   }
 }
 
-// The points alone find them, too: the place is told, and the proof is not needed.
+// The points alone find the errors and their places, so the proof is not needed.
 TEST(Check, PointsFindPlantedErrorsByThemselves) {
   CheckOptions options;
   options.limits.max_segments = 1;
@@ -116,7 +116,7 @@ TEST(Check, PointsFindPlantedErrorsByThemselves) {
 TEST(Check, NamesInvalidResults) {
   const Region bow_tie = make_polygon({{0, 0}, {15, 16}, {15, 0}, {0, 16}});
   EXPECT_FALSE(check(bow_tie).faults.empty());
-  // Two rings that touch twice: valid as an operand, but not by OGC's rules.
+  // Two rings touch twice, so the region is valid as an operand, but not by the OGC's rules.
   const Region cut = make_polygon({{0, 0}, {15, 0}, {15, 16}, {0, 16}},
                                   {{{0, 8}, {7, 9}, {15, 8}, {7, 7}}});
   EXPECT_FALSE(check(cut).faults.empty());
@@ -136,7 +136,7 @@ TEST(Check, AllowsWhatIsAskedFor) {
   EXPECT_THROW((void)check(near, options), Error);
 }
 
-// A hole that is no wider than allowed may be lost: each of its points is near the sum.
+// A hole that is no wider than the tolerance may be lost, because its points are near the sum.
 TEST(Check, ALostHoleCountsByItsWidth) {
   const Region filled = rectangle(0, 0, 15, 16);
   CheckOptions options;
@@ -154,7 +154,7 @@ TEST(Check, PlacementsAgreeWithTheReference) {
     Cancellation never;
     const checking::PlacedOperand placement({p, {}, {}}, {q, {}, {}}, never);
     for (int k = 0; k < 40; ++k) {
-      // Halves: half of the points are on edges' lines, where touching decides.
+      // Of these halves, half of the points are on lines of edges, where touching decides.
       const Point x{Rational(random.between(-4, 100), 2), Rational(random.between(-4, 100), 2)};
       EXPECT_EQ(placement.in_sum(x), reference::contains_sum(p, q, reference::to_pt(x)))
           << test::to_text(p) << ' ' << test::to_text(q) << ' ' << x.x << ' ' << x.y;

@@ -43,7 +43,7 @@ TEST(SignedNumbers, WidenKeepsTheValue) {
 }
 
 TYPED_TEST(SignedArrangement, OneNodeForOnePoint) {
-  // Three segments through (3, 3), one of which starts there, and two that overlap.
+  // Three segments pass (3, 3), where one of them starts, and two overlap.
   Cancellation never;
   Geometry<TypeParam> geometry(3, never);
   const auto segment = [&](int x0, int y0, int x1, int y1) {
@@ -62,7 +62,7 @@ TYPED_TEST(SignedArrangement, OneNodeForOnePoint) {
 }
 
 TYPED_TEST(SignedArrangement, CrossingsThatCoincideAreOneNode) {
-  // Four lines through (7/2, 7/2), which is no vertex; and another crossing close by.
+  // Four lines pass (7/2, 7/2), which is not a vertex, and another crossing is close by.
   Cancellation never;
   Geometry<TypeParam> geometry(3, never);
   const auto segment = [&](int x0, int y0, int x1, int y1) {
@@ -83,7 +83,7 @@ TYPED_TEST(SignedArrangement, CrossingsThatCoincideAreOneNode) {
   EXPECT_EQ(geometry.compare_x(8, geometry.add_vertex(4, 0)), -1);
 }
 
-// Everything that one sum goes through, stage by stage.
+// Keeps the results of all stages of one sum.
 template <class N>
 struct Stages {
   Stages(const Region& p, const Region& q)

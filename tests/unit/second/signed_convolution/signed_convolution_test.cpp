@@ -60,7 +60,7 @@ TEST(SignedConvolution, AFrameKeepsAHoleOnlyWithPlay) {
 }
 
 TEST(SignedConvolution, ADiamondFitsItsHoleWithoutPlay) {
-  // Narrower and lower than the hole's box, and yet no play: the windings alone must tell.
+  // The square is narrower and lower than the hole's box but has no play; only the winding tells.
   EXPECT_EQ(sum_of("POLYGON ((0 0, 12 0, 12 12, 0 12, 0 0), (6 2, 10 6, 6 10, 2 6, 6 2))",
                    "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))")
                 .hole_count(),
@@ -98,8 +98,8 @@ TEST(SignedConvolution, AnIslandInAHoleIsAPolygon) {
 }
 
 TEST(SignedConvolution, ConvexPairsHaveTheMixedArea) {
-  // area(P + Q) = area(P) + area(Q) + (area(P + Q) - area(P) - area(Q)), and scaling Q by 2 makes
-  // the last part twice and area(Q) four times as large.
+  // area(P + Q) = area(P) + area(Q) + (area(P + Q) - area(P) - area(Q)). Scaling Q by 2 doubles the
+  // last part, and makes area(Q) four times as large.
   for (int i = 0; i < 100; ++i) {
     test::Random random(static_cast<std::uint64_t>(i));
     const Region p = test::random_convex(random, 9, 40);
@@ -142,7 +142,7 @@ TEST(SignedConvolution, HasJustThePointsThatTheOperandsMake) {
     const test::Pair pair = test::random_pair(random);
     const Region sum = signed_sum_of(pair.p, pair.q);
     for (int k = 0; k < 40; ++k) {
-      // Sevenths of a grid that the operands' edges rarely meet.
+      // The operands' edges rarely meet these sevenths.
       const reference::Pt x{reference::Number(random.below(600) - 200) / 7,
                             reference::Number(random.below(600) - 200) / 7};
       EXPECT_EQ(reference::locate(x, sum) != reference::Side::kOutside,
@@ -167,7 +167,7 @@ Region moved_and_scaled(const Region& region, const Rational& scale, const Ratio
 }
 
 TEST(SignedConvolution, AnyNumbersGiveTheSameShape) {
-  // Scales whose integers need the medium and the arbitrary rung.
+  // The integers of these scales need the medium and the arbitrary rung.
   const Rational scales[] = {Rational(1, 3), Rational((std::int64_t{1} << 40) + 1),
                              Rational(std::int64_t{0x7fffffffffffff1}) / Rational(1000003)};
   const Rational far = Rational(std::int64_t{0x7fffffffffffff1}) * Rational(1000000007);

@@ -35,7 +35,7 @@ constexpr const char* kDart = "POLYGON ((0 0, 6 0, 6 6, 4 2, 0 0))";
 constexpr const char* kFrame = "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (2 2, 7 2, 7 7, 2 7, 2 2))";
 
 TEST(SignedOperands, AreOrientedAndCleaned) {
-  // Clockwise, with a repeated vertex, and straight ones also at the start.
+  // The ring is clockwise, with a repeated vertex, and with straight vertices also at the start.
   const Region messy = test::parse_wkt("POLYGON ((2 0, 0 0, 0 4, 0 4, 2 4, 4 4, 4 0, 3 0, 2 0))");
   Cancellation never;
   const IntegerOperands operands = make_operands(messy, test::parse_wkt(kFrame), never);

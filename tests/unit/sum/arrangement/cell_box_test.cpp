@@ -1,4 +1,4 @@
-// Boxes in cells never miss an overlap, and the walk of a segment never misses a cell.
+// Tests that boxes in cells never miss an overlap, and the walk of a segment never misses a cell.
 #include "sum/arrangement/cell_box.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct Box {
   }
   [[nodiscard]] CellBox rounded() const { return {x0, y0, x1, y1}; }
 };
-/// How far apart two boxes are; negative where they overlap.
+/// Returns how far apart two boxes are; negative if they overlap.
 double gap(const Box& a, const Box& b) {
   return std::max({a.x0 - b.x1, b.x0 - a.x1, a.y0 - b.y1, b.y0 - a.y1});
 }

@@ -1,4 +1,4 @@
-// Overlapping segments of one direction are joined, and nothing of the union is lost or added.
+// Tests that overlapping segments of one direction are joined, and that their union stays the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-/// By line and direction: what is covered of it, as maximal intervals along x + 1000 y (all
-/// segments of the tests run along an axis).
+/// The covered part of each line, by line and direction, as maximal intervals along x + 1000 y. All
+/// segments of the tests run along an axis.
 using Union = std::map<std::tuple<double, double, double>, std::vector<std::pair<double, double>>>;
 Union union_of(const std::vector<KeptSegment>& segments) {
   Union result;
@@ -60,7 +60,7 @@ std::vector<KeptSegment> segments_of(const Operands& o, const Convolution& convo
   return kept;
 }
 
-/// A comb of this many teeth, with both widths two: the sum of two has many coinciding edges.
+/// Returns a comb whose teeth and gaps are two wide. The sum of two has many coinciding edges.
 Region comb(int teeth) {
   std::vector<std::pair<int, int>> points{{0, 0}, {4 * teeth, 0}};
   for (int i = teeth - 1; i >= 0; --i) {
@@ -103,7 +103,8 @@ TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
   }
 }
 
-/// Determinant 1, and vectors of few bits become long and nearly parallel: doubles decide little.
+/// Maps with determinant 1, so that vectors of few bits become long and nearly parallel. Doubles
+/// then decide little.
 Point sheared(const Point& p) {
   const Rational big(433494437);   // Fibonacci's, F(43)
   const Rational more(267914296);  // F(42)

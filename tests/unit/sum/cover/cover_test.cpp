@@ -1,4 +1,4 @@
-// Covered cells, with their margins, are inside the sum by the definition of a sum.
+// Tests that covered cells, with their margins, are inside the sum by the definition of a sum.
 #include "sum/cover/cover.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-/// The stages up to the cover.
+/// Runs the stages up to the cover.
 struct Covered {
   Options options;
   Cancellation never;
@@ -33,7 +33,7 @@ struct Covered {
   }
 };
 
-/// Where a place in cells of the grid is, exactly. The tests' operands are on integers.
+/// Returns the exact point of a position in cells of the grid. The operands have integers.
 reference::Pt place(const Covered& c, double column, double row) {
   const reference::Number cell(c.cover.grid.cell);
   const reference::Number unit(c.operands.trace_unit);
@@ -41,8 +41,8 @@ reference::Pt place(const Covered& c, double column, double row) {
           reference::Number(row) * cell * unit + reference::Number(c.operands.trace_origin.y)};
 }
 
-/// A covered cell is asked at its centre, at its corners moved outwards by the margin that it
-/// promises, and somewhere.
+/// Tests a covered cell at its centre, at its corners moved outwards by the promised margin, and at
+/// a random point.
 void expect_inside(const Region& p, const Region& q, const Covered& c, Random& random,
                    const std::string& what) {
   constexpr double kMargin = 3 * UniformGrid::kMargin;
@@ -97,7 +97,7 @@ TEST(Cover, IsInside) {
   }
 }
 
-/// (ax + by, cx + dy) of a ring.
+/// Returns a ring mapped by (ax + by, cx + dy).
 Region mapped(const Region& region, int a, int b, int c, int d) {
   test::Outline ring;
   for (const std::size_t v : region.vertices_of(0)) {
@@ -129,7 +129,7 @@ TEST(Cover, ByParallelogramsIsInside) {
   }
 }
 
-/// A comb whose teeth are 600 to 1000 high, and narrower above.
+/// Returns a comb whose teeth are 600 to 1000 high, and narrower at the top.
 Region uneven_comb(Random& random, int teeth) {
   test::Outline ring{{0, -100}, {10 * teeth, -100}};
   for (int x = 10 * teeth - 10; x >= 0; x -= 10) {
@@ -185,7 +185,7 @@ std::vector<std::uint64_t> words(const Cover& cover) {
   return {all.begin(), all.end()};
 }
 
-/// What the machine has not is left out: on those that have nothing wider, this asserts nothing.
+/// Vectors that the machine lacks are left out, so on some machines this asserts nothing.
 TEST(Cover, IsTheSameWithWiderVectors) {
   for (const auto& [name, p, q] : pairs()) {
     for (const int grid : {16, 50, 300}) {
@@ -208,7 +208,7 @@ TEST(Cover, IsTheSameWithWiderVectors) {
   }
 }
 
-/// Every place that is near a reduced segment is in a covered cell or in a leaf that lists it.
+/// Every point near a reduced segment is in a covered cell or in a leaf that lists the segment.
 TEST(Cover, LeavesListTheirSegments) {
   for (const auto& pair : pairs()) {
     const std::string& name = pair.name;

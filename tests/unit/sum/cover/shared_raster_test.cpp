@@ -1,4 +1,4 @@
-// One raster of the first operand for many sums: the same sums.
+// Tests that sums that share one raster of the first operand are the same.
 #include "sum/cover/shared_raster.hpp"
 
 #include <gtest/gtest.h>
@@ -24,13 +24,13 @@ Region turned_by(const Region& region, int degrees) {
   return transform(region, nearest_turn(Rational(degrees)).map());
 }
 
-/// A room with a slot that a bar fits into upright, but not lying.
+/// Returns a room with a slot into which a bar fits upright, but not lying.
 Region room_with_slot() {
   return test::make_polygon({{0, 0}, {400, 0}, {400, 300}, {0, 300}},
                             {{{30, 20}, {30, 280}, {75, 280}, {75, 20}}});
 }
 
-/// What a shared raster covers in the sums of `fixed` with `moving`, turned.
+/// Compares sums of `fixed` with `moving`, turned. Returns how many cells a shared raster covers.
 std::uint64_t expect_same_sums(const Region& fixed, const Region& moving, int grid,
                                const std::string& what) {
   Options sharing;
@@ -82,7 +82,7 @@ TEST(SharedRaster, GivesTheSameSums) {
   }
 }
 
-// A hole that the typical operand does not fit into must not be covered for one that does.
+// If the typical operand does not fit into a hole, another one may, so the hole stays uncovered.
 TEST(SharedRaster, KeepsNarrowHoles) {
   const Region room = room_with_slot();
   const Region bar = test::rectangle(-100, -20, 100, 20);
@@ -100,7 +100,7 @@ TEST(SharedRaster, KeepsNarrowHoles) {
   EXPECT_EQ(sum, minkowski_sum(room, upright));
 }
 
-// Second operands that are wider than was said.
+// The second operands are wider than announced.
 TEST(SharedRaster, FallsBackWhereRowsAreTooShort) {
   Random random(2);
   const Region fixed = test::random_two_opt(random, 60, 300);
@@ -125,7 +125,8 @@ TEST(SharedRaster, IsNotMadeWhereThereIsNoCover) {
   EXPECT_FALSE(share_raster(small, test::random_two_opt(random, 9, 50), 100, {}));
 }
 
-/// Whether slices made together, and with the same limits one by one, are the same, or both fail.
+/// Expects that slices made together equal those made one by one with the same limits, or that both
+/// fail.
 void expect_same_slices(const Region& robot, const Region& obstacles, const Limits& limits,
                         const std::vector<Turn>& turns, const std::string& what) {
   ConfigurationOptions options;
@@ -153,7 +154,7 @@ void expect_same_slices(const Region& robot, const Region& obstacles, const Limi
   }
 }
 
-/// Thin teeth of many heights on a thick back.
+/// Returns a comb with thin teeth of many heights on a thick back.
 Region tall_comb(Random& random, int teeth, int gap, int height, int back) {
   test::Outline ring{{0, -back}, {2 * gap * teeth, -back}};
   for (int i = teeth - 1; i >= 0; --i) {
@@ -165,7 +166,7 @@ Region tall_comb(Random& random, int teeth, int gap, int height, int back) {
   return test::make_polygon(ring);
 }
 
-// Where a grid does for the first turn, and leaves all crossings of another one.
+// A grid that suits the first turn may leave all crossings of another one.
 TEST(SharedRaster, OtherTurnsMayBeHarder) {
   Random random(40);
   const Region obstacles = tall_comb(random, 40, 30, 2400, 1500);
@@ -178,7 +179,7 @@ TEST(SharedRaster, OtherTurnsMayBeHarder) {
   }
 }
 
-// Segments of narrow holes are none of any slice's.
+// Segments of narrow holes do not count for any slice.
 TEST(SharedRaster, NarrowHolesCountForNoLimit) {
   Random random(5);
   std::vector<test::Outline> holes;
@@ -203,7 +204,7 @@ TEST(SharedRaster, NarrowHolesCountForNoLimit) {
   }
 }
 
-// The side of a cell would have few bits, or none.
+// The side of a cell would have few bits, or be zero.
 TEST(SharedRaster, TinyCoordinates) {
   std::vector<Turn> turns;
   for (int i = 0; i < 8; ++i) turns.push_back(nearest_turn(Rational(90 * i)));
@@ -218,7 +219,7 @@ TEST(SharedRaster, TinyCoordinates) {
   }
 }
 
-// Many slices share one; a single one has its own.
+// Many slices share one raster; a single slice has its own.
 TEST(SharedRaster, OfSlices) {
   Random random(4);
   const Region robot = test::random_two_opt(random, 30, 60);

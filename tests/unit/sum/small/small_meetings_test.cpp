@@ -1,4 +1,4 @@
-// Meetings of segments: by every kind of vectors, in sets and in lists, as they are defined.
+// Tests that meetings of segments are as defined, by every kind of vectors, in sets and in lists.
 #include "sum/small/small_meetings.hpp"
 
 #include <gtest/gtest.h>
@@ -37,9 +37,10 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
   return s;
 }
 
-/// On the right: a point of t behind the start of s, where t leads from its left, or from itself,
-/// to its right. At its end: t leads from there to the left, or both are on one line (of which
-/// those that are elsewhere may be missing).
+/// Returns the meetings of each segment s with others t by their definition. In `right`, t leads
+/// from the left of s, or from s itself, to its right, behind the start of s. In `at_end`, t leads
+/// from the end of s to the left, or both are on one line. Of the latter, those that lie elsewhere
+/// may be missing.
 Meetings defined(const SmallSegments& s) {
   Meetings result;
   for (std::uint32_t i = 0; i < s.size; ++i) {
@@ -51,8 +52,8 @@ Meetings defined(const SmallSegments& s) {
       const double start = side(s.x[t], s.y[t]);
       const double end = side(s.x[t] + s.dx[t], s.y[t] + s.dy[t]);
       if (start == end) continue;
-      // Where t meets the line, at `way` parts of the length of i; both times the same number,
-      // which is positive: all are small integers.
+      // `way` is where t meets the line, as a share of the length of i. Both are multiplied by one
+      // positive number, so that all are small integers.
       const double sign = start > end ? 1 : -1;
       const double whole = sign * (start - end) * (s.dx[i] * s.dx[i] + s.dy[i] * s.dy[i]);
       const double x = (s.x[t] - s.x[i]) * (start - end) + start * s.dx[t];
@@ -65,7 +66,7 @@ Meetings defined(const SmallSegments& s) {
   return result;
 }
 
-/// Without those that lie on one line, and those that end there: both may be named or not.
+/// Leaves out the meetings on one line and those at the end, which may be found or not.
 template <class Number, class Sets>
 Meetings found(Vectors vectors, const SmallSegments& s) {
   const auto sets = std::make_unique<Sets>();
@@ -103,7 +104,7 @@ TEST(SmallMeetings, AreTheSameByAllVectors) {
     const auto count = static_cast<std::uint32_t>(random.between(1, 64));
     const auto s = random_segments(random, count, random.between(6, 20) + static_cast<int>(count));
     const Meetings expected = defined(*s);
-    if (expected.right.size() > count / 2) continue;  // too many are given up
+    if (expected.right.size() > count / 2) continue;  // sets with too many meetings are given up
     for (const Vectors vectors : available()) {
       EXPECT_EQ((found<double, SmallMeetingSets>(vectors, *s)), expected) << k;
       EXPECT_EQ((found<double, SmallMeetingLists>(vectors, *s)), expected) << k;
@@ -119,7 +120,7 @@ TEST(SmallMeetings, AreOfAnyNumberOfSegments) {
   const auto order = std::make_unique<SmallOrder>();
   for (const std::uint32_t count : {65U, 127U, 128U, 500U, 513U, 1200U, 1536U}) {
     const int size = static_cast<int>(count);
-    // In random order most blocks would be near one another.
+    // In random order, most blocks would be near one another.
     order->apply(*random_segments(random, count, size), size + 8, *s);
     const Meetings expected = defined(*s);
     for (const Vectors vectors : available()) {

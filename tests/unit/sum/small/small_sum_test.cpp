@@ -1,4 +1,4 @@
-// Small operands: which regions are, and sums by a walk along the outer boundary.
+// Tests which regions are small operands, and their sums by a walk along the outer boundary.
 #include "sum/small/small_sum.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ bool is_small(const Region& region) {
 
 TEST(SmallOperand, IsOneSimplePolygon) {
   EXPECT_TRUE(is_small(rectangle(0, 0, 3, 2)));
-  EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // whose teeth end on one line
+  EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // the teeth end on one line
   EXPECT_TRUE(is_small(test::round_polygon(256, 100'000)));
   EXPECT_FALSE(is_small({}));
   EXPECT_FALSE(is_small(test::round_polygon(257, 100'000)));
@@ -41,7 +41,7 @@ TEST(SmallOperand, LeavesFaultsToTheStages) {
       is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}, {4, 0}})));  // overlaps
 }
 
-/// A square of width 9 at the origin with such holes.
+/// Returns a square of width 9 at the origin with these holes.
 Region with_holes(const std::vector<test::Outline>& holes) {
   return make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, holes);
 }
@@ -62,7 +62,7 @@ TEST(SmallOperand, HasHolesApart) {
   EXPECT_FALSE(is_small(with_holes({{{2, 2}, {4, 2}, {2, 2}, {2, 4}}})));        // a spike
   EXPECT_FALSE(is_small(with_holes({{{1, 1}, {4, 4}, {4, 1}, {1, 4}}})));        // crosses itself
   EXPECT_FALSE(is_small(with_holes({{{1, 1}, {2, 2}, {3, 3}}})));                // flat
-  // In the box of the outer ring, but not in the ring.
+  // The hole is in the box of the outer ring, but not in the ring.
   const test::Outline l{{0, 0}, {9, 0}, {9, 2}, {2, 2}, {2, 9}, {0, 9}};
   EXPECT_FALSE(is_small(make_polygon(l, {{{5, 5}, {6, 5}, {6, 6}}})));
 }
@@ -93,12 +93,12 @@ TEST(SmallOperand, HasShortIntegers) {
   EXPECT_TRUE(is_small(rectangle(far - 5, 0, far, 1)));
   EXPECT_FALSE(is_small(rectangle(far, 0, far + 5, 1)));
   EXPECT_FALSE(is_small(rectangle(0, 0, far / 2, 1)));
-  // As far apart as no difference tells.
+  // The corners are so far apart that 64 bits do not hold their difference.
   EXPECT_FALSE(is_small(rectangle(-7 * far, 0, 7 * far, 1)));
 }
 
 TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
-  // Clockwise, with a vertex in the middle of an edge.
+  // The ring is clockwise, with a vertex in the middle of an edge.
   const Region region = make_polygon({{5, 7}, {5, 9}, {8, 9}, {8, 7}, {6, 7}});
   SmallOperand small;
   ASSERT_TRUE(read_small(region, SmallHoles::kSome, small));
@@ -110,7 +110,7 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
     const std::uint32_t from = small.source(SmallOperand::kVertexSource, v);
     EXPECT_EQ(region.x(from), small[SmallOperand::kX][v] + static_cast<double>(small.offset.x));
     EXPECT_EQ(region.y(from), small[SmallOperand::kY][v] + static_cast<double>(small.offset.y));
-    // The edge to the next vertex is, the other way round, the one that ends here.
+    // In the reversed ring, the edge to the next vertex is the one that ends here.
     const std::uint32_t next = small.source(SmallOperand::kVertexSource, (v + 1) % 4);
     EXPECT_EQ(small.source(SmallOperand::kEdgeSource, v), next);
   }
@@ -142,7 +142,7 @@ TEST(SmallOperand, TurnsAsItsRegionDoes) {
   }
 }
 
-/// False if the stages are to make it.
+/// Computes a small sum; returns false if the stages have to compute it.
 bool sum(const Region& p, const Region& q, Region& result) {
   SmallOperand small_p;
   SmallOperand small_q;
@@ -160,7 +160,7 @@ TEST(SmallSum, IsMadeWhereThereIsNoHole) {
             make_polygon({{0, 0}, {8, 0}, {8, 2}, {5, 2}, {5, 6}, {2, 6}, {2, 10}, {0, 10}}));
   EXPECT_TRUE(result.has_origins());
   ASSERT_TRUE(sum(rectangle(0, 0, 2, 1), test::round_polygon(8, 10), result));
-  EXPECT_EQ(result.vertex_count(), 12U);  // no edges of theirs are parallel
+  EXPECT_EQ(result.vertex_count(), 12U);  // no edges are parallel
 }
 
 TEST(SmallSum, IsLeftToTheStagesWhereThereMayBeAHole) {
@@ -196,7 +196,7 @@ TEST(SmallSum, FillsHolesThatNothingFitsInto) {
   EXPECT_FALSE(sum(rectangle(0, 0, 2, 1), p, result));
   ASSERT_TRUE(sum(p, p, result));
   EXPECT_EQ(result, rectangle(0, 0, 18, 18));
-  // Turned and on another grid.
+  // The frame is turned and on another grid.
   const Region turned = transform(p, Affine::quarter_turns(1));
   SmallOperand small;
   SmallOperand small_turned;
@@ -225,7 +225,7 @@ TEST(SmallSum, IsMadeOfManySegments) {
   ASSERT_TRUE(sum(p, q, result));
   Options options;
   Statistics statistics;
-  options.statistics = &statistics;  // by the stages
+  options.statistics = &statistics;  // makes the stages compute the sum
   EXPECT_EQ(result, minkowski_sum(p, q, options));
   EXPECT_GT(statistics.convolution_segments, 300U);
 }

@@ -1,4 +1,4 @@
-// Tight places of hand-made pairs: what fits without any play, and where.
+// Tests tight places of hand-made pairs that fit without any play.
 #include "sum/tight/tight.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using namespace minksum::test;
 
 std::string text_of(const Point& p) { return p.x.to_string() + " " + p.y.to_string(); }
 
-/// "(3 3, 3 6) (0 0)": polylines, then points.
+/// Returns a text such as "(3 3, 3 6) (0 0)": polylines, then points.
 std::string text_of(const Geometry& tight) {
   std::string text;
   const auto add = [&](const std::vector<Point>& points) {
@@ -34,7 +34,7 @@ std::string text_of(const Geometry& tight) {
   return text;
 }
 
-/// The tight places of a pair, in both orders, and the same sum as without asking for them.
+/// Returns the tight places of a pair. Expects the same in both orders, and the sum unchanged.
 std::string tight_places(const Region& p, const Region& q) {
   Options options;
   Geometry tight;
@@ -91,7 +91,7 @@ TEST(TightPlaces, TInATShapedSlot) {
                          "POLYGON ((-2 -6, -2 -8, -8 -8, -8 -6, -6 -6, -6 -2, -4 -2, "
                          "-4 -6, -2 -6))"),
             "(0 0)");
-  // A shorter foot goes nowhere either; one that is a square moves in both bars.
+  // A shorter foot cannot move either; a square one moves in both bars.
   EXPECT_EQ(tight_places(sheet,
                          "POLYGON ((-2 -6, -2 -8, -8 -8, -8 -6, -6 -6, -6 -5, -4 -5, "
                          "-4 -6, -2 -6))"),
@@ -111,31 +111,31 @@ TEST(TightPlaces, CornersThatHoldWithoutParallelEdges) {
   EXPECT_EQ(tight_places("POLYGON ((0 0, 8 0, 8 4, 5 4, 6 2, 2 2, 3 4, 0 4, 0 0))",
                          "POLYGON ((-2 -2, -6 -2, -5 -4, -3 -4, -2 -2))"),
             "(0 0)");
-  // A diamond in a square hole: each corner on the middle of an edge.
+  // Each corner of the diamond is on the middle of an edge of the square hole.
   EXPECT_EQ(
       tight_places("POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9), (-2 -2, -2 2, 2 2, 2 -2, -2 -2))",
                    "POLYGON ((2 0, 0 2, -2 0, 0 -2, 2 0))"),
       "(0 0)");
-  // Three points of contact: a triangle turned in another.
+  // A triangle turned in another has three points of contact.
   EXPECT_EQ(tight_places("POLYGON ((-9 -9, 19 -9, 19 19, -9 19, -9 -9), (0 0, 4 8, 12 0, 0 0))",
                          "POLYGON ((-2 -4, -8 -4, -6 0, -2 -4))"),
             "(0 0)");
 }
 
 TEST(TightPlaces, RingsThatTouch) {
-  // Two crescents that hang in one another, four parts that touch at two points: only there pairs
-  // of corners of both operands alternate.
+  // Two crescents hang in one another, so four parts touch at two points. Only there do pairs of
+  // corners of both operands alternate.
   const std::string crescents =
       "POLYGON ((0 0, 4 8, 0 16, -4 8, 0 0), (0 0, -2 8, 0 16, 2 8, 0 0))";
   EXPECT_EQ(tight_places(crescents,
                          "POLYGON ((0 0, -5 -8, 0 -16, 2 -8, 0 0), "
                          "(0 0, -2 -8, 0 -16, -4 -8, 0 0))"),
             "(0 0)");
-  // What fits into a hole that touches the outer ring at its corner.
+  // This part fits into a hole that touches the outer ring at its corner.
   EXPECT_EQ(tight_places("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 0, 2 6, 6 6, 6 2, 0 0))",
                          "POLYGON ((0 0, -2 -6, -6 -6, -6 -2, 0 0))"),
             "(0 0)");
-  // A hole that touches an edge with its corner, and a corner of the outside there.
+  // The hole's corner touches the middle of an edge, and the part has the form of the hole.
   EXPECT_EQ(tight_places("POLYGON ((-9 0, 9 0, 9 9, -9 9, -9 0), (0 0, -2 4, 2 4, 0 0))",
                          "POLYGON ((0 0, 2 -4, -2 -4, 0 0))"),
             "(0 0)");
@@ -157,7 +157,7 @@ TEST(TightPlaces, PartsOfAnOperand) {
                          "((19 19, 21 19, 21 21, 19 21, 19 19)))",
                          "POLYGON ((0 0, 12 0, 12 8, 7 8, 7 4, 5 4, 5 8, 0 8, 0 0))"),
             "(26 25, 26 29)");
-  // Corner to corner, in both operands: four quadrants.
+  // Both operands have two squares that touch at a corner, which makes four quadrants.
   EXPECT_EQ(
       tight_places("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((0 0, -9 0, -9 -9, 0 -9, 0 0)))",
                    "MULTIPOLYGON (((0 0, 2 0, 2 -2, 0 -2, 0 0)), ((0 0, -2 0, -2 2, 0 2, 0 0)))"),
@@ -199,7 +199,7 @@ TEST(TightPlaces, PreparedOperandsAndReusedMemory) {
   EXPECT_TRUE(tight.empty());
 }
 
-/// All stages' results of one sum, for the checker.
+/// Keeps the results of all stages of one sum, for the checker.
 struct Stages {
   Options options;
   Geometry geometry;
@@ -235,7 +235,7 @@ struct Stages {
 };
 
 TEST(TightPlaces, CheckerRejects) {
-  // A room with a slot that ends in it, and a room that fits exactly.
+  // A slot ends in one room, and the part fits the other room exactly.
   const Region rooms = parse_wkt(
       "POLYGON ((0 0, 20 0, 20 8, 0 8, 0 0), (2 2, 2 5, 10 5, 10 3, 5 3, 5 2, 2 2), "
       "(14 2, 14 4, 16 4, 16 2, 14 2))");
@@ -260,7 +260,7 @@ TEST(TightPlaces, CheckerRejects) {
             "a point is on the boundary or a slit, or listed twice");
   EXPECT_EQ(fault_after([](Stages& s) { s.places.nodes.push_back(100000); }),
             "a point is not there");
-  // Most other points of the sum's inside are in the sum of the insides.
+  // Most other points inside the sum are in the sum of the insides.
   std::size_t not_tight = 0;
   for (NodeId node = 0; node < good.arrangement.nodes.size(); ++node) {
     const std::string fault = fault_after([node](Stages& s) { s.places.nodes = {node}; });
