@@ -21,7 +21,7 @@ Number squared_distance(const Pt& p, const Pt& a, const Pt& b) {
   return ex * ex + ey * ey;
 }
 
-/// Edges, segments, and points as segments of no length.
+/// Returns edges, segments of polylines, and points as segments without length.
 std::vector<std::array<Pt, 2>> boundary_of(const Geometry& geometry) {
   std::vector<std::array<Pt, 2>> boundary;
   for (const auto& loops : to_loops(geometry.region)) {

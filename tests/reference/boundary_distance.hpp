@@ -1,4 +1,4 @@
-// How far boundaries are from one another, edge by edge.
+// Compares the distance of boundaries with a limit, edge by edge.
 #pragma once
 
 #include "minksum/geometry.hpp"
@@ -6,7 +6,7 @@
 namespace minksum::reference {
 
 /// Returns whether some vertex or end of the boundary of `from` is farther from that of `to` than
-/// `distance`. Thin parts are boundary. O(nm).
+/// `distance`. Thin parts are boundary. Takes O(nm).
 [[nodiscard]] bool farther_than(double distance, const Geometry& from, const Geometry& to);
 
 }  // namespace minksum::reference

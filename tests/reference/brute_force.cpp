@@ -14,7 +14,7 @@
 namespace minksum::reference {
 namespace {
 
-// A point as (x / w, y / w) in lowest terms, w > 0.
+// The point (x / w, y / w) in lowest terms, with w > 0.
 template <class Int>
 struct Node {
   Int x;
@@ -33,7 +33,7 @@ Int gcd_of(Int a, Int b) {
   return a;
 }
 
-// A quotient with positive denominator.
+// A quotient with a positive denominator.
 template <class Int>
 struct Fraction {
   Int n;
@@ -47,8 +47,8 @@ struct Interval {
   Fraction<Int> high;
 };
 
-/// The union of convex polygons by the boundary's definition: a piece of an edge is boundary of the
-/// union iff no polygon contains the points just right of it.
+/// Computes the union of convex polygons by the definition of its boundary. A piece of an edge is
+/// boundary of the union iff no polygon contains the points just right of it.
 template <class Int>
 class ConvexUnion {
  public:
@@ -70,7 +70,7 @@ class ConvexUnion {
   }
 
  private:
-  // A free piece of an edge: from, to are numbers of nodes on the line through `a` along `d`.
+  // A free piece of an edge. `from` and `to` are nodes on the line through `a` along `d`.
   struct Free {
     IntPt<Int> a;
     IntPt<Int> d;
@@ -78,7 +78,8 @@ class ConvexUnion {
     std::size_t to;
   };
 
-  // The part of the edge a + t d, 0 <= t <= 1, whose points have `polygon` just right of them.
+  // Finds the part of the edge a + t d, 0 <= t <= 1, whose points have `polygon` just right of
+  // them.
   static bool clip(const IntPt<Int>& a, const IntPt<Int>& d, const IntLoop<Int>& polygon,
                    Interval<Int>& part) {
     part = {{0, 1}, {1, 1}};
@@ -130,13 +131,13 @@ class ConvexUnion {
     return it->second;
   }
 
-  // Where a node lies along a line: comparable among nodes of that line.
+  // Returns the position of a node along a line, for comparison among nodes of that line.
   Fraction<Int> along(const IntPt<Int>& d, std::size_t node) const {
     return {d.x * nodes_[node].x + d.y * nodes_[node].y, nodes_[node].w};
   }
 
-  // Two polygons may give the same free piece, and other pieces may end in the middle of one: cut
-  // all at all nodes, keep one of each.
+  // Two polygons may give the same free piece, and other pieces may end in the middle of one. So
+  // all pieces are cut at all nodes, and one of each is kept.
   std::vector<Piece> split_at_nodes() const {
     std::vector<std::pair<std::size_t, std::size_t>> cut;
     for (const Free& piece : free_) {
@@ -168,8 +169,8 @@ class ConvexUnion {
   std::map<Node<Int>, std::size_t> ids_;
 };
 
-// Both operands on one integer grid: coordinate = integer / scale. Thin parts are loops of a
-// segment's two ends, or of a point.
+// Both operands on one integer grid, where coordinate = integer / scale. Thin parts are loops of
+// the two ends of a segment, or of one point.
 struct Scaled {
   Loops p;
   Loops q;
@@ -238,7 +239,7 @@ Point unscaled(const IntPt<Int>& p, const Integer& scale) {
   return {to_rational(Number(Integer(p.x), scale)), to_rational(Number(Integer(p.y), scale))};
 }
 
-// The sum's region, still to be scaled down, and segments and points, which may overlap.
+// Returns the region of the sum, not yet scaled down, and segments and points, which may overlap.
 template <class Int>
 Geometry sum_on_grid(const Scaled& scaled) {
   const auto pieces_of_p = all_pieces<Int>(scaled.p, scaled.thin_p);
@@ -285,8 +286,8 @@ Region scale_down(const Region& region, const Integer& scale) {
   return to_region(polygons);
 }
 
-// With operands of B bits, sums have B + 1, edge vectors B + 2, t = n / d 2B + 6, a node's x and y
-// 3B + 9, its place along a line 4B + 12, and two such places compare in 6B + 18 bits.
+// With operands of B bits, sums have B + 1, edge vectors B + 2, t = n / d 2B + 6, and the x and y
+// of a node 3B + 9. Its position along a line has 4B + 12, and comparing two takes 6B + 18 bits.
 constexpr std::size_t compared_bits(std::size_t operand_bits) { return 6 * operand_bits + 18; }
 
 }  // namespace

@@ -13,7 +13,8 @@
 namespace minksum::reference {
 namespace {
 
-/// A directed edge of a ring; rings of one `group` wind together. kThin for polylines.
+/// A directed edge of a ring. The winding numbers of rings of one `group` add up; polylines have
+/// the group kThin.
 struct Edge {
   Pt a;
   Pt b;
@@ -21,14 +22,14 @@ struct Edge {
 };
 constexpr int kThin = -1;
 
-/// How often the rings of each group go around a point.
+/// Winding numbers of a point by group.
 using Windings = std::map<int, int>;
 using Keep = std::function<bool(Windings&)>;
 
-/// A piece of an edge, or a point, which is not beside the area.
+/// A piece of an edge, or a point, with no area beside it.
 struct Wall {
-  std::set<int> on;              ///< the groups whose edges it is on
-  std::vector<Windings> around;  ///< of a piece: on both sides; of a point: in all faces around
+  std::set<int> on;              ///< the groups whose edges hold it
+  std::vector<Windings> around;  ///< on both sides of a piece, or all around a point
   bool is_point = false;
 };
 using KeepWall = std::function<bool(Wall&)>;
@@ -38,7 +39,7 @@ bool is_on_polyline(Wall& wall) { return wall.on.contains(kThin); }
 
 struct Input {
   std::vector<Edge> edges;
-  std::vector<Edge> points;  ///< from each to itself: points, and what collapses to a point
+  std::vector<Edge> points;  ///< points, and edges that collapse to a point
 
   void add_ring(Loop loop, int group, int orientation) {
     if (loop.empty()) return;
@@ -53,7 +54,7 @@ struct Input {
       points.push_back({loop[0], loop[0], group});
     }
   }
-  /// `by_role`: outer rings counter-clockwise, holes clockwise.
+  /// Adds rings. With `by_role`, outer rings run counter-clockwise and holes clockwise.
   void add_region(const Region& region, int group, bool by_role) {
     for (const Loops& loops : to_loops(region)) {
       for (std::size_t r = 0; r < loops.size(); ++r) {
@@ -82,7 +83,8 @@ Pt meeting_point(const Edge& e, const Edge& f) {
   return {e.a.x + t * ex, e.a.y + t * ey};
 }
 
-/// Does the ray from `from` through `towards` meet the edge, and how far: 1 = at `towards`.
+/// Returns whether the ray from `from` through `towards` meets the edge. Sets the distance, where 1
+/// means at `towards`.
 bool hit(const Pt& from, const Pt& towards, const Edge& edge, Number& distance) {
   const Number dx = towards.x - from.x;
   const Number dy = towards.y - from.y;
@@ -163,7 +165,7 @@ class Overlay {
       }
       std::size_t previous = 0;
       bool first = true;
-      for (const Pt& stop : stops) {  // sets are in order, and so lie along the edge
+      for (const Pt& stop : stops) {  // the set's order is that along the edge
         const std::size_t id = id_of(stop);
         if (!first) pieces_.insert({std::min(previous, id), std::max(previous, id)});
         previous = id;
@@ -172,7 +174,7 @@ class Overlay {
     }
   }
 
-  /// The face on the left of a piece.
+  /// Returns the winding numbers of the face on the left of a piece.
   Windings beside(std::size_t from, std::size_t to) {
     const Pt middle = midpoint(nodes_[from], nodes_[to]);
     const Pt aim{middle.x - (nodes_[to].y - nodes_[from].y),
@@ -206,7 +208,7 @@ class Overlay {
     return faces;
   }
 
-  /// Paths are joined two by two as long as that is allowed.
+  /// Joins paths two by two as long as that is allowed.
   void add_polylines(const std::vector<std::pair<std::size_t, std::size_t>>& thin,
                      const std::set<std::size_t>& on_area, Geometry& result) {
     std::map<std::size_t, int> degree;
@@ -312,7 +314,7 @@ bool filled(FillRule rule, int winding) {
   }
 }
 
-/// The groups of the rings of one polygon.
+/// The groups of the rings of one polygon, and what the polygon holds.
 struct Rings {
   int outer = 0;
   std::vector<int> holes;
@@ -321,14 +323,15 @@ struct Rings {
     return std::any_of(holes.begin(), holes.end(), [&](int hole) { return face[hole] != 0; });
   }
   bool holds(Windings& face) const { return face[outer] != 0 && !is_in_a_hole(face); }
-  /// A hole takes away what it winds around, but for its own ring; points if holes are all around.
+  /// Returns whether the polygon holds a piece or point. A hole takes away what it winds around,
+  /// except its own ring. It takes away a point if holes are all around that point.
   bool holds(Wall& wall) const {
     if (wall.is_point) {
       return wall.on.contains(outer) &&
              !std::all_of(wall.around.begin(), wall.around.end(),
                           [&](Windings& face) { return is_in_a_hole(face); });
     }
-    // What is not on a ring has the same winding of it on both sides.
+    // A piece that is not on a ring has the same winding number of that ring on both sides.
     Windings& beside = wall.around.front();
     if (!wall.on.contains(outer) && beside[outer] == 0) return false;
     return std::none_of(holes.begin(), holes.end(),
@@ -336,7 +339,8 @@ struct Rings {
   }
 };
 
-/// The automatic rule by its definition: polygon by polygon, each ring a group of its own.
+/// Resolves by the definition of the automatic rule: polygon by polygon, with a group for each
+/// ring.
 Geometry brute_force_polygons(const Geometry& geometry, bool regularize) {
   Input input;
   std::vector<Rings> polygons;

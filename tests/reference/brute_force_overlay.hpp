@@ -1,6 +1,6 @@
-// Fill rules and boolean operations by the definition: every segment is cut by every other, and
-// windings are counted along a ray from a point beside each piece. Slow, obvious, exact. Shares no
-// code with the library beyond its value types.
+// Computes fill rules and boolean operations by the definition, exactly and slowly. Every segment
+// is cut by every other, and winding numbers are counted along a ray from a point beside each
+// piece. Shares no code with the library beyond its value types.
 #pragma once
 
 #include <functional>
@@ -13,19 +13,19 @@
 
 namespace minksum::reference {
 
-/// As minksum::resolve, but for kStrict, which it takes for valid.
+/// Does the same as minksum::resolve, but does not refuse invalid regions for kStrict.
 [[nodiscard]] Geometry brute_force_resolve(const Geometry& geometry, FillRule rule,
                                            bool regularize = false);
 
-/// The closure of the points for which `keep(in a, in b)` says yes and that are on no edge. Regions
-/// must be valid.
+/// Returns the closure of the points on no edge for which `keep(in a, in b)` is true. Regions must
+/// be valid.
 [[nodiscard]] Region brute_force_boolean(const Region& a, const Region& b,
                                          const std::function<bool(bool, bool)>& keep);
 
-/// As minksum::unite.
+/// Does the same as minksum::unite.
 [[nodiscard]] Geometry brute_force_unite(std::span<const Geometry> geometries);
 
-/// Why a geometry is not resolved (see Geometry); empty if it is.
+/// Returns why a geometry is not resolved (see Geometry); empty if it is.
 [[nodiscard]] std::string resolved_fault(const Geometry& geometry);
 
 }  // namespace minksum::reference

@@ -1,4 +1,4 @@
-// The reference against hand-made sums, laws and membership: it must be right by itself.
+// Tests the reference against hand-made sums, laws and membership, because it must be right itself.
 #include "reference/brute_force.hpp"
 
 #include <gtest/gtest.h>

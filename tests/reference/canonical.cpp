@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-// For every piece the piece that follows it: the first one clockwise from where we came, because
-// the interior lies clockwise of the way back.
+// Returns the successor of every piece: the first piece clockwise from the way back, because the
+// interior lies clockwise of the way back.
 std::vector<std::size_t> successors(const std::vector<Pt>& nodes,
                                     const std::vector<Piece>& pieces) {
   std::vector<std::vector<std::size_t>> leaving(nodes.size());
@@ -35,7 +35,7 @@ std::vector<std::size_t> successors(const std::vector<Pt>& nodes,
 
 using IdRing = std::vector<std::size_t>;
 
-// Parts a closed walk at the nodes that it visits more than once.
+// Cuts a closed walk at the nodes that it visits more than once.
 void part(const IdRing& walk, std::vector<std::size_t>& place, std::vector<IdRing>& rings) {
   IdRing stack;
   for (const std::size_t node : walk) {
@@ -89,7 +89,7 @@ struct Outer {
   Loops polygon;
 };
 
-// The smallest outer ring around a hole. A piece's midpoint touches no other ring.
+// Returns the smallest outer ring around a hole. The midpoint of a piece touches no other ring.
 Outer& owner(std::vector<Outer>& outers, const Loop& hole) {
   if (outers.size() == 1) return outers.front();
   const Pt inner = midpoint(hole[0], hole[1]);
@@ -111,7 +111,7 @@ Loop without_repeats(const Loop& loop) {
   return result;
 }
 
-// The points of `sorted` that lie inside the edge ab, in the order from a to b.
+// Returns the points of `sorted` that lie inside the edge ab, in the order from a to b.
 std::vector<Pt> points_inside(const Pt& a, const Pt& b, const std::vector<Pt>& sorted) {
   const Pt& low = std::min(a, b);
   const Pt& high = std::max(a, b);

@@ -1,5 +1,5 @@
-// Any maximal set of diagonals that do not cross is a triangulation; then diagonals that both
-// pieces can do without are taken away again. Quadratic to cubic, and plain.
+// Any maximal set of diagonals that do not cross is a triangulation. Then each diagonal is removed
+// without which the two pieces stay convex. The time is quadratic to cubic, and the code is plain.
 #include "reference/convex_pieces.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class Cutter {
     return false;
   }
 
-  // Even-odd test of the midpoint, in doubled coordinates; it lies on no edge.
+  // The even-odd test uses doubled coordinates; the midpoint lies on no edge.
   bool midpoint_is_inside(const Edge& e) const {
     const IntPt<Int> m = nodes_[e.from] + nodes_[e.to];
     bool inside = false;
@@ -97,7 +97,8 @@ class Cutter {
     }
   }
 
-  // 0: less than half a turn clockwise of the direction to `back`; 1: half; 2: more; 3: full.
+  // Returns 0 for less than half a turn clockwise of the direction to `back`, 1 for half a turn, 2
+  // for more, and 3 for a full turn.
   int clockwise_class(std::size_t node, std::size_t back, std::size_t p) const {
     const int side = turn(nodes_[node], nodes_[back], nodes_[p]);
     if (side != 0) return side < 0 ? 0 : 2;
@@ -112,7 +113,7 @@ class Cutter {
     return turn(nodes_[node], nodes_[a], nodes_[b]) < 0;
   }
 
-  // Faces on the left of directed edges: at each node turn as far left as possible.
+  // Returns the faces on the left of directed edges; each walk turns as far left as possible.
   std::vector<std::vector<std::size_t>> trace_faces() const {
     std::vector<Edge> edges = boundary_;
     for (const Edge& d : diagonals_) {
@@ -141,7 +142,7 @@ class Cutter {
     return faces;
   }
 
-  // Where `face` has the edge from -> to: the place of `from`, or its size.
+  // Returns the position of `from` if `face` has the edge from -> to, else the size of `face`.
   static std::size_t find_edge(const std::vector<std::size_t>& face, const Edge& e) {
     for (std::size_t i = 0; i < face.size(); ++i) {
       if (face[i] == e.from && face[(i + 1) % face.size()] == e.to) return i;

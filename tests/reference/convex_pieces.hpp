@@ -1,4 +1,4 @@
-// A region with integer vertices cut into convex pieces along diagonals, the obvious way.
+// Cuts a region with integer vertices into convex pieces along diagonals, in the obvious way.
 #pragma once
 
 #include <cstddef>
@@ -36,13 +36,13 @@ template <class Int>
 template <class Int>
 using IntLoop = std::vector<IntPt<Int>>;
 
-/// Convex polygons with disjoint interiors, counter-clockwise, whose union is the region bounded by
-/// `rings`: directed with the interior on the left, edges meet only at vertices (see
-/// `directed_and_noded`). Vertices in the middle of straight edges may remain.
+/// Returns counter-clockwise convex polygons with disjoint interiors, whose union is the region
+/// bounded by `rings`. The rings must have the interior on their left, and edges must meet only at
+/// vertices (see `directed_and_noded`). Vertices in the middle of straight edges may remain.
 template <class Int>
 [[nodiscard]] std::vector<IntLoop<Int>> convex_pieces(const std::vector<IntLoop<Int>>& rings);
 
-/// The convex hull, counter-clockwise, corners only.
+/// Returns the corners of the convex hull, counter-clockwise.
 template <class Int>
 [[nodiscard]] IntLoop<Int> convex_hull(IntLoop<Int> points);
 

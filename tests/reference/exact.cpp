@@ -7,7 +7,7 @@ namespace minksum::reference {
 Number to_number(const Rational& value) { return Number(value.to_string()); }
 
 Rational to_rational(const Number& value) {
-  // Parsing has a limit on digits that exact results may exceed, so go by limbs.
+  // Exact results may have more digits than parsing accepts, so the limbs are used.
   const Integer numerator = abs(boost::multiprecision::numerator(value));
   const Integer denominator = boost::multiprecision::denominator(value);
   std::vector<std::uint64_t> n;
@@ -87,7 +87,7 @@ Side locate(const Pt& p, const Loop& loop) {
     const Pt& a = loop[i];
     const Pt& b = loop[(i + 1) % loop.size()];
     if (on_segment(p, a, b)) return Side::kBoundary;
-    // A ray to the right of p; an edge owns its lower end only.
+    // The ray goes to the right of p; an edge owns its lower end only.
     if ((a.y <= p.y) == (b.y <= p.y)) continue;
     const int side = turn(a, b, p);
     if (a.y <= p.y ? side > 0 : side < 0) inside = !inside;
@@ -97,7 +97,8 @@ Side locate(const Pt& p, const Loop& loop) {
 
 namespace {
 
-// 0: just clockwise of `back`, less than half a turn; 1: half a turn; 2: more; 3: a full turn.
+// Returns 0 for less than half a turn clockwise of `back`, 1 for half a turn, 2 for more, and 3 for
+// a full turn.
 int clockwise_class(const Pt& node, const Pt& back, const Pt& p) {
   const int side = turn(node, back, p);
   if (side < 0) return 0;

@@ -1,4 +1,4 @@
-// Exact points and predicates for the tests' reference: arbitrary rationals, written for clarity.
+// Defines exact points and predicates for the reference, with rationals and written for clarity.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -29,26 +29,26 @@ using Loops = std::vector<Loop>;  ///< a polygon: the outer ring, then the holes
 [[nodiscard]] std::vector<Loops> to_loops(const Region& region);
 [[nodiscard]] Region to_region(const std::vector<Loops>& polygons);
 
-/// 1 if a, b, c turn left, -1 if right, 0 if they lie in one line.
+/// Returns 1 if a, b, c turn left, -1 if right, 0 if they lie in one line.
 [[nodiscard]] int turn(const Pt& a, const Pt& b, const Pt& c);
-/// The sign of the cross product of b - a and d - c.
+/// Returns the sign of the cross product of b - a and d - c.
 [[nodiscard]] int cross_sign(const Pt& a, const Pt& b, const Pt& c, const Pt& d);
-/// Is p on the closed segment ab?
+/// Returns whether p is on the closed segment ab.
 [[nodiscard]] bool on_segment(const Pt& p, const Pt& a, const Pt& b);
-/// Do the closed segments ab and cd share a point?
+/// Returns whether the closed segments ab and cd share a point.
 [[nodiscard]] bool segments_meet(const Pt& a, const Pt& b, const Pt& c, const Pt& d);
-/// Do the open segments cross in one point that is an end of neither?
+/// Returns whether the open segments cross in one point that is an end of neither.
 [[nodiscard]] bool cross_properly(const Pt& a, const Pt& b, const Pt& c, const Pt& d);
 [[nodiscard]] Pt midpoint(const Pt& a, const Pt& b);
-/// Twice the signed area: positive if counter-clockwise.
+/// Returns twice the signed area, which is positive for counter-clockwise rings.
 [[nodiscard]] Number doubled_area(const Loop& loop);
 
 enum class Side { kOutside, kBoundary, kInside };
-/// Where p is with respect to the area inside a closed polygonal line (even-odd).
+/// Returns where p lies with respect to the area inside a closed polygonal line (even-odd).
 [[nodiscard]] Side locate(const Pt& p, const Loop& loop);
 
-/// Given directions out of one node, is `a` met before `b` when turning clockwise from `back`?
-/// All three start at `node`; `back` itself counts as a full turn.
+/// Returns whether a clockwise turn around `node` from `back` meets `a` before `b`. The direction
+/// `back` itself counts as a full turn.
 [[nodiscard]] bool clockwise_before(const Pt& node, const Pt& back, const Pt& a, const Pt& b);
 
 }  // namespace minksum::reference

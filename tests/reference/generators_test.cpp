@@ -1,4 +1,4 @@
-// What the generators make is valid, varied and the same everywhere.
+// Tests that generated regions are valid, varied and the same everywhere.
 #include "support/generators.hpp"
 
 #include <gtest/gtest.h>

@@ -72,7 +72,7 @@ bool contains_sum(const Region& p, const Region& q, const Pt& x) {
     }
   }
   if (any_edges_meet(edges_of(still), edges_of(moved))) return true;
-  // No boundaries meet: a part of one lies wholly inside the other, or they are disjoint.
+  // No boundaries meet, so a part of one lies wholly inside the other, or they are disjoint.
   for (const Loops& part : still) {
     if (locate_in(part[0][0], moved) != Side::kOutside) return true;
   }
@@ -83,7 +83,7 @@ bool contains_sum(const Region& p, const Region& q, const Pt& x) {
 }
 
 Pt point_strictly_inside(const Loops& polygon) {
-  // On the vertical through the middle between the two smallest different x: the lowest two
+  // The vertical line is halfway between the two smallest different x. On it, the lowest two
   // crossings bound a stretch of the inside.
   std::vector<Number> xs;
   for (const Loop& ring : polygon) {

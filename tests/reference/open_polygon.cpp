@@ -9,14 +9,14 @@
 namespace minksum::reference {
 namespace {
 
-/// Doubles near numbers are off by far less than this part of the largest of them, and a cross
-/// product of their differences by far less than this part of its square.
+/// Doubles near numbers are off by far less than this share of the largest number. A cross product
+/// of their differences is off by far less than this share of that number's square.
 constexpr double kDoubt = 1e-12;
 
 double magnitude(const Spot& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
 double magnitude(const Span& s) { return std::max(magnitude(s.a), magnitude(s.b)); }
 
-/// 1 if a, b, c turn left, -1 if right, 0 if they lie in one line.
+/// Returns 1 if a, b, c turn left, -1 if right, 0 if they lie in one line.
 int turn(const Spot& a, const Spot& b, const Spot& c) {
   const double size = std::max({magnitude(a), magnitude(b), magnitude(c)});
   const double cross = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -24,7 +24,7 @@ int turn(const Spot& a, const Spot& b, const Spot& c) {
   return turn(a.at, b.at, c.at);
 }
 
-/// Returns whether boxes are certainly apart.
+/// Returns whether the boxes of two spans are certainly apart.
 bool apart(const Span& s, const Span& t) {
   const double doubt = kDoubt * std::max(magnitude(s), magnitude(t));
   const auto beyond = [doubt](double a, double b, double c, double d) {
@@ -104,7 +104,7 @@ Side OpenPolygon::locate(const Spot& spot) const {
     }
     const int side = turn(a, b, spot);
     if (side == 0 && on_segment(spot.at, a.at, b.at)) return Side::kBoundary;
-    // A ray to the right of the spot; an edge owns its lower end only.
+    // The ray goes to the right of the spot; an edge owns its lower end only.
     const bool a_below = a.at.y.compare(spot.at.y) <= 0;
     if (a_below == (b.at.y.compare(spot.at.y) <= 0)) continue;
     if (a_below ? side > 0 : side < 0) inside = !inside;
@@ -146,7 +146,7 @@ std::vector<Number> between_meetings(std::vector<Number> meetings) {
 }
 
 bool insides_meet(const OpenPolygon& a, const OpenPolygon& b) {
-  // If their insides meet, that of a is in b, or an edge of b is somewhere in it.
+  // If the insides meet, the inside of a lies in b, or an edge of b enters the inside of a.
   if (b.locate(a.inner()) == Side::kInside) return true;
   return std::any_of(b.edges().begin(), b.edges().end(),
                      [&](const Span& edge) { return a.is_entered_by(edge); });

@@ -1,4 +1,4 @@
-// The open inside of a polygon, and what gets into it: exact, edge by edge.
+// Finds exactly, edge by edge, what gets into the open inside of a polygon.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace minksum::reference {
 
 [[nodiscard]] Pt minus(const Pt& a, const Pt& b);
 
-/// An exact point and doubles near it, which decide what they leave no doubt about.
+/// An exact point with doubles near it, which decide wherever they leave no doubt.
 struct Spot {
   explicit Spot(Pt point);
   Pt at;
@@ -21,7 +21,7 @@ struct Spot {
 struct Span {
   Spot a;
   Spot b;
-  /// a + t(b − a).
+  /// Returns a + t(b − a).
   [[nodiscard]] Pt along(const Number& t) const;
 };
 
@@ -29,7 +29,7 @@ struct Span {
 class OpenPolygon {
  public:
   explicit OpenPolygon(const Loops& loops);
-  /// The same, of which a point strictly inside is known already.
+  /// Does the same if a point strictly inside is known already.
   OpenPolygon(const Loops& loops, Pt inner);
 
   [[nodiscard]] const std::vector<Span>& edges() const { return edges_; }
@@ -46,17 +46,17 @@ class OpenPolygon {
 
   std::vector<Span> edges_;
   Spot inner_;
-  Span box_;  ///< from its smaller to its larger corner, up to what doubles tell
+  Span box_;  ///< from the smaller to the larger corner, as doubles tell
 };
 
-/// Appends those t in [0, 1], and maybe others, at which a + t(b − a) gets onto one of these spans,
-/// off one, or past an end of one that it runs along. Between two of them nothing changes.
+/// Appends all t in [0, 1], and maybe others, at which a + t(b − a) reaches or leaves one of the
+/// other spans, or passes an end of one along which it runs. Nothing changes between two such t.
 void add_meetings(const Span& span, const std::vector<Span>& others, std::vector<Number>& found);
 
-/// One t from each gap between these, 0 and 1, in order.
+/// Returns one t from each gap between the meetings, 0 and 1, in order.
 [[nodiscard]] std::vector<Number> between_meetings(std::vector<Number> meetings);
 
-/// Returns whether a point is inside of both.
+/// Returns whether some point is inside both polygons.
 [[nodiscard]] bool insides_meet(const OpenPolygon& a, const OpenPolygon& b);
 
 }  // namespace minksum::reference

@@ -9,27 +9,27 @@
 namespace minksum::reference {
 namespace {
 
-/// `p` turned as (1, 0) is to `direction`.
+/// Returns `p` turned by the angle from (1, 0) to `direction`.
 Pt turned(const Pt& p, const Pt& direction) {
   return {Number(p.x * direction.x - p.y * direction.y),
           Number(p.x * direction.y + p.y * direction.x)};
 }
 Pt plus(const Pt& a, const Pt& b) { return {Number(a.x + b.x), Number(a.y + b.y)}; }
 
-/// By twice the angle with this tangent.
+/// Returns the direction at twice the angle with this tangent.
 Pt direction_of_half(const Number& tangent) {
   const Number square = tangent * tangent;
   return {Number((1 - square) / (1 + square)), Number(2 * tangent / (1 + square))};
 }
 
-/// In canonical form insides are connected.
+/// Returns the polygons with connected insides, as the canonical form has them.
 std::vector<OpenPolygon> open_polygons(const Region& region) {
   std::vector<OpenPolygon> polygons;
   for (const Loops& loops : to_loops(canonical(region))) polygons.emplace_back(loops);
   return polygons;
 }
 
-/// Counter-clockwise from 0 degrees.
+/// Orders turns counter-clockwise from 0 degrees.
 bool comes_before(const Turn& a, const Turn& b) {
   const Pt p = direction_of(a);
   const Pt q = direction_of(b);
@@ -96,7 +96,7 @@ std::vector<OpenPolygon> PlacedRobot::placed(const Pt& at, const Pt& direction) 
 }
 
 bool PlacedRobot::leaves_workspace(const OpenPolygon& body) const {
-  // It is connected: it leaves across an edge, or is elsewhere.
+  // The body is connected, so it leaves across an edge or lies outside altogether.
   bool is_elsewhere = true;
   for (const OpenPolygon& room : workspace_) {
     for (const Span& edge : room.edges()) {
@@ -122,8 +122,8 @@ Collision PlacedRobot::at(const Pt& at, const Pt& direction) const {
 }
 
 bool PlacedRobot::is_free_along(const Pt& a, const Pt& b, const Pt& direction) const {
-  // What the robot meets changes only where one of its vertices gets onto an edge, or off it, or
-  // one of its edges onto a vertex.
+  // Collisions change only where a vertex of the robot reaches or leaves an edge, or where an edge
+  // of the robot reaches or leaves a vertex.
   const Pt way = minus(b, a);
   std::vector<Span> still = walls_;
   for (const auto* polygons : {&obstacles_, &workspace_}) {

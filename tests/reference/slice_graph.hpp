@@ -1,5 +1,5 @@
-// Free parts of slices as a graph, searched breadth first. Shares no code with the library beyond
-// its value types: overlaps are found edge by edge.
+// Searches the graph of free parts of slices breadth first. Overlaps are found edge by edge, so
+// this shares no code with the library beyond its value types.
 #pragma once
 
 #include <map>
@@ -12,17 +12,17 @@
 
 namespace minksum::reference {
 
-/// A node is a free part of a slice. Nodes of neighbouring slices are joined where their insides
-/// meet.
+/// A graph whose nodes are the free parts of slices. Nodes of neighbouring slices are joined if
+/// their insides meet.
 class SliceGraph {
  public:
-  /// Slices with free space, counter-clockwise, of turns that differ.
+  /// The slices must have free space, be in counter-clockwise order, and have different turns.
   explicit SliceGraph(const std::vector<Slice>& slices);
 
   /// Returns whether a way leads from one configuration to another one. Both turns need a slice.
   [[nodiscard]] bool connects(const Waypoint& from, const Waypoint& to);
-  /// Whether a path is a way in the graph: each move stays in the closure of a part, each turn is
-  /// on the spot from one to a part that is joined with it. Waypoints differ.
+  /// Returns whether a path is a way in the graph. Each move must stay in the closure of a part,
+  /// and each turn must go on the spot to a part that is joined. Waypoints must differ.
   [[nodiscard]] bool has(std::span<const Waypoint> path);
 
  private:
@@ -37,7 +37,7 @@ class SliceGraph {
 
   std::vector<Turn> turns_;
   std::vector<Node> nodes_;
-  std::map<std::pair<std::size_t, std::size_t>, bool> joined_;  ///< what was found out
+  std::map<std::pair<std::size_t, std::size_t>, bool> joined_;  ///< answers that are known
 };
 
 }  // namespace minksum::reference

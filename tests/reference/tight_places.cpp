@@ -19,11 +19,11 @@ struct Line {
   friend bool operator<(const Line& s, const Line& t) { return s.a == t.a ? s.b < t.b : s.a < t.a; }
 };
 
-// What convex sums leave of the inside, not in any order, lines perhaps repeatedly.
+// What convex sums leave of the inside, in no order. Lines may be repeated.
 struct Rest {
-  std::vector<Line> boundary;  // of the union
+  std::vector<Line> boundary;  // boundary of the union
   std::vector<Line> tight;
-  std::vector<Pt> points;  // in no open sum; alone on the edge that was looked at
+  std::vector<Pt> points;  // in no open sum, and isolated on their edge
 };
 
 template <class Int>
@@ -58,7 +58,8 @@ class ConvexSums {
  private:
   using F = Fraction<Int>;
 
-  // Where a + t d is inside a sum; or, with `beside`, where the points just right of it are.
+  // Finds the part of t for which a + t d is inside a sum. With `beside`, the points just right of
+  // a + t d count instead.
   static bool clip(const IntPt<Int>& a, const IntPt<Int>& d, const IntLoop<Int>& sum, bool beside,
                    Interval<Int>& part) {
     part = {{-1, 1}, {2, 1}};
@@ -87,7 +88,7 @@ class ConvexSums {
               [](const auto& s, const auto& t) { return s.low < t.low; });
     return result;
   }
-  // What open intervals leave of 0 <= t <= 1, points included.
+  // Returns what open intervals leave of 0 <= t <= 1, points included.
   static std::vector<Interval<Int>> left_over(const std::vector<Interval<Int>>& open) {
     std::vector<Interval<Int>> result;
     F reached{0, 1};
@@ -183,7 +184,7 @@ Rest rest_on_grid(const Scaled& scaled) {
   return ConvexSums<Int>(std::move(sums)).run();
 }
 
-// Lines to polylines.
+// Joins lines to polylines.
 class PathBuilder {
  public:
   explicit PathBuilder(const std::vector<Line>& lines) {
@@ -201,7 +202,8 @@ class PathBuilder {
 
   std::vector<Loop> run() {
     std::vector<Loop> paths;
-    // What is not a plain inner point of a path first; then only closed paths are left.
+    // Paths start first at nodes that are not inner points of a path. Then only closed paths
+    // remain.
     for (const bool plain : {false, true}) {
       for (auto& [start, around] : neighbours_) {
         if (is_plain(start) != plain) continue;
@@ -291,7 +293,8 @@ Geometry brute_force_tight_places(const Region& p, const Region& q) {
   Geometry result;
   if (p.empty() || q.empty()) return result;
   const Scaled scaled = scale_up(p, q);
-  // With operands of B bits sums have B + 1, t = n / d has 2B + 6, and two such compare in 4B + 12.
+  // With operands of B bits, sums have B + 1, t = n / d has 2B + 6, and comparing two such t takes
+  // 4B + 12.
   const std::size_t need = 4 * scaled.bits + 12;
   Rest rest = need < 64    ? rest_on_grid<std::int64_t>(scaled)
               : need < 128 ? rest_on_grid<Int128>(scaled)

@@ -1,4 +1,4 @@
-// The reference against places that can be told by hand.
+// Tests the reference on tight places that can be found by hand.
 #include "reference/tight_places.hpp"
 
 #include <gtest/gtest.h>

@@ -14,8 +14,8 @@ namespace {
 struct Edge {
   Pt a;
   Pt b;
-  std::size_t ring;   // counted through all polygons
-  std::size_t index;  // in its ring
+  std::size_t ring;   // number of the ring among those of all polygons
+  std::size_t index;  // number of the edge in its ring
   Number min_x, max_x, min_y, max_y;
 };
 
@@ -48,7 +48,7 @@ bool neighbours(const Edge& e, const Edge& f, std::size_t count) {
   return e.ring == f.ring && ((e.index + 1) % count == f.index || (f.index + 1) % count == e.index);
 }
 
-// Neighbours share one end; anything more is a spike.
+// Returns whether neighbours share more than one end, which makes a spike.
 bool neighbours_overlap(const Edge& e, const Edge& f) {
   const Pt& shared = e.b == f.a ? e.b : e.a;
   const Pt& before = e.b == f.a ? e.a : f.a;
@@ -57,7 +57,7 @@ bool neighbours_overlap(const Edge& e, const Edge& f) {
          (on_segment(before, shared, after) || on_segment(after, shared, before));
 }
 
-// Collinear edges that share more than a point.
+// Returns whether two edges are collinear and share more than a point.
 bool overlap(const Edge& e, const Edge& f) {
   if (turn(e.a, e.b, f.a) != 0 || turn(e.a, e.b, f.b) != 0) return false;
   const Pt low = std::max(std::min(e.a, e.b), std::min(f.a, f.b));
@@ -91,7 +91,7 @@ std::string edges_fault(const Loops& rings) {
   return {};
 }
 
-// On which side of `other` all of the noded ring lies; nothing if it is on both.
+// Returns the side of `other` on which the noded ring lies; nothing if it lies on both sides.
 std::optional<Side> side_of(const Loop& noded, const Loop& other) {
   std::optional<Side> side;
   for (std::size_t i = 0; i < noded.size(); ++i) {

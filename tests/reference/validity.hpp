@@ -1,4 +1,4 @@
-// Is a region valid, is it canonical: decided exactly, by testing every edge against every edge.
+// Decides exactly whether a region is valid or canonical, by testing every edge against every edge.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace minksum::reference {
 
-/// Why `region` is no valid operand (see minksum::validate); empty if it is.
+/// Returns why `region` is not a valid operand (see minksum::validate); empty if it is one.
 [[nodiscard]] std::string validity_fault(const Region& region);
 
-/// Why `region` is no canonical result (see minksum::Region); empty if it is. Slow for more than
-/// some thousand vertices.
+/// Returns why `region` is not a canonical result (see minksum::Region); empty if it is one. Slow
+/// for more than some thousand vertices.
 [[nodiscard]] std::string canonical_fault(const Region& region);
 
 }  // namespace minksum::reference

@@ -1,4 +1,4 @@
-// The checkers must be able to reject.
+// Tests that the checkers can reject.
 #include "reference/validity.hpp"
 
 #include <gtest/gtest.h>
@@ -18,12 +18,12 @@ const Outline kBox{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 TEST(LegalFault, AcceptsWhatIsLegal) {
   EXPECT_EQ(validity_fault(Region{}), "");
   EXPECT_EQ(validity_fault(make_polygon(kBox, {{{2, 2}, {4, 2}, {2, 4}}})), "");
-  // Any orientation, repeated vertices, straight vertices.
+  // Any orientation, repeated vertices and straight vertices are valid.
   EXPECT_EQ(validity_fault(make_polygon({{0, 8}, {8, 8}, {8, 8}, {8, 0}, {4, 0}, {0, 0}})), "");
-  // A hole that touches the outer ring in a vertex; two holes that touch each other.
+  // A hole may touch the outer ring in a vertex, and two holes may touch each other.
   EXPECT_EQ(
       validity_fault(make_polygon(kBox, {{{0, 4}, {2, 2}, {4, 4}}, {{4, 4}, {6, 2}, {6, 6}}})), "");
-  // A part in a hole of another part, touching it.
+  // A part may lie in a hole of another part and touch it.
   EXPECT_EQ(validity_fault(make_region(
                 {{kBox, {{2, 2}, {6, 2}, {6, 6}, {2, 6}}}, {{{2, 2}, {5, 3}, {3, 5}}}})),
             "");
@@ -42,7 +42,7 @@ TEST(LegalFault, RejectsWhatIsNot) {
   EXPECT_TRUE(rejects(make_polygon(kBox, {{{1, 1}, {6, 1}, {1, 6}}, {{2, 2}, {3, 2}, {2, 3}}})));
   EXPECT_TRUE(rejects(make_region({{kBox}, {{{2, 2}, {4, 2}, {2, 4}}}})));
   EXPECT_TRUE(rejects(make_region({{kBox}, {kBox}})));
-  // Two triangles that cross through a vertex of each.
+  // The two triangles cross through a vertex of each.
   EXPECT_TRUE(rejects(
       make_region({{{{0, 0}, {4, 0}, {8, 0}, {4, 8}}}, {{{4, 0}, {6, -4}, {10, 6}, {4, 2}}}})));
 }
