@@ -1,11 +1,11 @@
-# What people type. Everything else is CMake: CMakeLists.txt, CMakePresets.json.
+# These targets are what people type. CMakeLists.txt and CMakePresets.json do everything else.
 BUILD ?= build
-# What `make compare` compares the working tree with, and how many per cent more work may pass.
+# `make compare` compares the working tree with BASE, and allows LIMIT per cent more work.
 BASE ?= HEAD
 LIMIT ?= 2
 JOBS ?= $(shell nproc)
 CMAKE_ARGS ?=
-# An outer make -j must not reach into the build: CMake is told how many jobs to run.
+# An outer make -j must not reach into the build, because CMake gets its own number of jobs.
 CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 

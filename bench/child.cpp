@@ -62,7 +62,7 @@ void take_lines(std::string& text, ChildEnd& end) {
   }
 }
 
-// Reads until the child closes its end; false if it was silent for too long.
+// Reads until the child closes its end; returns false if the child was silent for too long.
 bool listen(int in, double longest_silence, ChildEnd& end) {
   std::string text;
   char buffer[1U << 14U];

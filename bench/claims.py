@@ -1,11 +1,11 @@
-"""The goals, each as one line with its figure and whether it holds."""
+"""Tests the goals, and gives each as one line with its figure and whether it holds."""
 from figures import (MIB, bound_text, count_text, dig, exponent, family_rows, geometric_mean,
                      growth, own_seconds, ratio, ratio_or_bound, seconds_text, segments, times_text)
 
 
 class Claim:
     def __init__(self, number, text, figure, holds, records=(), verdict=None):
-        """`holds`: True, False, or None where it was not measured. `records`: what decided it."""
+        """`holds` is True, False, or None where it was not measured. `records` decided it."""
         self.number, self.text, self.figure, self.holds = number, text, figure, holds
         self.records = [r for r in records if r]
         self.verdict = verdict or {True: "holds", False: "falls short", None: "not measured"}[holds]
@@ -86,7 +86,7 @@ def nesting(records):
 
 
 def table_ratio(record, threads):
-    """How many times as long CGAL would take for the table, by its sample."""
+    """Returns how many times as long CGAL would take for the table, by its sample."""
     mean, seconds = dig(record, "cgal", "mean"), dig(record, "table", threads, "median")
     return mean * record["sums"] / seconds if mean and seconds else None
 

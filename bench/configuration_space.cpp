@@ -1,4 +1,5 @@
-// Seconds a slice of a configuration space: a robot of 50 vertices among obstacles of 1,000.
+// Measures seconds a slice of a configuration space: a robot of 50 vertices among obstacles of
+// 1,000.
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ constexpr int kObstacles = 20;
 constexpr int kEach = 50;
 constexpr std::size_t kAngles = 360;
 
-/// Polygons in rows, with room for the robot between some of them.
+/// Returns polygons in rows, with room for the robot between some of them.
 Region scattered(test::Random& random) {
   Region all;
   for (int i = 0; i < kObstacles; ++i) {
@@ -27,7 +28,7 @@ Region scattered(test::Random& random) {
   return all;
 }
 
-/// Coordinates as doubles of all 53 bits.
+/// Returns the region with coordinates that are doubles of all 53 bits.
 Region as_doubles(const Region& region) {
   return test::transformed(region, [](const Point& p) {
     return Point{Rational(p.x.to_double() * 0.1 + 1.0 / 3),
@@ -52,7 +53,7 @@ void measure(const char* name, const Region& robot, const Region& obstacles) {
       space.for_each_slice(turns, with_free, {}, [](std::size_t, Slice&) {});
     });
   };
-  // What a user would do without prepared operands: the same sums, one by one.
+  // Without prepared operands, a user would compute the same sums one by one.
   const auto sums = [&](Arithmetic arithmetic, std::size_t every) {
     Options sum;
     sum.arithmetic = arithmetic;

@@ -19,7 +19,7 @@ struct Corner {
 };
 using Corners = std::vector<Corner>;
 
-// Six decimals, as people write them down.
+// Returns a number of six decimals, as people write them down.
 Decimal decimal(double value) { return {std::llround(value * 1e6), -6}; }
 
 void add_ring(Region& region, const Corners& corners) {
@@ -58,7 +58,7 @@ Operands spiky_stars(std::size_t n) {
   return {to_region(spiky_star(n, 1)), to_region(spiky_star(n, 2))};
 }
 
-// A back of height 1 with n / 4 teeth, each of a height of its own.
+// Returns a back of height 1 with n / 4 teeth of different heights.
 Corners comb(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   const std::size_t teeth = std::max<std::size_t>(n / 4, 1);
@@ -81,7 +81,7 @@ Operands combs(std::size_t n) {
   return {to_region(comb(n, 1)), to_region(q)};
 }
 
-// An Archimedean band of 16 vertices a turn on each side.
+// Returns an Archimedean band of 16 vertices a turn on each side.
 Corners spiral(std::size_t n, double scale) {
   const std::size_t half = n / 2;
   Corners corners;
@@ -118,8 +118,8 @@ bool fits(const Corners& ring, std::size_t at, const Corner& middle) {
   return true;
 }
 
-// A triangle whose edges are bent out or in at random places, one by one, while it stays simple:
-// the longer half of the edges goes first, so that no edge stays long.
+// Returns a triangle whose edges are bent out or in at random places, one by one, while it stays
+// simple. The longer half of the edges goes first, so that no edge stays long.
 Corners random_simple(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   Corners ring{{0, 0}, {100, 0}, {50, 86}};
@@ -152,7 +152,7 @@ Operands random_polygons(std::size_t n) {
   return {to_region(random_simple(n, 1)), to_region(random_simple(n, 2))};
 }
 
-// A skyline above and one below a bar.
+// Returns a bar with a skyline above and one below.
 Corners skylines(std::size_t n, std::uint64_t seed) {
   Random random(seed);
   const std::size_t columns = std::max<std::size_t>(n / 4, 1);
@@ -175,7 +175,8 @@ Operands orthogonal_outlines(std::size_t n) {
   return {to_region(skylines(n, 1)), to_region(skylines(n, 2))};
 }
 
-// A plate of rows and columns of holes with five corners, and an octagon half as wide as they are.
+// Returns a plate with rows and columns of holes of five corners, and an octagon half as wide as
+// they are.
 Operands many_holes(std::size_t n) {
   Random random(1);
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / 5));
@@ -200,8 +201,8 @@ Operands many_holes(std::size_t n) {
   return {plate, to_region(octagon)};
 }
 
-// Points of a circle whose radii differ in the fifth digit: half of the vertices are reflex, all
-// are almost straight.
+// Returns points of a circle whose radii differ in the fifth digit. Half of the vertices are
+// reflex, and all are almost straight.
 Corners dense_circle(std::size_t n, double radius, std::uint64_t seed) {
   Random random(seed);
   Corners corners;
@@ -259,7 +260,7 @@ Region scaled(const Region& region, const Rational& by) {
   return result;
 }
 
-// About ten kilometres, in degrees.
+// The radius of the disc is about ten kilometres, in degrees.
 Operands outline_and_disc(std::size_t n) { return {thinned_outline(n), regular_polygon(32, 0.09)}; }
 
 Operands outline_and_outline(std::size_t n) {

@@ -1,4 +1,4 @@
-"""What docs/benchmarks.md is made of: numbers out of the records, and Markdown tables."""
+"""Makes the parts of docs/benchmarks.md: numbers out of the records, and Markdown tables."""
 import math
 
 MODELS = ["g1", "g2", "g3", "g4", "airplane", "dog", "hand1", "hand2", "bird", "mammoth", "monkey",
@@ -23,7 +23,7 @@ class Records:
 
 
 def dig(record, *path):
-    """record[a][b]..., or None where there is none."""
+    """Returns record[a][b]..., or None where a key is missing."""
     for key in path:
         if record is None or key not in record:
             return None
@@ -40,8 +40,8 @@ def ratio(record, peer="cgal"):
 
 
 def ratio_or_bound(record, peer="cgal"):
-    """How many times as fast as a peer, and whether that is a lower bound: the peer was given up
-    after so many seconds."""
+    """Returns how many times as fast as a peer minksum is, and whether that is a lower bound. It is
+    one if the peer was given up after so many seconds."""
     value = ratio(record, peer)
     if value:
         return value, False
@@ -57,7 +57,7 @@ def geometric_mean(values):
 
 
 def exponent(points):
-    """The slope of the best line through the logarithms of both, by least squares."""
+    """Returns the slope of the best line through the logarithms of both, by least squares."""
     points = [(math.log(x), math.log(y)) for x, y in points if x > 0 and y > 0]
     if len(points) < 2:
         return None
@@ -93,7 +93,7 @@ def table(head, rows):
 
 
 def matrix(names, cell):
-    """A triangle of pairs: cell(p, q) is a text."""
+    """Returns a triangular table of pairs, where cell(p, q) is a text."""
     rows = []
     for i, p in enumerate(names):
         rows.append([f"**{p}**"] + ["" if j < i else cell(p, q) for j, q in enumerate(names)])
@@ -101,13 +101,13 @@ def matrix(names, cell):
 
 
 def segments(record):
-    """Of the whole reduced convolution: minksum may have listed fewer itself."""
+    """Returns the segments of the whole reduced convolution; minksum may have listed fewer."""
     return dig(record, "counts_no_cover", "convolution_segments") or dig(
         record, "listing", "segments") or dig(record, "counts", "convolution_segments")
 
 
 def family_rows(records):
-    """For each family: name, description, members in order of size."""
+    """Returns for each family its name, its description, and its members in order of size."""
     found = {}
     for r in records.of("families"):
         if own_seconds(r):
@@ -117,7 +117,7 @@ def family_rows(records):
 
 
 def upper_half(members):
-    """Growth is a matter of large n: the larger half of the sizes, four at least."""
+    """Returns the larger half of the sizes, at least four, because growth shows at large n."""
     return members[min(len(members) // 2, max(len(members) - 4, 0)):]
 
 
@@ -130,7 +130,7 @@ def bound_text(value, is_bound):
 
 
 def peer_cell(record, peer):
-    """How many times as fast as a peer, or why that is not known."""
+    """Returns how many times as fast as a peer minksum is, or why that is not known."""
     value, is_bound = ratio_or_bound(record, peer)
     if value:
         return bound_text(value, is_bound)

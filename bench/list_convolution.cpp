@@ -17,7 +17,7 @@ struct Segment {
   Site to;
 };
 
-// An edge by its first vertex, and its direction as a number that grows with the angle.
+// An edge, named by its first vertex, with its direction as a number that grows with the angle.
 struct Direction {
   std::uint64_t angle;
   std::uint32_t edge;
@@ -33,13 +33,14 @@ std::int64_t cross(const Direction& a, const Direction& b) {
   return std::int64_t{a.dx} * b.dy - std::int64_t{a.dy} * b.dx;
 }
 
-// Rounding puts an angle at most one off; nearer ones are told apart exactly.
+// Compares directions. Rounding makes an angle at most one off, so close angles are compared
+// exactly.
 bool before(const Direction& a, const Direction& b) {
   if (a.angle + 1 < b.angle) return true;
   return a.angle <= b.angle + 1 && cross(a, b) > 0;
 }
 
-// The way along the diamond |x| + |y| = 1 to the direction, a side counting 2^30.
+// Returns the way along the diamond |x| + |y| = 1 to the direction, where each side counts 2^30.
 std::uint64_t angle_of(std::int32_t dx, std::int32_t dy) {
   const double x = dx;
   const double y = dy;
@@ -111,8 +112,8 @@ class Lister {
       edges[i] = {rings.sites[edge], rings.sites[rings.next[edge]]};
     }
   }
-  // Vertices of P own directions from [in, out), those of Q from (in, out]: of parallel edges P's
-  // count as the earlier ones.
+  // Vertices of P own the directions [in, out), and those of Q own (in, out]. So of parallel edges,
+  // P's count as the earlier ones.
   void merge() {
     std::uint32_t i = 0;
     std::uint32_t j = 0;
@@ -164,7 +165,7 @@ class Lister {
   Sorter sorter_;
   Directions sorted_[2];
   std::vector<Segment> edges_[2];
-  /// How many of the other operand's directions come before that of each edge.
+  /// The number of the other operand's directions before that of each edge.
   std::vector<std::uint32_t> place_[2];
   std::vector<Segment> list_;
   std::size_t written_ = 0;

@@ -15,8 +15,8 @@ int turn(const Point& a, const Point& b, const Point& c) {
   return ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x)).sign();
 }
 
-// Without repeated and straight vertices. A vertex that goes can make those beside it straight, so
-// the walk steps back and asks all of them again.
+// Returns the ring without repeated and straight vertices. Removing a vertex can make its
+// neighbours straight, so the walk steps back and tests them again.
 Ring cleaned(Ring ring) {
   std::size_t i = 0;
   for (std::size_t fine = 0; ring.size() >= 3 && fine < ring.size();) {
@@ -34,7 +34,7 @@ Ring cleaned(Ring ring) {
   return ring;
 }
 
-// At its least vertex a ring turns as it runs.
+// The turn at the least vertex of a ring tells its direction.
 bool counter_clockwise(const Ring& ring) {
   std::size_t least = 0;
   for (std::size_t i = 1; i < ring.size(); ++i) {
@@ -55,7 +55,7 @@ Box box_of(const Ring& ring) {
   return box;
 }
 
-// A hole matters if some part of the other operand fits into it, as far as boxes tell.
+// Returns whether some part of the other operand fits into a hole, as far as boxes tell.
 bool matters(const Ring& hole, const std::vector<Box>& parts) {
   const Box box = box_of(hole);
   return std::any_of(parts.begin(), parts.end(), [&](const Box& part) {
@@ -89,7 +89,7 @@ std::vector<Ring> rings_of(const Region& region, const std::vector<Box>& other) 
   return rings;
 }
 
-// The least common denominator, or 0 if it is too large to be of use.
+// Returns the least common denominator, or 0 if it is too large to be useful.
 std::int64_t common_denominator(const std::vector<Ring>& rings, std::int64_t so_far) {
   for (const Ring& ring : rings) {
     for (const Point& point : ring) {
@@ -130,7 +130,7 @@ ListedOperands listed_operands(const Region& p, const Region& q) {
   const Box box_q = *bounding_box(q);
   const Rational extent = std::max(std::max(box_p.max.x - box_p.min.x, box_p.max.y - box_p.min.y),
                                    std::max(box_q.max.x - box_q.min.x, box_q.max.y - box_q.min.y));
-  // The corners are on the grid as well, being coordinates.
+  // The corners of boxes are coordinates, so they are on the grid as well.
   const std::int64_t denominator = common_denominator(rings_q, common_denominator(rings_p, 1));
   ListedOperands result;
   result.exact = denominator != 0 && extent * Rational(denominator) <= Rational(kLargest);

@@ -1,4 +1,4 @@
-// Operands of the listing: clean rings of small integers.
+// Makes operands of the listing: clean rings of small integers.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ struct Site {
   std::int32_t y;
 };
 
-/// Rings one after the other, interior on the left, no vertex repeated or straight.
+/// Rings one after the other, with the interior on the left, and without repeated or straight
+/// vertices.
 struct ListedRings {
   std::vector<Site> sites;
   std::vector<std::uint32_t> next;
@@ -27,7 +28,7 @@ struct ListedOperands {
   bool exact = false;  ///< on a common grid of integers; otherwise rounded
 };
 
-/// Coordinates are integers in [0, 2^30], so that sums fit 32 bits and cross products 64.
+/// Returns operands with integers in [0, 2^30], so that sums fit 32 bits and cross products 64.
 [[nodiscard]] ListedOperands listed_operands(const Region& p, const Region& q);
 
 }  // namespace minksum::bench

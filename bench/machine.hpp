@@ -1,11 +1,11 @@
-// Where and when a benchmark ran.
+// Describes where and when a benchmark ran.
 #pragma once
 
 #include "child.hpp"
 
 namespace minksum::bench {
 
-/// Machine, memory, system, compiler, flags, date, versions of minksum and of the peers.
+/// Returns machine, memory, system, compiler, flags, date, and versions of minksum and the peers.
 [[nodiscard]] Json describe_run();
 
 }  // namespace minksum::bench

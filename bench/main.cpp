@@ -1,4 +1,4 @@
-// minksum_bench: measures minksum and its peers on the same input in the same run, and writes JSON.
+// minksum_bench measures minksum and its peers on the same input in the same run, and writes JSON.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -79,7 +79,7 @@ double member(const Json& record, const char* who, const char* what) {
                                                             : 0;
 }
 
-// One line for people who watch.
+// Prints one line for people who watch.
 void print(const Json& record) {
   const std::string name = record["name"];
   std::printf("  %-44s", name.c_str());
@@ -125,7 +125,7 @@ class Book {
     json_["run"]["quick"] = arguments.quick;
     json_["records"] = Json::array();
   }
-  // Saves each time, so that what there is survives an end before time.
+  // Saves after each record, so that records survive an early end.
   void take(const Json& record) {
     print(record);
     json_["records"].push_back(record);
@@ -175,7 +175,7 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
   }
 }
 
-// What goes wrong with a set is a record like any other.
+// A failure of a set becomes a record like any other.
 void run(const Arguments& arguments) {
   const Effort effort = effort_for(arguments);
   Book book(arguments, effort);

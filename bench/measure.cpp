@@ -34,8 +34,8 @@ Json sizes_json(const Region& p, const Region& q) {
   return {{"p", size_json(p)}, {"q", size_json(q)}};
 }
 
-// What the library itself takes to list every segment, from the same operands as a whole sum: its
-// stages operands and convolution, without a cover, and nothing after them.
+// Returns the seconds that the library itself takes to list every segment, from the same operands
+// as a whole sum. These are the stages operands and convolution, without a cover and later stages.
 double own_listing(const Region& p, const Region& q) {
   Options options;
   Statistics statistics;
@@ -57,7 +57,7 @@ double own_listing(const Region& p, const Region& q) {
   return median(seconds);
 }
 
-// The first run in a process that did nothing else yet tells how much memory a sum takes.
+// The first run in a fresh process tells how much memory a sum takes.
 void measure_alone(const Case& one, const Effort& effort, const Report& report) {
   const auto [p, q] = one.load();
   MinksumRuns minksum;
@@ -126,7 +126,7 @@ double MinksumRuns::timed(const Region& p, const Region& q, Statistics* statisti
 }
 
 double MinksumRuns::run(const Region& p, const Region& q) {
-  // Small operands take another way without statistics. Where a run is long they cost nothing.
+  // Small operands take a shorter way without statistics. In a long run statistics cost nothing.
   constexpr double kLong = 0.01;
   constexpr std::size_t kStaged = 9;
   const bool is_long = !runs_.empty() && runs_.back() > kLong;

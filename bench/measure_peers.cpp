@@ -1,4 +1,4 @@
-// minksum and a peer in turn, in one process, on the same operands.
+// Measures minksum and a peer in turn, in one process, on the same operands.
 #include "measure.hpp"
 #include "peers/peers.hpp"
 #ifdef MINKSUM_BENCH_CGAL
@@ -8,7 +8,7 @@
 namespace minksum::bench {
 namespace {
 
-// CGAL's sum of the very same operands, all numbers exact, must be the same region.
+// Returns whether CGAL's sum of the very same operands, with exact numbers, is the same region.
 bool equals_cgal([[maybe_unused]] const Region& p, [[maybe_unused]] const Region& q,
                  [[maybe_unused]] const Region& sum) {
 #ifdef MINKSUM_BENCH_CGAL
@@ -18,7 +18,7 @@ bool equals_cgal([[maybe_unused]] const Region& p, [[maybe_unused]] const Region
 #endif
 }
 
-// Runs again and again for so long, and so often at least.
+// Runs again and again for so many seconds, and at least so often.
 template <class Run>
 double run_block(double seconds, int runs, const Run& run) {
   double total = 0;
@@ -35,8 +35,8 @@ struct PeerOfCase {
   MakePeer make;
 };
 
-// Blocks of the peer's runs and of minksum's, equally long if their runs are short enough, so that
-// each finds memory and processor as warm as the other does. Reports after each pair of blocks.
+// Alternates blocks of the peer's runs and of minksum's. Blocks are equally long if runs are short
+// enough, so that both find memory and processor equally warm. Reports after each pair of blocks.
 void run_in_turn(Peer& peer, const PeerOfCase& about, const Region& p, const Region& q,
                  const Effort& effort, const Report& report) {
   MinksumRuns minksum;
@@ -67,7 +67,7 @@ std::vector<PeerOfCase> peers_of(const Case& one, const Effort& effort, const Js
   const auto quadrangles = static_cast<std::size_t>(record["p"]["vertices"]) *
                            static_cast<std::size_t>(record["q"]["vertices"]);
   std::vector<PeerOfCase> peers;
-  // What was not found equal first is not timed.
+  // CGAL is timed only if its result was found equal first.
   if (one.cgal && record.contains("equal_to_cgal")) {
     peers.push_back({"cgal", cgal_seconds, 3, make_cgal_reduced});
   }
@@ -94,7 +94,7 @@ void compare_with_cgal(const Case& one, const Effort& effort, Json& record) {
     return;
   }
   ChildLimits limits;
-  // Its operands are the decimals themselves here, which is slower than doubles.
+  // CGAL's operands are the decimals themselves here, which is slower than doubles.
   limits.seconds_between_reports =
       2 * (one.cgal_seconds > 0 ? one.cgal_seconds : effort.peer_seconds);
   limits.address_space_bytes = one.cgal_bytes;

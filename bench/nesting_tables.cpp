@@ -1,4 +1,4 @@
-// What nesting starts from: the no-fit polygons of all ordered pairs of an instance's parts, the
+// Measures tables for nesting: the no-fit polygons of all ordered pairs of an instance's parts, the
 // second one turned by each quarter.
 #include <algorithm>
 #include <map>
@@ -30,8 +30,8 @@ struct Parts {
   [[nodiscard]] std::size_t sums() const { return parts.size() * parts.size() * kTurns; }
 };
 
-// What an entry of the table is the sum of: a part, its first vertex at the origin, and the point
-// mirror of another so placed and turned.
+// An entry of the table is the sum of two shapes. One is a part whose first vertex is the origin.
+// The other is a part placed in the same way, turned, and multiplied by −1.
 Region fixed_part(const Geometry& part) {
   const Point reference = part.region.point(0);
   return transform(part.region, Affine::translation(-reference.x, -reference.y));
@@ -43,12 +43,12 @@ Region moving_part(const Geometry& part, int turn) {
 NoFitTable make_table(const Parts& parts, int threads) {
   NoFitTableOptions options;
   options.turns = kTurns;
-  options.tight = false;  // CGAL does not give them
+  options.tight = false;  // CGAL does not find tight places
   options.threads = threads;
   return NoFitTable(parts.parts, options);
 }
 
-// All entries, from the parts as they were read. Reading and preparing the parts is counted.
+// Returns the seconds for all entries. Reading and preparing the parts is counted.
 double run_table(const Parts& parts, int threads) {
   const Stopwatch watch;
   const NoFitTable table = make_table(parts, threads);
@@ -62,7 +62,7 @@ double run_table(const Parts& parts, int threads) {
   return watch.seconds();
 }
 
-// The table again and again, on one thread and on all.
+// Times the table again and again, on one thread and on all.
 class TableTimes {
  public:
   explicit TableTimes(const Parts& parts) : parts_(parts) {}
@@ -92,7 +92,8 @@ void measure_minksum(const Parts& parts, double seconds, const Report& report) {
   report({{"table", times.json()}});
 }
 
-// A sample of the table by CGAL, each sum compared exactly first, and the table in turn with it.
+// Measures a sample of the table by CGAL, in turn with the table. Each sum is compared exactly
+// first.
 void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] double table_seconds,
                   [[maybe_unused]] const Report& report) {
 #ifdef MINKSUM_BENCH_CGAL
@@ -123,7 +124,7 @@ void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] double t
 #endif
 }
 
-// Files of valid single parts, with holes or without, by the name of their instance.
+// Returns files of valid single parts, with holes or without, by the name of their instance.
 std::map<std::string, std::vector<std::string>> instances(const std::filesystem::path& data) {
   std::map<std::string, std::vector<std::string>> found;
   constexpr std::string_view kFolder = "nesting/";
@@ -153,7 +154,7 @@ void measure_nesting_tables(const std::filesystem::path& data, const Effort& eff
                 {"rotations", kTurns},
                 {"sums", parts.sums()}};
     const double seconds = 8 * effort.least_seconds;
-    // Stands where CGAL is not there, or ends without a sum: what is measured in turn replaces it.
+    // This figure stays if CGAL is missing or ends without a sum; else the one in turn replaces it.
     run_part("minksum", {}, record,
              [&](const Report& report) { measure_minksum(parts, seconds / 4, report); });
     if (!cgal_name().empty()) {

@@ -20,7 +20,7 @@ double twice_area(const Corner& a, const Corner& b, const Corner& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// A ring whose vertices go one by one.
+// A ring from which vertices are removed one by one.
 class Thinned {
  public:
   explicit Thinned(const Region& region) {
@@ -38,8 +38,8 @@ class Thinned {
     while (left_ > size && !queue_.empty()) {
       const auto [area, v] = queue_.top();
       queue_.pop();
-      if (next_[v] == v || -area != area_of(v)) continue;  // gone, or its triangle has changed
-      if (!can_go(v)) continue;  // until a neighbour goes and its triangle is another
+      if (next_[v] == v || -area != area_of(v)) continue;  // removed, or its triangle has changed
+      if (!can_go(v)) continue;  // a neighbour must go first and change its triangle
       next_[previous_[v]] = next_[v];
       previous_[next_[v]] = previous_[v];
       push(previous_[v]);
@@ -61,7 +61,8 @@ class Thinned {
     return std::abs(twice_area(corners_[previous_[v]], corners_[v], corners_[next_[v]]));
   }
   void push(std::size_t v) { queue_.push({-area_of(v), v}); }
-  // Whether no other vertex lies in the triangle that is cut off or filled, its border included.
+  // Returns whether no other vertex lies in the triangle that is cut off or filled, or on its
+  // border.
   [[nodiscard]] bool can_go(std::size_t v) const {
     Corner a = corners_[previous_[v]];
     const Corner b = corners_[v];
@@ -78,7 +79,7 @@ class Thinned {
   }
 
   std::vector<Corner> corners_;
-  std::vector<std::size_t> next_;  // itself: gone
+  std::vector<std::size_t> next_;  // the vertex itself = removed
   std::vector<std::size_t> previous_;
   std::priority_queue<std::pair<double, std::size_t>> queue_;  // least area first
   std::size_t left_ = 0;

@@ -1,5 +1,5 @@
-"""Plots as hand-written SVG: log-log curves and dots, for light and dark pages, colours that
-colour-blind people can tell apart (Okabe and Ito), and a marker of its own for each series."""
+"""Draws plots as hand-written SVG: log-log curves and dots, for light and dark pages. Colours are
+from Okabe and Ito, for colour-blind people, and each series has its own marker."""
 import math
 
 STYLE = """text{font:12px system-ui,"Segoe UI","DejaVu Sans",Helvetica,Arial,sans-serif;fill:#333}
@@ -23,7 +23,7 @@ def number(value):
 
 
 def decades(low, high):
-    """Whole powers of ten around the values."""
+    """Returns the exponents of the whole powers of ten around the values."""
     return math.floor(math.log10(low)), math.ceil(math.log10(high))
 
 
@@ -107,7 +107,7 @@ def picture(width, height, title, parts):
 
 
 def families(series):
-    """Small multiples, one a family: time against n. `series`: name, note, {who: [(n, s)]}."""
+    """Draws time against n, one panel a family. `series` has name, note, {who: [(n, s)]}."""
     columns, width, height = 3, 210, 150
     rows = (len(series) + columns - 1) // columns
     everything = [p for _, _, lines in series for points in lines.values() for p in points]
@@ -130,7 +130,7 @@ def families(series):
 
 
 def pairs(points, goal_mean, goal_least):
-    """Speed-up of every pair against the segments of its reduced convolution."""
+    """Draws the speed-up of every pair against the segments of its reduced convolution."""
     if not points:
         return None
     x_range = decades(min(p[0] for p in points), max(p[0] for p in points))
@@ -149,7 +149,7 @@ def pairs(points, goal_mean, goal_least):
 
 
 def crossings(rows):
-    """Crossings of three kinds against segments. `rows`: segments, cover, reduced, full or None."""
+    """Draws crossings against segments. `rows`: segments, cover, reduced, full or None."""
     if not rows:
         return None
     values = [v for r in rows for v in r[1:] if v]
@@ -171,7 +171,7 @@ STAGE_COLOURS = ["#0072b2", "#56b4e9", "#009e73", "#f0e442", "#e69f00", "#d55e00
 
 
 def stages(rows, names):
-    """Bars of shares. `rows`: label, [share of each stage]."""
+    """Draws bars of shares. `rows`: label, [share of each stage]."""
     if not rows:
         return None
     parts, left, width = [], 190, 520

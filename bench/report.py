@@ -4,7 +4,7 @@
 usage: report.py BENCH.json... DOCS_FOLDER     writes DOCS_FOLDER/benchmarks.md and img/bench-*.svg
        report.py --summary BENCH.json...       prints the goals and whether they hold, no more
 
-Of several files each may hold other sets; where two have the same pair the later one counts.
+Several files may hold different sets. If two files have the same pair, the later one counts.
 """
 import json
 import pathlib
@@ -95,7 +95,7 @@ def claims_table(records):
 
 
 def shortfalls(records):
-    """For each goal that is missed: what decided it, and where its time goes."""
+    """Returns for each missed goal what decided it, and where its time goes."""
     rows = []
     for claim in claims(records):
         for r in claim.records if claim.holds is False else []:
@@ -324,7 +324,7 @@ def write_pictures(records, folder):
 
 
 def wrapped(text):
-    """Paragraphs at 100 columns; headings, tables, lists and HTML as they are."""
+    """Wraps paragraphs at 100 columns; headings, tables, lists and HTML stay as they are."""
     return "\n\n".join(
         part if part.startswith(("#", "|", "<", "!", "-", " "))
         else textwrap.fill(part, 100, break_on_hyphens=False, break_long_words=False)

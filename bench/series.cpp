@@ -1,4 +1,4 @@
-// Families of growing size, and doubles against decimals.
+// Measures families of growing size, and doubles against decimals.
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +23,8 @@ double seconds_of(const Json& record, const char* who) {
   return record.contains(who) ? static_cast<double>(record[who]["median"]) : INFINITY;
 }
 
-// Turned by one radian and scaled, so that the largest coordinate has `digits` digits before the
-// point; and rounded to integers, or not.
+// Returns the region turned by one radian, scaled so that the largest coordinate is `largest`, and
+// rounded to integers if `round` is true.
 Region turned(const Region& region, double largest, bool round) {
   double extent = 0;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
@@ -79,14 +79,14 @@ void measure_families(const Effort& effort, double longest_seconds, const std::s
     double cgal_seconds = 0;
     for (std::size_t n = family.first_size; n <= kLargestMember; n *= 2) {
       Case one = member(family, n);
-      // The next size takes CGAL four times as long or more, up to twenty times on thin shapes, and
-      // the comparison before it twice that.
+      // The next size takes CGAL at least four times as long, up to twenty times on thin shapes.
+      // The comparison before it takes twice that.
       one.cgal = cgal_seconds < effort.peer_seconds / 100;
       const Json record = measure(one, effort);
-      if (record.contains("p") && record["p"]["vertices"] == 0) break;  // no such member
+      if (record.contains("p") && record["p"]["vertices"] == 0) break;  // no member of this size
       take(record);
       if (one.cgal) cgal_seconds = seconds_of(record, "cgal");
-      // Without seconds there was a failure, and larger ones would fail as well.
+      // A record without seconds failed, and larger sizes would fail as well.
       if (seconds_of(record, "minksum_alone") > longest_seconds) break;
     }
   }

@@ -19,8 +19,8 @@ struct Model {
   const char* name;
   const char* file;
 };
-// The eleven models of the paper's Fig. 5, 24 to 1,204 vertices; eight of the authors' files were
-// not to be had, and stand-ins with as many vertices take their places. And its Fig. 1.
+// The eleven models of the paper's Fig. 5, with 24 to 1,204 vertices, and that of its Fig. 1. Eight
+// of the authors' files were not to be had, and stand-ins with as many vertices take their places.
 constexpr Model kPaperModels[] = {
     {"g1", "lookalike_g1"},
     {"g2", "lookalike_g2"},
@@ -35,7 +35,7 @@ constexpr Model kPaperModels[] = {
     {"monkey", "nazca_monkey"},
     {"neuron", "neuron_original"},
 };
-// Real models of the same authors, beside the paper's own.
+// Further real models of the same authors.
 constexpr Model kKin[] = {{"heron", "nazca_heron"}, {"taiwan", "taiwan"}, {"texas", "texas"}};
 
 std::string paper_file(const path& data, const Model& model) {
@@ -84,8 +84,8 @@ std::vector<Case> kin_cases(const path& data, bool quick) {
   return cases;
 }
 
-// What Fig. 6 and 7b need: the full convolution, CGAL's and ours. All pairs but neuron's: CGAL's
-// function takes no holes.
+// Returns the pairs of Fig. 6 and 7b, for the full convolution by CGAL and by us. Neuron is left
+// out, because CGAL's function takes no holes.
 std::vector<Case> figure_cases(const path& data, bool quick) {
   std::vector<Case> cases;
   const auto models = std::end(kPaperModels) - 1;
@@ -101,7 +101,7 @@ std::vector<Case> figure_cases(const path& data, bool quick) {
   return cases;
 }
 
-// Pairs that are known by name.
+// Returns pairs that are known by name.
 std::vector<Case> named_cases(const path& data, bool quick) {
   const auto file = [&](const char* name) { return (data / "paper" / name).string() + ".wkt"; };
   std::vector<Case> cases;
@@ -117,13 +117,13 @@ std::vector<Case> named_cases(const path& data, bool quick) {
       pair_of_files("named", "monkey + simple7", file("nazca_monkey"), file("simple7")));
   if (quick) return cases;
   Case star5 = pair_of_files("named", "star5 + star5", file("star5"), file("star5"));
-  star5.cgal_seconds = 180;  // it takes about 45
+  star5.cgal_seconds = 180;  // CGAL takes about 45
   cases.push_back(std::move(star5));
   cases.push_back(
       pair_of_files("named", "star4 + star4_noise", file("star4"), file("star4_noise")));
   Case large = pair_of_files("named", "heron_original_2 + monkey_original_2",
                              file("nazca_heron_original_2"), file("nazca_monkey_original_2"));
-  large.cgal = false;  // not done in two minutes
+  large.cgal = false;  // CGAL does not end within two minutes
   cases.push_back(std::move(large));
   Case star6 = pair_of_files("named", "star6 + star6", file("star6"), file("star6"));
   star6.cgal = false;
@@ -152,7 +152,7 @@ std::vector<Case> spiky_cases(const path& data, bool quick) {
 
 std::string stem(const std::string& file) { return path(file).stem().string(); }
 
-// P + -Q of parts of 10 to 100 vertices: their no-fit polygon.
+// Returns pairs P + -Q of parts of 10 to 100 vertices, whose sums are their no-fit polygons.
 std::vector<Case> nesting_cases(const path& data, bool quick) {
   const std::vector<std::string> files = nesting_parts(data, 10, 100);
   if (files.empty()) return {};
@@ -177,7 +177,7 @@ std::vector<Case> nesting_cases(const path& data, bool quick) {
   return cases;
 }
 
-// Outlines in degrees; a degree along a meridian is 111.32 km.
+// Returns outlines in degrees; a degree along a meridian is 111.32 km.
 std::vector<Case> gis_cases(const path& data, bool quick) {
   constexpr double kDegreesPerKilometre = 1 / 111.32;
   constexpr const char* kOutlines[] = {"gis/canada_10m", "cgal/norway", "gis/indonesia_10m",

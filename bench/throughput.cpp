@@ -1,4 +1,4 @@
-// One shape against many: sums a second.
+// Measures the sums a second of many pairs of shapes.
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ struct Shapes {
   std::vector<Shape> qs;
 };
 
-// Every P with every -Q, once. The wall clock runs over the whole loop.
+// Sums every P with every -Q once. The wall clock runs over the whole loop.
 template <class Shape>
 double round_of_sums(const Shapes<Shape>& shapes, Workspace& workspace, Region& sum) {
   const Options options;
@@ -31,7 +31,7 @@ double round_of_sums(const Shapes<Shape>& shapes, Workspace& workspace, Region& 
   return watch.seconds();
 }
 
-// Shape: Region, or PreparedRegion, which is made before the clock starts.
+// Shape is Region, or PreparedRegion, which is made before the clock starts.
 template <class Shape>
 double sums_per_second(const std::vector<Region>& parts, double seconds) {
   Shapes<Shape> shapes;

@@ -1,5 +1,5 @@
-# What `cmake --install` puts where: the libraries, their headers, the program, and the files by
-# which CMake (find_package) and pkg-config find them.
+# Installs the libraries, their headers, the program, and the files by which CMake (find_package)
+# and pkg-config find them.
 include(CMakePackageConfigHelpers)
 
 set(MINKSUM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/minksum)
@@ -18,7 +18,7 @@ install(TARGETS ${MINKSUM_COMPONENTS} EXPORT minksumTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT minksumTargets NAMESPACE minksum:: DESTINATION ${MINKSUM_CMAKE_DIR})
 
-# io.hpp promises what only minksum_io keeps, and minksum_c.h what minksum_c does.
+# io.hpp needs minksum_io, and minksum_c.h needs minksum_c.
 set(left_out)
 if(NOT TARGET minksum_io)
   list(APPEND left_out PATTERN "io.hpp" EXCLUDE)
@@ -44,7 +44,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/package/minksumConfigVersion.cmake
   DESTINATION ${MINKSUM_CMAKE_DIR})
 
-# The .pc file says where things are from where it is itself, so an installation can be moved.
+# The .pc file has paths relative to itself, so an installation can be moved.
 set(pkgconfig_dir ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH MINKSUM_PC_LIBDIR ${pkgconfig_dir} ${CMAKE_INSTALL_FULL_LIBDIR})
 file(RELATIVE_PATH MINKSUM_PC_INCLUDEDIR ${pkgconfig_dir} ${CMAKE_INSTALL_FULL_INCLUDEDIR})

@@ -1,20 +1,20 @@
-# Compiler options of this project's own targets. Nothing here reaches a user of the library.
+# Sets compiler options of this project's own targets, none of which reaches a user of the library.
 function(minksum_own_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  # One floating-point contract on every compiler: no fused multiply-add behind our backs.
+  # Floating point must be the same on every compiler, so fused multiply-add is off.
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-fast-math
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
     -Wold-style-cast -Wcast-qual -Woverloaded-virtual
     $<$<BOOL:${MINKSUM_STRICT}>:-Werror>)
-  # Comparisons joined without branches become vectors.
+  # Comparisons are joined without branches to become vector instructions; Clang would warn of that.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
     target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
   endif()
 endfunction()
 
-# What libraries have beside that. They are position-independent, so that a static one goes into
-# somebody's shared library. They show only what the public headers declare.
+# Sets further options of libraries. They are position-independent, so that a static one fits into
+# somebody's shared library. They export only what the public headers declare.
 function(minksum_library_options target)
   minksum_own_options(${target})
   set_target_properties(${target} PROPERTIES
@@ -25,9 +25,9 @@ function(minksum_library_options target)
   endif()
 endfunction()
 
-# What most files include is parsed once for a target, not once for each of its files.
-#   minksum_precompile(TARGET HEADERS...)      its own, with these headers beside the standard ones
-#   minksum_precompile(TARGET REUSE OTHER)     that of OTHER, which is compiled with the same options
+# Precompiles what most files of a target include, so that it is parsed only once.
+#   minksum_precompile(TARGET HEADERS...)      makes one of the standard headers and HEADERS
+#   minksum_precompile(TARGET REUSE OTHER)     takes that of OTHER, compiled with the same options
 # Every file still includes what it uses: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows where one does
 # not.
 function(minksum_precompile target)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: install_packages.sh [--optional] [LIST]     (LIST: packages.txt)
-# Installs the Debian packages of a list that are missing; says what is missing if it cannot, which
-# is a failure unless they are optional.
+# Installs the missing Debian packages of a list. If it cannot, it names them, and fails unless they
+# are optional.
 set -eu
 failure=1
 if [ "${1:-}" = --optional ]; then
@@ -21,7 +21,7 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
   exit $failure
 fi
 
-# One question for all packages; a package that dpkg never heard of has no line in the answer.
+# One query covers all packages; a package unknown to dpkg has no line in the answer.
 installed=" $(dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' $packages 2>/dev/null |
   sed -n 's/^ii *//p' | tr '\n' ' ')"
 missing=""

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Counts the work of two revisions on the same sums and fails if one of them became dearer.
+"""Counts the work of two revisions on the same sums and fails if a sum became dearer.
 
-Instructions are counted by valgrind's callgrind, decisions and allocations by the program itself:
-counts that a busy machine does not blur, but that depend on the compiler and its flags, so both
+Valgrind's callgrind counts instructions, and the program itself counts decisions and allocations.
+A busy machine does not blur these counts, but they depend on the compiler and its flags. So both
 revisions are built here, alike. Each sum is computed twice in a process; the second is counted.
 
   compare.py v1 v2        two revisions
@@ -32,7 +32,7 @@ def output(*words):
 
 
 def source_of(revision, folder):
-    """A tree of the revision: (name, where it is). None is the working tree."""
+    """Returns (name, folder) of a tree of the revision. None is the working tree."""
     if revision is None:
         return "working-tree", ROOT
     commit = output("git", "-C", ROOT, "rev-parse", "--short=12", f"{revision}^{{commit}}").strip()
@@ -51,7 +51,7 @@ def source_of(revision, folder):
 
 
 def build(name, source, folder, jobs):
-    """The counted program on the library of `source`."""
+    """Builds the counted program on the library of `source`; returns its path."""
     here = folder / name / "build"
     here.mkdir(parents=True, exist_ok=True)
     log = here / "log.txt"
@@ -90,7 +90,7 @@ def change(old, new):
 
 
 def row(name, old, new, measures, limit):
-    """A line of the table, its deciding ratio, and what is wrong with it."""
+    """Returns a line of the table, its deciding ratio, and what is wrong with it."""
     words = []
     for measure in measures:
         words.append(f"{old[measure]:>14,}{new[measure]:>14,}"

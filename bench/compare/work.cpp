@@ -1,5 +1,5 @@
-// minksum_work: one sum whose work is counted. Runs alone, for what the library counts itself, and
-// under callgrind, which counts the instructions inside `counted_sum`.
+// minksum_work computes one sum whose work is counted. It runs alone for what the library counts
+// itself, and under callgrind, which counts the instructions inside `counted_sum`.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -14,7 +14,7 @@
 #include "families.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "support/data.hpp"
-#if __has_include("minksum/prepared_region.hpp")  // revisions from before it are compared as well
+#if __has_include("minksum/prepared_region.hpp")  // earlier revisions lack this header
 #include "minksum/prepared_region.hpp"
 #define MINKSUM_WORK_PREPARED 1
 #endif
@@ -34,7 +34,7 @@ void* operator new(std::size_t size) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-// Callgrind counts inside functions of these names, so they never become part of their callers.
+// Callgrind counts inside functions of these names, so they must never be inlined.
 extern "C" __attribute__((noinline)) bool counted_sum(const minksum::Region& p,
                                                       const minksum::Region& q,
                                                       const minksum::Options& options,
@@ -76,7 +76,7 @@ constexpr Member kMembers[] = {
     {"P + -P", 128},
 };
 
-// Files of the folder of shapes, for whoever has it. No second one: a 32-gon of that radius.
+// Files of the folder of shapes. Without a second file, Q is a 32-gon of that radius.
 struct Files {
   const char* p;
   const char* q;
@@ -104,7 +104,7 @@ struct Work {
   bool prepared = false;
 };
 
-// A family's member once more, its coordinates divided by three: doubles with all their bits.
+// Returns a region with its coordinates divided by three, which gives doubles with all their bits.
 Region with_all_bits(const Region& region) {
   Region result;
   for (const std::size_t polygon : region.polygons()) {
@@ -154,7 +154,7 @@ std::vector<Work> all_work() {
   return all;
 }
 
-// FNV-1a over the exact result: two revisions must agree on it.
+// Returns FNV-1a of the exact result, on which two revisions must agree.
 std::uint64_t fingerprint(const Region& sum) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   const auto add = [&](const std::string& text) {
@@ -169,7 +169,8 @@ std::uint64_t fingerprint(const Region& sum) {
   return hash;
 }
 
-// The first sum fills the memory that later ones reuse. Returns the allocations of the second.
+// Sums twice, because the first sum fills the memory that later ones reuse. Returns the allocations
+// of the second sum.
 std::uint64_t sum_twice(const Work& work, const Options& options, Region& sum) {
   const auto [p, q] = work.load();
   Workspace workspace;

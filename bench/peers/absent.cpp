@@ -1,4 +1,4 @@
-// What stands in for peers whose libraries were not found.
+// Stands in for peers whose libraries were not found.
 #include "peers/peers.hpp"
 
 namespace minksum::bench {

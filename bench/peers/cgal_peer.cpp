@@ -1,4 +1,4 @@
-// The one file of the benchmark that sees CGAL: it takes long to compile.
+// Only this file of the benchmark includes CGAL, because CGAL takes long to compile.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/minkowski_sum_2.h>
@@ -43,7 +43,7 @@ void require_single(const Region& region) {
   if (region.polygon_count() != 1) throw std::runtime_error("CGAL sums single polygons only");
 }
 
-// CGAL 5.5's own filter of holes corrupts memory, so it is not used.
+// This replaces CGAL 5.5's own filter of holes, which corrupts memory.
 CgalRegion with_large_holes(const Region& region, const Extent& other) {
   CgalRegion result(to_cgal(region, 0, false));
   for (std::size_t ring = 1; ring < region.ring_count(); ++ring) {

@@ -1,5 +1,5 @@
-// Other ways to compute what minksum computes. Each is there only if its library
-// was found when the benchmark was configured; otherwise its maker returns null.
+// Offers other ways to compute what minksum computes. Each exists only if its library was found
+// when the benchmark was configured; otherwise its maker returns null.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +10,39 @@
 
 namespace minksum::bench {
 
-/// One sum, ready to be computed again and again: operands are in the peer's own form already.
+/// One sum, ready to be computed again and again. Operands are in the peer's own form already.
 class Peer {
  public:
   Peer() = default;
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   virtual ~Peer() = default;
-  /// Computes the sum once; returns the wall-clock seconds until the result is there. Its
-  /// destruction is not counted.
+  /// Computes the sum once; returns the wall-clock seconds until the result is complete. Destroying
+  /// the result is not counted.
   virtual double run() = 0;
-  /// Vertices of the last result.
+  /// Returns the number of vertices of the last result.
   [[nodiscard]] virtual std::size_t result_vertices() const = 0;
-  /// Area of the last result, about; for peers that compute something near the sum only.
+  /// Returns about the area of the last result, for peers whose result is only near the sum.
   [[nodiscard]] virtual double result_area() const { return 0; }
 };
 
-/// CGAL's reduced convolution: the exact sum of two single polygons, made from doubles, its fast
-/// case. Holes that the other operand cannot fit into are left out beforehand, untimed.
+/// Makes CGAL's reduced convolution, which gives the exact sum of two single polygons. Operands are
+/// made from doubles, CGAL's fast case. Holes into which the other operand cannot fit are left out
+/// beforehand, untimed.
 [[nodiscard]] std::unique_ptr<Peer> make_cgal_reduced(const Region& p, const Region& q);
-/// CGAL's full convolution (Wein), which the paper compares with: simple polygons only.
+/// Makes CGAL's full convolution (Wein), with which the paper compares. It takes simple polygons
+/// only.
 [[nodiscard]] std::unique_ptr<Peer> make_cgal_full(const Region& p, const Region& q);
-/// Clipper 6: the sum of the two *boundaries*, on integers (coordinates times 10^6, rounded). Less
-/// than the sum of the regions: where an operand's interior alone covers, there remain holes.
+/// Makes Clipper 6, which sums the two *boundaries* on integers (coordinates times 10^6, rounded).
+/// That is less than the sum of the regions: holes remain where only an operand's interior covers.
 [[nodiscard]] std::unique_ptr<Peer> make_clipper(const Region& p, const Region& q);
-/// GEOS: buffer by a disc with `quadrant_segments` segments a quarter. Not exact, and arcs begin at
-/// each edge's own normal: near to the sum with a regular polygon, not equal to it.
+/// Makes GEOS's buffer by a disc with `quadrant_segments` segments a quarter. The result is not
+/// exact, and arcs begin at each edge's own normal. So it is near the sum with a regular polygon,
+/// but not equal to it.
 [[nodiscard]] std::unique_ptr<Peer> make_geos_buffer(const Region& p, double radius,
                                                      int quadrant_segments);
 
-/// "CGAL 5.5.1", or nothing if it is not there.
+/// Returns a name such as "CGAL 5.5.1", or an empty text if the library is missing.
 [[nodiscard]] std::string cgal_name();
 [[nodiscard]] std::string clipper_name();
 [[nodiscard]] std::string geos_name();

@@ -1,4 +1,4 @@
-// Wall-clock seconds.
+// Measures wall-clock seconds.
 #pragma once
 
 #include <chrono>

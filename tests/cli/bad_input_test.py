@@ -1,6 +1,6 @@
-"""Malformed and unsupported input: each ends with its exit code and one line that says where.
+"""Tests that malformed and unsupported input ends with its exit code and a line that says where.
 
-No crash, no hang, no memory beyond the limit: support.run sees to that.
+support.run checks for crashes, hangs and memory beyond the limit.
 """
 import json
 
@@ -14,8 +14,8 @@ def geojson(kind, coordinates):
 RING = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
 LONG = "1" * 10_000
 
-# Name, content, exit code, fragment of the message. Lines and columns count from 1, as do polygons,
-# rings and vertices.
+# Rows have a name, the content, the exit code and a fragment of the message. Lines, columns,
+# polygons, rings and vertices count from 1.
 TABLE = [
     # -- no text at all ---------------------------------------------------------------------
     ("empty file", "", 2, "empty"),
@@ -107,7 +107,7 @@ TABLE = [
     (".dat with a huge count", "99999999999999999999 0 0", 3, "digits"),
 ]
 
-# Polygons that are not valid: name, content, fragment. Only `--fill strict` refuses them.
+# Polygons that are not valid, which only `--fill strict` refuses: name, content, fragment.
 INVALID = [
     ("ring of one point", "POLYGON ((0 0))", "polygon 1, ring 1"),
     ("ring of two points", "POLYGON ((0 0, 1 1, 0 0))", "polygon 1, ring 1"),

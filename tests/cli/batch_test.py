@@ -1,4 +1,4 @@
-"""minksum batch: jobs in order, errors in the middle, runs that go on; all pairs; and its page."""
+"""Tests minksum batch: jobs in order, errors between them, resumed runs, all pairs, its page."""
 import fcntl
 import json
 import math
@@ -29,7 +29,7 @@ def wkt(text):
 
 
 def some_jobs(count, seed=1):
-    """Jobs of all operations; some fail."""
+    """Returns jobs of all operations, some of which fail."""
     rng = random.Random(seed)
     shapes = [SQUARE, FRAME, TRIANGLE, SLIT, "POLYGON EMPTY", "LINESTRING (0 0, 1 2)", "POINT (1 1"]
     jobs = []
@@ -45,7 +45,7 @@ def some_jobs(count, seed=1):
 
 class BatchTest(ProgramTest):
     def batch(self, jobs, *options, code=0):
-        """The results of the jobs, from standard output."""
+        """Returns the results of the jobs from standard output."""
         path = self.file("jobs.jsonl", jobs if isinstance(jobs, (str, bytes)) else lines_of(jobs))
         result = run("batch", path, *options)
         self.assertEqual(result.returncode, code, result.stderr.decode())
@@ -110,7 +110,7 @@ class Jobs(BatchTest):
         self.assertEqual(given[0]["result"], {"contacts": ["touching"]})
 
     def test_pairs_of_numbers(self):
-        """Both as JSON's numbers, or as strings, or as one string; and lists of such."""
+        """A pair may be two JSON numbers, two strings or one string; lists of pairs work, too."""
         for operation in ("nfp", "ifp"):
             expected = self.fine(operation, self.slit, self.square, "--reference", "1/3,1/7")
             for pair in (["1/3", "1/7"], "1/3,1/7"):
@@ -153,7 +153,7 @@ class Jobs(BatchTest):
                          "370370367037037036703703703671/3)")
 
     def test_operands_that_are_not_valid(self):
-        """A note tells of them, before the result, and `strict` refuses them."""
+        """A note before the result tells of them, and `strict` refuses them."""
         notched = "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), (4 2, 9 2, 9 4, 4 4, 4 2))"
         job = {"operation": "sum", "a": wkt(notched), "b": wkt("POINT (0 0)")}
         result = self.one(**job)
@@ -187,7 +187,7 @@ class Jobs(BatchTest):
         self.assertEqual(message, f"minksum: {failed} of 300 jobs failed\n")
 
     def test_numbers_of_any_size(self):
-        """They are JSON, however large they are: an id is repeated as it stands."""
+        """Numbers of any size are JSON, and an id is repeated as it stands."""
         ids = ["1e999", "-0", "1e-400", "-0.0E+99999", "9" * 5000, '{"a": [1e999, "1e999\\""]}']
         job = ('"operation": "sum", "a": {"type": "Point", "coordinates": [1e400, 0]}, "b": {"wkt": '
                '"POINT (1 1)"}, "options": {"coords": "exact", "format": "geojson"}}\n')
@@ -199,7 +199,7 @@ class Jobs(BatchTest):
         for line, id in zip(lines, ids, strict=True):
             point = f'{{"type": "Point", "coordinates": [1{"0" * 399}1,1]}}'
             self.assertIn(f',"id":{id},"result":{point}', line)
-        # Such results are taken up again, too.
+        # A run also resumes behind such results.
         out.rename(self.folder / "out.jsonl.partial")
         self.fine("batch", jobs, "-o", out, "--stats", self.folder / "stats.json")
         self.assertEqual(out.read_text().splitlines(), lines)
@@ -298,7 +298,7 @@ class Jobs(BatchTest):
         results = self.batch("\n".join(lines) + "\n" + good, code=2)
         self.assertEqual([r["error"]["code"] for r in results[:-1]], ["bad-job"] * len(lines))
         self.assertIn("result", results[-1])
-        # Neither are bytes that are no UTF-8; the answer is JSON all the same.
+        # Bytes that are not UTF-8 are no job either, but the answer is JSON all the same.
         for line in (b'{"operation": "\xff"}', b'\xff', b'{"id": "\xc3"}'):
             [result] = self.batch(line + b"\n", code=2)
             self.assertEqual(result["error"]["code"], "bad-job")
@@ -333,7 +333,7 @@ class Jobs(BatchTest):
 
     def test_time_limit_of_a_job(self):
         quick = {"operation": "sum", "a": wkt(SQUARE), "b": wkt(SQUARE)}
-        # Minutes, if it were let: nearly all of its segments cross.
+        # This sum would take minutes, because nearly all of its segments cross.
         corners = [(round(r * math.cos(math.pi * i / 150)), round(r * math.sin(math.pi * i / 150)))
                    for i in range(300) for r in [5000 if i % 2 else 100000]]
         star = "POLYGON ((" + ", ".join(f"{x} {y}" for x, y in [*corners, corners[0]]) + "))"
@@ -429,7 +429,7 @@ class GoingOn(BatchTest):
 
     def finish(self, *options):
         result = run("batch", self.jobs, "-o", self.out, *options)
-        self.assertEqual(result.returncode, 2)  # as some of the jobs fail
+        self.assertEqual(result.returncode, 2)  # because some jobs fail
         self.assertEqual(self.out.read_bytes(), self.whole)
         self.assertFalse(self.partial.exists())
         return result.stderr
@@ -457,7 +457,7 @@ class GoingOn(BatchTest):
         self.assertEqual(json.loads((self.folder / "stats.json").read_text())["earlier"], 100)
 
     def test_does_not_do_again_what_is_done(self):
-        # A result that no run would give, but with the right head, stays.
+        # A result that no run would give, but that has the right head, stays.
         lines = self.whole.splitlines(keepends=True)
         head = re.match(rb'\{"job":1,"digest":"[0-9a-f]+"', lines[0]).group()
         lines[0] = head + b',"result":"kept"}\n'
@@ -509,7 +509,7 @@ class GoingOn(BatchTest):
         self.finish("--restart")
 
     def test_what_no_run_has_left(self):
-        """A file that has that name by chance is not lost, whatever is asked for."""
+        """A file that has that name by chance is never lost."""
         result = self.whole.splitlines(keepends=True)[0]
         for content, line in ((b"precious\n", 1), (b"precious", 1), (b"\0\xff", 1), (b"\n", 1),
                               (result + b"precious", 2), (result + b'{"job": 2}\n', 2),
@@ -524,7 +524,7 @@ class GoingOn(BatchTest):
         self.finish("--restart")
 
     def test_what_is_no_file(self):
-        """Links are not followed, nobody at the other end of a pipe is waited for."""
+        """Links are not followed, and the program never waits for the other end of a pipe."""
         target = self.file("target", "")
         nowhere = self.folder / "nowhere"
         makers = (lambda: self.partial.symlink_to(target), lambda: self.partial.symlink_to(nowhere),
@@ -550,7 +550,7 @@ class GoingOn(BatchTest):
         self.fails(2, f"{self.partial}: is no file", "batch", self.jobs, "-o", link)
 
     def test_rights(self):
-        """Those of the old file, which nobody but the owner can read before."""
+        """The output gets the rights of the old file; before that, only the owner can read it."""
         self.out.write_text("old")
         self.out.chmod(0o6640)
         self.partial.write_bytes(b"")
@@ -581,7 +581,7 @@ class GoingOn(BatchTest):
 
 
 def parsed(text):
-    """The rings of a POLYGON."""
+    """Returns the rings of a POLYGON."""
     return [[tuple(map(Fraction, point.split())) for point in ring.split(",")]
             for ring in re.findall(r"\(([^()]+)\)", text)]
 
@@ -606,7 +606,7 @@ class Pairs(BatchTest):
         return [json.loads(line) for line in
                 self.fine("batch", "--pairs", self.parts, *options).splitlines()]
 
-    # Each as `minksum nfp` gives it for files in which the second part is turned.
+    # Each result equals that of `minksum nfp` for a file with the second part turned.
     def test_same_as_nfp(self):
         for rotations, style in ((1, "double"), (4, "exact"), (3, "exact"), (8, "decimal:3")):
             results = self.pairs("--rotations", rotations, "--tight", "--coords", style)
@@ -620,7 +620,7 @@ class Pairs(BatchTest):
                 self.assertEqual(result["result"]["wkt"] + "\n", expected)
 
     def turned(self, result):
-        """A file with the moving part of a result, turned."""
+        """Returns a file with the moving part of a result, turned."""
         angle = result["turn"]
         if "half_tangent" in result:
             t = Fraction(result["half_tangent"])
@@ -632,7 +632,7 @@ class Pairs(BatchTest):
         return self.file("turned.wkt", polygon(
             [[(cos * x - sin * y, sin * x + cos * y) for x, y in ring] for ring in rings]))
 
-    # Parts as people nest them, if there are any.
+    # This uses real nesting parts, if there are any.
     def test_same_as_nfp_on_real_parts(self):
         data = os.environ.get("MINKSUM_DATA")
         if not data:

@@ -1,4 +1,4 @@
-"""minksum check: what is right passes, what is wrong is found and placed."""
+"""Tests that minksum check accepts right sums, and finds and locates errors."""
 import json
 
 from support import FRAME, SQUARE, TRIANGLE, ProgramTest, main, run
@@ -13,7 +13,7 @@ class Check(ProgramTest):
         self.fine("sum", self.p, self.q, "--coords", "exact", "-o", self.sum)
 
     def verdict(self, result, *extra):
-        """The exit code and the report."""
+        """Returns the exit code and the report."""
         run_ = run("check", result, self.p, self.q, "--json", *extra)
         return run_.returncode, json.loads(run_.stdout)
 
@@ -34,7 +34,7 @@ class Check(ProgramTest):
         x, y = report["surplus"]["near"]
         self.assertTrue(3 < x < 6 and 3 < y < 6)
         self.assertTrue(report["examples"][0]["in_result"])
-        # Points alone find it as well.
+        # Points alone find the error as well.
         code, report = self.verdict(filled, "--proof-segments", "1")
         self.assertEqual((code, report["proof"]), (5, "not tried"))
         self.assertGreater(report["disagreements"], 0)

@@ -1,4 +1,4 @@
-"""minksum draw, and its page."""
+"""Tests minksum draw and its page."""
 import os
 import re
 import xml.etree.ElementTree as ElementTree
@@ -16,7 +16,7 @@ class Draw(ProgramTest):
         self.square = self.file("square.wkt", SQUARE)
 
     def picture(self, *arguments, **options):
-        """The picture, which must be well-formed, without a number that is none."""
+        """Returns the picture, which must be well-formed and have finite numbers only."""
         text = self.fine("draw", *arguments, **options)
         self.assertNotRegex(text, r"[ \"ML](nan|inf)")
         return ElementTree.fromstring(text)
@@ -25,7 +25,7 @@ class Draw(ProgramTest):
         return [element.text for element in picture.iter(SVG + "text")]
 
     def styles(self, picture):
-        """The classes of areas, from the lowest."""
+        """Returns the classes of areas, starting with the lowest one."""
         return [path.get("class").removeprefix("region ") for path in picture.iter(SVG + "path")
                 if path.get("class").startswith("region ")]
 
@@ -69,7 +69,7 @@ class Draw(ProgramTest):
         self.fails(1, "more captions", "draw", self.frame, "--caption", "a", "--caption", "b")
 
     def test_words_that_xml_cannot_hold(self):
-        """Typed ones are refused, those of names of files replaced; what is refused says so."""
+        """Such characters are refused in options, with a message, and replaced in file names."""
         for odd in (b"\x01", b"\n", b"\x7f", b"\xff", b"\xc3", b"\xc2\x9b", b"\xed\xa0\x80",
                     b"\xef\xbf\xbe", b"\xef\xbf\xbf"):
             for option in ("--title", "--caption"):
@@ -104,7 +104,7 @@ class Draw(ProgramTest):
     def test_thin_parts(self):
         lines = self.file("lines.wkt", "GEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)), "
                                        "LINESTRING (1 1, 2 2), POINT (3 3))")
-        picture = self.picture(lines)  # though both are within the polygon
+        picture = self.picture(lines)  # both are there, though they lie within the polygon
         classes = [element.get("class") for element in picture.iter()]
         self.assertIn("thin first", classes)
         self.assertIn("dot first", classes)
@@ -161,7 +161,7 @@ class Draw(ProgramTest):
         self.assertIn("and 10 more", self.texts(self.picture(many, "--faults")))
 
     def test_words_stay_in_the_picture(self):
-        """By the width of characters in the widest of the usual fonts."""
+        """Words fit by the width of characters in the widest of the usual fonts."""
         words = "a title of many words " * 12
         bowtie = self.file("bowtie.wkt", BOWTIE)
         for width in (200, 400, 960):
@@ -176,14 +176,14 @@ class Draw(ProgramTest):
                 for wanted in ("title", "caption"):
                     said = "".join(line for style, _, line in found if style == wanted)
                     self.assertIn(text.replace(" ", ""), said.replace(" ", ""))
-                # One below the other.
+                # The lines are one below the other.
                 places = [float(e.get("y")) for e in picture.iter(SVG + "text")
                           if e.get("class") in ("title", "caption") and e.text != "short"]
                 self.assertEqual(len(set(places)), len(places))
                 self.assertLess(max(places), float(picture.get("height")))
 
     def test_numbers_of_faults_at_one_place(self):
-        """They are side by side, not on top of each other."""
+        """Numbers are side by side, and not on top of each other."""
         hub = self.file("hub.wkt", "MULTIPOLYGON (" + ", ".join(
             f"(({x} 0, {x + 4} 4, {x + 4} 0, {x} 4, {x} 0))" for x in (0, 0, 0, 50)) + ")")
         picture = self.picture(hub, "--faults")

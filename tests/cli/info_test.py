@@ -1,4 +1,4 @@
-"""minksum info: what it says about a region."""
+"""Tests what minksum info says about a region."""
 import json
 import math
 import random
@@ -31,7 +31,7 @@ class Info(ProgramTest):
         self.assertIn("area      1/60 (about ", text)
 
     def test_long_numbers(self):
-        """Exact in JSON, in lowest terms; for people, about."""
+        """They are exact and in lowest terms in JSON, and approximate for people."""
         rng = random.Random(4)
         ring = []
         for x, y in [(i, i * i) for i in range(-10, 11)]:
@@ -45,7 +45,7 @@ class Info(ProgramTest):
         self.assertRegex(text, r"x         from about -(9|10)[.\d]* \(\d+ bits; exactly with --json\)")
         self.assertIn("valid     yes", text)
         found = json.loads(self.fine("info", file, "--json"))
-        # Twice the area of vertices on a parabola, in one common denominator.
+        # This is twice the area of vertices on a parabola, in one common denominator.
         common = math.prod(x.denominator * y.denominator for x, y in ring)
         crosses = [(a[0] * b[1], b[0] * a[1]) for a, b in zip(ring, ring[1:] + ring[:1])]
         doubled = sum(common // p.denominator * p.numerator -

@@ -1,4 +1,4 @@
-"""Ended at any moment, short of memory, disk or time: no torn file, and the documented exit code."""
+"""Tests ends at any moment and lack of memory, disk or time: no torn file, the right exit code."""
 import math
 import os
 import random
@@ -14,7 +14,7 @@ OLD = "precious\n"
 
 
 def ragged(vertices, radius):
-    """A star-shaped polygon whose sum with itself has much to compute."""
+    """Returns a star-shaped polygon whose sum with itself takes much work."""
     ring = [f"{int(radius * (1 + i * 7919 % 97 / 100) * math.cos(2 * math.pi * i / vertices))} "
             f"{int(radius * (1 + i * 7919 % 97 / 100) * math.sin(2 * math.pi * i / vertices))}"
             for i in range(vertices)]
@@ -22,7 +22,7 @@ def ragged(vertices, radius):
 
 
 def squares(count):
-    """Many far from each other: a sum that takes little time and much space."""
+    """Returns many distant squares, whose sum takes little time and much space."""
     return "MULTIPOLYGON (" + ", ".join(
         f"(({x} 0, {x + 1} 0, {x + 1} 1, {x} 1, {x} 0))" for x in range(0, 100 * count, 100)) + ")"
 
@@ -75,7 +75,7 @@ class Interrupted(ProgramTest):
                 self.assertEqual(self.temporary_files(), [])
 
     def while_writing(self, *extra):
-        """A process that has begun to write much; it is ended by the caller."""
+        """Returns a process that has begun to write much; the caller must end it."""
         p = self.file("p.wkt", squares(1000))
         for _ in range(20):
             process = self.start("sum", p, self.square, "--coords", "decimal:1000", "-o", self.out,
@@ -161,7 +161,7 @@ class Limits(ProgramTest):
 
     @unittest.skipIf(MEMORY_MB == 0, "a sanitizer needs more addresses than any limit allows")
     def test_any_memory(self):
-        """As little as the program needs to start, and then more until it is enough."""
+        """The limit starts at what the program needs to start, and grows until it is enough."""
         p = self.file("p.wkt", ragged(400, 10_000))
         codes = []
         for kilobytes in [0, 1, *range(6_000, 60_000, 600)]:
@@ -183,7 +183,7 @@ class Limits(ProgramTest):
 
     @unittest.skipIf(MEMORY_MB == 0, "a sanitizer needs more addresses than any limit allows")
     def test_any_memory_of_many_threads(self):
-        """Whichever request fails, in whichever thread: no crash."""
+        """Any request of any thread may fail without a crash."""
         self.file("square.wkt", SQUARE)
         jobs = self.file("jobs.jsonl", 100 * (
             '{"operation": "sum", "a": "square.wkt", "b": "square.wkt"}\n'))
@@ -221,7 +221,7 @@ class Limits(ProgramTest):
         p = self.file("p.wkt", squares(200))
         process = subprocess.Popen([PROGRAM, "sum", p, self.square, "--timeout", "2", "--coords",
                                     "decimal:100"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        # Nobody reads, so the pipe is full long before the sum is written.
+        # Nobody reads, so the pipe is full long before the whole sum is written.
         self.assertIn(b"(--timeout)", process.stderr.read())
         self.assertEqual(process.wait(60), 3)
         self.assertTrue(process.stdout.read().startswith(b"MULTIPOLYGON"))
@@ -241,7 +241,7 @@ class Limits(ProgramTest):
                 ("more than 2 crossings (--max-crossings)", "--max-crossings", "2",
                  "--method", "signed")):
             self.fails(3, fragment, "sum", p, p, *limit)
-        # What the message is about is not what the limit is of.
+        # The message is about vertices, but names the option that limits segments.
         many = self.file("many.wkt", "MULTIPOINT (0 0, 9 9, 20 20)")
         self.fails(3, "vertices (--max-segments)\n", "sum", p, many, "--max-segments", "250")
         self.fine("sum", p, p, "--max-vertices", "1K", "--max-segments", "1G", "--max-crossings",

@@ -1,4 +1,4 @@
-"""minksum offset: options, files, messages, exit codes; and its page: its commands give what it shows."""
+"""Tests minksum offset: options, files, messages, exit codes, and the commands of its page."""
 import json
 import math
 import xml.etree.ElementTree
@@ -55,7 +55,8 @@ class Offset(ProgramTest):
         self.fails(1, "1111...", "offset", self.square, "-d", "1" * 10_000)
 
     def test_round_joins_keep_their_side(self):
-        # The farthest point of a disc from the origin, and the nearest edge's middle, squared.
+        # The squared distances are those of the farthest point of a disc, and of the nearest
+        # edge's middle.
         point = self.file("point.wkt", "POINT (0 0)")
         for side, low, high in (("outside", 1, 1.01), ("inside", 0.99, 1), ("nearest", .99, 1.01)):
             text = self.offset(point, 1, "--side", side, "--tolerance", "0.01", "--format",
@@ -100,7 +101,7 @@ class Offset(ProgramTest):
         for join in JOINS:
             self.assertEqual(self.offset(twice, 1, "--join", join, note="not valid"),
                              self.offset(self.square, 1, "--join", join))
-            # The overlap is a hole: only the rings are left, as a closed polyline.
+            # The overlap is a hole, so only the rings are left, as a closed polyline.
             hollow = self.offset(twice, "1/2", "--join", join, "--fill", "evenodd",
                                  note="not valid")
             self.assertEqual(hollow.count("("), 3)

@@ -1,4 +1,4 @@
-"""The subcommands for what sums are used for, and their page: its commands give what it shows."""
+"""Tests the subcommands for uses of sums, and the commands of their page."""
 import json
 import random
 import xml.etree.ElementTree
@@ -8,7 +8,7 @@ from support import FRAME, SQUARE, TRIANGLE, Page, ProgramTest, main, run
 
 MORPHOLOGY = ("dilate", "erode", "open", "close")
 EMPTY = "POLYGON EMPTY"
-# With a slit from the top that is as wide as SQUARE.
+# This shape has a slit from the top that is as wide as SQUARE.
 SLIT = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 1, 2 1, 2 4, 0 4, 0 0))"
 
 
@@ -102,7 +102,7 @@ class Nesting(ProgramTest):
         self.assertEqual(
             self.fine("ifp", self.square, self.square, "--reference", "-1/3,1e1", "--coords",
                       "exact"), "POINT (-1/3 10)\n")
-        # Without play: with a side, the result is that point's superset or subset.
+        # The part has no play. With a side, the result is a superset or subset of that point.
         for side, rounded in (("nearest", "POINT (0 10)"), ("outside", "LINESTRING (-1 10, 0 10)"),
                               ("inside", "POLYGON EMPTY")):
             self.assertEqual(
@@ -112,7 +112,7 @@ class Nesting(ProgramTest):
     def test_tight_places(self):
         nfp = self.fine("nfp", self.slit, self.square)
         self.assertIn("LINESTRING (2 1, 2 4)", nfp)
-        # Rounding moves the area by its side, and tight places to the nearest.
+        # Rounding moves the area to its side, and tight places to the nearest points.
         third = self.file("third.wkt", "POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3, 0 0))")
         hole = self.file("hole.wkt", "POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9), "
                                      "(1/3 1/3, 2/3 1/3, 2/3 2/3, 1/3 2/3, 1/3 1/3))")
@@ -200,7 +200,7 @@ class DepthOfTwo(ProgramTest):
         self.assertIn("impact    never\n", self.fine("depth", self.folder / "a.wkt",
                                                      self.file("far.wkt", far), "--along", "0,1"))
 
-    # In contact, the vertex that is named lies on the edge that is named, whatever the orientation.
+    # In contact, the named vertex lies on the named edge, whatever the orientation of rings.
     def test_contact(self):
         rng = random.Random(1)
         named = 0
@@ -208,11 +208,11 @@ class DepthOfTwo(ProgramTest):
             rings = []
             for _ in range(2):
                 x, y = rng.randint(-6, 6), rng.randint(-6, 6)
-                # No two edges are in one line: the first of such would be named for all of them.
+                # No two edges lie in one line, because the first would be named for all of them.
                 ring = [(x, y), (x + rng.randint(4, 9), y - 1), (x + 3, y + rng.randint(4, 9)),
                         (x + 1, y + 1)]
                 rings.append(ring if rng.random() < 0.5 else ring[::-1])
-            far = [(x + 99, y) for x, y in rings[0]]  # so that some are in the second polygon
+            far = [(x + 99, y) for x, y in rings[0]]  # some vertices are then in the second polygon
             a = f"MULTIPOLYGON ({polygon(far)[8:]}, {polygon(rings[0])[8:]})"
             found = self.depth(a, polygon(rings[1]))
             if found["contact"] is None:

@@ -1,4 +1,4 @@
-"""Pages without a subcommand of their own: their examples print what they show; all links lead on."""
+"""Tests that examples of pages without a subcommand print what they show, and that links work."""
 import os
 import pathlib
 import re
@@ -8,18 +8,18 @@ from support import PROGRAM, SOURCE, Page, ProgramTest, main
 
 
 def compiler():
-    """What the tree was compiled with, with its flags."""
+    """Returns the compiler of the tree, with its flags."""
     return [*os.environ.get("MINKSUM_CXX", "c++").split(),
             *os.environ.get("MINKSUM_CXXFLAGS", "").split()]
 
 
 def built(*names):
-    """Libraries of the tree that was built."""
+    """Returns libraries of the tree that was built."""
     return [pathlib.Path(PROGRAM).resolve().parent / name for name in names]
 
 
 class Adaptors(ProgramTest):
-    """Each program of adaptors.md prints the block below it, where its library is."""
+    """Each program of adaptors.md prints the block below it, if its library is available."""
 
     CLIPPER2 = """\
         #include <cstdint>
@@ -57,7 +57,7 @@ class Adaptors(ProgramTest):
         self.run_example("geos_c.h", "-lgeos_c")
 
     def test_clipper2(self):
-        """Types of the same shape stand for Clipper2."""
+        """Types of the same shape replace Clipper2's."""
         (self.folder / "clipper2").mkdir()
         (self.folder / "clipper2" / "clipper.h").write_text(self.CLIPPER2)
         self.run_example("clipper2/clipper.h")
@@ -91,7 +91,7 @@ class Install(Page, ProgramTest):
     page_name = "install.md"
 
     def test_c(self):
-        """The example in C is compiled by a compiler for C, and linked as the page says."""
+        """A compiler for C compiles the example in C, and it is linked as the page says."""
         code, expected = re.search(r"^```c\n(.*?)^```$\n\n^```text\n(.*?)^```$", self.page,
                                    re.M | re.S).groups()
         (self.folder / "app.c").write_text(code)
@@ -137,13 +137,13 @@ class Tutorial(Page, ProgramTest):
 
 
 def pages():
-    """Everything that a reader of the project may follow a link from."""
+    """Returns all pages from which a reader of the project may follow a link."""
     return [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CHANGELOG.md",
             *sorted((SOURCE / "docs").glob("*.md"))]
 
 
 def anchors(page):
-    """What a link into the page may name: its headings, as GitHub makes anchors of them."""
+    """Returns what a link into the page may name: the anchors that GitHub makes of its headings."""
     text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.M | re.S)
     found = set()
     for heading in re.findall(r"^#+ (.*)$", text, re.M):

@@ -1,4 +1,4 @@
-"""The README's examples work as they stand: its blocks are cut out and run."""
+"""Tests that the README's examples work as they stand: cuts out its blocks and runs them."""
 import os
 import pathlib
 import re
@@ -12,7 +12,7 @@ class Readme(ProgramTest):
         super().setUp()
         text = (SOURCE / "README.md").read_text()
         self.blocks = re.findall(r"^```(\w+)\n(.*?)^```$", text, re.M | re.S)
-        # As if the commands were typed in a clone after `make build`.
+        # The commands must work as if they were typed in a clone after `make build`.
         build = pathlib.Path(PROGRAM).resolve().parent
         for name, target in (("build", build), ("include", SOURCE / "include"),
                              ("examples", SOURCE / "examples")):

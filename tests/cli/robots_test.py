@@ -1,4 +1,4 @@
-"""cspace and reach: arguments, results, failures; and their page."""
+"""Tests cspace and reach: arguments, results, failures, and their page."""
 import json
 import xml.etree.ElementTree
 from fractions import Fraction
@@ -11,7 +11,7 @@ HALL = "POLYGON ((0 0, 40 0, 40 20, 0 20, 0 0))"
 
 
 def turn_of(properties):
-    """The point of the unit circle that the properties of a slice say exactly."""
+    """Returns the exact point of the unit circle that the properties of a slice give."""
     t = Fraction(properties["tan_half"])
     x, y = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
     for _ in range(properties["quarter_turns"]):
@@ -51,7 +51,7 @@ class ConfigurationSpace(Robots):
         self.assertEqual(self.slices(self.square, self.walls, "--theta", "5:5:9")[0], self.slices(
             self.square, self.walls, "--theta", "5:13:9")[0])
 
-    # Each slice is the sum with the robot turned by what its properties say.
+    # Each slice is the sum with the robot turned as the slice's properties say.
     def test_slices_are_sums(self):
         found = self.slices(self.square, self.walls, "--angles", 7, "--coords", "exact",
                             "--reference", "1/2,-3")
@@ -76,7 +76,7 @@ class ConfigurationSpace(Robots):
         self.assertEqual([f["geometry"] for f in self.slices(*options, "--tight")], [
             {"type": "LineString", "coordinates": ends} for ends in
             ([[0, 0], [7, 0]], [[2, 0], [9, 0]], [[2, 2], [9, 2]], [[0, 2], [7, 2]])])
-        # Nothing in the way: all of a box around the origin.
+        # Nothing is in the way, so the free space is a whole box around the origin.
         empty = self.slices(self.square, self.folder / "none.wkt", "--angles", 1, "--free")
         self.assertEqual(len(empty[0]["geometry"]["coordinates"]), 1)
         self.assertEqual(self.slices(self.square, self.folder / "none.wkt", "--angles", 1)[0][
@@ -104,7 +104,7 @@ class ConfigurationSpace(Robots):
                                        "((0 0, 4 0, 4 4, 0 4, 0 0)))")
         holes = [len(self.slices(self.square, twice, "--angles", 1, *options, note="not valid")[0]["geometry"][
             "coordinates"]) - 1 for options in ((), ("--fill", "evenodd"))]
-        self.assertEqual(holes, [0, 1])  # the second is a thin wall all around
+        self.assertEqual(holes, [0, 1])  # the second ring is a thin wall all around
         line = self.file("line.wkt", "LINESTRING (0 0, 10 0)")
         self.assertEqual(self.slices(self.square, line, "--angles", 1)[0]["geometry"][
             "coordinates"], [[[-2, -2], [10, -2], [10, 0], [-2, 0], [-2, -2]]])
@@ -172,7 +172,7 @@ class Reach(Robots):
     def test_answers(self):
         lines = self.fine(*self.options()).splitlines()
         self.assertEqual((lines[0], lines[1], lines[-1]), ("yes", "6 10 90", "34 10 270"))
-        for a, b in zip(lines[1:], lines[2:]):  # either it moves or it turns, by a step
+        for a, b in zip(lines[1:], lines[2:]):  # each line is a move, or a turn by a step
             x, y, theta = (float(word) for word in a.split())
             u, v, turned = (float(word) for word in b.split())
             if theta == turned:
@@ -208,7 +208,7 @@ class Reach(Robots):
         self.assertEqual(feature["geometry"]["coordinates"][0], [6, 10])
         self.assertEqual(len(feature["geometry"]["coordinates"]),
                          len(feature["properties"]["theta"]))
-        # No path, and none that moves.
+        # The first path does not move, and then there is no path.
         self.fine(*self.options("-o", path, "--svg", picture, angles=1, start="6,10,0",
                                 goal="6,10,0"))
         self.assertEqual(json.loads(path.read_text())["geometry"]["coordinates"],

@@ -1,4 +1,4 @@
-"""minksum sum: results, formats, statistics, and files that are never lost."""
+"""Tests minksum sum: results, formats, statistics, and files that are never lost."""
 import json
 import os
 import re
@@ -69,7 +69,7 @@ class Results(ProgramTest):
             text = self.fine("sum", self.file("p.wkt", "POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))"),
                              origin, "--coords", "decimal:4096", "--round", side)
             self.assertIn("0." + "3" * 4095 + last, text)
-        # Of 4,096 digits in all; of one more it cannot be read.
+        # A number of 4,096 digits in all can be read; one with one more digit cannot.
         out = self.folder / "out.wkt"
         for digits, code in ((4095, 0), (4096, 3)):
             self.fine("sum", third, origin, "--coords", f"decimal:{digits}", "-o", out)
@@ -86,7 +86,7 @@ class Results(ProgramTest):
         wkt = self.fine("sum", self.frame, self.square)
         for form in ("geojson", "poly", "wkt"):
             copy = self.folder / f"copy.{form}"
-            self.fine("sum", self.frame, self.square, "-o", copy)  # the name says the format
+            self.fine("sum", self.frame, self.square, "-o", copy)  # the name tells the format
             point = self.file("dot.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))")
             self.assertEqual(self.fine("sum", copy, point),
                              self.fine("sum", self.file("copy.txt", wkt), point))
@@ -126,7 +126,7 @@ class Geometries(ProgramTest):
                 self.assertEqual(self.sum(q, p), expected)
 
     def test_operands_that_are_not_valid(self):
-        """A hole only takes away; the program tells of it, or refuses."""
+        """A hole only takes area away; the program tells of the fault, or refuses."""
         notched = self.file("notched.wkt", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0), "
                                            "(4 2, 9 2, 9 4, 4 4, 4 2))")
         square = self.file("square.wkt", SQUARE)
@@ -149,7 +149,7 @@ class Geometries(ProgramTest):
                 for strict in (["--strict"], ["--fill", "strict"]):
                     self.fails(2, "edges cross at (6, ", *command, *strict)
         self.fails(1, "--strict", "sum", notched, square, "--strict", "--fill", "evenodd")
-        # By winding numbers the hole fills what of it is outside.
+        # By winding numbers, the part of the hole that is outside is filled.
         self.fine("sum", notched, square, "--fill", "nonzero", note="read by --fill nonzero")
         result = self.file("result.wkt", area)
         self.fine("check", result, notched, self.file("o.wkt", "POINT (0 0)"), note=why)
@@ -222,7 +222,7 @@ class Geometries(ProgramTest):
         out = self.folder / "sum.wkt"
         origin = self.file("origin.wkt", "POINT (0 0)")
         cell = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"
-        # Nearest loses the one, and moves the other out of the sum.
+        # Rounding to the nearest would lose the first one, and move the second out of the sum.
         for exact, outside, inside in (
                 ("LINESTRING (0 0, 1/3 1/7)", cell, "POINT (0 0)\n"),
                 ("POINT (0.4 0.4)", cell, "POLYGON EMPTY\n"),
@@ -353,7 +353,7 @@ class Files(ProgramTest):
         self.assertEqual([f.name for f in self.folder.iterdir() if f.suffix == ".tmp"], [])
 
     def test_one_file_for_two_outputs(self):
-        """Refused before anything is written, by whatever paths."""
+        """Two outputs to one file are refused before anything is written, by whatever paths."""
         bracket = os.path.join(EXAMPLES, "bracket.wkt")
         (self.folder / "sub").mkdir()
         (self.folder / "here").symlink_to(self.folder)
@@ -425,7 +425,7 @@ class Files(ProgramTest):
                 self.assertEqual(stat.S_IMODE(out.stat().st_mode), mode & 0o777)
 
     def test_access_list_stays(self):
-        """With one, the bits of the group stand for the most that anyone on it may do."""
+        """With an access list, the bits of the group are the maximum for all of its entries."""
         name = "system.posix_acl_access"
         out = self.file("out.wkt", "old")
         entries = [(1, 6, -1), (2, 4, 12345), (4, 0, -1), (16, 4, -1), (32, 0, -1)]
@@ -450,7 +450,7 @@ class Files(ProgramTest):
         self.assertEqual((out.stat().st_uid, out.stat().st_gid), (12345, 23456))
 
     def test_links_and_pipes_in_folders_are_refused(self):
-        """The program chose those names: nobody said that what they lead to is meant."""
+        """The program chose those names, so the user did not ask for what they lead to."""
         bracket = os.path.join(EXAMPLES, "bracket.wkt")
         target = self.file("target", "precious")
         commands = (("7-result.svg", ["sum", self.p, self.p, "--trace"]),
@@ -468,7 +468,7 @@ class Files(ProgramTest):
                 self.assertEqual(list(folder.iterdir()), [place])
                 place.rmdir() if place.is_dir() and not place.is_symlink() else place.unlink()
             self.fine(*command, folder)
-            self.fine(*command, folder)  # over what is there now
+            self.fine(*command, folder)  # replaces the files of the first run
             shutil.rmtree(folder)
         self.assertEqual(target.read_text(), "precious")
 
@@ -496,7 +496,7 @@ class Files(ProgramTest):
 
 
 class BeyondDoubles(ProgramTest):
-    """Coordinates that no double comes near are a limit of what has doubles, and it is named."""
+    """Coordinates beyond all doubles are an error of outputs with doubles, which is named."""
 
     def setUp(self):
         super().setUp()
@@ -547,7 +547,7 @@ class BeyondDoubles(ProgramTest):
             self.assertEqual(list(folder.iterdir()), [])
 
     def test_answers_are_json(self):
-        """Doubles that are none are null there; exact numbers stand beside them."""
+        """Numbers beyond doubles are null there, and exact numbers stand beside them."""
         stats = self.folder / "stats.json"
         self.fine("sum", self.huge, self.square, "--coords", "exact", "--stats", stats)
         result = json.loads(stats.read_text())["result"]

@@ -1,4 +1,4 @@
-"""What the tests of the program share: running it within limits, and small shapes."""
+"""Shares what tests of the program need: runs within limits, and small shapes."""
 import os
 import pathlib
 import re
@@ -8,8 +8,8 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ.get("MINKSUM_PROGRAM", "build/minksum")
-MEMORY_MB = int(os.environ.get("MINKSUM_MEMORY_MB", "1024"))  # of addresses; 0 = no limit
-SECONDS = 60  # far beyond what any of these runs needs, so that only a hang reaches it
+MEMORY_MB = int(os.environ.get("MINKSUM_MEMORY_MB", "1024"))  # megabytes of addresses; 0 = no limit
+SECONDS = 60  # far beyond any of these runs, so that only a hang reaches it
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 SQUARE = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"
@@ -41,7 +41,7 @@ def run(*arguments, stdin=b"", cwd=None, before=None):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with a folder of its own and the usual expectations."""
+    """Gives a test a folder of its own and the usual expectations."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="minksum-test-")
@@ -54,8 +54,8 @@ class ProgramTest(unittest.TestCase):
         return path
 
     def fine(self, *arguments, note="", **options):
-        """Runs the program, which must succeed in silence on standard error, but for one line that
-        holds `note`, if that is asked for; its output."""
+        """Runs the program, which must succeed, and returns its output. Standard error must be
+        empty, or be one line that holds `note`."""
         result = run(*arguments, **options)
         told = result.stderr.decode(errors="replace")
         self.assertEqual(result.returncode, 0, told)
@@ -77,11 +77,11 @@ class ProgramTest(unittest.TestCase):
 
 
 class Page:
-    """What a page of docs/ shows is so: each block of commands prints the block below it (or nothing),
-    and draws its pictures. To be mixed into a ProgramTest."""
+    """Tests that a page of docs/ is right: each block of commands prints the block below it (or
+    nothing), and draws its pictures. To be mixed into a ProgramTest."""
 
     page_name = None
-    pictures = 0  # that there are at least
+    pictures = 0  # how many there are at least
 
     def setUp(self):
         super().setUp()

@@ -1,4 +1,4 @@
-"""minksum sum --trace: pictures and data of every stage."""
+"""Tests minksum sum --trace: pictures and data of every stage."""
 import json
 import os
 import xml.etree.ElementTree

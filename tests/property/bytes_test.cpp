@@ -1,5 +1,5 @@
-// Equal sets have equal bytes: with every compiler, at every level of optimisation, on every
-// machine.
+// Tests that equal sets have equal bytes with every compiler, at every level of optimisation and on
+// every machine.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -13,7 +13,7 @@
 namespace minksum {
 namespace {
 
-/// FNV-1a.
+/// Returns the hash by FNV-1a.
 std::uint64_t digest(std::uint64_t hash, const std::string& text) {
   for (const char c : text) {
     hash ^= static_cast<unsigned char>(c);
@@ -32,15 +32,15 @@ std::string coordinates(const Region& region) {
   return text;
 }
 
-// The numbers were found once, by g++ 12 at -O2; whatever builds the tests must come to the same.
-// They change if the generators do, or the canonical form: then with a reason.
+// The numbers were found once, by g++ 12 at -O2, and every build of the tests must find the same.
+// They may change only with a reason: if the generators or the canonical form change.
 TEST(Bytes, SumsAreTheSameEverywhere) {
   test::Random random(2024);
   std::uint64_t exact = 0xcbf29ce484222325U;
   std::uint64_t doubles = 0xcbf29ce484222325U;
   for (int i = 0; i < 1000; ++i) {
     const test::Pair pair = test::random_pair(random);
-    // Thirds, so that coordinates are rounded on the way to doubles.
+    // The operand is scaled by a third, so that coordinates are rounded to doubles.
     const Region sum = minkowski_sum(test::scaled(pair.p, Rational(1, 3)), pair.q);
     exact = digest(exact, test::to_text(sum));
     doubles = digest(doubles, coordinates(sum));

@@ -1,4 +1,4 @@
-// Slices of configuration spaces, against collision tests of the placed robot and by law.
+// Tests slices of configuration spaces against collision tests of the placed robot and by law.
 #include "minksum/configuration_space.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using test::Random;
 
 Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 
-/// A multiple of a quarter, half, tenth, or any degree.
+/// Returns a random angle from one of several grids.
 Rational random_angle(Random& random) {
   switch (random.below(4)) {
     case 0:
@@ -35,17 +35,17 @@ Rational random_angle(Random& random) {
   }
 }
 
-/// How many of the places that were tried are free, and how many of these without play.
+/// Counts the tried places that are free, and those of them without play.
 struct Found {
   int free = 0;
   int thin = 0;
 };
 
-/// Returns whether the robot collides wherever it goes from here.
+/// Returns whether the robot collides in every direction from here.
 bool has_no_play(const reference::PlacedRobot& robot, const reference::Pt& at,
                  const reference::Pt& direction) {
   using reference::Number;
-  // None of these directions is one in which it may have play along a path.
+  // The robot cannot have play along a path in any of these directions.
   const Number hair("1/1000000000000000000000");
   for (const int x : {-10007, -7919, -3571, -1301, 1709, 4211, 7103, 9973}) {
     for (const int y : {-9463, -6653, -4919, -1847, 1447, 3307, 8167, 10463}) {
@@ -69,7 +69,7 @@ void expect_collisions(Random& random, const test::RobotScene& scene,
     const Point at = test::random_place(random, scene, slice, space.boundary());
     const Box& box = space.boundary();
     if (at.x < box.min.x || at.y < box.min.y || at.x > box.max.x || at.y > box.max.y) {
-      continue;  // free space ends there, whatever the robot meets
+      continue;  // free space ends at the box anyway
     }
     const bool is_free = robot.at(reference::to_pt(at), direction) == reference::Collision::kNone;
     const bool found_free = free.locate(at) != Location::kOutside;
@@ -77,7 +77,7 @@ void expect_collisions(Random& random, const test::RobotScene& scene,
                                           has_no_play(robot, reference::to_pt(at), direction)))
         << test::to_text(scene) << '\n'
         << slice.turn.asked << ' ' << at.x << ' ' << at.y;
-    // Free space and obstacles share no more than their boundaries, and the thin parts.
+    // Free space and obstacles share only their boundaries and the thin parts.
     const bool thin = found_free && area.locate(at) == Location::kOutside;
     if (!thin) {
       ASSERT_EQ(found_free, obstacles.locate(at) != Location::kInside) << test::to_text(scene);
@@ -87,7 +87,7 @@ void expect_collisions(Random& random, const test::RobotScene& scene,
   }
 }
 
-// MINKSUM_PAIRS counts scenes; 50 configurations each.
+// MINKSUM_PAIRS is the number of scenes, each with 50 configurations.
 TEST(ConfigurationSpace, AgreesWithCollisionTests) {
   const std::uint64_t seed = test::seed_from_environment(1);
   SCOPED_TRACE(seed);
@@ -135,7 +135,7 @@ TEST(ConfigurationSpace, QuarterTurns) {
   }
 }
 
-// The reference point is an offset, whatever the turn.
+// The reference point only moves slices, in every turn.
 TEST(ConfigurationSpace, ReferencePoint) {
   Random random(4);
   for (int i = 0; i < 60; ++i) {
@@ -180,7 +180,7 @@ TEST(ConfigurationSpace, NothingInTheWay) {
   EXPECT_EQ(space.radius(), Rational(5));
 }
 
-// Squares of its coordinates are beyond all doubles.
+// Squares of the robot's coordinates are beyond all doubles.
 TEST(ConfigurationSpace, RobotsOfAnySize) {
   const Region square = test::rectangle(0, 0, 1, 1);
   for (const int exponent : {-300, 300}) {
@@ -216,7 +216,7 @@ TEST(ConfigurationSpace, ThreadsGiveSlicesInOrder) {
   }
 }
 
-// Whatever is thrown, by whom, arrives, and the first in order.
+// Of the exceptions of all threads, the first in the order of slices arrives.
 TEST(ConfigurationSpace, FailuresOfThreads) {
   ConfigurationOptions options;
   const Geometry square = as_geometry(test::rectangle(0, 0, 9, 9));
@@ -285,7 +285,7 @@ TEST(ConfigurationSpace, BadInput) {
   options.workspace = line;
   expect_refused(square, square, options, 2);
   options.workspace.reset();
-  // Where it has no play among lines is not known.
+  // Places without play among lines are not known.
   options.tight = true;
   expect_refused(square, line, options, 1);
   expect_refused(square, {{}, {}, {{0, 0}}}, options, 1);
@@ -309,7 +309,7 @@ TEST(Turn, IsTheSimplestWithinItsTolerance) {
     EXPECT_LE(turn.off, tolerance);
     EXPECT_LE(std::abs(turn.degrees - angle.to_double()), turn.off + 1e-10);
     const double rest = angle.to_double() - 90 * std::floor(angle.to_double() / 90);
-    // No smaller denominator has a fraction that is clearly within the tolerance.
+    // No fraction with a smaller denominator is clearly within the tolerance.
     const auto q = static_cast<std::int64_t>(turn.tan_half.denominator().to_double());
     const double inner = tolerance * 0.999999;
     for (std::int64_t smaller = 1; smaller < q; ++smaller) {
@@ -317,7 +317,7 @@ TEST(Turn, IsTheSimplestWithinItsTolerance) {
       const double low = std::max(0.0, tangent((rest - inner) / 2)) * size;
       EXPECT_GT(std::ceil(low), tangent((rest + inner) / 2) * size) << angle << ' ' << smaller;
     }
-    // It turns by what it says.
+    // The turn turns by the angle that it reports.
     const Point to = turn.direction();
     EXPECT_EQ(to.x * to.x + to.y * to.y, Rational(1));
     EXPECT_NEAR(to.x.to_double(), std::cos(turn.degrees * std::numbers::pi / 180), 1e-9);

@@ -1,6 +1,6 @@
-// Sums of random degenerate pairs, with random settings: as by the signed method and by brute
-// force, and tight places as by brute force. MINKSUM_PAIRS sets how many, MINKSUM_SEED where to
-// start.
+// Tests sums of random degenerate pairs, with random settings, against the signed method and brute
+// force, and tight places against brute force. MINKSUM_PAIRS is the number of pairs, MINKSUM_SEED
+// the first seed.
 #include "support/degenerate_pairs.hpp"
 
 #include <gtest/gtest.h>
@@ -23,15 +23,15 @@ using namespace minksum::test;
 
 constexpr int kDefaultPairs = 600;
 constexpr int kMaxFailures = 5;
-// Pairs that take brute force longer are left out.
+// Pairs with more work for brute force are left out.
 constexpr std::size_t kMaxWork = 140;
-// What takes longer than the rest is done for some pairs only.
+// The slow laws are tested for some pairs only.
 constexpr std::uint64_t kAllLawsEvery = 16;
 
 Options random_setting(Random& random) {
   constexpr std::array kRules = {FillRule::kAutomatic, FillRule::kAutomatic, FillRule::kEvenOdd,
                                  FillRule::kNonZero,   FillRule::kPositive,  FillRule::kNegative};
-  // The last one is slow, and so is every other thing that is rarely asked for.
+  // Slow settings, such as the last one, are rare.
   constexpr std::array kArithmetics = {Arithmetic::kAutomatic, Arithmetic::kAutomatic,
                                        Arithmetic::kAutomatic, Arithmetic::kMedium,
                                        Arithmetic::kMedium,    Arithmetic::kWide,
@@ -126,7 +126,7 @@ TEST(DegeneratePairs, ObeyAllLaws) {
   std::cout << done << " pairs from seed " << first << "; " << tally << '\n';
 }
 
-// The laws themselves: planted errors are found.
+// The laws themselves must find planted errors.
 
 TEST(GeometryLaws, RoundingThatIsWrongIsFound) {
   const Geometry exact{scaled(rectangle(1, 1, 11, 11), Rational(1, 10)), {}, {}};

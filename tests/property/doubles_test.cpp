@@ -1,4 +1,4 @@
-// Doubles through the interface mean exactly themselves, as exact as decimals and fractions.
+// Tests that doubles mean exactly themselves, and are as exact as decimals and fractions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using namespace minksum::test;
 
 constexpr std::uint64_t kCases = 400;
 
-// Random mantissa, exponent from -20 to 20.
+// Returns a double with a random mantissa and an exponent from -20 to 20.
 double random_double(Random& random) {
   const double mantissa = std::ldexp(static_cast<double>(random.next() >> 11U), -53) + 1.0;
   const double value = std::ldexp(mantissa, random.between(-20, 20));
@@ -44,7 +44,7 @@ Region from_rationals(const Doubles& points) {
   return region;
 }
 
-// Three to five random points in an order that makes a simple ring.
+// Returns three to five random points in an order that makes a simple ring.
 Doubles random_outline(Random& random) {
   for (;;) {
     Doubles points;

@@ -1,5 +1,5 @@
-// Rounded geometries with thin parts: resolved, on the target, on their side, point by point, and
-// no farther away than they say.
+// Tests that rounded geometries with thin parts are resolved, on the target, on their side point by
+// point, and no farther away than reported.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -38,7 +38,7 @@ std::vector<Point> random_points(Random& random, int count, int size) {
   return points;
 }
 
-/// An area, paths and points.
+/// Returns a random area, paths and points.
 Geometry random_parts(Random& random) {
   Geometry geometry;
   const int size = random.between(2, 9);
@@ -56,8 +56,8 @@ Geometry random_parts(Random& random) {
   return geometry;
 }
 
-/// Resolved, at a scale that makes its features larger or smaller than the steps that it is rounded
-/// to.
+/// Returns a resolved geometry, at a scale that makes its features larger or smaller than the steps
+/// of rounding.
 Geometry random_geometry(Random& random) {
   Geometry geometry;
   switch (random.below(3)) {
@@ -74,18 +74,18 @@ Geometry random_geometry(Random& random) {
       }
   }
   if (random.one_in(8)) geometry = transformed(geometry, random_projection(random));
-  // Now and then nothing but crossings has to be rounded.
+  // Sometimes only crossings have to be rounded.
   if (random.one_in(4)) return resolve(geometry);
   const int above = random.between(1, 40);
   return resolve(scaled(geometry, Rational(above, random.between(1, 40))));
 }
 
-/// By means that share nothing with the library.
+/// Returns whether a ⊆ b, by means that share nothing with the library.
 bool contains_by_reference(const Geometry& b, const Geometry& a) {
   return reference::brute_force_unite(std::array{a, b}) == b;
 }
 
-/// What happened, for the log of a long run.
+/// Counts what happened, for the log of a long run.
 struct Tally {
   std::uint64_t rounded = 0;
   std::uint64_t exact = 0;
@@ -100,7 +100,7 @@ void check(const Geometry& exact, const RoundOptions& options, bool by_reference
   tally.exact += report.exact ? 1 : 0;
   tally.snapped += report.snapped ? 1 : 0;
   tally.thin += rounded.has_thin_parts() ? 1U : 0U;
-  // On the target, valid, resolved, on its side, and exact if it says so.
+  // The result must be on the target, valid, resolved, on its side, and exact if reported so.
   EXPECT_EQ(broken_rounding(exact, options, report, rounded), "");
   EXPECT_EQ(report.exact, rounded == exact);
   if (report.exact) {

@@ -1,6 +1,6 @@
-// Sums of geometries with thin parts: all methods against brute force on small random pairs, the
-// same under all settings, and results that are known. MINKSUM_PAIRS and MINKSUM_SEED as for pairs
-// of regions.
+// Tests sums of geometries with thin parts: all methods against brute force on small random pairs,
+// all settings, and known results. MINKSUM_PAIRS is the number of pairs, MINKSUM_SEED the first
+// seed.
 #include <gtest/gtest.h>
 
 #include <exception>
@@ -31,7 +31,7 @@ std::string note(std::uint64_t seed, const GeometryPair& pair) {
          to_text(pair.q);
 }
 
-/// Rings that mean nothing by themselves: they cross, run back over themselves, and collapse.
+/// Returns random rings that cross, run back over themselves, and collapse.
 Region random_rings(Random& random, int size) {
   Region region;
   for (int polygons = random.between(1, 2); polygons > 0; --polygons) {
@@ -46,7 +46,8 @@ Region random_rings(Random& random, int size) {
   return region;
 }
 
-/// One operand on its own: half of them on tiny grids, where edges are parallel and meet.
+/// Returns a random operand. Half of all operands are on tiny grids, where edges are parallel and
+/// meet.
 Geometry random_operand(Random& random, std::string& kind) {
   const int size = random.one_in(2) ? 3 : 12;
   switch (random.below(6)) {
@@ -121,7 +122,7 @@ TEST(RandomGeometries, ReducedIsSignedIsBruteForce) {
             << ", with holes: " << with_holes << ", with thin parts: " << thin << '\n';
 }
 
-/// A zigzag that goes up and down and forth, on integers; simple.
+/// Returns a simple zigzag on integers, which goes up, down and forth.
 Polyline zigzag(Random& random, int edges, int height, int step) {
   Outline vertices;
   for (int i = 0; i <= edges; ++i) {
@@ -146,7 +147,7 @@ std::vector<Setting> settings() {
           setting("grid 256", [](Options& o) { o.grid = 256; }),
           setting("wide", [](Options& o) { o.arithmetic = Arithmetic::kWide; })};
 }
-/// These take long where there are many segments.
+/// Returns settings that take long with many segments.
 std::vector<Setting> slow_settings() {
   return {setting("grid 16", [](Options& o) { o.grid = 16; }),
           setting("filter off", [](Options& o) { o.filter = false; }),
@@ -176,7 +177,7 @@ TEST(GeometrySettings, GiveTheSameBytes) {
   }
 }
 
-// Large enough for covers by translates and by winding number.
+// The operands are large enough for covers by translates and by winding number.
 TEST(GeometrySettings, GiveTheSameBytesWithManySegments) {
   Random random(7);
   const Geometry star{spiky_star(random, 16, 2000), {}, {}};

@@ -1,4 +1,4 @@
-// What every Minkowski sum obeys.
+// Tests laws that every Minkowski sum obeys.
 #include <gtest/gtest.h>
 
 #include "minksum/measure.hpp"
@@ -118,7 +118,7 @@ TEST(Laws, AreaIsMonotone) {
     const Region sum = minkowski_sum(pair.p, pair.q);
     const Region more = brute_force_union(pair.q, random_region(random));
     EXPECT_GE(area(minkowski_sum(pair.p, more)), area(sum));
-    // Brunn and Minkowski: the root of the area is superadditive.
+    // By the theorem of Brunn and Minkowski, the root of the area is superadditive.
     const Rational a = area(pair.p);
     const Rational b = area(pair.q);
     const Rational excess = area(sum) - a - b;

@@ -1,4 +1,4 @@
-// Offsets beside GEOS's buffers: on real shapes (MINKSUM_DATA), and on random ones.
+// Compares offsets with GEOS's buffers, on real shapes (MINKSUM_DATA) and on random ones.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,8 +21,8 @@ using namespace test;
 
 constexpr int kQuadrantSegments = 64;
 
-/// How far GEOS is off, in distances: it leaves out reflex vertices that are less than a hundredth
-/// of the distance deep, and has arcs inscribed that are less than 10^-4 flat.
+/// The error of GEOS as a share of the distance. GEOS leaves out reflex vertices that are less than
+/// a hundredth of the distance deep, and inscribes arcs that are off by less than 10^-4.
 const Rational kGeosTolerance(102, 10000);
 
 Region buffer(const Geometry& a, double distance, const OffsetOptions& options) {
@@ -55,11 +55,11 @@ double perimeter(const Region& region) {
   return sum;
 }
 
-/// The operand as GEOS sees it: in doubles, exactly.
+/// Returns the operand in doubles, as GEOS sees it.
 Geometry in_doubles(const Geometry& geometry) { return round(resolve(geometry)); }
 
-/// GEOS's buffer contains ours to the inside by less, and is contained in ours to the outside by
-/// more.
+/// Expects that GEOS's buffer contains our inner offset by a smaller distance, and lies in our
+/// outer offset by a larger one.
 void expect_round_agreement(const std::string& name, const Geometry& a, const Rational& d) {
   OffsetOptions options;
   const Region theirs = resolve({buffer(a, d.to_double(), options), {}, {}}).region;
@@ -70,7 +70,8 @@ void expect_round_agreement(const std::string& name, const Geometry& a, const Ra
   EXPECT_TRUE(contains(theirs, offset(a, d - size * kGeosTolerance, options).region)) << name;
 }
 
-/// The area in which both differ is at most both boundaries' length times both tolerances.
+/// Expects that the area in which both differ is at most the length of both boundaries times both
+/// tolerances.
 void expect_agreement_by_area(const std::string& name, const Geometry& a, const Rational& d,
                               const OffsetOptions& options) {
   const Region theirs = resolve({buffer(a, d.to_double(), options), {}, {}}).region;

@@ -1,6 +1,6 @@
-// Offsets with all joins and caps by their definition: a point is in one if it is in the set, or in
-// the strip beside an edge, or in the piece at a corner or an end. Here in floating point, and only
-// for points that are clearly inside or outside of every piece.
+// Tests offsets with all joins and caps by their definition. A point is in one if it is in the set,
+// in the strip beside an edge, or in the piece at a corner or an end. The test is in floating
+// point, and only for points that are clearly inside or outside of every piece.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,8 @@ Real dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 Real length(Vec a) { return std::hypot(a.x, a.y); }
 Vec to_vec(const Point& p) { return {p.x.to_double(), p.y.to_double()}; }
 
-/// How far x is inside a convex polygon; negative outside, and then no farther than x is from it.
+/// Returns how far x is inside a convex polygon. Outside the result is negative, and at most the
+/// distance of x in size.
 Real depth(const std::vector<Vec>& polygon, Vec x) {
   Real least = HUGE_VALL;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -41,12 +42,12 @@ Real depth(const std::vector<Vec>& polygon, Vec x) {
   return least;
 }
 
-/// All pieces for one offset, and how deep a point is in the deepest of them.
+/// Keeps all pieces of one offset, and tells how deep a point is in the deepest of them.
 class Pieces {
  public:
   Pieces(Real r, const OffsetOptions& options) : r_(r), options_(options) {}
 
-  /// A closed path, with what is on its right side moved; `is_end` tells ends of a polyline.
+  /// Adds the pieces on the right side of a closed path. `is_end` tells the ends of a polyline.
   template <typename IsEnd>
   void add(const std::vector<Vec>& path, IsEnd is_end) {
     const std::size_t n = path.size();
@@ -80,7 +81,7 @@ class Pieces {
   static Vec unit(Vec a) { return (1 / length(a)) * a; }
   static Vec right(Vec a) { return {a.y, -a.x}; }
 
-  /// Of a disc, from one radius to another on the left.
+  /// A sector of a disc, from one radius to another on its left.
   struct Sector {
     Vec centre;
     Vec first;
@@ -112,7 +113,8 @@ class Pieces {
   }
   void add_square(Vec v, Vec before, Vec after) {
     const Vec m1 = r_ * right(before), m2 = r_ * right(after);
-    // Half of the turn's half, by the bisector, which is `before` for a turn back.
+    // The tangents at m1 and at the bisector, half the turn apart, meet at r·tan(turn / 4). The
+    // bisector is `before` for a turn back.
     const Real turn = std::fabs(std::atan2(cross(before, after), dot(before, after)));
     const Real f = std::tan(turn / 4) * r_;
     polygons_.push_back({v, v + m1, v + m1 + f * before, v + m2 - f * after, v + m2});
@@ -161,12 +163,12 @@ void add_line(const Polyline& line, Pieces& pieces) {
   pieces.add(path, [last](std::size_t i) { return i == 0 || i == last; });
 }
 
-/// As the fraction of the distance.
+/// The tolerance as a share of the distance.
 constexpr Real kTolerance = 1e-4L;
 
 class Comparison {
  public:
-  /// A is resolved, but for its polylines.
+  /// A must be resolved, except for its polylines.
   Comparison(const Geometry& a, const Rational& d, OffsetOptions options)
       : a_(a), inwards_(d.sign() < 0), size_(std::fabs(d.to_double())), pieces_(size_, options) {
     options.tolerance = Rational(inwards_ ? -1 : 1, 10000) * d;

@@ -1,4 +1,4 @@
-// Offsets with all joins and caps: known results, and laws.
+// Tests offsets with all joins and caps by known results and laws.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,7 +27,7 @@ TEST(Offset, RectanglesMoveExactly) {
     OffsetOptions options = with(Join::kMiter);
     options.tolerance = Rational(1, 10);
     EXPECT_EQ(offset(square, by, options), of_area(expected));
-    if (by.sign() < 0) {  // no reflex vertices: no corners
+    if (by.sign() < 0) {  // without reflex vertices there are no corners
       for (const Join join : kJoins) EXPECT_EQ(offset(square, by, with(join)), of_area(expected));
       for (const RoundingSide side : kRoundingSides) {
         EXPECT_EQ(offset(square, by, round_to(side, Rational(1, 10))), of_area(expected));
@@ -66,14 +66,14 @@ TEST(Offset, HolesAndReflexCorners) {
 }
 
 TEST(Offset, MiterLimitIsExact) {
-  // The corner turns by θ with cos θ/2 = 3/5: its miter reaches 5/3 of the distance.
+  // The corner turns by θ with cos θ/2 = 3/5, so its miter reaches 5/3 of the distance.
   const Geometry wedge = of_area(make_polygon({{0, 0}, {100, 0}, {93, 24}}));
   const auto farthest = [&](const Rational& limit) {
     OffsetOptions options = with(Join::kMiter);
     options.miter_limit = limit;
     return bounding_box(offset(wedge, 3, options).region)->max.x;
   };
-  const Rational tip = Rational(100) + Rational(3) * Rational(4, 3);  // along the edge by d·tan θ/2
+  const Rational tip = Rational(100) + Rational(3) * Rational(4, 3);  // 3·tan θ/2 farther
   EXPECT_EQ(farthest(Rational(5, 3)), tip);
   EXPECT_EQ(farthest(Rational(7)), tip);
   EXPECT_EQ(farthest(Rational(5, 3) - Rational(1, 1000000000)), Rational(1033, 10));
@@ -103,7 +103,7 @@ TEST(Offset, CapsOfPolylines) {
               of_area(make_polygon({{-2, -2}, {12, -2}, {12, 12}, {-2, 12}},
                                    {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}})));
   }
-  // A branch: ends are where the given paths end.
+  // At a branch, only the ends of the given paths count as ends.
   const Geometry cross = make_lines({{{0, 0}, {10, 0}}, {{5, -5}, {5, 5}}});
   EXPECT_EQ(offset(cross, 1, with(Join::kMiter, Cap::kButt)).region.vertex_count(), 12U);
 }
@@ -116,11 +116,11 @@ TEST(Offset, Points) {
   EXPECT_EQ(offset(point, 2), round);
   EXPECT_EQ(offset(point, 2, with(Join::kBevel)), round);
   EXPECT_TRUE(offset(point, -2).empty());
-  // A polyline of one place is a point.
+  // A polyline whose vertices are equal is a point.
   EXPECT_EQ(offset(make_lines({{{3, 4}, {3, 4}}}), 2, with(Join::kBevel)), round);
 }
 
-/// The joins' order: each contains the one before it.
+/// The joins are ordered: each contains the one before it.
 TEST(Offset, JoinsAreNested) {
   Random random(seed_from_environment(3));
   for (int i = 0; i < count_from_environment(kShapes); ++i) {
@@ -134,7 +134,7 @@ TEST(Offset, JoinsAreNested) {
       options.miter_limit = 50;
       return offset(a, by, options).region;
     };
-    // Shrunk sets are nested the other way; `more` is by 3 t more, whatever the sign.
+    // Shrunk sets are nested the other way; `more` is larger by 3 t in size, whatever the sign.
     const Rational more = d + Rational(sign * 3) * t;
     for (std::size_t k = 0; k + 1 < kJoins.size(); ++k) {
       constexpr std::array order{Join::kBevel, Join::kRound, Join::kSquare, Join::kMiter};
@@ -168,13 +168,13 @@ TEST(Offset, MovesAndTurnsWithTheSet) {
   }
 }
 
-/// Edges far shorter than the tolerance, as simplified outlines have them, change no more than
-/// that.
+/// Edges far shorter than the tolerance, as in simplified outlines, change a result by no more than
+/// the tolerance.
 TEST(Offset, TinyEdges) {
   Random random(seed_from_environment(5));
   for (int i = 0; i < count_from_environment(kShapes); ++i) {
     const Region rough = random_polygon(random);
-    // Each vertex once more, and a little beside.
+    // Each vertex is repeated at a slightly different point.
     Ring ring;
     for (const Point& p : rough.polygon(0).outer) {
       for (int k = 0; k < 3; ++k) {
@@ -191,7 +191,7 @@ TEST(Offset, TinyEdges) {
       options.tolerance = t;
       options.miter_limit = 3;
       const Region result = offset(a, d, options).region;
-      // Of the bevels, only the strips are sure to be there: their inner half of them.
+      // Bevels are sure to hold only strips beside edges, so the set itself is tested.
       const Rational less = i % 2 == 0 ? d - t - t : d + t + t;
       const Rational most = Rational(3) * d + (i % 2 == 0 ? t : -t);
       const Region large = offset(a, most, round_to(RoundingSide::kNearest, t)).region;
@@ -216,7 +216,7 @@ TEST(Offset, ReadsByFillRule) {
                                of_area(make_region({{{{0, 0}, {0, 10}, {10, 10}, {10, 0}}},
                                                     {{{5, 5}, {5, 15}, {15, 15}, {15, 5}}}}))};
   Random random(3);
-  // Other joins than round ones take polylines as they are given.
+  // Joins other than round ones take polylines as they are given.
   for (int i = 0; i < kShapes; ++i) shapes.push_back(of_area(random_mess(random).region));
   for (const FillRule fill :
        {FillRule::kEvenOdd, FillRule::kNonZero, FillRule::kPositive, FillRule::kNegative}) {

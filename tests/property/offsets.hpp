@@ -1,4 +1,4 @@
-// What the tests of offsets share.
+// Defines what the tests of offsets share.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What sums are used for, by law and by definition: morphology, no-fit polygons, depth, location.
-// MINKSUM_PAIRS counts pairs.
+// Tests uses of sums by law and by definition: morphology, no-fit polygons, depth and location.
+// MINKSUM_PAIRS is the number of pairs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ Region at(const Region& region, const Point& x) {
   return transform(region, Affine::translation(x.x, x.y));
 }
 
-/// A point of the grid of halves around a box from 0 to 24.
+/// Returns a point of the grid of halves around a box from 0 to 24.
 Point random_point(Random& random) {
   return {Rational(random.between(-30, 60), 2), Rational(random.between(-30, 60), 2)};
 }
@@ -104,7 +104,7 @@ TEST(Morphology, Laws) {
     EXPECT_TRUE(contains(closed.region, plain)) << message(pair);
     EXPECT_EQ(open(opened, b), opened) << message(pair);
     EXPECT_EQ(close(closed, b), closed) << message(pair);
-    // The origin in B: erosion shrinks, dilation grows.
+    // With the origin in B, erosion shrinks and dilation grows.
     const Point corner = pair.q.point(0);
     const Geometry origin = transform(b, Affine::translation(-corner.x, -corner.y));
     EXPECT_TRUE(contains(plain, erode(a, origin).region)) << message(pair);
@@ -112,7 +112,7 @@ TEST(Morphology, Laws) {
   }
 }
 
-// In a box, what the complement's dilation by −B leaves is the erosion by B.
+// In a box, the erosion by B is what the dilation of the complement by −B leaves.
 TEST(Morphology, Duality) {
   Random random(4);
   for (int i = 0; i < kPairs; ++i) {
@@ -204,7 +204,7 @@ TEST(PenetrationDepth, ItsVectorSeparatesAndLessDoesNot) {
   EXPECT_GT(overlapping, 15);
 }
 
-/// Whether the vertex that is named lies on the edge that is named, if B is moved by `shift`.
+/// Returns whether the named vertex lies on the named edge after B is moved by `shift`.
 bool touch(const Region& a, const Region& b, const Point& shift, const EdgeOrigin& contact) {
   const Region moved = at(b, shift);
   const bool edge_of_a = contact.edge_operand == Operand::kFirst;
@@ -231,7 +231,7 @@ TEST(PenetrationDepth, NamesWhatTouches) {
   int named = 0;
   for (int i = 0; i < 3 * kPairs; ++i) {
     test::Pair pair = test::random_pair(random);
-    if (i % 3 == 0) {  // edges of both in the same directions
+    if (i % 3 == 0) {  // the edges of both have the same directions
       pair.p = test::rectangle(0, 0, random.between(1, 9), random.between(1, 9));
       pair.q = test::random_cells(random, 4, 4, false, true);
     }

@@ -1,4 +1,4 @@
-// What fill rules and boolean operations obey.
+// Tests laws that fill rules and boolean operations obey.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void expect_area_laws(const Region& a, const Region& b) {
   EXPECT_EQ(area(subtract(a, b)) + shared, area(a));
 }
 
-// Plain bools: a failure would print megabytes.
+// Expects the laws as plain bools, because comparing regions would print megabytes.
 void expect_laws(const Region& a, const Region& b) {
   const Region both = unite(a, b);
   const Region shared = intersect(a, b);
@@ -59,7 +59,7 @@ TEST(OverlayLaws, BooleansOfSums) {
     Random random(seed);
     const Pair pair = random_pair(random);
     SCOPED_TRACE(note(seed, pair));
-    // The sum with a third has vertices with denominators of their own; so has the other side.
+    // The sums with a third region have vertices with many different denominators.
     const Region third = scaled(random_polygon(random), Rational(1, random.between(2, 9)));
     const Region a = minkowski_sum(pair.p, third);
     const Region b = moved(minkowski_sum(pair.q, third), Rational(random.between(-9, 9), 7), 1);
@@ -76,7 +76,7 @@ TEST(OverlayLaws, RulesDoNotAskHowRingsAreWritten) {
     Random random(seed);
     const Geometry mess = random_mess(random);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + to_text(mess));
-    // Other first vertices, more vertices on the way, other order of parts.
+    // The other form has other first vertices, more straight vertices, and another order of parts.
     Geometry other;
     std::vector<Polygon> polygons;
     for (const std::size_t p : mess.region.polygons()) polygons.push_back(mess.region.polygon(p));
@@ -104,7 +104,7 @@ TEST(OverlayLaws, RulesDoNotAskHowRingsAreWritten) {
   }
 }
 
-// Large outlines, where grids of cells are divided many times: what is a union of moved copies.
+// Unions of moved copies of large outlines divide cells many times.
 TEST(OverlayLaws, BooleansOfOutlines) {
   const auto folder = data_path();
   if (!folder) return;

@@ -1,4 +1,4 @@
-// Fill rules and boolean operations against the definition, on input as degenerate as it gets.
+// Tests fill rules and boolean operations against the definition, on very degenerate input.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -81,7 +81,7 @@ TEST(Overlay, ResolveOfFractionsIsAsByBruteForce) {
   }
 }
 
-// Rings of valid regions mean the same by any rule that does not ask for their direction.
+// Rings of valid regions mean the same by any rule that ignores their direction.
 TEST(Overlay, LegalRegionsAreWhatTheyAre) {
   const int count = count_from_environment(1000);
   for (int i = 0; i < count && !HasFailure(); ++i) {
@@ -95,7 +95,7 @@ TEST(Overlay, LegalRegionsAreWhatTheyAre) {
     EXPECT_EQ(result, resolved(geometry, FillRule::kStrict));
     EXPECT_EQ(result, resolved(geometry, FillRule::kEvenOdd));
     EXPECT_EQ(result.region, unite(region, region));
-    // The same bytes as those of a sum with nothing.
+    // The bytes equal those of the sum with the origin.
     Region dot;
     dot.begin_polygon();
     dot.begin_ring();

@@ -10,12 +10,12 @@ namespace {
 using reference::Number;
 using reference::Pt;
 
-// An operand's vertices by index, and where their rings begin and end.
+// The vertices of an operand by index, with the places of their rings.
 struct Flat {
   struct Place {
     std::size_t ring_first = 0;
     std::size_t ring_size = 0;
-    bool backwards = false;  // written with the interior on the right
+    bool backwards = false;  // the ring has the interior on the right
   };
   std::vector<Pt> points;
   std::vector<Place> places;
@@ -34,7 +34,7 @@ Flat flatten(const Region& region) {
   return flat;
 }
 
-// The next vertex of the ring at another point, in the given step (1 or size - 1).
+// Returns the next vertex of the ring at another point; `step` is 1 or size - 1.
 std::size_t different(const Flat& flat, std::size_t from, std::size_t step) {
   const Flat::Place& place = flat.places[from];
   std::size_t at = from;
@@ -44,7 +44,8 @@ std::size_t different(const Flat& flat, std::size_t from, std::size_t step) {
   return at;
 }
 
-// The straight run that begins with the edge at `first`: its ends, interior on the left.
+// Finds the ends of the straight run that begins with the edge at `first`, with the interior on the
+// left.
 bool straight_run(const Flat& flat, std::size_t first, Pt& from, Pt& to) {
   const std::size_t back = flat.places[first].ring_size - 1;
   const std::size_t before = different(flat, first, back);

@@ -1,4 +1,4 @@
-// Does every edge of a sum tell the truth about what made it?
+// Tests whether the origins of a sum's edges are true.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace minksum::test {
 
-/// The first lie among the origins of `sum` = P ⊕ Q, in words; empty if there is none. Checked for
-/// each edge: the named straight run of edges of one operand, moved by the named vertex of the
-/// other, holds the beginning of the edge and has its direction (rings of operands taken with the
-/// interior on the left), and the named edge is the first of its straight run.
+/// Returns the first wrong origin of `sum` = P ⊕ Q in words; empty if all are right. An origin
+/// names an edge, which must be the first of a straight run of edges of one operand. That run,
+/// moved by the named vertex of the other operand, must hold the beginning of the sum's edge and
+/// have its direction. Rings of operands are taken with the interior on the left.
 [[nodiscard]] std::string provenance_fault(const Region& p, const Region& q, const Region& sum);
 
 }  // namespace minksum::test

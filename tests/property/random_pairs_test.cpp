@@ -1,5 +1,6 @@
-// All methods against brute force on many small random pairs. MINKSUM_PAIRS sets how many,
-// MINKSUM_SEED where to start (the seed that a failure prints, with MINKSUM_PAIRS=1, repeats it).
+// Tests all methods against brute force on many small random pairs. MINKSUM_PAIRS is the number of
+// pairs, MINKSUM_SEED the first seed. The seed that a failure prints, with MINKSUM_PAIRS=1, repeats
+// it.
 #include <gtest/gtest.h>
 
 #include <exception>
@@ -20,7 +21,7 @@ constexpr int kDefaultPairs = 20000;
 constexpr std::uint64_t kFirstSeed = 1;
 constexpr std::size_t kMaxFailures = 5;
 
-// What the pairs were like: a sample without holes or touching rings would prove little.
+// Counts the kinds of pairs, because a sample without holes or touching rings would prove little.
 struct Tally {
   int operands_with_holes = 0;
   int operands_in_parts = 0;

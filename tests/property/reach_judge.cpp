@@ -11,7 +11,8 @@
 namespace minksum::test {
 namespace {
 
-/// The robot ⊕ the octagon that contains a disc, see `reach`; its reference point at the origin.
+/// Returns the robot, with its reference point at the origin, ⊕ the octagon that contains a disc;
+/// see `reach`.
 Region grown(const Region& robot, const Point& reference, const Rational& r) {
   const Region home = moved(robot, -reference.x, -reference.y);
   if (r.sign() == 0) return home;
@@ -53,14 +54,14 @@ Judge::Judge(const ReachScene& scene, const Configuration& from, const Configura
       grown_(grown(scene.robot, scene.options.reference, margin_)),
       grown_robot_(grown_, {}, scene.obstacles, workspace_of(scene)),
       space_(space_of(scene, grown_)) {
-  // More room all around must not matter.
+  // The points give the space more room on all sides, which must not matter.
   for (const int far : {-1000, 1000}) {
     space_.include({from_.at.x + Rational(far), from_.at.y});
     space_.include({to_.at.x, to_.at.y + Rational(far)});
   }
 }
 
-/// As `reach` says, the steps taken from the turns as they are.
+/// Returns the margin that `reach` documents, with steps taken from the actual turns.
 Rational Judge::margin_of(const ReachScene& scene) const {
   if (!certain_) return 0;
   const ConfigurationSpace plain({scene.robot, {}, {}}, scene.obstacles, scene.options);

@@ -1,4 +1,4 @@
-// What decides about a search for a path, by other means than the library's.
+// Judges the results of searches for paths, by other means than the library's.
 #pragma once
 
 #include <optional>
@@ -23,13 +23,13 @@ struct ReachScene {
   }
 };
 
-/// One search, from one configuration to another.
+/// Judges one search from one configuration to another.
 class Judge {
  public:
   Judge(const ReachScene& scene, const Configuration& from, const Configuration& to)
       : Judge(scene, from, to, scene.turn_of(from), scene.turn_of(to)) {}
 
-  /// Of the robot grown by the margin, its reference point at the origin.
+  /// Returns the space of the robot grown by the margin, with its reference point at the origin.
   [[nodiscard]] const ConfigurationSpace& space() const { return space_; }
   [[nodiscard]] reference::Collision at(const Waypoint& waypoint) const {
     return grown_robot_.at(reference::to_pt(waypoint.at), reference::direction_of(waypoint.turn));
@@ -37,13 +37,13 @@ class Judge {
   [[nodiscard]] Waypoint from() const { return {from_.at, first_}; }
   [[nodiscard]] Waypoint to() const { return {to_.at, last_}; }
 
-  /// Where the robot is already, it gets in any case.
+  /// Returns whether the robot is at its goal already, which counts as reached in any case.
   [[nodiscard]] bool is_there() const {
     return from_.at == to_.at && reference::direction_of(first_) == reference::direction_of(last_);
   }
   [[nodiscard]] bool connected() { return is_there() || graph().connects(from(), to()); }
-  /// Each move collides nowhere; and if `certain` is set, the robot as it is does not at some
-  /// angles between those of each turn.
+  /// Expects that each move collides nowhere. If `certain` is set, the ungrown robot must not
+  /// collide at some angles between those of each turn either.
   void expect_good_path(const Reach& found);
 
  private:

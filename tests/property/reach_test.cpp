@@ -1,4 +1,5 @@
-// Paths of robots: each move swept and tested for collisions, answers against a graph of all parts.
+// Tests paths of robots: each move is swept and tested for collisions, and answers are compared
+// with a graph of all parts.
 #include "minksum/reach.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ void expect_good_path(const Scene& scene, const Configuration& from, const Confi
   Judge(scene, from, to).expect_good_path(found);
 }
 
-/// A room of 40 × 20 that a wall divides, but for a door of this width.
+/// Returns a room of 40 × 20 that a wall with a door of this width divides.
 Scene two_rooms(const Region& robot, const Rational& door) {
   const Rational low = (Rational(20) - door) * Rational(1, 2);
   const Rational high = Rational(20) - low;
@@ -53,14 +54,14 @@ TEST(Reach, ThroughADoor) {
     scene.options.certain = certain;
     EXPECT_FALSE(scene.from_to(from, to).reachable);
   }
-  // A hair more than its own width is enough, and just its width leaves no play.
+  // A hair more than the rod's width is enough, and exactly its width leaves no play.
   for (const int more : {-1, 0, 1}) {
     const Scene scene = two_rooms(rod, Rational(1) + Rational(more, 1'000'000'000));
     const Reach found = scene.from_to(from, to);
     EXPECT_EQ(found.reachable, more == 1);
     if (more == 1) expect_good_path(scene, from, to, found);
   }
-  // It has to turn: with one angle it cannot.
+  // The rod has to turn, so one angle is not enough.
   for (const std::size_t angles : {std::size_t{1}, std::size_t{4}}) {
     Scene scene = two_rooms(test::turned(rod), 5);
     scene.options.angles = angles;
@@ -70,7 +71,7 @@ TEST(Reach, ThroughADoor) {
   }
 }
 
-// The free space of two slices has only slivers in common, one above the other, far apart.
+// The free spaces of two slices share only slivers that lie far apart, one above the other.
 TEST(Reach, ByWayOfSlivers) {
   const Polygon obstacles[] = {
       {{{24, 79}, {36, 61}, {42, 49}, {49, 52}, {39, 61}, {53, 74}, {35, 72}, {40, 64}}, {}},
@@ -101,7 +102,7 @@ TEST(Reach, ByWayOfSlivers) {
   expect_good_path(scene, from, to, scene.from_to(from, to));
 }
 
-// With a margin for all angles between, a narrow door is too narrow; with more angles it is not.
+// With a margin for all angles between, a narrow door is too narrow; more angles mend that.
 TEST(Reach, CertainNeedsRoomOrAngles) {
   const Region rod = test::moved(test::rectangle(0, 0, 10, 1), -5, Rational(-1, 2));
   const Configuration from{{6, 10}, 0};
@@ -117,7 +118,7 @@ TEST(Reach, CertainNeedsRoomOrAngles) {
   EXPECT_LT(found.margin, Rational(1, 10));
 }
 
-// Lines of no width on both sides, and a point between the halves of the robot: it touches them.
+// The robot touches lines on both sides, and a point between its halves.
 TEST(Reach, FromWallsWithoutPlay) {
   Scene scene;
   scene.robot =
@@ -132,7 +133,7 @@ TEST(Reach, FromWallsWithoutPlay) {
   EXPECT_EQ(scene.from_to(between, between).path.size(), 1U);
 }
 
-// Two corners leave just the robot's width along the diagonal: in all slices the same two free
+// Two corners leave just the robot's width along the diagonal. All slices have the same two free
 // parts, which touch at one point.
 TEST(Reach, NotByWayOfAPoint) {
   for (const int more : {0, 1}) {
@@ -153,7 +154,7 @@ TEST(Reach, NotByWayOfAPoint) {
   }
 }
 
-// A corridor that leaves it some 20 degrees to turn: the only way is that past 0.
+// The corridor leaves the robot about 20 degrees to turn, so the only way passes 0.
 TEST(Reach, TurnsPastZero) {
   Scene scene;
   scene.robot = test::moved(test::rectangle(0, 0, 10, 1), -5, Rational(-1, 2));
@@ -179,7 +180,7 @@ TEST(Reach, AroundEverything) {
   const Reach there = scene.from_to(from, from);
   EXPECT_EQ(there.path.size(), 1U);
   EXPECT_EQ(there.slices, 13U);
-  // Closed in on all sides: it turns, but stays.
+  // The robot is closed in on all sides, so it can turn but not move.
   scene.obstacles = as_geometry(test::frame({{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}}, 2));
   expect_good_path(scene, {{0, 0}, 0}, {{2, 1}, 180}, scene.from_to({{0, 0}, 0}, {{2, 1}, 180}));
   EXPECT_FALSE(scene.from_to({{0, 0}, 0}, {{99, 0}, 0}).reachable);
@@ -192,7 +193,7 @@ TEST(Reach, LongWays) {
   scene.options.angles = 4;
   const Box box = *bounding_box(scene.obstacles.region);
   const ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.options);
-  // From far outside to wherever is free inside.
+  // The searches go from far outside to free points inside.
   const Configuration from{{box.min.x - Rational(5), box.min.y - Rational(5)}, 0};
   const PointLocator free(space.slice(nearest_turn(0), true).free);
   int reached = 0;
@@ -210,7 +211,7 @@ TEST(Reach, LongWays) {
   EXPECT_GT(reached, 0);
 }
 
-/// How many searches ended how.
+/// Counts searches by their ends.
 struct Tally {
   int yes = 0;
   int no = 0;
@@ -226,7 +227,8 @@ Scene scene_of(Random& random, const test::RobotScene& made) {
   return scene;
 }
 
-/// In the turn in which the robot may have no play, in another one of the slices, or any.
+/// Returns the angle of the turn in which the robot may have no play, of another slice, or any
+/// angle.
 Rational random_degrees(Random& random, const Scene& scene, const Turn& turn) {
   const auto angles = static_cast<int>(scene.options.angles);
   switch (random.below(4)) {
@@ -239,7 +241,7 @@ Rational random_degrees(Random& random, const Scene& scene, const Turn& turn) {
   }
 }
 
-/// A few tries for a place that is free, mostly with touch.
+/// Makes a few tries for places that are free, mostly with contact.
 void find_places(Random& random, const test::RobotScene& made, const Scene& scene,
                  Configuration& from, Configuration& to) {
   const Judge judge(scene, from, to);
@@ -308,7 +310,7 @@ void expect_right_answer(Random& random, const test::RobotScene& made, const Sce
   if (back.reachable) expect_good_path(scene, to, from, back);
 }
 
-// MINKSUM_PAIRS counts scenes. Free space is that of slices, which other tests look at.
+// MINKSUM_PAIRS is the number of scenes. Other tests test the free space of slices.
 TEST(Reach, IsWhatTheGraphOfAllPartsSays) {
   const std::uint64_t seed = test::seed_from_environment(1);
   SCOPED_TRACE(seed);

@@ -1,4 +1,4 @@
-// Discs by their definition, round offsets by distances of sampled points and by law.
+// Tests discs by their definition, and round offsets by distances of sampled points and by law.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,8 @@ namespace {
 
 using namespace test;
 
-/// |x − ab|², exactly: to the foot of the perpendicular if that is on the segment, or to an end.
+/// Returns the exact squared distance of x from the segment ab: to the foot of the perpendicular if
+/// that is on the segment, else to an end.
 Rational squared_distance(const Point& x, const Point& a, const Point& b) {
   const Rational dx = b.x - a.x, dy = b.y - a.y;
   Rational t(0);
@@ -30,7 +31,7 @@ Rational squared_distance(const Point& x, const Point& a, const Point& b) {
   return ex * ex + ey * ey;
 }
 
-/// To the nearest point of all boundaries and thin parts.
+/// Returns the squared distance to the nearest point of all boundaries and thin parts.
 Rational squared_distance_to_lines(const Point& x, const Geometry& set) {
   std::optional<Rational> best;
   const auto take = [&](const Point& a, const Point& b) {
@@ -54,12 +55,12 @@ Rational squared_distance_to_lines(const Point& x, const Geometry& set) {
   return *best;
 }
 
-/// Returns whether x belongs to the region, its boundary included: by the tests' own reference.
+/// Returns whether x belongs to the region, its boundary included, by the tests' own reference.
 bool belongs(const Point& x, const Region& region) {
   return reference::locate(reference::to_pt(x), region) != reference::Side::kOutside;
 }
 
-/// Whether x is in the true offset by d: within |d| of the set, or that deep inside its area.
+/// Returns whether x is in the true offset by d: within |d| of the set, or that deep in its area.
 bool in_true_offset(const Point& x, const Geometry& set, const Rational& d) {
   const bool inside = !set.region.empty() && belongs(x, set.region);
   const Rational distance = squared_distance_to_lines(x, set);
@@ -73,8 +74,8 @@ Point random_point(Random& random) {
 
 // -- Discs -----------------------------------------------------------------------------------
 
-/// Convex, with the origin inside; all vertices within `outer`; all of the boundary, by distances
-/// to segments, beyond `inner`.
+/// Expects a convex disc with the origin inside and all vertices within `outer`. All of its
+/// boundary must be beyond `inner`, by distances to segments.
 void expect_disc(const Region& disc, const Rational& inner, const Rational& outer) {
   ASSERT_EQ(disc.ring_count(), 1U);
   const std::size_t n = disc.vertex_count();
@@ -112,7 +113,7 @@ TEST(Disc, IsWithinItsTolerance) {
         const Box box = *bounding_box(d);
         EXPECT_EQ(box.max.x, radius);
         EXPECT_EQ(box.min.y, -radius);
-        // No polygon between the two circles has fewer than this.
+        // No polygon between the two circles has fewer vertices.
         const double least = std::acos(-1.0) / std::acos((inner / outer).to_double());
         EXPECT_LE(static_cast<double>(d.vertex_count()),
                   1.02 * least + (side == RoundingSide::kNearest ? 6 : 4))
@@ -156,7 +157,7 @@ TEST(RoundOffset, IsBetweenTrueOffsetsAtSampledPoints) {
         ++counts[is ? 1 : 0];
         const Rational low = side == RoundingSide::kOutside ? d : d - t;
         const Rational high = side == RoundingSide::kInside ? d : d + t;
-        // What has no area is not in the result: so a little less than shrinking asks for.
+        // The result lacks what has no area, so the test shrinks a little less.
         const Rational least = d.sign() < 0 ? low - Rational(1, 1000) : low;
         if (low.sign() == d.sign() && in_true_offset(x, set, least)) {
           EXPECT_TRUE(is) << message(a, d) << ' ' << x.x << ' ' << x.y;
@@ -186,14 +187,14 @@ TEST(RoundOffset, Laws) {
     };
     const Geometry out = outside(a, d), in = inside(a, d);
     EXPECT_TRUE(contains(out.region, in.region)) << message(a, d);
-    // By more, if that is more than the tolerance.
+    // This offset is by more, if more than the tolerance.
     EXPECT_TRUE(contains(inside(a, d + t + t).region, out.region) || (d + t + t).sign() != sign)
         << message(a, d);
     EXPECT_TRUE(contains(outside(out, e).region, inside(a, d + e).region)) << message(a, d);
     EXPECT_TRUE(contains(outside(a, d + e).region, inside(in, e).region)) << message(a, d);
     const Region plain = resolve(a).region;
     EXPECT_TRUE(sign > 0 ? contains(in.region, plain) : contains(plain, out.region));
-    // There and back: a closing or an opening.
+    // An offset there and back is a closing or an opening.
     EXPECT_TRUE(sign > 0 ? contains(outside(out, -d).region, plain)
                          : contains(plain, inside(in, -d).region))
         << message(a, d);

@@ -1,4 +1,5 @@
-// Rounded regions: valid, on the target, close to the exact one, and on the right side of it.
+// Tests that rounded regions are valid, on the target, close to the exact one, and on its right
+// side.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -24,7 +25,7 @@ using namespace minksum::test;
 
 Rational power_of_ten(int exponent) { return Rational(Decimal{1, exponent}); }
 
-/// All coordinates are doubles, or decimals with so many digits.
+/// Returns whether all coordinates are doubles, or decimals with so many digits.
 bool on_target(const Region& region, std::optional<int> decimals) {
   const auto is = [&](const Rational& value, double nearest) {
     return decimals ? (value * power_of_ten(*decimals)).is_integer() : value == Rational(nearest);
@@ -35,12 +36,13 @@ bool on_target(const Region& region, std::optional<int> decimals) {
   return true;
 }
 
-/// Decimals as integers: GEOS knows doubles only.
+/// Returns the fault that GEOS finds. Decimals are scaled to integers, because GEOS has only
+/// doubles.
 std::string fault_by_geos(const Region& region, std::optional<int> decimals) {
   return geos_fault(decimals ? scaled(region, power_of_ten(*decimals)) : region);
 }
 
-/// What happened, for the log of a long run.
+/// Counts what happened, for the log of a long run.
 struct Tally {
   std::uint64_t rounded = 0;
   std::uint64_t exact = 0;
@@ -74,7 +76,7 @@ class Checker {
     }
   }
 
-  /// The same and more, by slow means that share nothing with the library.
+  /// Checks the same and more, by slow means that share nothing with the library.
   void check_by_reference() const {
     EXPECT_EQ(reference::validity_fault(rounded_), "");
     EXPECT_EQ(reference::canonical_fault(rounded_), "");
@@ -110,8 +112,8 @@ class Checker {
   Region rounded_;
 };
 
-/// A sum of two small operands, at a scale that makes its features larger or smaller than the
-/// steps that it is rounded to.
+/// Returns a sum of two small operands, at a scale that makes its features larger or smaller than
+/// the steps of rounding.
 Region random_sum(Random& random) {
   const Pair pair = random_pair(random);
   const Rational turned_scale(random.between(1, 60), random.between(1, 60));
@@ -141,7 +143,7 @@ TEST(Rounding, ItsJudgesCanReject) {
   EXPECT_EQ(geos_fault(square), "");
   if (!geos_available()) return;
   EXPECT_NE(geos_fault(make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}})), "");
-  // A hole from wall to wall.
+  // The hole reaches from wall to wall.
   EXPECT_NE(geos_fault(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{0, 2}, {2, 1}, {4, 2}}})),
             "");
 }

@@ -1,4 +1,4 @@
-// Settings change how a sum is computed, never what comes out: the same bytes.
+// Tests that settings change how a sum is computed, but no byte of the result.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -63,10 +63,10 @@ void expect_same_everywhere(const Region& p, const Region& q, const std::string&
     const Region result = minkowski_sum(p, q, setting.options);
     EXPECT_EQ(result, expected) << setting.name << ", " << about;
     EXPECT_EQ(to_text(result), text) << setting.name << ", " << about;
-    if (setting.options.method != Method::kSigned) {  // which gives no origins
+    if (setting.options.method != Method::kSigned) {  // the signed method gives no origins
       EXPECT_EQ(provenance_fault(p, q, result), "") << setting.name << ", " << about;
     }
-    // A rung that is too narrow for the operands is climbed past.
+    // A rung that is too narrow for the operands is skipped.
     EXPECT_GE(statistics.arithmetic, setting.options.arithmetic) << setting.name << ", " << about;
     if (!setting.options.filter) {
       EXPECT_EQ(statistics.by_filter, 0U) << setting.name;
@@ -98,7 +98,8 @@ TEST(Settings, LargerShapes) {
                          random_cells(random, 5, 5, true, false), "cells");
 }
 
-// Large enough for the cover to matter, with holes, slits, parts and touching rings.
+// Returns a region that is large enough for the cover to matter, with holes, slits, parts and
+// touching rings.
 Region medium_region(Random& random) {
   switch (random.below(6)) {
     case 0:

@@ -1,5 +1,5 @@
-// Sums of small operands, which take a way of their own, and the same by the stages. MINKSUM_PAIRS
-// sets how many, MINKSUM_SEED where to start.
+// Compares sums of small operands, which take a shorter way, with those by the stages.
+// MINKSUM_PAIRS is the number of pairs, MINKSUM_SEED the first seed.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -36,14 +36,14 @@ Region random_shape(Random& random) {
       return spiral(random.between(1, 4));
     case 7:
       return random_triangle(random, random.between(1, 20));
-    // As many vertices as make segments by the hundred.
+    // So many vertices make hundreds of segments.
     case 8:
       return random_two_opt(random, random.between(16, 40), random.between(30, 400));
     case 9:
       return round_polygon(random.between(8, 100), random.between(200, 5'000));
     case 10:
       return comb(random.between(8, 30), random.between(1, 3), random.between(1, 9));
-    // So wide that doubles do not hold cross products.
+    // The shapes are so wide that doubles do not hold cross products.
     case 11:
       return random_two_opt(random, random.between(4, 16),
                             random.between(30'000'000, 1'000'000'000));
@@ -51,7 +51,7 @@ Region random_shape(Random& random) {
       return random_star_shaped(random, random.between(40, 120), random.between(500, 20'000));
     case 13:
       return random_two_opt(random, random.between(40, 70), random.between(2'000, 60'000));
-    // Holes that the other operand fits into, or not.
+    // The other operand may fit into the holes or not.
     case 14:
       return random_with_holes(random, random.between(6, 40), random.between(1, 4));
     default:
@@ -59,7 +59,7 @@ Region random_shape(Random& random) {
   }
 }
 
-/// Turned, mirrored, on another grid, elsewhere.
+/// Returns a map that turns, mirrors, moves and changes the grid.
 Affine random_map(Random& random) {
   const auto power = [&](std::int64_t base, int most) {
     Rational value = 1;
@@ -88,7 +88,7 @@ void compare(std::uint64_t seed) {
                                     : transform(random_shape(random), random_map(random));
   const Region sum = minkowski_sum(p, q);
   EXPECT_EQ(to_text(sum), to_text(sum_by_stages(p, q))) << note(seed, p, q);
-  // Holes are filled the small way where operands are prepared.
+  // For prepared operands, the way of small sums fills holes.
   const Region of_prepared = minkowski_sum(PreparedRegion(p), PreparedRegion(q));
   EXPECT_EQ(to_text(of_prepared), to_text(sum)) << note(seed, p, q);
   if (seed % 8 == 0) {

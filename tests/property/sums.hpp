@@ -1,4 +1,4 @@
-// Short names for the property tests.
+// Defines short names for the property tests.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace minksum::test {
   return minkowski_sum(p, q, options);
 }
 
-/// By the stages, however small the operands are.
+/// Returns the sum by the stages, however small the operands are.
 [[nodiscard]] inline Region sum_by_stages(const Region& p, const Region& q) {
   Statistics statistics;
   Options options;
@@ -24,7 +24,7 @@ namespace minksum::test {
   return minkowski_sum(p, q, options);
 }
 
-/// What a failure prints: enough to run the case again.
+/// Returns what a failure prints: enough to run the case again.
 [[nodiscard]] inline std::string note(std::uint64_t seed, const Region& p, const Region& q) {
   return "seed " + std::to_string(seed) + "\nP " + to_text(p) + "\nQ " + to_text(q);
 }

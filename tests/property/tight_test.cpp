@@ -1,5 +1,5 @@
-// Tight places against brute force on many small pairs that fit tightly. MINKSUM_PAIRS sets how
-// many, MINKSUM_SEED where to start.
+// Tests tight places against brute force on many small pairs that fit tightly. MINKSUM_PAIRS is the
+// number of pairs, MINKSUM_SEED the first seed.
 #include <gtest/gtest.h>
 
 #include <exception>
@@ -35,7 +35,7 @@ std::string text_of(const Geometry& tight) {
   return text;
 }
 
-// A box of cells less some of them: slots, rooms and corridors.
+// Returns a box of cells without some of them, which leaves slots, rooms and corridors.
 Region carved(Random& random, bool halves) {
   const int columns = random.between(3, 5);
   const int rows = random.between(3, 5);
@@ -69,7 +69,8 @@ Region small_part(Random& random) {
   }
 }
 
-// A box with square holes on edge that touch one another and the box: its inside is in many parts.
+// Returns a box with square holes, standing on a corner, that touch one another and the box. Its
+// inside has many parts.
 Region lace(Random& random) {
   const int columns = random.between(1, 3);
   const int rows = random.between(1, 2);
@@ -82,7 +83,7 @@ Region lace(Random& random) {
   return make_polygon({{0, 0}, {2 * columns, 0}, {2 * columns, 2 * rows}, {0, 2 * rows}}, holes);
 }
 
-// A convex part and a hole in which it can move along one way.
+// Returns a convex part and a hole in which it can move along one path.
 Pair part_and_slot(Random& random) {
   const Region part = random_convex(random, random.between(3, 6), 4);
   const std::int64_t dx = random.between(-4, 4);
@@ -98,7 +99,7 @@ Pair part_and_slot(Random& random) {
   return {frame({hole}, random.between(1, 2)), part, "part and slot"};
 }
 
-// A part and a hole of its form.
+// Returns a part and a hole of its form.
 Pair part_and_frame(Random& random) {
   Region part = random.one_in(2) ? small_part(random) : random_polygon(random);
   if (part.ring_count() != 1) part = rectangle(0, 0, random.between(1, 3), random.between(1, 3));
@@ -227,7 +228,7 @@ Geometry with_walls(const Region& region, Random& random) {
   return reference::brute_force_resolve(result, FillRule::kAutomatic);
 }
 
-/// The tight places of both areas, less what sums with thin parts cover; resolved.
+/// Returns the tight places of both areas without what sums with thin parts cover, resolved.
 Geometry uncovered_tight_places(const Geometry& p, const Geometry& q) {
   const Geometry thin_p{{}, p.polylines, p.points};
   const Geometry thin_q{{}, q.polylines, q.points};
@@ -288,7 +289,7 @@ Pair larger_pair(Random& random) {
   }
 }
 
-// Large enough for covers of both kinds to hide most of the segments: nothing is lost by that.
+// The pairs are so large that covers of both kinds hide most segments, which must lose nothing.
 TEST(LargerTightPairs, CoverHidesNothing) {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
@@ -310,7 +311,7 @@ TEST(LargerTightPairs, CoverHidesNothing) {
       EXPECT_EQ(text_of(tight_places(pair.p, pair.q, options, sum, about)), text_of(truth))
           << "grid " << grid << ' ' << about;
     }
-    // The other way round: other ends of parallel edges count.
+    // With exchanged operands, other ends of parallel edges count.
     EXPECT_EQ(text_of(tight_places(pair.q, pair.p, {}, sum, about)), text_of(truth)) << about;
   }
   std::cout << "larger pairs with tight points: " << tally.with_points

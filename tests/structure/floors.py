@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The floors of the house: which part of the code may include which.
+"""Checks and draws the floors of the house, which say what each part of the code may include.
 
     floors.py check ROOT    print every include that breaks a rule; exit with 1 if there is one
     floors.py draw ROOT     write docs/architecture.md and docs/img/architecture.svg anew
@@ -15,7 +15,7 @@ import re
 import sys
 import textwrap
 
-# Room, floor, what it holds. Rooms on one floor do not include each other.
+# Each entry has a room, its floor, and what it holds. Rooms on one floor do not include each other.
 ROOMS = [
     ("src/machine", 0, "What depends on the machine: vector instructions, threads, memory that grows "
                        "in pieces, the count of work that looks at cancel tokens."),
@@ -41,7 +41,7 @@ ROOMS = [
 ]
 FLOOR = {room: floor for room, floor, _ in ROOMS}
 
-# What the floors alone do not say: room or folder, what it may not reach, why.
+# Rules beyond the floors: a room or folder, what it may not reach, and why.
 APART = [
     ("src/second", "src/sum", "a second opinion shares nothing with the first"),
     ("src/sum/small", "src/sum", "the way of small operands stands beside the stages"),
@@ -49,7 +49,7 @@ APART = [
 # The stages in the order of the pipeline. Each may include the boundary header of those before it.
 STAGES = ["operands", "convolution", "cover", "arrangement", "loops", "filters", "output", "tight",
           "trace"]
-# A file or a room, what it includes against the rules, why.
+# Exceptions: a file or a room, what it includes against the rules, and why.
 EXCEPTIONS = {
     ("src/io", "src/machine/cancellation.hpp"):
         "readers and writers count their work as the library does, by this header alone",
@@ -58,13 +58,13 @@ EXCEPTIONS = {
     ("src/operations/no_fit/no_fit_table.cpp", "src/operations/sum/fixed_sum.hpp"):
         "the parts of a table are validated once, which has no public form",
 }
-# Adaptors are public headers that may include the library that they adapt, as only a user who has
-# it includes them. Some of these libraries are GPL or LGPL, so no program and no library that is
-# built here may reach an adaptor.
+# Adaptors are public headers that may include the library that they adapt, because only a user who
+# has that library includes them. Some of these libraries are GPL or LGPL, so no program and no
+# library that is built here may reach an adaptor.
 ADAPTORS = "include/minksum/adaptors/"
 ADAPTED = {"boost_geometry.hpp": "boost/", "cgal.hpp": "CGAL/", "geos.hpp": "geos_c.h"}
-SHARED = ADAPTORS + "shared.hpp"  # by all adaptors; it includes no other library
-# Code outside of src that sees the public headers alone, so that it shares no mistake with src.
+SHARED = ADAPTORS + "shared.hpp"  # all adaptors share it; it includes no other library
+# Code outside of src that includes only public headers, so that it shares no mistake with src.
 OUTSIDE = ["c", "cli", "bench", "examples", "tests/adaptors", "tests/reference", "tests/support",
            "tests/property", "tests/real", "tests/oracle"]
 
@@ -72,12 +72,12 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.M)
 
 
 class House:
-    """Every file, and what it includes."""
+    """Knows every file and what it includes."""
 
     def __init__(self, root):
         self.root = pathlib.Path(root)
         self.faults = []
-        self.used = set()  # exceptions
+        self.used = set()  # exceptions that were needed
         self.includes = {}
         for folder in ["include", "src", *OUTSIDE]:
             for path in sorted((self.root / folder).rglob("*.?pp")):
@@ -86,7 +86,7 @@ class House:
                 self.includes[name] = [self.resolve(name, text) for text in found]
 
     def resolve(self, name, text):
-        """The file that an include names, or the text itself if it is none of ours."""
+        """Returns the file that an include names, or the text itself if the file is not ours."""
         own = name.rsplit("/", 1)[0]
         for folder in [own, name.split("/")[0], "src", "include", "tests"]:
             if (self.root / folder / text).is_file():
@@ -94,7 +94,7 @@ class House:
         return text
 
     def reached(self, name):
-        """Each file that `name` includes, directly or not, with the include that it enters by."""
+        """Returns each file that `name` includes in the end, with the include that leads to it."""
         first = {}
         for direct in self.includes.get(name, []):
             stack = [direct]
@@ -158,7 +158,7 @@ class House:
                 self.fault(name, shown, why)
 
     def check_folders(self, name, target):
-        """Of two files in one room: stages are in order, operations apart."""
+        """Checks two files in one room: stages must be in order, and operations apart."""
         own, other = folder_of(name), folder_of(target)
         if own == other:
             return
@@ -186,7 +186,7 @@ class House:
                 continue
             elif adapted and target.startswith(adapted):
                 continue
-            elif "/" in target or target.endswith(".h"):  # not so the standard library
+            elif "/" in target or target.endswith(".h"):  # the standard library has neither
                 also = f", this one {adapted} as well" if adapted else ""
                 self.fault(name, target,
                            f"public headers include the standard library and each other{also}")
@@ -205,7 +205,7 @@ class House:
 
     # -- The picture -------------------------------------------------------------------------------
     def arrows(self):
-        """Pairs of rooms: the first includes the second."""
+        """Returns pairs of rooms of which the first includes the second."""
         pairs = set()
         for name, targets in self.includes.items():
             own = room_of(name)
@@ -222,17 +222,18 @@ def room_of(path):
 
 
 def folder_of(path):
-    """The folder inside the room, or the empty string."""
+    """Returns the folder inside the room, or the empty string."""
     parts = path.split("/")
     return parts[2] if len(parts) > 3 else ""
 
 
-# -- Drawing -----------------------------------------------------------------------------------------
+# -- Drawing
+# -----------------------------------------------------------------------------------------
 WIDTH, LANE, BOX, HEIGHT = 760, 74, 150, 34
 
 
 def places():
-    """The middle of each room's box."""
+    """Returns the middle of each room's box."""
     floors = collections.defaultdict(list)
     for room, floor, _ in ROOMS:
         floors[floor].append(room)
@@ -272,7 +273,7 @@ def picture(house):
                      f'<text class="floor" x="4" y="{y + 5}">floor {floor}</text>')
     for a, b in house.arrows():
         (x0, y0), (x1, y1) = where[a], where[b]
-        # An arrow enters and leaves a box where it comes from, so that few of them coincide.
+        # An arrow enters and leaves a box towards its other end, so that few arrows coincide.
         shift = max(-55, min(55, (x1 - x0) // 4))
         start, end = x0 + shift, x1 - shift
         bend = min(60, (y1 - y0) // 2)
@@ -340,7 +341,7 @@ def wrapped(bullet, text):
 
 
 def drawn(house):
-    """The files that are drawn, by their paths."""
+    """Returns the texts of the files that are drawn, by their paths."""
     return {"docs/architecture.md": page(house), "docs/img/architecture.svg": picture(house)}
 
 

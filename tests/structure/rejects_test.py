@@ -1,4 +1,4 @@
-"""The check of the floors rejects a tree that breaks every rule, for the reasons in its list."""
+"""Tests that the check of the floors finds just the listed faults in a tree with every fault."""
 import pathlib
 import subprocess
 import sys

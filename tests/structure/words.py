@@ -1,4 +1,4 @@
-"""One thing has one name: prints each identifier and heading that goes against docs/glossary.md.
+"""Prints each identifier and heading that goes against docs/glossary.md.
 
     words.py ROOT    exits with 1 if there is one
 """
@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-# A word that stands for something else or says nothing, and what to say.
+# Words that mean something else or say nothing, each with what to say instead.
 WORDS = {
     r"\w*[Ii]llegal\w*": "invalid",
     r"\w*(?<![a-zA-Z])[Ll]egal\w*|\w*_legal\w*": "valid",
@@ -22,7 +22,7 @@ HEADING = re.compile(r"^#+ .*", re.M)
 
 
 def texts(root):
-    """Code without comments and literals, and headings, line by line: (place, text)."""
+    """Yields (place, text) of each heading and line of code, without comments and literals."""
     for folder in ["src", "include", "cli", "c"]:
         for path in sorted((root / folder).rglob("*.?pp")):
             for i, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):

@@ -17,7 +17,8 @@ namespace {
 using Cancel = std::optional<CancelToken>;
 
 // -- Inputs ---------------------------------------------------------------------------------------
-/// One polygon, whose holes are diamonds in a row: each touches the next at a vertex.
+/// Returns one polygon whose holes are diamonds in a row, each of which touches the next at a
+/// vertex.
 Region chain_of_holes(int holes) {
   std::vector<Outline> diamonds;
   for (std::int64_t i = 0; i < holes; ++i) {
@@ -25,7 +26,7 @@ Region chain_of_holes(int holes) {
   }
   return make_polygon({{-4, -4}, {4 * holes + 4, -4}, {4 * holes + 4, 4}, {-4, 4}}, diamonds);
 }
-/// Triangles in rows, apart from each other.
+/// Returns triangles in rows, apart from each other.
 Region triangles(int count) {
   const int side = std::max(1, static_cast<int>(std::sqrt(count)));
   std::vector<std::vector<Outline>> parts;
@@ -36,7 +37,7 @@ Region triangles(int count) {
   }
   return make_region(parts);
 }
-/// Squares in each other: polygon, hole, polygon in the hole, and so on.
+/// Returns nested squares: polygon, hole, polygon in the hole, and so on.
 Region nested_squares(int rings) {
   std::vector<std::vector<Outline>> parts;
   for (std::int64_t i = 0; i + 1 < rings; i += 2) {
@@ -52,7 +53,7 @@ Region row_of_squares(int count) {
   }
   return make_region(parts);
 }
-/// Long thin triangles through each other's neighbourhood, side by side.
+/// Returns long thin triangles side by side, whose boxes overlap.
 Region needles(int count) {
   std::vector<std::vector<Outline>> parts;
   for (std::int64_t i = 0; i < count; ++i) {
@@ -69,11 +70,11 @@ Outline random_outline(int vertices, int size, std::uint64_t seed) {
 Geometry random_path(int vertices, std::uint64_t seed) {
   return make_lines({random_outline(vertices, 100'000, seed)});
 }
-/// A ring that crosses itself many times.
+/// Returns a ring that crosses itself many times.
 Geometry tangle(int vertices) {
   return {make_polygon(random_outline(vertices, 10'000, 5)), {}, {}};
 }
-/// A star whose coordinates have long denominators, each its own.
+/// Returns a star whose coordinates all have different long denominators.
 Region long_numbers(int spikes, int digits) {
   Random random(11);
   const Region star = spiky_star(random, spikes, 1000);
@@ -205,7 +206,7 @@ std::vector<Binary> binary_operations() {
   add("unite, intersect", [](const Geometry& a, const Geometry& b, const Cancel& c) {
     const std::array<Geometry, 2> both{resolve(a, {FillRule::kAutomatic, false, c}),
                                        resolve(b, {FillRule::kAutomatic, false, c})};
-    const Geometry united = unite(both, c);  // freed at the end: that is none of the library's time
+    const Geometry united = unite(both, c);  // freed later, outside of the library's time
     static_cast<void>(intersect(both[0].region, both[1].region, c));
   });
   add("check", [](const Geometry& a, const Geometry& b, const Cancel& c) {

@@ -1,4 +1,4 @@
-// Operations on inputs that take them long, for tests of cancelling.
+// Lists operations with inputs that take them long, for tests of cancelling.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,17 @@
 
 namespace minksum::test {
 
-/// One operation on one input, with a token. `run` may be called many times.
+/// One operation on one input, which takes a token. `run` may be called many times.
 struct CancelCase {
   std::string operation;
   std::string input;
   std::function<void(const std::optional<CancelToken>&)> run;
 };
 
-/// All operations on inputs of each kind that is hard for some phase: chains of holes that touch,
-/// many triangles, combs, needles, nested squares, rows of squares, spirals, polylines and rings
-/// that cross themselves, long numbers. `size` is about the number of vertices of an operand.
+/// Returns all operations on inputs of each kind that is hard for some phase. The kinds are chains
+/// of holes that touch, many triangles, combs, needles, nested squares, rows of squares, spirals,
+/// polylines and rings that cross themselves, and long numbers. `size` is about the number of
+/// vertices of an operand.
 [[nodiscard]] std::vector<CancelCase> cancel_cases(int size);
 
 }  // namespace minksum::test

@@ -1,4 +1,4 @@
-// The folder of real shapes that tests use if it is there.
+// Reads the folder of real shapes, which tests use if it exists.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace minksum::test {
 
-/// The folder named by the environment variable MINKSUM_DATA, or ../shared/data beside the source
-/// tree; nothing (and a line on stderr, once) if there is none.
+/// Returns the folder named by the environment variable MINKSUM_DATA, or ../shared/data beside the
+/// source tree. Without a folder it returns nothing, and writes a line on stderr once.
 [[nodiscard]] std::optional<std::filesystem::path> data_path();
 
 /// A row of the folder's MANIFEST.tsv.
@@ -25,12 +25,12 @@ struct DataFile {
 };
 [[nodiscard]] std::vector<DataFile> read_manifest(const std::filesystem::path& folder);
 
-/// The rows of a file with tabs, each a map from the heading to the value.
+/// Returns the rows of a file with tabs, each a map from the heading to the value.
 [[nodiscard]] std::vector<std::map<std::string, std::string>> read_table(
     const std::filesystem::path& file);
 
-/// Reads a POLYGON or MULTIPOLYGON, numbers exactly; a reader of the tests' own, without mercy:
-/// throws std::runtime_error. Closing vertices are dropped.
+/// Reads a POLYGON or MULTIPOLYGON with exact numbers, and drops closing vertices. This strict
+/// reader is independent of the library's, and throws std::runtime_error.
 [[nodiscard]] Region read_wkt(const std::filesystem::path& file);
 [[nodiscard]] Region parse_wkt(const std::string& text);
 

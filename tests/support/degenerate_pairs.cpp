@@ -63,7 +63,7 @@ std::pair<Point, Point> any_edge(const Region& region, Random& random) {
   return {ring[i], ring[(i + 1) % ring.size()]};
 }
 
-/// Rings and lines whose vertices lie on up to three lines.
+/// Returns rings and polylines whose vertices lie on up to three lines.
 Geometry on_few_lines(Random& random) {
   std::vector<std::pair<Vertex, Vertex>> lines;
   for (int i = random.between(1, 3); i > 0; --i) {
@@ -87,7 +87,7 @@ Geometry on_few_lines(Random& random) {
   return result;
 }
 
-/// A box with square holes on edge that touch one another and the box.
+/// Returns a box with square holes, standing on a corner, that touch one another and the box.
 Region lace(Random& random) {
   const int columns = random.between(1, 3);
   const int rows = random.between(1, 2);
@@ -125,7 +125,7 @@ Outline outer_outline(const Region& region, std::int64_t sign) {
   return outline;
 }
 
-/// A part, and a frame with a hole of its form, or with two, of which one is wider.
+/// Returns a part, and a frame with a hole of its form, or with two holes, one of which is wider.
 DegeneratePair part_and_frame(Random& random) {
   const Region part = small_part(random);
   std::vector<Outline> holes{outer_outline(part, -1)};
@@ -138,7 +138,7 @@ DegeneratePair part_and_frame(Random& random) {
           "frame and part"};
 }
 
-/// A box with slots and rooms of whole units, and what may just fit into them.
+/// Returns a box with slots and rooms of whole units, and a part that may just fit into them.
 DegeneratePair slots(Random& random) {
   Region box;
   switch (random.below(3)) {

@@ -1,5 +1,4 @@
-// Random pairs of operands that are degenerate in a way that means something: by themselves, or
-// with each other.
+// Makes random pairs of operands that are degenerate in a meaningful way, alone or with each other.
 #pragma once
 
 #include <string>
@@ -15,13 +14,15 @@ struct DegeneratePair {
   std::string kind;  ///< for messages
 };
 
-/// Messes; vertices on few lines; an operand with itself, mirrored or moved; rings with repeated
-/// vertices, spikes and rings drawn twice; parts and frames or slots of their form; holes that
-/// touch each other; cells with cells; anything thin with any of these.
+/// Returns a pair of one of these kinds: messes; vertices on few lines; an operand with itself,
+/// mirrored or moved; rings with repeated vertices, spikes and rings drawn twice; parts and frames
+/// or slots of their form; holes that touch each other; cells with cells; anything thin with any of
+/// these.
 [[nodiscard]] DegeneratePair random_degenerate_pair(Random& random);
 
-/// The same region, with what a careless source leaves in it: repeated and straight vertices,
-/// spikes, rings drawn twice, rings that collapse on an edge, lines along edges, points on them.
+/// Returns the same region as a careless source writes it: with repeated and straight vertices,
+/// spikes, rings drawn twice, rings that collapse on an edge, lines along edges, and points on
+/// them.
 [[nodiscard]] Geometry untidy(const Region& region, Random& random);
 
 }  // namespace minksum::test

@@ -26,7 +26,7 @@ struct Kind {
   Region (*make)(Random&);
 };
 
-// At least 3 by 3 lines, so that enough points are to be had.
+// The grid has at least 3 by 3 lines, so that it has enough points.
 int count_for(Random& random, int size) { return random.between(4, std::min(10, size * size + 2)); }
 
 constexpr Kind kSinglePart[] = {
@@ -62,7 +62,7 @@ constexpr Kind kSinglePart[] = {
        return random_with_holes(r, r.between(4, 16), holes);
      }},
 };
-// Close together if they can be, one in a hole of the other if that happens.
+// Returns two parts as close together as possible, perhaps one in a hole of the other.
 Region two_parts(Random& random) {
   const Region a = random_polygon(random);
   const Region b = random_polygon(random);
@@ -87,7 +87,7 @@ Region make(const Kind& kind, Random& random, std::string* name) {
   return kind.make(random);
 }
 
-// -q's outline as a hole, or the box of it, wider or narrower by a unit.
+// Returns a frame whose hole is the outline of -q or its box, perhaps wider or narrower by a unit.
 Region frame_for(const Region& q, Random& random) {
   Outline hole;
   for (const std::size_t v : q.vertices_of(0)) {

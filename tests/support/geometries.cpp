@@ -17,8 +17,8 @@ Vertex random_vertex(Random& random, int size) {
   return {random.between(0, size), random.between(0, size)};
 }
 
-// Whether a path may go on from its last vertex to `next`: without touching itself, but for its end
-// if it closes, and not straight on.
+// Returns whether a path may go on from its last vertex to `next`. It must not go straight on, and
+// must not touch itself except where it closes.
 bool may_go_on(const Polyline& path, const Point& next, bool closing) {
   const Pt a = to_pt(path.back());
   const Pt b = to_pt(next);

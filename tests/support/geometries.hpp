@@ -1,4 +1,4 @@
-// Geometries with thin parts: made at random, and printed.
+// Makes random geometries with thin parts, and prints geometries.
 #pragma once
 
 #include <string>
@@ -14,19 +14,19 @@ namespace minksum::test {
 [[nodiscard]] Geometry make_lines(const std::vector<Outline>& polylines,
                                   const Outline& points = {});
 
-/// A polyline of up to `edges` edges on a grid: simple, without straight vertices; now and then
-/// closed.
+/// Returns a simple polyline of up to `edges` edges on a grid, without straight vertices. Sometimes
+/// it is closed.
 [[nodiscard]] Polyline random_simple_polyline(Random& random, int edges, int size);
-/// Up to three polylines on a grid, which may cross themselves and one another and run back over
-/// themselves, and now and then points.
+/// Returns up to three polylines on a grid, and sometimes points. Polylines may cross themselves
+/// and one another, and run back over themselves.
 [[nodiscard]] Geometry random_thin(Random& random, int size);
 
 [[nodiscard]] Geometry scaled(const Geometry& geometry, const Rational& factor);
 
-/// Returns whether a ⊆ b, of resolved geometries: as sets, points and all.
+/// Returns whether a ⊆ b as sets of points. Both geometries must be resolved.
 [[nodiscard]] bool contains(const Geometry& b, const Geometry& a);
 
-/// Exact WKT, part after part, for messages.
+/// Returns exact WKT, part after part, for messages.
 [[nodiscard]] std::string to_text(const Geometry& geometry);
 
 }  // namespace minksum::test

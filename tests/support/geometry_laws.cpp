@@ -18,7 +18,7 @@
 namespace minksum::test {
 namespace {
 
-// Beyond this many vertices the reference's view of a result takes too long.
+// Beyond this many vertices, the reference takes too long to judge a result.
 constexpr std::size_t kMaxJudged = 24;
 
 std::size_t size_of(const Geometry& geometry) {
@@ -40,7 +40,7 @@ Geometry without_area(const Geometry& geometry) {
 }
 Geometry without_thin_parts(const Geometry& geometry) { return {geometry.region, {}, {}}; }
 
-/// Tight are those of both areas that no area which a thin part makes covers.
+/// Returns the tight places of both areas that no area swept by a thin part covers.
 Geometry true_tight_places(const Geometry& p, const Geometry& q) {
   Geometry tight = reference::brute_force_tight_places(p.region, q.region);
   if (!tight.has_thin_parts() || (!p.has_thin_parts() && !q.has_thin_parts())) return tight;
@@ -75,7 +75,7 @@ bool on_target(const Geometry& geometry, const RoundOptions& options) {
   return all(geometry.points);
 }
 
-/// The same with its last part gone.
+/// Returns the geometry without its last part.
 Geometry less_one_part(const Geometry& geometry) {
   Geometry less = geometry;
   if (!less.points.empty()) {

@@ -1,4 +1,4 @@
-// To GEOS and back. For files that are compiled where GEOS is there only.
+// Converts to GEOS and back. Only files that are compiled where GEOS is available may include this.
 #pragma once
 
 #include <geos_c.h>
@@ -21,10 +21,10 @@ struct GeosGeometryDeleter {
 };
 using GeosGeometry = std::unique_ptr<GEOSGeometry, GeosGeometryDeleter>;
 
-/// A collection of a multipolygon and of all thin parts, in doubles; null if GEOS refuses it.
+/// Returns a collection of a multipolygon and all thin parts, in doubles; null if GEOS refuses it.
 [[nodiscard]] GeosGeometry to_geos(GEOSContextHandle_t context, const Geometry& geometry);
 
-/// The polygons of a geometry that GEOS made.
+/// Returns the polygons of a geometry that GEOS made.
 [[nodiscard]] Region from_geos(GEOSContextHandle_t context, const GEOSGeometry* geometry);
 
 }  // namespace minksum::test

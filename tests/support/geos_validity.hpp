@@ -1,4 +1,4 @@
-// GEOS's opinion on whether a region is valid, where GEOS is there.
+// Asks GEOS whether a region is valid, where GEOS is available.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace minksum::test {
 
 [[nodiscard]] bool geos_available();
-/// Why GEOS thinks that a region of doubles is not valid; empty if it is, or without GEOS.
+/// Returns why GEOS finds a region of doubles not valid; empty if it is valid, or without GEOS.
 [[nodiscard]] std::string geos_fault(const Region& region);
 
 }  // namespace minksum::test

@@ -16,7 +16,7 @@ Point random_point(Random& random, int size) {
 std::vector<Point> random_points(Random& random, int count, int size) {
   std::vector<Point> points;
   for (int i = 0; i < count; ++i) {
-    // Now and then back to where it came from.
+    // Some edges lead back to where the previous one started.
     const bool again = points.size() > 1 && random.one_in(6);
     points.push_back(again ? points[points.size() - 2] : random_point(random, size));
   }

@@ -31,7 +31,7 @@ Outline random_vertices(Random& random, int count, int size) {
   return points;
 }
 
-// Tries until `make` gives a valid outline; a triangle if luck fails.
+// Tries until `make` gives a valid outline; returns a triangle if too many tries fail.
 template <class Make>
 Region until_valid(Random& random, int size, Make&& make) {
   for (int attempt = 0; attempt < 50; ++attempt) {
@@ -109,7 +109,7 @@ Region random_convex(Random& random, int count, int size) {
 
 namespace {
 
-// Boundary edges of unit triangles; where two triangles share an edge, it vanishes.
+// Collects the boundary edges of unit triangles. An edge that two triangles share vanishes.
 class Board {
  public:
   void add_triangle(const Vertex& a, const Vertex& b, const Vertex& c) {
@@ -224,7 +224,7 @@ Region comb(int teeth, std::int64_t width, std::int64_t height) {
 }
 
 Region spiral(int turns) {
-  // The wall's outer line inwards, then its inner line back out; the wall lies between them.
+  // The wall's outer line goes inwards, and its inner line back out; the wall lies between them.
   Outline out;
   Outline back;
   const std::int64_t size = 4 * turns + 1;

@@ -1,11 +1,11 @@
-// Random numbers that are the same with every compiler and library.
+// Makes random numbers that are the same with every compiler and library.
 #pragma once
 
 #include <cstdint>
 
 namespace minksum::test {
 
-/// SplitMix64.
+/// The generator SplitMix64.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -17,9 +17,9 @@ class Random {
     z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
     return z ^ (z >> 31U);
   }
-  /// 0 <= result < n.
+  /// Returns a number with 0 <= result < n.
   int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-  /// low <= result <= high.
+  /// Returns a number with low <= result <= high.
   int between(int low, int high) { return low + below(high - low + 1); }
   bool one_in(int n) { return below(n) == 0; }
 

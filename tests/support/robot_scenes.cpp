@@ -17,7 +17,7 @@ Polygon box_of(const Rational& min_x, const Rational& min_y, const Rational& max
   return {{{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}, {}};
 }
 
-/// How much more room there is than the robot needs: mostly none.
+/// Returns how much more room there is than the robot needs, which is mostly none.
 Rational random_play(Random& random) {
   switch (random.below(8)) {
     case 0:
@@ -33,7 +33,7 @@ Rational random_play(Random& random) {
   }
 }
 
-/// Polylines at random; between vertices of the region, which some of them run along.
+/// Adds random polylines, and polylines between vertices of the region, some along its edges.
 void add_walls(Random& random, Geometry& obstacles, int size) {
   const Geometry thin = random_thin(random, 6);
   const Geometry walls = scaled(thin, Rational(size, 6));
@@ -64,8 +64,8 @@ void make_loose(Random& random, RobotScene& scene) {
   }
 }
 
-/// Squares of the robot's size on a grid: a robot that is the same in all turns, and free parts
-/// that touch at points.
+/// Makes obstacles of the robot's size on a grid. The robot is a square, which looks the same in
+/// all turns, and free parts touch at points.
 void make_lattice(Random& random, RobotScene& scene) {
   scene.kind = "lattice";
   scene.robot = rectangle(-1, -1, 1, 1);
@@ -75,7 +75,7 @@ void make_lattice(Random& random, RobotScene& scene) {
   scene.turn = full_turn(4)[static_cast<std::size_t>(random.below(4))];
 }
 
-/// The robot fits, in this turn, into a hole of the obstacles, or they into one of the robot.
+/// Makes a robot that fits, in this turn, into a hole of the obstacles, or has a hole for them.
 void make_frame(Random& random, RobotScene& scene) {
   scene.kind = "frame";
   const Pair pair = random_pair(random);
@@ -83,7 +83,7 @@ void make_frame(Random& random, RobotScene& scene) {
   scene.robot = reflect(pair.q);
 }
 
-/// Walls of one slot from 0 to `length`, `width` high, along the x-axis.
+/// Returns the walls of a slot along the x-axis, from 0 to `length` and `width` high.
 Geometry slot(Random& random, const Rational& length, const Rational& width) {
   Geometry walls;
   if (random.one_in(2)) {
@@ -98,7 +98,7 @@ Geometry slot(Random& random, const Rational& length, const Rational& width) {
   return walls;
 }
 
-/// A wall with a door, `width` high, in a room.
+/// Returns a wall with a door that is `width` high, in a room.
 Geometry door(const Rational& size, const Rational& width, ConfigurationOptions& options) {
   const Rational low = size * Rational(1, 3);
   const Polygon sides[] = {box_of(size, 0, size + Rational(1), low),
@@ -108,8 +108,8 @@ Geometry door(const Rational& size, const Rational& width, ConfigurationOptions&
   return {Region(sides), {}, {}};
 }
 
-/// A slot, a door, or a corridor as workspace, as wide as the robot is high in the scene's turn;
-/// along the x-axis, or along the robot.
+/// Makes a slot, a door, or a corridor as workspace. It is as wide as the robot is high in the
+/// scene's turn, and lies along the x-axis or along the robot.
 void make_narrow(Random& random, RobotScene& scene) {
   scene.robot = random_region(random);
   const Affine turn = scene.turn.map();
@@ -138,7 +138,7 @@ void make_narrow(Random& random, RobotScene& scene) {
   if (options.workspace) options.workspace = transform(*options.workspace, map);
 }
 
-/// The workspace has the robot's form: it fits, in this turn, with no play at all.
+/// Makes a workspace of the robot's form, into which it fits in this turn without any play.
 void make_cast(Random& random, RobotScene& scene) {
   scene.kind = "cast";
   scene.robot = random_region(random);
@@ -205,7 +205,7 @@ Point between(const Point& a, const Point& b, const Rational& t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
 }
 
-/// On the boundary of any of the polygons, small ones as often as large ones.
+/// Returns a point on the boundary of a random polygon; small ones are as frequent as large ones.
 std::optional<Point> place_on(Random& random, const Region& region) {
   if (region.empty()) return std::nullopt;
   const IndexRange rings = region.rings_of(any_of(random, region.polygon_count()));
@@ -225,7 +225,8 @@ std::optional<Point> place_without_play(Random& random, const Geometry& free) {
   return between(line[i], line[i + 1], Rational(random.below(4), 3));
 }
 
-/// Of two vertices of what is in the way, neighbours or not, a point on the line between them.
+/// Returns a place at which a vertex of the robot lies on the line between two vertices of things
+/// in its way, neighbours or not.
 std::optional<Point> contact(Random& random, const RobotScene& scene, const Turn& turn) {
   std::vector<Point> fixed = scene.obstacles.points;
   for (const Polyline& line : scene.obstacles.polylines) {

@@ -1,4 +1,4 @@
-// Random scenes of robots that move and turn, many of them with no room to spare.
+// Makes random scenes of robots that move and turn, many of them with no room to spare.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ struct RobotScene {
   Region robot;
   Geometry obstacles;            ///< its parts may overlap; its region is valid
   ConfigurationOptions options;  ///< with the reference point and, now and then, a workspace
-  std::size_t angles = 1;        ///< of a full turn
-  double tolerance = 1e-3;       ///< of each turn, degrees
-  Turn turn;                     ///< one of these; in narrow scenes that in which the robot fits
+  std::size_t angles = 1;        ///< number of angles of a full turn
+  double tolerance = 1e-3;       ///< tolerance of each turn, in degrees
+  Turn turn;                     ///< one of the turns; in narrow scenes the robot fits in it
   std::string kind;              ///< for messages
 
   [[nodiscard]] const Region* workspace() const {
@@ -22,17 +22,18 @@ struct RobotScene {
   }
 };
 
-/// Robots of any kind, also in several parts, with holes, with the reference point far off; among
-/// regions and walls at random, in workspaces at random, in a frame or a slot or a door that is in
-/// one turn just as wide as the robot, a hair wider or narrower, or has room; on a grid.
+/// Returns a scene with a robot of any kind: in several parts, with holes, or with the reference
+/// point far away. Obstacles are random regions and walls, random workspaces, or squares on a grid.
+/// Others are a frame, a slot or a door. In one turn these are just as wide as the robot, a hair
+/// wider or narrower, or have room.
 [[nodiscard]] RobotScene random_robot_scene(Random& random);
 
-/// Enough to run it again.
+/// Returns enough of a scene to run it again.
 [[nodiscard]] std::string to_text(const RobotScene& scene);
 
-/// A place for the robot: a vertex of a slice's free space or obstacles, or the middle of an edge,
-/// where it touches; a place without play; one where a vertex of the robot is on what is in its
-/// way. Now and then a hair off. Or anything in the box.
+/// Returns a place for the robot. It may be a vertex of a slice's free space or obstacles, or the
+/// middle of an edge, where the robot touches. It may be a place without play, one where a vertex
+/// of the robot is on an obstacle, or any point of the box. Sometimes it is a hair off.
 [[nodiscard]] Point random_place(Random& random, const RobotScene& scene, const Slice& slice,
                                  const Box& box);
 

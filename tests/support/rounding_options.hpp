@@ -1,4 +1,4 @@
-// Ways to round, and a small region that has to be.
+// Makes options for rounding, and a small region that has to be rounded.
 #pragma once
 
 #include <array>
