@@ -1,5 +1,5 @@
-// Measures how long it takes merely to list the reduced convolution, which is a lower limit for any
-// method that looks at each of its segments.
+// Measures the time of merely listing the reduced convolution. It is a lower limit for any method
+// that looks at each of its segments.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace minksum::bench {
 struct Listing {
   std::size_t segments = 0;
   double seconds = 0;  ///< median of the runs
-  /// Whether the operands fit 30-bit integers as they are; otherwise they were rounded to 30 bits,
+  /// Whether the operands fit 30-bit integers as they are. Otherwise they were rounded to 30 bits,
   /// and the number of segments can be off by a few.
   bool exact = false;
 };

@@ -103,7 +103,7 @@ double Overview::top(std::size_t shown) const {
 }
 
 void Overview::offer(std::size_t index, const Slice& slice) {
-  // The next slice to be drawn starts the next one of `shown_` even steps.
+  // The slices to be drawn are those at the beginnings of `shown_` even steps.
   if (drawn_ == shown_ || index != drawn_ * count_ / shown_) return;
   slices_.draw(picture_, slice, left(drawn_), top(drawn_), column_width());
   ++drawn_;

@@ -126,7 +126,7 @@ class WktReader {
     return false;
   }
 
-  // A run of opening brackets in a wrong place is told to be too deep, if it is that.
+  // If a run of opening brackets in a wrong place is too deep, the error says so.
   void check_depth_here() {
     int depth = depth_;
     for (const char c : cursor_.rest()) {

@@ -1,5 +1,6 @@
 // Measures the longest processor time between two looks at a cancel token, for each operation on
-// each hard input: gaps_run [--size VERTICES] [--seconds PER_CASE] [--most MILLISECONDS] [WORD...]
+// each hard input. Usage: gaps_run [--size VERTICES] [--seconds PER_CASE] [--most MILLISECONDS]
+// [WORD...]
 //
 // Prints a line for each case that has the words in its name. The line has the longest time, and
 // the time from the last look to the end, in which memory is freed. Exits with 1 if either is

@@ -1,5 +1,5 @@
 // Runs a fuzz target without libFuzzer: on each given seed, on every prefix of it, and on many
-// small changes to it, always the same ones. Usage: PROGRAM ROUNDS SEED...
+// small changes to it. The changes are always the same. Usage: PROGRAM ROUNDS SEED...
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -17,8 +17,8 @@ namespace {
 
 using namespace test;
 
-/// Returns the exact squared distance of x from the segment ab: to the foot of the perpendicular if
-/// that is on the segment, else to an end.
+/// Returns the exact squared distance of x from the segment ab. It goes to the foot of the
+/// perpendicular if that is on the segment, else to an end.
 Rational squared_distance(const Point& x, const Point& a, const Point& b) {
   const Rational dx = b.x - a.x, dy = b.y - a.y;
   Rational t(0);
@@ -187,7 +187,7 @@ TEST(RoundOffset, Laws) {
     };
     const Geometry out = outside(a, d), in = inside(a, d);
     EXPECT_TRUE(contains(out.region, in.region)) << message(a, d);
-    // This offset is by more, if more than the tolerance.
+    // An offset by 2 t more contains it, unless 2 t changes the sign of the distance.
     EXPECT_TRUE(contains(inside(a, d + t + t).region, out.region) || (d + t + t).sign() != sign)
         << message(a, d);
     EXPECT_TRUE(contains(outside(out, e).region, inside(a, d + e).region)) << message(a, d);

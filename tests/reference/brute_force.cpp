@@ -286,8 +286,8 @@ Region scale_down(const Region& region, const Integer& scale) {
   return to_region(polygons);
 }
 
-// With operands of B bits, sums have B + 1, edge vectors B + 2, t = n / d 2B + 6, and the x and y
-// of a node 3B + 9. Its position along a line has 4B + 12, and comparing two takes 6B + 18 bits.
+// With operands of B bits, sums have B + 1, edge vectors B + 2, and t = n / d has 2B + 6. The x and
+// y of a node have 3B + 9. Its position along a line has 4B + 12, and comparing two takes 6B + 18.
 constexpr std::size_t compared_bits(std::size_t operand_bits) { return 6 * operand_bits + 18; }
 
 }  // namespace

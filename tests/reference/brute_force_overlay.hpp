@@ -13,7 +13,7 @@
 
 namespace minksum::reference {
 
-/// Does the same as minksum::resolve, but does not refuse invalid regions for kStrict.
+/// Does the same as minksum::resolve, but with kStrict it takes any region for valid.
 [[nodiscard]] Geometry brute_force_resolve(const Geometry& geometry, FillRule rule,
                                            bool regularize = false);
 

@@ -1,5 +1,5 @@
-// Any maximal set of diagonals that do not cross is a triangulation. Then each diagonal is removed
-// without which the two pieces stay convex. The time is quadratic to cubic, and the code is plain.
+// Any maximal set of diagonals that do not cross is a triangulation. Then a diagonal is removed if
+// the merged piece is convex. The time is quadratic to cubic, and the code is plain.
 #include "reference/convex_pieces.hpp"
 
 #include <algorithm>
@@ -97,8 +97,8 @@ class Cutter {
     }
   }
 
-  // Returns 0 for less than half a turn clockwise of the direction to `back`, 1 for half a turn, 2
-  // for more, and 3 for a full turn.
+  // Classifies the clockwise turn from the direction to `back`: 0 is less than half a turn, 1 half,
+  // 2 more, and 3 a full turn.
   int clockwise_class(std::size_t node, std::size_t back, std::size_t p) const {
     const int side = turn(nodes_[node], nodes_[back], nodes_[p]);
     if (side != 0) return side < 0 ? 0 : 2;

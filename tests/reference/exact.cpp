@@ -97,8 +97,8 @@ Side locate(const Pt& p, const Loop& loop) {
 
 namespace {
 
-// Returns 0 for less than half a turn clockwise of `back`, 1 for half a turn, 2 for more, and 3 for
-// a full turn.
+// Classifies the clockwise turn from `back`: 0 is less than half a turn, 1 is half, 2 is more, and
+// 3 is a full turn.
 int clockwise_class(const Pt& node, const Pt& back, const Pt& p) {
   const int side = turn(node, back, p);
   if (side < 0) return 0;

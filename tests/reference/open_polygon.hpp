@@ -49,8 +49,8 @@ class OpenPolygon {
   Span box_;  ///< from the smaller to the larger corner, as doubles tell
 };
 
-/// Appends all t in [0, 1], and maybe others, at which a + t(b − a) reaches or leaves one of the
-/// other spans, or passes an end of one along which it runs. Nothing changes between two such t.
+/// Appends all t in [0, 1] at which a + t(b − a) reaches or leaves another span, or passes an end
+/// of one along which it runs. Nothing changes between two such t. More t may be appended.
 void add_meetings(const Span& span, const std::vector<Span>& others, std::vector<Number>& found);
 
 /// Returns one t from each gap between the meetings, 0 and 1, in order.

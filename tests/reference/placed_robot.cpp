@@ -122,8 +122,8 @@ Collision PlacedRobot::at(const Pt& at, const Pt& direction) const {
 }
 
 bool PlacedRobot::is_free_along(const Pt& a, const Pt& b, const Pt& direction) const {
-  // Collisions change only where a vertex of the robot reaches or leaves an edge, or where an edge
-  // of the robot reaches or leaves a vertex.
+  // Collisions change only where a vertex of the robot reaches or leaves an edge, or an edge of the
+  // robot reaches a vertex.
   const Pt way = minus(b, a);
   std::vector<Span> still = walls_;
   for (const auto* polygons : {&obstacles_, &workspace_}) {

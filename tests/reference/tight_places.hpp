@@ -6,11 +6,11 @@
 
 namespace minksum::reference {
 
-/// Returns the closure of the points that lie in the interior of P ⊕ Q but not in P° ⊕ Q°, as
+/// Returns the closure of the points in the interior of P ⊕ Q that are not in P° ⊕ Q°. It has
 /// polylines and points in canonical form (see Geometry).
 ///
-/// With convex pieces A of P and B of Q, P° ⊕ Q° is the union U of all A° ⊕ B°. For if the insides
-/// of P and x − Q meet, they meet in an open set, and so in a point that is inside a piece of each.
+/// With convex pieces A of P and B of Q, P° ⊕ Q° is the union U of all A° ⊕ B°. The reason: if the
+/// insides of P and x − Q meet, they meet in an open set, so in a point inside a piece of each.
 /// P ⊕ Q is the union S of all A ⊕ B. The points of S that are not in U lie on edges of these sums.
 /// On each edge they are intervals and points that remain after the open sums are removed. They are
 /// tight where both sides are in S. Operands must be valid. Meant for up to a few dozen vertices.

@@ -241,8 +241,8 @@ def places():
     where = {}
     for floor, rooms in floors.items():
         for i, room in enumerate(rooms):
-            # Rooms that are alone on their floor stand to the left and to the right in turn, so
-            # that arrows over several floors pass beside them.
+            # Rooms that are alone on their floor stand left and right in turn, so that arrows
+            # over several floors pass beside them.
             x = WIDTH * (i + 1) / (len(rooms) + 1) if len(rooms) > 1 else WIDTH * (
                 0.62 if floor % 2 else 0.42)
             where[room] = (round(x), (top - floor) * LANE + 40)

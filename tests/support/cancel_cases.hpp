@@ -17,8 +17,8 @@ struct CancelCase {
   std::function<void(const std::optional<CancelToken>&)> run;
 };
 
-/// Returns all operations on inputs of each kind that is hard for some phase. The kinds are chains
-/// of holes that touch, many triangles, combs, needles, nested squares, rows of squares, spirals,
+/// Returns all operations on inputs of each kind that is hard for some phase: chains of holes that
+/// touch, many triangles, combs, needles, nested squares, rows of squares, and spirals. Others are
 /// polylines and rings that cross themselves, and long numbers. `size` is about the number of
 /// vertices of an operand.
 [[nodiscard]] std::vector<CancelCase> cancel_cases(int size);

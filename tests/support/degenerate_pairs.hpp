@@ -14,15 +14,14 @@ struct DegeneratePair {
   std::string kind;  ///< for messages
 };
 
-/// Returns a pair of one of these kinds: messes; vertices on few lines; an operand with itself,
-/// mirrored or moved; rings with repeated vertices, spikes and rings drawn twice; parts and frames
-/// or slots of their form; holes that touch each other; cells with cells; anything thin with any of
-/// these.
+/// Returns a pair of a random kind. Operands may be messes, have vertices on few lines, or have
+/// holes that touch each other. They may have repeated vertices, spikes and rings drawn twice.
+/// Pairs may be an operand with itself, mirrored or moved, a part with a frame or slot of its form,
+/// or cells with cells. Anything thin comes with any of these.
 [[nodiscard]] DegeneratePair random_degenerate_pair(Random& random);
 
-/// Returns the same region as a careless source writes it: with repeated and straight vertices,
-/// spikes, rings drawn twice, rings that collapse on an edge, lines along edges, and points on
-/// them.
+/// Returns the same region as a careless source writes it. It has repeated and straight vertices,
+/// spikes, rings drawn twice, rings that collapse on an edge, and lines and points on edges.
 [[nodiscard]] Geometry untidy(const Region& region, Random& random);
 
 }  // namespace minksum::test

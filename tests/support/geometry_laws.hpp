@@ -34,14 +34,14 @@ struct SumCase {
 [[nodiscard]] std::string broken_sum(const SumCase& sum_case);
 /// Law: tight places agree with brute force.
 [[nodiscard]] std::string broken_tight(const SumCase& sum_case);
-/// Law: if a map scales and moves the operands along the axes and changes no order, the sum and its
-/// tight places are scaled and moved alike.
+/// Law: a map that scales and moves operands along the axes, and changes no order, scales and moves
+/// the sum and its tight places alike.
 [[nodiscard]] std::string broken_scaling(const SumCase& sum_case,
                                          const std::function<Point(const Point&)>& map);
 /// Law: a result is resolved by the definition. Large results are not tested.
 [[nodiscard]] std::string broken_form(const Geometry& result);
-/// Law: rounded to doubles, 3 decimals and integers, on each side, a geometry is on the target,
-/// valid and resolved, and contains the exact one or is contained in it.
+/// Law: a rounded geometry is on the target, valid, resolved, and on its side. It is rounded to
+/// doubles, 3 decimals and integers, on each side.
 [[nodiscard]] std::string broken_rounding(const Geometry& exact);
 /// Tests the same law for one rounded geometry.
 [[nodiscard]] std::string broken_rounding(const Geometry& exact, const RoundOptions& options,

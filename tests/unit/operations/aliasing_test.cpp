@@ -49,7 +49,7 @@ TEST(Aliasing, AResultMayBeAnOperand) {
 
 TEST(Aliasing, AResultMayBeAnOperandOfTheStages) {
   Options options;
-  options.check = true;  // small operands are not summed in their own way then
+  options.check = true;  // then small operands go through the stages
   expect_aliasing_is_allowed(frame(), wedge(), options);
   expect_aliasing_is_allowed(with_a_wall(frame()), with_a_wall(wedge()), options);
 }

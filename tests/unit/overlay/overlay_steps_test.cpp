@@ -1,5 +1,5 @@
-// Tests the steps of the overlay one by one: bounded doubles, exact points on every rung, contacts,
-// the status of the sweep, and the checker of subdivisions.
+// Tests the steps of the overlay: bounded doubles, exact points on every rung, contacts, the status
+// of the sweep, and the checker of subdivisions.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -227,8 +227,7 @@ TEST(Round, SidesHaveNames) {
   EXPECT_STREQ(to_string(RoundingSide::kInside), "inside");
 }
 
-// -- The parts of rounding
-// -------------------------------------------------------------------------------------
+// -- The parts of rounding ----------------------------------------------------------------------
 
 TEST(Settle, Judges) {
   Cancellation never;

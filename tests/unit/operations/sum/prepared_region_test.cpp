@@ -125,8 +125,8 @@ TEST(PreparedRegion, PutsCommonDenominatorsOnTheGrid) {
   }
 }
 
-// Sizes are compared in one unit: here those of a square of 9/7 and of a hole that is a hair wider,
-// equally wide, or narrower.
+// Sizes are compared in one unit. Here a square is 9/7 wide, and a hole is a hair wider, equally
+// wide, or narrower.
 TEST(PreparedRegion, ComparesSizesOnDifferentGrids) {
   const Region part = scaled(rectangle(0, 0, 9, 9), Rational(1, 7));
   const Rational whole(1'000'000'007);
