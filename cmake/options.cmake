@@ -28,8 +28,8 @@ endfunction()
 # Precompiles what most files of a target include, so that it is parsed only once.
 #   minksum_precompile(TARGET HEADERS...)      makes one of the standard headers and HEADERS
 #   minksum_precompile(TARGET REUSE OTHER)     takes that of OTHER, compiled with the same options
-# Every file still includes what it uses: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows where one does
-# not.
+# Every file still includes what it uses: a build with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON fails
+# where one does not.
 function(minksum_precompile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "REUSE" "")
   if(arg_REUSE)

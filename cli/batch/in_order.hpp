@@ -40,8 +40,8 @@ struct Task {
 struct Work {
   /// Returns the next task, or nothing at the end. May wait for input.
   std::function<std::optional<Task>()> next;
-  /// Returns whether `next` can return without waiting. If not, finished results are written first,
-  /// because a program at the other end of a pipe may wait for one before it asks for more.
+  /// Returns whether `next` can return without waiting. If not, finished results are written first.
+  /// A program at the other end of a pipe may wait for one before it asks for more.
   std::function<bool()> is_at_hand = [] { return true; };
   /// Takes the results of tasks, in the order of the tasks.
   std::function<void(const Done&)> consume;

@@ -1,6 +1,6 @@
-// Tests offsets with all joins and caps by their definition. A point is in one if it is in the set,
-// in the strip beside an edge, or in the piece at a corner or an end. The test is in floating
-// point, and only for points that are clearly inside or outside of every piece.
+// Tests offsets with all joins and caps by their definition: an offset is the set, the strips
+// beside edges, and the pieces at corners and ends. The test is in floating point, and only for
+// points that are clearly inside or outside of every piece.
 #include <gtest/gtest.h>
 
 #include <algorithm>

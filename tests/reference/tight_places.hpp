@@ -10,7 +10,7 @@ namespace minksum::reference {
 /// polylines and points in canonical form (see Geometry).
 ///
 /// With convex pieces A of P and B of Q, P° ⊕ Q° is the union U of all A° ⊕ B°. The reason: if the
-/// insides of P and x − Q meet, they meet in an open set, so in a point inside a piece of each.
+/// insides of P and x − Q meet, they share an open set, so a point inside a piece of each.
 /// P ⊕ Q is the union S of all A ⊕ B. The points of S that are not in U lie on edges of these sums.
 /// On each edge they are intervals and points that remain after the open sums are removed. They are
 /// tight where both sides are in S. Operands must be valid. Meant for up to a few dozen vertices.

@@ -17,10 +17,10 @@ struct CancelCase {
   std::function<void(const std::optional<CancelToken>&)> run;
 };
 
-/// Returns all operations on inputs of each kind that is hard for some phase: chains of holes that
-/// touch, many triangles, combs, needles, nested squares, rows of squares, and spirals. Others are
-/// polylines and rings that cross themselves, and long numbers. `size` is about the number of
-/// vertices of an operand.
+/// Returns all operations on inputs of each kind that is hard for some phase. Kinds are chains of
+/// holes that touch, many triangles, combs, needles, nested squares, rows of squares, and spirals.
+/// Others are polylines and rings that cross themselves, and long numbers. `size` is about the
+/// number of vertices of an operand.
 [[nodiscard]] std::vector<CancelCase> cancel_cases(int size);
 
 }  // namespace minksum::test
