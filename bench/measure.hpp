@@ -38,7 +38,7 @@ struct Effort {
   double block_seconds = 0.02;  ///< a peer and minksum take turns of at least this long,
   double enough_seconds = 0.5;  ///< until the peer took this long in three runs or more,
   double most_seconds = 3;      ///< or this long; Clipper and CGAL's full convolution, which are
-                                  ///< far behind the reduced one, need one run only
+                                ///< far behind the reduced one, need one run only
   /// Clipper unites a quadrangle for each pair of edges, and is not tried beyond so many.
   std::size_t most_quadrangles = 100'000;
 };
