@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/big_integer.hpp"
+#include "exact/gcd.hpp"
 #include "exact/wide_int.hpp"
 #include "overlay/exact_points.hpp"
 #include "region/rational_access.hpp"
@@ -176,7 +177,8 @@ class ExactPointsOf final : public ExactPoints {
     const Coefficients l = line_of(ends);
     Line line{BigInteger(to_big(l.a)), BigInteger(to_big(l.b)), BigInteger(to_big(l.c))};
     // a and b are not both 0.
-    const BigInteger divisor = gcd(gcd(line[0], line[1]), line[2]);
+    const BigInteger divisor =
+        greatest_common_divisor(greatest_common_divisor(line[0], line[1]), line[2]);
     for (BigInteger& coefficient : line) coefficient /= divisor;
     return line;
   }

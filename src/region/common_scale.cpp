@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "exact/gcd.hpp"
 #include "region/fraction_sum.hpp"
 #include "region/rational_access.hpp"
 #include "region/region_access.hpp"
@@ -80,7 +81,7 @@ BigInt least_common_multiple(BigInt common, std::vector<BigInt> values,
   for (const BigInt& value : values) {
     cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
     const BigInt rest = divided(common, value, cancellation).rest;
-    common *= value / boost::multiprecision::gcd(rest, value);
+    common *= value / greatest_common_divisor(rest, value);
   }
   return common;
 }

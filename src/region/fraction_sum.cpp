@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "exact/gcd.hpp"
+
 namespace minksum {
 namespace {
 
@@ -118,7 +120,8 @@ Rational FractionSum::half(Term term) const {
     const std::size_t bits = bit_length(factor);
     cancellation_.check(8 * work_of_product(bits) +
                         (bit_length(term.numerator) / 64) * (bits / 64 + 1));
-    const BigInt common = mp::gcd(divided(term.numerator, factor, cancellation_).rest, factor);
+    const BigInt common =
+        greatest_common_divisor(divided(term.numerator, factor, cancellation_).rest, factor);
     if (common == 1) continue;
     term.numerator /= common;
     factor /= common;

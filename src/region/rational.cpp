@@ -5,6 +5,7 @@
 #include <ostream>
 #include <utility>
 
+#include "exact/gcd.hpp"
 #include "minksum/error.hpp"
 #include "region/rational_access.hpp"
 
@@ -74,7 +75,7 @@ Rational RationalAccess::make(BigInt numerator, BigInt denominator) {
     denominator = -denominator;
   }
   if (denominator != 1) {
-    const BigInt divisor = mp::gcd(numerator, denominator);
+    const BigInt divisor = greatest_common_divisor(numerator, denominator);
     if (divisor != 1) {
       numerator /= divisor;
       denominator /= divisor;
