@@ -1,10 +1,12 @@
 // Measures seconds a slice of a configuration space: a robot of 50 vertices among obstacles of
 // 1,000.
+#include "minksum/configuration_space.hpp"
+
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include "minksum/configuration_space.hpp"
+#include "minksum/testing.hpp"
 #include "peers/stopwatch.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -45,17 +47,15 @@ double seconds_of(Work work) {
 
 void measure(const char* name, const Region& robot, const Region& obstacles) {
   const std::vector<Turn> turns = full_turn(kAngles);
-  ConfigurationOptions options;
-  options.threads = 1;
   const auto all_slices = [&](bool with_free) {
     return seconds_of([&] {
-      const ConfigurationSpace space({robot, {}, {}}, {obstacles, {}, {}}, options);
+      const ConfigurationSpace space({robot, {}, {}}, {obstacles, {}, {}});
       space.for_each_slice(turns, with_free, {}, [](std::size_t, Slice&) {});
     });
   };
   // Without prepared operands, a user would compute the same sums one by one.
   const auto sums = [&](Arithmetic arithmetic, std::size_t every) {
-    Options sum;
+    SumSettings sum;
     sum.arithmetic = arithmetic;
     return seconds_of([&] {
       for (std::size_t i = 0; i < turns.size(); i += every) {

@@ -5,6 +5,7 @@
 
 #include "list_convolution.hpp"
 #include "minksum/measure.hpp"
+#include "minksum/testing.hpp"
 #include "peers/stopwatch.hpp"
 
 namespace minksum::bench {
@@ -37,22 +38,23 @@ Json sizes_json(const Region& p, const Region& q) {
 // Returns the seconds that the library itself takes to list every segment, from the same operands
 // as a whole sum. These are the stages operands and convolution, without a cover and later stages.
 double own_listing(const Region& p, const Region& q) {
-  Options options;
-  Statistics statistics;
-  options.statistics = &statistics;
-  options.cover = false;
-  options.progress = [](Stage stage) {
-    return stage == Stage::kOperands || stage == Stage::kConvolution;
+  SumSettings settings;
+  settings.cover = false;
+  Stopwatch watch;
+  double listed = 0;
+  settings.progress = [&](const Progress& progress) {
+    listed = watch.seconds();
+    return progress.stage == Stage::kOperands || progress.stage == Stage::kConvolution;
   };
   Workspace workspace;
   Region nothing;
   std::vector<double> seconds;
   double total = 0;
   while (seconds.size() < 7 || (seconds.size() < 101 && total < 0.05)) {
-    (void)minkowski_sum(p, q, options, workspace, nothing);
-    seconds.push_back(statistics.stage_seconds[static_cast<int>(Stage::kOperands)] +
-                      statistics.stage_seconds[static_cast<int>(Stage::kConvolution)]);
-    total += seconds.back();
+    watch = Stopwatch();
+    (void)minkowski_sum(p, q, settings, workspace, nothing);  // ends where the cover would begin
+    seconds.push_back(listed);
+    total += listed;
   }
   return median(seconds);
 }
@@ -88,7 +90,7 @@ void measure_alone(const Case& one, const Effort& effort, const Report& report) 
 
 void measure_counts(const Case& one, bool full, const Report& report) {
   const auto [p, q] = one.load();
-  Options options;
+  SumSettings options;
   options.cover = false;
   if (full) options.method = Method::kFull;
   MinksumRuns minksum(options);
@@ -114,10 +116,9 @@ Json summary(const std::vector<double>& seconds) {
           {"max", *std::max_element(seconds.begin(), seconds.end())}};
 }
 
-MinksumRuns::MinksumRuns(Options options) : options_(std::move(options)) {}
+MinksumRuns::MinksumRuns(SumSettings options) : options_(std::move(options)) {}
 
-double MinksumRuns::timed(const Region& p, const Region& q, Statistics* statistics) {
-  options_.statistics = statistics;
+double MinksumRuns::timed(const Region& p, const Region& q) {
   const Stopwatch watch;
   const Outcome outcome = minkowski_sum(p, q, options_, workspace_, sum_);
   const double seconds = watch.seconds();
@@ -125,21 +126,32 @@ double MinksumRuns::timed(const Region& p, const Region& q, Statistics* statisti
   return seconds;
 }
 
+double MinksumRuns::timed_by_stages(const Region& p, const Region& q) {
+  SumSettings by_stages = options_;
+  by_stages.small = false;
+  by_stages.memory = &workspace_;
+  const Stopwatch watch;
+  DetailedSum found = detailed_sum(p, q, by_stages);
+  const double seconds = watch.seconds();
+  sum_ = std::move(found.sum.region);
+  statistics_ = found.statistics;
+  return seconds;
+}
+
 double MinksumRuns::run(const Region& p, const Region& q) {
-  // Small operands take a shorter way without statistics. In a long run statistics cost nothing.
+  // Small operands take a shorter way than the stages. In a long run statistics cost nothing.
   constexpr double kLong = 0.01;
   constexpr std::size_t kStaged = 9;
   const bool is_long = !runs_.empty() && runs_.back() > kLong;
   if (is_long || staged_.size() < kStaged) {
-    statistics_ = {};
-    const double seconds = timed(p, q, &statistics_);
+    const double seconds = timed_by_stages(p, q);
     staged_.push_back(statistics_);
     if (seconds > kLong) {
       runs_.push_back(seconds);
       return seconds;
     }
   }
-  runs_.push_back(timed(p, q, nullptr));
+  runs_.push_back(timed(p, q));
   return runs_.back();
 }
 
@@ -153,7 +165,7 @@ void MinksumRuns::repeat(const Region& p, const Region& q, const Effort& effort)
 
 Json MinksumRuns::json() const {
   Json json = summary(runs_);
-  for (int stage = 0; stage < kStageCount; ++stage) {
+  for (int stage = 0; stage < kSumStages; ++stage) {
     std::vector<double> parts;
     for (const Statistics& run : staged_) parts.push_back(run.stage_seconds[stage]);
     json["stages"][to_string(static_cast<Stage>(stage))] = median(parts);

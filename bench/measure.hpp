@@ -8,6 +8,7 @@
 #include "child.hpp"
 #include "families.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 
 namespace minksum::bench {
 
@@ -47,7 +48,7 @@ struct Effort {
 /// runs time its stages, unless a run is so long that statistics do not matter.
 class MinksumRuns {
  public:
-  explicit MinksumRuns(Options options = {});
+  explicit MinksumRuns(SumSettings options = {});
   /// Does one more run, which counts, and returns its seconds. Throws what the sum throws.
   double run(const Region& p, const Region& q);
   /// Repeats runs for at least the time that `effort` asks for.
@@ -62,9 +63,10 @@ class MinksumRuns {
   }
 
  private:
-  double timed(const Region& p, const Region& q, Statistics* statistics);
+  double timed(const Region& p, const Region& q);
+  double timed_by_stages(const Region& p, const Region& q);
 
-  Options options_;
+  SumSettings options_;
   Workspace workspace_;
   Region sum_;
   Statistics statistics_;

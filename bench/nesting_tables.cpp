@@ -41,11 +41,10 @@ Region moving_part(const Geometry& part, int turn) {
 }
 
 NoFitTable make_table(const Parts& parts, int threads) {
-  NoFitTableOptions options;
-  options.turns = kTurns;
+  Options options;
   options.tight = false;  // CGAL does not find tight places
   options.threads = threads;
-  return NoFitTable(parts.parts, options);
+  return NoFitTable(parts.parts, kTurns, options);
 }
 
 // Returns the seconds for all entries. Reading and preparing the parts is counted.

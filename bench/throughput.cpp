@@ -5,6 +5,7 @@
 
 #include "minksum/io.hpp"
 #include "minksum/prepared_region.hpp"
+#include "minksum/testing.hpp"
 #include "peers/stopwatch.hpp"
 #include "sets.hpp"
 

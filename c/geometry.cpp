@@ -86,9 +86,7 @@ using namespace minksum;     // NOLINT(google-build-using-namespace)
 using namespace minksum::c;  // NOLINT(google-build-using-namespace)
 
 void minksum_options_init(minksum_options* options) {
-  const Limits limits;
-  *options = {
-      limits.max_segments, limits.max_crossings, MINKSUM_FILL_AUTOMATIC, 0, 0, nullptr, nullptr};
+  if (options != nullptr) *options = {0, 0, MINKSUM_FILL_AUTOMATIC, 0, -1, 1, nullptr, nullptr};
 }
 
 const char* minksum_version(void) { return MINKSUM_VERSION; }

@@ -83,28 +83,22 @@ To as(From value, From last) {
 }
 inline RoundingSide as_side(minksum_side side) { return as<RoundingSide>(side, MINKSUM_INSIDE); }
 
-/// Converts options. Most option structs share the names of their members, which this relies on.
-template <class Options>
-Options options_of(const minksum_options* given) {
+/// The options of C; null = the defaults.
+inline Options options_of(const minksum_options* given) {
   Options options;
   if (given == nullptr) return options;
-  if constexpr (requires { options.fill; }) {
-    options.fill = as<FillRule>(given->fill, MINKSUM_FILL_STRICT);
-  }
-  if constexpr (requires { options.regularize; }) options.regularize = given->regularize != 0;
-  if constexpr (requires { options.limits; }) {
-    options.limits = {given->max_segments, given->max_crossings};
-  }
-  if constexpr (requires { options.threads; }) options.threads = given->threads;
-  if (given->stop != nullptr) {
-    options.cancel = CancelToken::polling(
-        [stop = given->stop, context = given->context] { return stop(context) != 0; });
+  options.fill = as<FillRule>(given->fill, MINKSUM_FILL_STRICT);
+  options.regularize = given->regularize != 0;
+  if (given->tight >= 0) options.tight = given->tight != 0;
+  if (given->max_segments != 0) options.limits.max_segments = given->max_segments;
+  if (given->max_crossings != 0) options.limits.max_crossings = given->max_crossings;
+  options.threads = given->threads;
+  if (given->progress != nullptr) {
+    options.progress = [progress = given->progress, context = given->context](const Progress& p) {
+      return progress(context, static_cast<minksum_stage>(p.stage), p.done, p.parts) == 0;
+    };
   }
   return options;
-}
-/// Converts the cancel token alone.
-inline std::optional<CancelToken> cancel_of(const minksum_options* given) {
-  return options_of<ResolveOptions>(given).cancel;
 }
 
 }  // namespace minksum::c

@@ -12,13 +12,12 @@ namespace {
 
 using Handle = minksum_geometry;
 
-/// Runs an operation of two sets with its options.
-template <class Options, class Operation>
+/// A function of two sets.
+template <class Operation>
 minksum_status binary(const Handle* a, const Handle* b, const minksum_options* options,
                       Handle** result, minksum_error* error, Operation operation) {
-  return made(result, error, [&] {
-    return Geometry(operation(value_of(a), value_of(b), options_of<Options>(options)));
-  });
+  return made(result, error,
+              [&] { return Geometry(operation(value_of(a), value_of(b), options_of(options))); });
 }
 
 /// Runs a boolean operation of areas, each of which is read by the fill rule.
@@ -26,13 +25,11 @@ template <class Operation>
 minksum_status of_areas(const Handle* a, const Handle* b, const minksum_options* options,
                         Handle** result, minksum_error* error, Operation operation) {
   return made(result, error, [&] {
-    ResolveOptions reading = options_of<ResolveOptions>(options);
+    Options reading = options_of(options);
     reading.regularize = true;
-    reading.operand = 0;
-    const Region first = resolve(value_of(a), reading).region;
-    reading.operand = 1;
-    const Region second = resolve(value_of(b), reading).region;
-    return Geometry(operation(first, second, reading.cancel));
+    const Region first = resolve(value_of(a), reading, 0).region;
+    const Region second = resolve(value_of(b), reading, 1).region;
+    return Geometry(operation(first, second, reading));
   });
 }
 
@@ -40,37 +37,35 @@ minksum_status of_areas(const Handle* a, const Handle* b, const minksum_options*
 
 minksum_status minksum_sum(const Handle* a, const Handle* b, const minksum_options* options,
                            Handle** result, minksum_error* error) {
-  return binary<Options>(a, b, options, result, error, [](const auto& p, const auto& q, auto o) {
-    return minkowski_sum(p, q, o);
-  });
+  return binary(a, b, options, result, error,
+                [](const Geometry& p, const Geometry& q, const Options& o) {
+                  return minkowski_sum(p, q, o);
+                });
 }
 minksum_status minksum_dilate(const Handle* a, const Handle* b, const minksum_options* options,
                               Handle** result, minksum_error* error) {
-  return binary<MorphologyOptions>(a, b, options, result, error, dilate);
+  return binary(a, b, options, result, error, dilate);
 }
 minksum_status minksum_erode(const Handle* a, const Handle* b, const minksum_options* options,
                              Handle** result, minksum_error* error) {
-  return binary<MorphologyOptions>(a, b, options, result, error, erode);
+  return binary(a, b, options, result, error, erode);
 }
 minksum_status minksum_open(const Handle* a, const Handle* b, const minksum_options* options,
                             Handle** result, minksum_error* error) {
-  return binary<MorphologyOptions>(a, b, options, result, error, minksum::open);
+  return binary(a, b, options, result, error, minksum::open);
 }
 minksum_status minksum_close(const Handle* a, const Handle* b, const minksum_options* options,
                              Handle** result, minksum_error* error) {
-  return binary<MorphologyOptions>(a, b, options, result, error, minksum::close);
+  return binary(a, b, options, result, error, minksum::close);
 }
 
 minksum_status minksum_unite(const Handle* a, const Handle* b, const minksum_options* options,
                              Handle** result, minksum_error* error) {
   return made(result, error, [&] {
-    ResolveOptions reading = options_of<ResolveOptions>(options);
-    std::array<Geometry, 2> both;
-    reading.operand = 0;
-    both[0] = resolve(value_of(a), reading);
-    reading.operand = 1;
-    both[1] = resolve(value_of(b), reading);
-    return unite(both, reading.cancel);
+    const Options reading = options_of(options);
+    const std::array<Geometry, 2> both{resolve(value_of(a), reading, 0),
+                                       resolve(value_of(b), reading, 1)};
+    return unite(both, reading);
   });
 }
 minksum_status minksum_intersect(const Handle* a, const Handle* b, const minksum_options* options,
@@ -92,7 +87,7 @@ minksum_status minksum_prepare(const Handle* geometry, const minksum_options* op
   return made(result, error, [&] {
     const Geometry& given = value_of(geometry);
     require(!given.has_thin_parts(), "what is prepared has no polylines and points");
-    return PreparedRegion(given.region, cancel_of(options));
+    return PreparedRegion(given.region, options_of(options));
   });
 }
 void minksum_prepared_free(minksum_prepared* prepared) { delete prepared; }
@@ -100,11 +95,12 @@ minksum_status minksum_sum_prepared(const minksum_prepared* a, const minksum_pre
                                     const minksum_options* options, Handle** result,
                                     minksum_error* error) {
   return made(result, error, [&] {
-    return Geometry(minkowski_sum(value_of(a), value_of(b), options_of<Options>(options)));
+    return Geometry(minkowski_sum(value_of(a), value_of(b), options_of(options)));
   });
 }
 
 void minksum_offset_options_init(minksum_offset_options* offset_options) {
+  if (offset_options == nullptr) return;
   *offset_options = {MINKSUM_JOIN_ROUND, MINKSUM_CAP_ROUND, MINKSUM_NEAREST,
                      OffsetOptions().miter_limit.to_double(), 0};
 }
@@ -113,15 +109,15 @@ minksum_status minksum_offset(const Handle* geometry, double distance,
                               const minksum_options* options, Handle** result,
                               minksum_error* error) {
   return made(result, error, [&] {
-    auto all = options_of<OffsetOptions>(options);
+    OffsetOptions shape;
     if (offset_options != nullptr) {
-      all.join = as<Join>(offset_options->join, MINKSUM_JOIN_BEVEL);
-      all.cap = as<Cap>(offset_options->cap, MINKSUM_CAP_SQUARE);
-      all.side = as_side(offset_options->side);
-      all.miter_limit = offset_options->miter_limit;
-      if (offset_options->tolerance != 0) all.tolerance = offset_options->tolerance;
+      shape.join = as<Join>(offset_options->join, MINKSUM_JOIN_BEVEL);
+      shape.cap = as<Cap>(offset_options->cap, MINKSUM_CAP_SQUARE);
+      shape.side = as_side(offset_options->side);
+      shape.miter_limit = offset_options->miter_limit;
+      if (offset_options->tolerance != 0) shape.tolerance = offset_options->tolerance;
     }
-    return offset(value_of(geometry), distance, all);
+    return offset(value_of(geometry), distance, shape, options_of(options));
   });
 }
 minksum_status minksum_disc(double radius, double tolerance, minksum_side side, Handle** result,
@@ -131,17 +127,16 @@ minksum_status minksum_disc(double radius, double tolerance, minksum_side side, 
 
 minksum_status minksum_resolve(const Handle* geometry, const minksum_options* options,
                                Handle** result, minksum_error* error) {
-  return made(result, error,
-              [&] { return resolve(value_of(geometry), options_of<ResolveOptions>(options)); });
+  return made(result, error, [&] { return resolve(value_of(geometry), options_of(options)); });
 }
 minksum_status minksum_round(const Handle* geometry, minksum_side side, int decimals,
                              const minksum_options* options, Handle** result,
                              minksum_error* error) {
   return made(result, error, [&] {
-    auto rounding = options_of<RoundOptions>(options);
-    rounding.side = as_side(side);
-    if (decimals >= 0) rounding.decimals = decimals;
-    return minksum::round(value_of(geometry), rounding);
+    RoundOptions target;
+    target.side = as_side(side);
+    if (decimals >= 0) target.decimals = decimals;
+    return minksum::round(value_of(geometry), target, options_of(options));
   });
 }
 minksum_status minksum_transform(const Handle* geometry, const double m[6],
@@ -150,7 +145,7 @@ minksum_status minksum_transform(const Handle* geometry, const double m[6],
   return made(result, error, [&] {
     require(m != nullptr, "an argument is NULL");
     const Affine map{m[0], m[1], m[2], m[3], m[4], m[5]};
-    return transform(value_of(geometry), map, cancel_of(options));
+    return transform(value_of(geometry), map, options_of(options));
   });
 }
 
@@ -160,7 +155,7 @@ minksum_status minksum_validate(const Handle* geometry, const minksum_options* o
   return guarded(error, [&] {
     std::size_t& found_count = result_at(count);
     require(faults != nullptr || capacity == 0, "an argument is NULL");
-    const auto found = validate(value_of(geometry).region, capacity, cancel_of(options));
+    const auto found = validate(value_of(geometry).region, capacity, options_of(options));
     for (const Fault& fault : found) {
       const Error cause(ErrorCode::kBadInput, to_string(fault), fault.place);
       tell(&faults[found_count++], MINKSUM_BAD_INPUT, cause.what(), &cause);
@@ -191,7 +186,7 @@ minksum_status minksum_bounding_box(const Handle* geometry, double box[4], int* 
 
 minksum_status minksum_locator_new(const Handle* geometry, const minksum_options* options,
                                    minksum_locator** result, minksum_error* error) {
-  return made(result, error, [&] { return PointLocator(value_of(geometry), cancel_of(options)); });
+  return made(result, error, [&] { return PointLocator(value_of(geometry), options_of(options)); });
 }
 void minksum_locator_free(minksum_locator* locator) { delete locator; }
 minksum_status minksum_locate(const minksum_locator* locator, double x, double y,
@@ -207,8 +202,7 @@ minksum_status minksum_penetration_depth(const Handle* a, const Handle* b,
                                          minksum_error* error) {
   return guarded(error, [&] {
     minksum_depth& answer = result_at(depth);
-    const auto found =
-        penetration_depth(value_of(a), value_of(b), options_of<DepthOptions>(options));
+    const auto found = penetration_depth(value_of(a), value_of(b), options_of(options));
     if (!found) return;
     answer = {1,
               found->overlapping ? 1 : 0,
@@ -223,8 +217,8 @@ minksum_status minksum_time_of_impact(const Handle* a, const Handle* b, const do
     double& answer = result_at(factor);
     int& is_there = result_at(found);
     require(direction != nullptr, "an argument is NULL");
-    const auto time = time_of_impact(value_of(a), value_of(b), {direction[0], direction[1]},
-                                     options_of<DepthOptions>(options));
+    const auto time =
+        time_of_impact(value_of(a), value_of(b), {direction[0], direction[1]}, options_of(options));
     if (!time) return;
     is_there = 1;
     answer = time->to_double();
@@ -236,12 +230,10 @@ minksum_status minksum_check_sum(const Handle* result, const Handle* a, const Ha
                                  minksum_sum_check* check, minksum_error* error) {
   return guarded(error, [&] {
     minksum_sum_check& answer = result_at(check);
-    CheckOptions checking;
-    const Limits limits = checking.limits;  // limits of the proof; the caller's are for sums
-    checking = options_of<CheckOptions>(options);
-    checking.limits = limits;
-    checking.within = within;
-    const SumCheck found = check_sum(value_of(result), value_of(a), value_of(b), checking);
+    CheckOptions how;
+    how.within = within;
+    const SumCheck found =
+        check_sum(value_of(result), value_of(a), value_of(b), how, options_of(options));
     const int proved = found.proof == Proof::kHolds ? 1 : found.proof == Proof::kRefuted ? 0 : -1;
     answer = {found.ok() ? 1 : 0, found.faults.size(), found.points, found.disagreements, proved};
   });

@@ -10,20 +10,15 @@ using namespace minksum::c;  // NOLINT(google-build-using-namespace)
 
 namespace {
 
-NoFitOptions no_fit_options(const double reference[2], const minksum_options* options) {
-  auto nesting = options_of<NoFitOptions>(options);
-  if (reference != nullptr) nesting.reference = Point{reference[0], reference[1]};
-  return nesting;
+std::optional<Point> point_of(const double reference[2]) {
+  if (reference == nullptr) return std::nullopt;
+  return Point{reference[0], reference[1]};
 }
 
-template <class Options>
-Options space_options_of(const minksum_space_options* given, const minksum_options* options) {
-  auto space = options_of<Options>(options);
-  if (given == nullptr) return space;
-  space.reference = {given->reference[0], given->reference[1]};
-  if (given->workspace != nullptr) space.workspace = given->workspace->value;
-  space.tight = given->tight != 0;
-  return space;
+void set(const minksum_space_options* given, ConfigurationOptions& setting) {
+  if (given == nullptr) return;
+  setting.reference = {given->reference[0], given->reference[1]};
+  if (given->workspace != nullptr) setting.workspace = given->workspace->value;
 }
 
 double tolerance_of(const minksum_space_options* given) {
@@ -38,28 +33,27 @@ minksum_status minksum_no_fit_polygon(const minksum_geometry* fixed, const minks
                                       const double reference[2], const minksum_options* options,
                                       minksum_geometry** result, minksum_error* error) {
   return made(result, error, [&] {
-    return no_fit_polygon(value_of(fixed), value_of(moving), no_fit_options(reference, options));
+    return no_fit_polygon(value_of(fixed), value_of(moving), point_of(reference),
+                          options_of(options));
   });
 }
 minksum_status minksum_inner_fit_polygon(const minksum_geometry* bin, const minksum_geometry* part,
                                          const double reference[2], const minksum_options* options,
                                          minksum_geometry** result, minksum_error* error) {
   return made(result, error, [&] {
-    return inner_fit_polygon(value_of(bin), value_of(part), no_fit_options(reference, options));
+    return inner_fit_polygon(value_of(bin), value_of(part), point_of(reference),
+                             options_of(options));
   });
 }
 
 minksum_status minksum_no_fit_table_new(const minksum_geometry* const* parts, size_t count,
-                                        int turns, int tight, const minksum_options* options,
+                                        int turns, const minksum_options* options,
                                         minksum_no_fit_table** result, minksum_error* error) {
   return made(result, error, [&] {
     require(parts != nullptr || count == 0, "an argument is NULL");
     std::vector<Geometry> copies;
     for (const minksum_geometry* part : std::span(parts, count)) copies.push_back(value_of(part));
-    auto all = options_of<NoFitTableOptions>(options);
-    all.turns = turns;
-    all.tight = tight != 0;
-    return NoFitTable(copies, all);
+    return NoFitTable(copies, turns, options_of(options));
   });
 }
 void minksum_no_fit_table_free(minksum_no_fit_table* table) { delete table; }
@@ -72,7 +66,8 @@ minksum_status minksum_no_fit_table_at(const minksum_no_fit_table* table, size_t
 }
 
 void minksum_space_options_init(minksum_space_options* space_options) {
-  *space_options = {{0, 0}, nullptr, 0, ReachOptions().tolerance};
+  if (space_options == nullptr) return;
+  *space_options = {{0, 0}, nullptr, ReachOptions().tolerance};
 }
 
 minksum_status minksum_space_new(const minksum_geometry* robot, const minksum_geometry* obstacles,
@@ -82,10 +77,13 @@ minksum_status minksum_space_new(const minksum_geometry* robot, const minksum_ge
   if (result == nullptr) return tell(error, MINKSUM_BAD_INPUT, "the result has nowhere to go");
   *result = nullptr;
   return guarded(error, [&] {
+    ConfigurationOptions setting;
+    set(space_options, setting);
+    const double tolerance = tolerance_of(space_options);
+    static_cast<void>(nearest_turn(0, tolerance));  // refuses a bad one now, not at the first slice
     *result = new minksum_space{
-        ConfigurationSpace(value_of(robot), value_of(obstacles),
-                           space_options_of<ConfigurationOptions>(space_options, options)),
-        tolerance_of(space_options)};
+        ConfigurationSpace(value_of(robot), value_of(obstacles), setting, options_of(options)),
+        tolerance};
   });
 }
 void minksum_space_free(minksum_space* space) { delete space; }
@@ -116,12 +114,14 @@ minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_ge
                                  minksum_error* error) {
   return guarded(error, [&] {
     minksum_reach& answer = result_at(result);
-    auto all = space_options_of<ReachOptions>(space_options, options);
-    all.angles = angles;
-    all.certain = certain != 0;
-    all.tolerance = tolerance_of(space_options);
-    const Reach found = reach(value_of(robot), value_of(obstacles),
-                              {{from.x, from.y}, from.degrees}, {{to.x, to.y}, to.degrees}, all);
+    ReachOptions setting;
+    set(space_options, setting);
+    setting.angles = angles;
+    setting.certain = certain != 0;
+    setting.tolerance = tolerance_of(space_options);
+    const Reach found =
+        reach(value_of(robot), value_of(obstacles), {{from.x, from.y}, from.degrees},
+              {{to.x, to.y}, to.degrees}, setting, options_of(options));
     if (!found.path.empty()) {
       answer.path = static_cast<minksum_configuration*>(
           std::calloc(found.path.size(), sizeof(minksum_configuration)));

@@ -30,7 +30,7 @@ typedef enum minksum_status {
   MINKSUM_OK = 0,
   MINKSUM_BAD_INPUT = 1,      /* an argument is not what it must be */
   MINKSUM_LIMIT_EXCEEDED = 2, /* a stated limit, or memory */
-  MINKSUM_CANCELLED = 3,      /* `stop` said so */
+  MINKSUM_CANCELLED = 3,      /* `progress` said so */
   MINKSUM_INTERNAL = 4        /* a broken invariant of the library: please report it */
 } minksum_status;
 
@@ -60,16 +60,36 @@ typedef enum minksum_fill {
   MINKSUM_FILL_STRICT /* polygons must be valid */
 } minksum_fill;
 
+/* What an operation is doing: the stages of a sum, and what is done beside sums. */
+typedef enum minksum_stage {
+  MINKSUM_STAGE_OPERANDS = 0,
+  MINKSUM_STAGE_CONVOLUTION,
+  MINKSUM_STAGE_COVER,
+  MINKSUM_STAGE_ARRANGEMENT,
+  MINKSUM_STAGE_LOOPS,
+  MINKSUM_STAGE_FILTERS,
+  MINKSUM_STAGE_OUTPUT,
+  MINKSUM_STAGE_OVERLAY,
+  MINKSUM_STAGE_ROUNDING,
+  MINKSUM_STAGE_CHECKING,
+  MINKSUM_STAGE_SEARCH
+} minksum_stage;
+
+/* The options of every operation: see minksum::Options. */
 typedef struct minksum_options {
-  uint64_t max_segments;
-  uint64_t max_crossings;
-  minksum_fill fill;          /* how operands are read */
-  int regularize;             /* drop thin parts of the operands of a sum */
-  int threads;                /* of operations that use several; 0 = one for each core */
-  int (*stop)(void *context); /* asked every few milliseconds, by any thread; not 0 = stop */
+  uint64_t max_segments;  /* 0 = the default */
+  uint64_t max_crossings; /* 0 = the default */
+  minksum_fill fill;      /* how operands are read */
+  int regularize;         /* drop thin parts of the operands */
+  int tight;              /* keep tight places: 1 = yes, 0 = no, -1 = no-fit polygons only */
+  int threads;            /* of operations on many parts; 0 = one for each core */
+  /* Called when a stage begins and every few milliseconds, by any thread, with how many of how
+   * many parts are done. Not 0 = stop. May be NULL. */
+  int (*progress)(void* context, minksum_stage stage, size_t done, size_t parts);
   void *context;
 } minksum_options;
 
+/* Sets the defaults. */
 MINKSUM_API void minksum_options_init(minksum_options *options);
 /* "0.1.0" */
 MINKSUM_API const char *minksum_version(void);
@@ -304,13 +324,14 @@ MINKSUM_API minksum_status minksum_inner_fit_polygon(const minksum_geometry *bin
                                                      minksum_geometry **result,
                                                      minksum_error *error);
 
-/* The no-fit polygons of all pairs of parts, in 1, 2 or 4 directions. */
+/* The no-fit polygons of all pairs of parts, in 1, 2 or 4 directions, with tight places unless
+ * options say no. */
 typedef struct minksum_no_fit_table minksum_no_fit_table;
-MINKSUM_API minksum_status minksum_no_fit_table_new(const minksum_geometry *const *parts,
-                                                    size_t count, int turns, int tight,
-                                                    const minksum_options *options,
-                                                    minksum_no_fit_table **result,
-                                                    minksum_error *error);
+MINKSUM_API minksum_status minksum_no_fit_table_new(const minksum_geometry* const* parts,
+                                                    size_t count, int turns,
+                                                    const minksum_options* options,
+                                                    minksum_no_fit_table** result,
+                                                    minksum_error* error);
 MINKSUM_API void minksum_no_fit_table_free(minksum_no_fit_table *table);
 /* Part `fixed` turned by fixed_turn / turns of a full turn, and so for `moving`. */
 MINKSUM_API minksum_status minksum_no_fit_table_at(const minksum_no_fit_table *table, size_t fixed,
@@ -322,8 +343,7 @@ MINKSUM_API minksum_status minksum_no_fit_table_at(const minksum_no_fit_table *t
 
 typedef struct minksum_space_options {
   double reference[2];               /* the point of the robot that it turns about */
-  const minksum_geometry *workspace; /* that the robot must stay in; NULL = none */
-  int tight;                         /* keep places without play */
+  const minksum_geometry* workspace; /* that the robot must stay in; NULL = none */
   double tolerance;                  /* of turns, in degrees */
 } minksum_space_options;
 MINKSUM_API void minksum_space_options_init(minksum_space_options *space_options);

@@ -18,6 +18,10 @@
 #include "minksum/prepared_region.hpp"
 #define MINKSUM_WORK_PREPARED 1
 #endif
+#if __has_include("minksum/testing.hpp")  // earlier revisions fill statistics through a pointer
+#include "minksum/testing.hpp"
+#define MINKSUM_WORK_DETAILED 1
+#endif
 
 namespace {
 
@@ -193,13 +197,27 @@ std::uint64_t sum_twice(const Work& work, const Options& options, Region& sum) {
   return allocations - before;
 }
 
-void work_on(const Work& work, bool tell) {
+// The counts are those of the stages, also where operands are small.
+Statistics statistics_of(const Work& work) {
+  const auto [p, q] = work.load();
+#ifdef MINKSUM_WORK_DETAILED
+  SumSettings by_stages;
+  by_stages.small = false;
+  return detailed_sum(p, q, by_stages).statistics;
+#else
   Statistics statistics;
   Options options;
   options.statistics = &statistics;
+  static_cast<void>(minkowski_sum(p, q, options));
+  return statistics;
+#endif
+}
+
+void work_on(const Work& work, bool tell) {
   Region sum;
-  const std::uint64_t allocated = sum_twice(work, options, sum);
+  const std::uint64_t allocated = sum_twice(work, {}, sum);
   if (!tell) return;
+  const Statistics statistics = statistics_of(work);
   const auto print = [](const char* name, std::uint64_t value) {
     std::printf("%s %llu\n", name, static_cast<unsigned long long>(value));
   };

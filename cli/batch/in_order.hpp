@@ -17,9 +17,8 @@ struct ReadyOperation;
 
 /// Keeps what one thread reuses from task to task.
 struct Worker {
-  Workspace workspace;
-  Region sum;
-  Geometry geometry;
+  Workspace memory;
+  Geometry geometry;  ///< the last result, where its memory is worth keeping
   /// Operations with their options, by the text of a job that asks for them.
   std::map<std::string, std::shared_ptr<const ReadyOperation>> ready;
 };

@@ -71,16 +71,15 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
                                       Worker& worker) {
     ResultArguments rounding = arguments;
     rounding.cancel = cancel;
-    Options options = arguments.options;
-    options.cancel = cancel;
-    Geometry places;
-    if (tight) options.tight = &places;
-    const Outcome outcome = minkowski_sum(a, b, options, worker.workspace, worker.geometry);
-    if (!outcome.ok()) throw *outcome.error;
-    std::string json = result_json(rounded(worker.geometry, rounding), rounding);
-    if (!tight) return json;
+    SumSettings settings = arguments.options;
+    settings.cancel = cancel;
+    settings.memory = &worker.memory;
+    if (!tight) return result_json(rounded(minkowski_sum(a, b, settings), rounding), rounding);
+    settings.tight = true;
+    const DetailedSum sum = detailed_sum(a, b, settings);
+    const std::string json = result_json(rounded(sum.sum, rounding), rounding);
     rounding.rounding = RoundingSide::kNearest;
-    return json + "," + result_json(rounded(places, rounding), rounding, "tight");
+    return json + "," + result_json(rounded(sum.tight, rounding), rounding, "tight");
   };
   return {arguments.options.fill, run};
 }
@@ -155,7 +154,7 @@ Made make_offset(Parser& parser, ProcessLimits& limits) {
   const auto run = [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
     OffsetArguments mine = arguments;
     mine.cancel = mine.options.cancel = cancel;
-    return result_json(rounded(offset(a, mine.distance, mine.options), mine), mine);
+    return result_json(rounded(offset(a, mine.distance, mine.shape, mine.options), mine), mine);
   };
   return {arguments.options.fill, run};
 }

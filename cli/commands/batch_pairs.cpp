@@ -74,7 +74,7 @@ Part prepare(const BatchArguments& arguments, const fs::path& file, const Geomet
   if (const auto reading = reading_of_faults(given.region, arguments.fill)) {
     tell(file.string() + ": " + *reading);
   }
-  const Geometry resolved = resolve(given, {arguments.fill, true, {}});
+  const Geometry resolved = resolve(given, {.fill = arguments.fill, .regularize = true});
   if (resolved.region.empty()) {
     throw Failure(kBadInput, file.string() + ": a part without area cannot be paired");
   }
@@ -149,8 +149,7 @@ class PairRunner {
     if (arguments_.no_output) {
       try {
         const Watchdog::Watch watch(watchdog_, seconds);
-        Geometry places;
-        sum(fixed, moving, turn, watch.token(), worker, places);
+        sum(fixed, moving, turn, watch.token(), worker);
       } catch (const Error&) {
         ++done.failed;
       }
@@ -170,27 +169,31 @@ class PairRunner {
     text += "}\n";
   }
 
-  // Puts the sum into `worker.sum`, and tight places, if they are wanted, into `places`.
+  // The worker's geometry becomes the sum, and its thin parts tight places if they are wanted.
   void sum(std::uint64_t fixed, std::uint64_t moving, std::uint64_t turn,
-           const std::optional<CancelToken>& cancel, Worker& worker, Geometry& places) {
+           const std::optional<CancelToken>& cancel, Worker& worker) {
     Options options;
     options.limits = arguments_.limits.sum;
     options.cancel = cancel;
-    if (arguments_.tight) options.tight = &places;
-    const Outcome outcome =
-        minkowski_sum(parts_.parts[fixed].fixed, parts_.parts[moving].moving[turn], options,
-                      worker.workspace, worker.sum);
-    if (!outcome.ok()) throw *outcome.error;
+    const PreparedRegion& p = parts_.parts[fixed].fixed;
+    const PreparedRegion& q = parts_.parts[moving].moving[turn];
+    if (!arguments_.tight) {
+      const Outcome outcome = minkowski_sum(p, q, options, worker.memory, worker.geometry.region);
+      if (!outcome.ok()) throw *outcome.error;
+      return;
+    }
+    options.tight = true;
+    options.memory = &worker.memory;
+    DetailedSum found = detailed_sum(p, q, options);
+    worker.geometry = std::move(found.tight);
+    worker.geometry.region = std::move(found.sum.region);
   }
   std::string result(std::uint64_t fixed, std::uint64_t moving, std::uint64_t turn,
                      const std::optional<CancelToken>& cancel, Worker& worker) {
-    Geometry polygon;
-    sum(fixed, moving, turn, cancel, worker, polygon);
-    polygon.region = std::move(worker.sum);
+    sum(fixed, moving, turn, cancel, worker);
     NoFitArguments nesting = nesting_;
     nesting.cancel = cancel;
-    const Geometry shown = rounded_fit_polygon(nesting, polygon);
-    worker.sum = std::move(polygon.region);
+    const Geometry shown = rounded_fit_polygon(nesting, worker.geometry);
     return "\"result\":" + geometry_json(shown, arguments_.format, arguments_.coordinates);
   }
 

@@ -107,24 +107,24 @@ Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& l
       .add_option(
           "--within",
           [&arguments](const std::string& text) {
-            arguments.options.within = parse_number("--within", text);
-            if (arguments.options.within.sign() < 0) {
+            arguments.how.within = parse_number("--within", text);
+            if (arguments.how.within.sign() < 0) {
               throw Failure(kWrongUsage, "--within takes a number that is not negative");
             }
           },
           "How far, in x and in y, the result may be off; 0, the default: not at all")
       .type_name("D");
   check
-      .add_option("--samples", arguments.options.samples,
+      .add_option("--samples", arguments.how.samples,
                   "Random points, beside those near edges; 1000 without it")
       .type_name("N");
   check
-      .add_option("--edges", arguments.options.edges,
+      .add_option("--edges", arguments.how.edges,
                   "Edges of the result near which points are tested; 10000 without it")
       .type_name("N");
-  check.add_option("--seed", arguments.options.seed, "Seed of the random points").type_name("N");
+  check.add_option("--seed", arguments.how.seed, "Seed of the random points").type_name("N");
   check
-      .add_option("--proof-segments", arguments.options.limits.max_segments,
+      .add_option("--proof-segments", arguments.how.proof.max_segments,
                   "Largest signed convolution for which the whole sum is compared")
       .type_name("N");
   check.add_flag("--json", arguments.json, "As JSON");
@@ -142,7 +142,7 @@ int run_check(const CheckArguments& arguments) {
   const Geometry operands[2] = {read(arguments.operands[0]), read(arguments.operands[1])};
   SumCheck check;
   try {
-    check = check_sum(result, operands[0], operands[1], arguments.options);
+    check = check_sum(result, operands[0], operands[1], arguments.how, arguments.options);
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }

@@ -9,11 +9,10 @@
 #include "minksum/check.hpp"
 #include "minksum/depth.hpp"
 #include "minksum/io.hpp"
-#include "minksum/minkowski_sum.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/no_fit.hpp"
-#include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
+#include "minksum/testing.hpp"
 
 namespace minksum::cli {
 
@@ -48,7 +47,7 @@ struct SumArguments : ResultArguments {
   int repeat = 1;
   bool verbose = false;
   io::ReadLimits limits;
-  Options options;
+  SumSettings options;
 };
 
 /// `minksum info FILE`
@@ -56,7 +55,7 @@ struct InfoArguments {
   std::string file;
   bool json = false;
   io::ReadLimits limits;
-  ResolveOptions resolve;
+  Options reading;
 };
 
 /// `minksum check RESULT P Q`
@@ -65,7 +64,8 @@ struct CheckArguments {
   std::string operands[2];
   bool json = false;
   io::ReadLimits limits;
-  CheckOptions options;
+  CheckOptions how;
+  Options options;
 };
 
 /// `minksum dilate A B ...`, and also erode, open and close
@@ -75,7 +75,8 @@ struct MorphologyArguments : ResultArguments {
   std::string operands[2];
   std::string picture;  ///< empty = none
   io::ReadLimits limits;
-  MorphologyOptions options;
+  bool tight = false;
+  Options options;
 };
 
 /// `minksum nfp FIXED MOVING ...` and `minksum ifp BIN PART ...`
@@ -85,7 +86,8 @@ struct NoFitArguments : ResultArguments {
   std::vector<Point> placements;  ///< asks for contacts there, not for the polygon
   std::string picture;            ///< empty = none
   io::ReadLimits limits;
-  NoFitOptions options;
+  std::optional<Point> reference;
+  Options options;
 };
 
 /// `minksum depth A B ...`
@@ -95,7 +97,7 @@ struct DepthArguments {
   bool json = false;
   std::string picture;  ///< empty = none
   io::ReadLimits limits;
-  DepthOptions options;
+  Options options;
 };
 
 /// Each function runs a subcommand. It returns an exit code, or throws what `report_failure`

@@ -89,14 +89,14 @@ class Run {
   Run(const CspaceArguments& arguments, OutputFiles& files)
       : arguments_(arguments),
         files_(files),
-        options_(arguments.options),
-        scene_(read_scene(arguments, options_)) {}
+        setting_(arguments.setting),
+        scene_(read_scene(arguments, arguments.options.fill, setting_)) {}
 
   void all() {
     const auto begin = std::chrono::steady_clock::now();
-    const ConfigurationSpace space(scene_.robot, scene_.obstacles, options_);
+    const ConfigurationSpace space(scene_.robot, scene_.obstacles, setting_, arguments_.options);
     const auto& turns = arguments_.turns;
-    const CspacePicture picture(space, scene_.obstacles, options_);
+    const CspacePicture picture(space, scene_.obstacles, setting_, arguments_.options);
     std::vector<Written> written(turns.size());
     Overview overview(picture, turns.size(), arguments_.free);
     Totals totals;
@@ -144,7 +144,7 @@ class Run {
 
   const CspaceArguments& arguments_;
   OutputFiles& files_;
-  ConfigurationOptions options_;
+  ConfigurationOptions setting_;
   RobotScene scene_;
 };
 
@@ -182,7 +182,7 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& ty
       .check(between(1e-10, 1))
       .type_name("D");
   command.add_flag("--free", arguments.free, "Free space, not the obstacles");
-  command.add_flag("--tight", arguments.options.tight,
+  command.add_flag("--tight", arguments.tight,
                    "With --free: where the robot has no play as well, as points and polylines");
   add_result_options(command, arguments.result, typed.result, "slices");
   command.remove_option("--format");  // the output is always GeoJSON
@@ -195,7 +195,7 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& ty
 }
 
 void convert(CspaceArguments& arguments, const CspaceText& typed) {
-  convert_robot(arguments, typed, arguments.options);
+  convert_robot(arguments, typed, arguments.setting);
   convert_result(arguments.result, typed.result);
   if (arguments.picture == "-") {
     throw Failure(kWrongUsage, "--svg needs a file, not standard output");
@@ -203,9 +203,10 @@ void convert(CspaceArguments& arguments, const CspaceText& typed) {
   if (arguments.stats == "-" && arguments.result.output.empty()) {
     throw Failure(kWrongUsage, "slices and statistics cannot both go to standard output");
   }
-  if (arguments.options.tight && !arguments.free) {
+  if (arguments.tight && !arguments.free) {
     throw Failure(kWrongUsage, "--tight is about free space: it needs --free");
   }
+  arguments.options.tight = arguments.tight;
   if (!typed.theta.empty()) {
     arguments.turns = range_of_turns(typed.theta, typed.tolerance);
   } else {

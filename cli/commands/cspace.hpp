@@ -15,7 +15,9 @@ struct CspaceArguments : RobotArguments {
   std::string picture;  ///< empty = none
   std::string slices;   ///< a folder; empty = none
   std::string stats;    ///< empty = none
-  ConfigurationOptions options;
+  bool tight = false;
+  ConfigurationOptions setting;
+  Options options{.threads = 0};
 };
 
 struct CspaceText : RobotText {

@@ -71,7 +71,7 @@ Json feature_json(const Feature& feature) {
 }
 
 [[noreturn]] void fail_about_empty_operand(const DepthArguments& arguments, const Geometry& a) {
-  const ResolveOptions reading{arguments.options.fill, true, {}};
+  const Options reading{.fill = arguments.options.fill, .regularize = true};
   Culprit culprit;
   culprit.operand = resolve(a, reading).empty() ? 0 : 1;
   throw Error(ErrorCode::kBadInput, "there is no distance from a shape without area", culprit);
@@ -79,7 +79,7 @@ Json feature_json(const Feature& feature) {
 
 void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b, const Depth& depth,
           OutputFiles& files) {
-  const ResolveOptions reading{arguments.options.fill, true, {}};
+  const Options reading{.fill = arguments.options.fill, .regularize = true};
   Geometry second = resolve(b, reading);
   const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
   const char* const title = depth.overlapping ? "B, separated" : "B, in contact";

@@ -60,7 +60,7 @@ Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry
     layer.faults = validate(given.region);
   } else {
     try {
-      layer.geometry = resolve({given.region, {}, {}}, {arguments.fill, false, {}});
+      layer.geometry = resolve({given.region, {}, {}}, {.fill = arguments.fill});
     } catch (const Error& error) {
       throw failure_of(error, arguments.files[index]);
     }

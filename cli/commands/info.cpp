@@ -52,7 +52,7 @@ Region all_vertices(const Geometry& geometry) {
   return all;
 }
 
-OperandReport examine(const Geometry& geometry, const ResolveOptions& options) {
+OperandReport examine(const Geometry& geometry, const Options& reading) {
   const Region all = geometry.has_thin_parts() ? all_vertices(geometry) : Region();
   const Region& vertices = geometry.has_thin_parts() ? all : geometry.region;
   OperandReport findings{geometry,
@@ -61,8 +61,8 @@ OperandReport examine(const Geometry& geometry, const ResolveOptions& options) {
                          coordinate_bits(vertices),
                          validate(geometry.region, kMaxFaults),
                          {}};
-  if (options.fill != FillRule::kStrict || findings.faults.empty()) {
-    findings.meaning.emplace().geometry = resolve(geometry, options);
+  if (reading.fill != FillRule::kStrict || findings.faults.empty()) {
+    findings.meaning.emplace().geometry = resolve(geometry, reading);
     findings.meaning->area = area(findings.meaning->geometry.region);
   }
   return findings;
@@ -128,7 +128,7 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Operand
   json["valid"] = findings.faults.empty();
   json["faults"] = Json::array();
   for (const Fault& fault : findings.faults) json["faults"].push_back(fault_json(fault));
-  json["fill"] = to_string(arguments.resolve.fill);
+  json["fill"] = to_string(arguments.reading.fill);
   json["meaning"] = nullptr;
   if (findings.meaning) {
     Json meaning;
@@ -147,8 +147,8 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
       .required()
       .type_name("FILE");
   info.add_flag("--json", arguments.json, "As JSON");
-  add_fill_option(info, arguments.resolve.fill);
-  info.add_flag("--regularize", arguments.resolve.regularize, "Drop polylines, points and spikes");
+  add_fill_option(info, arguments.reading.fill);
+  info.add_flag("--regularize", arguments.reading.regularize, "Drop polylines, points and spikes");
   add_limit_options(info, limits, false);
   return info;
 }
@@ -157,12 +157,12 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
 
 int run_info(const InfoArguments& arguments) {
   const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
-  const OperandReport findings = examine(geometry, arguments.resolve);
+  const OperandReport findings = examine(geometry, arguments.reading);
   write_standard_output([&](std::ostream& out) {
     if (arguments.json) {
       write_json(out, arguments, findings);
     } else {
-      write_text(out, findings, arguments.resolve.fill);
+      write_text(out, findings, arguments.reading.fill);
     }
   });
   if (findings.faults.empty()) return kFine;

@@ -60,7 +60,7 @@ int run_morphology(const MorphologyArguments& arguments) {
     const Geometry result = morphology(arguments, a, b);
     write_rounded(files, arguments, result);
     if (!arguments.picture.empty()) {
-      const ResolveOptions reading{arguments.options.fill, false, {}};
+      const Options reading{.fill = arguments.options.fill};
       const Drawing drawing{resolve(a, reading),
                             resolve(b, reading),
                             result,

@@ -35,15 +35,14 @@ Geometry thin_parts_of(const Geometry& geometry) {
 
 void draw(const NoFitArguments& arguments, const Geometry& fixed, const Geometry& moving,
           const Geometry& polygon, OutputFiles& files) {
-  const ResolveOptions reading{arguments.options.fill, true, {}};
+  const Options reading{.fill = arguments.options.fill, .regularize = true};
   const Geometry area = without_thin_parts(polygon);
   const Geometry tight = thin_parts_of(polygon);
   const Captions captions = arguments.inner_fit
                                 ? Captions{"Inner-fit polygon", "Bin", "Part", "Inner-fit polygon"}
                                 : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
   // A part without a first vertex would have failed before this point.
-  const Point mark =
-      arguments.options.reference ? *arguments.options.reference : moving.region.point(0);
+  const Point mark = arguments.reference ? *arguments.reference : moving.region.point(0);
   const Drawing drawing{
       resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark};
   files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
@@ -75,8 +74,9 @@ void write_polygon(const NoFitArguments& arguments, const Geometry& fixed, const
 
 Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
                      const Geometry& moving) {
-  return arguments.inner_fit ? inner_fit_polygon(fixed, moving, arguments.options)
-                             : no_fit_polygon(fixed, moving, arguments.options);
+  return arguments.inner_fit
+             ? inner_fit_polygon(fixed, moving, arguments.reference, arguments.options)
+             : no_fit_polygon(fixed, moving, arguments.reference, arguments.options);
 }
 
 Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& polygon) {
@@ -94,7 +94,7 @@ Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& po
 
 std::vector<const char*> contacts(const NoFitArguments& arguments, const Geometry& fixed,
                                   const Geometry& moving) {
-  const NoFitPolygon polygon(fixed, moving, arguments.options);
+  const NoFitPolygon polygon(fixed, moving, arguments.reference, arguments.options);
   std::vector<const char*> answers;
   for (const Point& placement : arguments.placements) {
     answers.push_back(to_string(polygon.contact(placement)));

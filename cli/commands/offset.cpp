@@ -35,7 +35,7 @@ void choose(const std::map<std::string, Value>& values, const std::string& typed
 
 void draw(const OffsetArguments& arguments, const Geometry& a, const Geometry& result,
           OutputFiles& files) {
-  const ResolveOptions reading{arguments.options.fill, false, {}};
+  const Options reading{.fill = arguments.options.fill};
   Drawing drawing{resolve(a, reading), {}, result, nullptr, {}, true, {}};
   drawing.captions = {"Offset", "A", nullptr, "Offset"};
   files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
@@ -85,29 +85,29 @@ void convert(OffsetArguments& arguments, const OffsetText& typed) {
     throw Failure(kWrongUsage, "--svg needs a file, not standard output");
   }
   convert_result(arguments, typed);
-  OffsetOptions& options = arguments.options;
+  OffsetOptions& shape = arguments.shape;
   arguments.distance = parse_number("--distance", typed.distance);
-  choose(kJoins, typed.join, options.join);
-  choose(kCaps, typed.cap, options.cap);
-  choose(rounding_sides(), typed.side, options.side);
+  choose(kJoins, typed.join, shape.join);
+  choose(kCaps, typed.cap, shape.cap);
+  choose(rounding_sides(), typed.side, shape.side);
   if (!typed.miter_limit.empty()) {
-    options.miter_limit = parse_number("--miter-limit", typed.miter_limit);
-    if (options.miter_limit < Rational(1)) {
+    shape.miter_limit = parse_number("--miter-limit", typed.miter_limit);
+    if (shape.miter_limit < Rational(1)) {
       throw Failure(kWrongUsage, "--miter-limit must be at least 1");
     }
   }
   if (!typed.tolerance.empty()) {
-    options.tolerance = parse_number("--tolerance", typed.tolerance);
-    if (options.tolerance->sign() <= 0) {
+    shape.tolerance = parse_number("--tolerance", typed.tolerance);
+    if (shape.tolerance->sign() <= 0) {
       throw Failure(kWrongUsage, "--tolerance must be positive");
     }
   }
-  const bool round = options.join == Join::kRound && options.cap == Cap::kRound;
-  if (options.side != RoundingSide::kNearest && !round) {
+  const bool round = shape.join == Join::kRound && shape.cap == Cap::kRound;
+  if (shape.side != RoundingSide::kNearest && !round) {
     throw Failure(kWrongUsage, "--side is for round joins and caps only");
   }
   // By default, rounding the output keeps the side of the offset.
-  if (typed.round.empty()) arguments.rounding = options.side;
+  if (typed.round.empty()) arguments.rounding = shape.side;
 }
 
 int run_offset(const OffsetArguments& arguments) {
@@ -117,7 +117,7 @@ int run_offset(const OffsetArguments& arguments) {
   const Geometry a =
       read_operand(arguments.operand, arguments.limits, arguments.options.fill).geometry;
   try {
-    const Geometry result = offset(a, arguments.distance, arguments.options);
+    const Geometry result = offset(a, arguments.distance, arguments.shape, arguments.options);
     write_rounded(files, arguments, result);
     if (!arguments.picture.empty()) draw(arguments, a, result, files);
   } catch (const Error& error) {

@@ -17,7 +17,8 @@ struct OffsetArguments : ResultArguments {
   Rational distance;
   std::string picture;  ///< empty = none
   io::ReadLimits limits;
-  OffsetOptions options;
+  OffsetOptions shape;
+  Options options;
 };
 
 /// Options as they are typed; `convert` turns them into OffsetArguments.

@@ -94,7 +94,7 @@ Configuration parse_configuration(const std::string& option, const std::string& 
   const int operand = error.culprit().operand;
   if (operand == 3 || operand == 4) {
     std::string line = std::string(operand == 3 ? "--from" : "--to") + ": " + error.what();
-    if (arguments.options.certain) line += " (grown by the margin of --certain)";
+    if (arguments.setting.certain) line += " (grown by the margin of --certain)";
     throw Failure(kBadInput, line);
   }
   fail_about_scene(error, arguments);
@@ -115,11 +115,11 @@ Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed
   add_text("--to", typed.to, "Where it is to go").type_name("X,Y,THETA");
   add_text("--angles", typed.angles, "It turns in steps of a full turn over N").type_name("N");
   command
-      .add_option("--angle-tolerance", arguments.options.tolerance,
+      .add_option("--angle-tolerance", arguments.setting.tolerance,
                   "How many degrees an angle may be off to be a rational turn (default 0.001)")
       .check(between(1e-10, 1))
       .type_name("D");
-  command.add_flag("--certain", arguments.options.certain,
+  command.add_flag("--certain", arguments.setting.certain,
                    "Free of collisions at all angles between as well: the robot is grown for "
                    "that");
   command.add_flag("--json", arguments.json, "As JSON, with exact numbers");
@@ -131,7 +131,7 @@ Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed
 }
 
 void convert(ReachArguments& arguments, const ReachText& typed) {
-  convert_robot(arguments, typed, arguments.options);
+  convert_robot(arguments, typed, arguments.setting);
   for (const auto& [option, file] :
        {std::pair{"-o", &arguments.output}, std::pair{"--svg", &arguments.picture}}) {
     if (*file == "-") {
@@ -140,7 +140,7 @@ void convert(ReachArguments& arguments, const ReachText& typed) {
   }
   arguments.from = parse_configuration("--from", typed.from);
   arguments.to = parse_configuration("--to", typed.to);
-  arguments.options.angles = parse_angles(typed.angles);
+  arguments.setting.angles = parse_angles(typed.angles);
 }
 
 int run_reach(const ReachArguments& arguments) {
@@ -148,16 +148,17 @@ int run_reach(const ReachArguments& arguments) {
   files.expect("the answer", "");
   files.expect_if_any("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
-  ReachOptions options = arguments.options;
-  const RobotScene scene = read_scene(arguments, options);
+  ReachOptions setting = arguments.setting;
+  const RobotScene scene = read_scene(arguments, arguments.options.fill, setting);
   try {
-    const Reach found = reach(scene.robot, scene.obstacles, arguments.from, arguments.to, options);
+    const Reach found = reach(scene.robot, scene.obstacles, arguments.from, arguments.to, setting,
+                              arguments.options);
     if (!arguments.output.empty()) {
       files.write(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
     }
     if (!arguments.picture.empty()) {
       files.write(arguments.picture, [&](std::ostream& out) {
-        out << reach_picture(arguments, options, scene, found);
+        out << reach_picture(arguments, setting, scene, found);
       });
     }
     write_standard_output([&](std::ostream& out) {

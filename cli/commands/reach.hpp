@@ -14,7 +14,8 @@ struct ReachArguments : RobotArguments {
   bool json = false;
   std::string output;   ///< for the path as GeoJSON; empty = none
   std::string picture;  ///< empty = none
-  ReachOptions options;
+  ReachOptions setting;
+  Options options{.threads = 0};
 };
 
 struct ReachText : RobotText {
@@ -31,7 +32,7 @@ int run_reach(const ReachArguments& arguments);
 
 /// Draws the scene and, if a path exists, the robot along it.
 [[nodiscard]] std::string reach_picture(const ReachArguments& arguments,
-                                        const ReachOptions& options, const RobotScene& scene,
+                                        const ReachOptions& setting, const RobotScene& scene,
                                         const Reach& found);
 
 }  // namespace minksum::cli

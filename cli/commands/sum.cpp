@@ -58,48 +58,48 @@ void read_operands(const SumArguments& arguments, SumRun& run) {
   }
 }
 
-// Runs the sum `repeat` times in the same memory. The statistics and the result are those of the
-// last run.
+// Runs the sum `repeat` times in the same memory; what is kept is the last run's.
 void compute(const SumArguments& arguments, SumRun& run) {
-  Workspace workspace;
+  Workspace memory;
+  SumSettings settings = arguments.options;
+  settings.memory = &memory;
+  settings.tight = !arguments.tight.empty();
   std::vector<double> sums;
-  std::vector<double> stages[kStageCount];
+  std::vector<double> stages[kSumStages];
   for (int i = 0; i < arguments.repeat; ++i) {
-    run.statistics = Statistics();
-    Options options = arguments.options;
-    options.statistics = &run.statistics;
-    if (!arguments.tight.empty()) options.tight = &run.tight.emplace();
     const Stopwatch watch;
-    const Outcome outcome =
-        minkowski_sum(run.operands[0], run.operands[1], options, workspace, run.exact);
+    DetailedSum sum = detailed_sum(run.operands[0], run.operands[1], settings);
     sums.push_back(watch.seconds());
-    if (!outcome.ok()) fail_about(*outcome.error, arguments.operands);
-    for (int s = 0; s < kStageCount; ++s) stages[s].push_back(run.statistics.stage_seconds[s]);
+    run.exact = std::move(sum.sum);
+    if (*settings.tight) run.tight = std::move(sum.tight);
+    run.statistics = sum.statistics;
+    for (int s = 0; s < kSumStages; ++s) stages[s].push_back(run.statistics.stage_seconds[s]);
   }
   run.seconds.sum = median(sums);
-  for (int s = 0; s < kStageCount; ++s) run.seconds.stages[s] = median(stages[s]);
+  for (int s = 0; s < kSumStages; ++s) run.seconds.stages[s] = median(stages[s]);
 }
 
 // Tracing takes a separate run, so that the times are those of plain runs.
-void compute_and_write_trace(const SumArguments& arguments, const SumRun& run, OutputFiles& files) {
-  Trace trace;
-  Options options = arguments.options;
-  options.trace = &trace;
-  static_cast<void>(minkowski_sum(run.operands[0], run.operands[1], options));
-  made_for(arguments.trace,
-           [&] { write_trace(files, arguments.trace, drawing_of(run, arguments.options), trace); });
+void compute_and_write_trace(const SumArguments& arguments, SumRun& run, OutputFiles& files) {
+  const DetailedSum traced =
+      detailed_sum(run.operands[0], run.operands[1], arguments.options, Detail::kTrace);
+  run.statistics = traced.statistics;  // the counts go with the pictures
+  made_for(arguments.trace, [&] {
+    write_trace(files, arguments.trace, drawing_of(run, arguments.options), traced.trace);
+  });
 }
 
 // Rounds the result as a whole, so that it stays valid.
 void round_result(const SumArguments& arguments, SumRun& run) {
   if (arguments.coordinates.style == Style::kExact) return;
   const Stopwatch watch;
-  RoundOptions options = rounding_of(arguments);
-  run.rounded = made_for(arguments.output,
-                         [&] { return round(run.exact, options, &run.rounding.emplace()); });
-  options.side = RoundingSide::kNearest;
+  RoundOptions target = rounding_of(arguments);
+  Rounded rounded = made_for(arguments.output, [&] { return detailed_round(run.exact, target); });
+  run.rounded = std::move(rounded.geometry);
+  run.rounding = rounded.report;
+  target.side = RoundingSide::kNearest;
   if (run.tight) {
-    run.rounded_tight = made_for(arguments.tight, [&] { return round(*run.tight, options); });
+    run.rounded_tight = made_for(arguments.tight, [&] { return round(*run.tight, target); });
   }
   run.seconds.round = watch.seconds();
 }

@@ -14,7 +14,7 @@ namespace minksum::cli {
 struct Seconds {
   double read = 0;
   double sum = 0;
-  double stages[kStageCount] = {};
+  double stages[kSumStages] = {};
   double round = 0;
   double write = 0;
 };

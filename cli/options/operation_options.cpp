@@ -58,7 +58,7 @@ Command add_morphology(CommandLine& line, Operation operation, MorphologyArgumen
   add_operand(command, "B", arguments.operands[1], "The structuring element");
   add_result_options(command, arguments, typed, words.result);
   add_fill_option(command, arguments.options.fill);
-  command.add_flag("--tight", arguments.options.tight,
+  command.add_flag("--tight", arguments.tight,
                    operation == Operation::kDilate
                        ? "Keep what has no area: a dilation always does"
                        : "Keep what has no area: where B fits with no play");
@@ -122,6 +122,7 @@ void convert(MorphologyArguments& arguments, const MorphologyText& typed) {
   require_one_standard_input(arguments.operands, "A and B");
   require_file(arguments.picture);
   convert_result(arguments, typed);
+  arguments.options.tight = arguments.tight;
 }
 
 void convert(NoFitArguments& arguments, const NoFitText& typed) {
@@ -130,7 +131,7 @@ void convert(NoFitArguments& arguments, const NoFitText& typed) {
   require_file(arguments.picture);
   convert_result(arguments, typed);
   if (!typed.reference.empty()) {
-    arguments.options.reference = parse_point("--reference", typed.reference);
+    arguments.reference = parse_point("--reference", typed.reference);
   }
   for (const std::string& text : typed.placements) {
     arguments.placements.push_back(parse_point("--at", text));

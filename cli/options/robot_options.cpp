@@ -9,7 +9,7 @@
 namespace minksum::cli {
 
 void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
-                       ConfigurationOptions& options) {
+                       Options& options) {
   command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
   const auto add_file = [&command](const char* name, std::string& file, const char* what) {
     return command.add_option(name, file, what).type_name("FILE");
@@ -29,13 +29,13 @@ void add_robot_options(const Command& command, RobotArguments& arguments, RobotT
 }
 
 void convert_robot(const RobotArguments& arguments, const RobotText& typed,
-                   ConfigurationOptions& options) {
+                   ConfigurationOptions& setting) {
   const auto& operands = arguments.operands;
   const auto inputs = std::count(std::begin(operands), std::end(operands), "-") +
                       (arguments.workspace == "-" ? 1 : 0);
   if (inputs > 1) throw Failure(kWrongUsage, "only one file can be standard input");
   if (typed.reference.empty()) return;
-  options.reference = parse_point("--reference", typed.reference);
+  setting.reference = parse_point("--reference", typed.reference);
 }
 
 std::size_t parse_angles(const std::string& text) {
@@ -45,11 +45,12 @@ std::size_t parse_angles(const std::string& text) {
                                  ", not '" + text + "'");
 }
 
-RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& options) {
-  RobotScene scene{read_operand(arguments.operands[0], arguments.limits, options.fill).geometry,
-                   read_operand(arguments.operands[1], arguments.limits, options.fill).geometry};
+RobotScene read_scene(const RobotArguments& arguments, FillRule fill,
+                      ConfigurationOptions& setting) {
+  RobotScene scene{read_operand(arguments.operands[0], arguments.limits, fill).geometry,
+                   read_operand(arguments.operands[1], arguments.limits, fill).geometry};
   if (!arguments.workspace.empty()) {
-    options.workspace = read_operand(arguments.workspace, arguments.limits, options.fill).geometry;
+    setting.workspace = read_operand(arguments.workspace, arguments.limits, fill).geometry;
   }
   return scene;
 }

@@ -24,23 +24,23 @@ struct RobotText {
 };
 
 void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
-                       ConfigurationOptions& options);
+                       Options& options);
 /// Fills `options`. Throws a Failure for wrong usage.
 void convert_robot(const RobotArguments& arguments, const RobotText& typed,
-                   ConfigurationOptions& options);
+                   ConfigurationOptions& setting);
 
 /// The largest number of slices; nobody would wait for more.
 inline constexpr int kMostTurns = 1'000'000;
 /// Returns a number of angles from 1 to kMostTurns. Throws a Failure.
 [[nodiscard]] std::size_t parse_angles(const std::string& text);
 
-/// The robot and the obstacles. The workspace goes to the options instead.
+/// Robot and obstacles; the workspace goes to the setting.
 struct RobotScene {
   Geometry robot;
   Geometry obstacles;
 };
-[[nodiscard]] RobotScene read_scene(const RobotArguments& arguments,
-                                    ConfigurationOptions& options);
+[[nodiscard]] RobotScene read_scene(const RobotArguments& arguments, FillRule fill,
+                                    ConfigurationOptions& setting);
 
 /// Does the same as `fail_about`, also for errors about the workspace.
 [[noreturn]] void fail_about_scene(const Error& error, const RobotArguments& arguments);

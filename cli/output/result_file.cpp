@@ -7,13 +7,12 @@
 namespace minksum::cli {
 
 RoundOptions rounding_of(const ResultArguments& arguments) {
-  RoundOptions options;
-  options.side = arguments.rounding;
-  options.cancel = arguments.cancel;
+  RoundOptions target;
+  target.side = arguments.rounding;
   if (arguments.coordinates.style == io::Coordinates::Style::kDecimal) {
-    options.decimals = arguments.coordinates.digits;
+    target.decimals = arguments.coordinates.digits;
   }
-  return options;
+  return target;
 }
 
 void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
@@ -31,7 +30,7 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
 
 Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
   if (arguments.coordinates.style == io::Coordinates::Style::kExact) return geometry;
-  return round(geometry, rounding_of(arguments));
+  return round(geometry, rounding_of(arguments), {.cancel = arguments.cancel});
 }
 
 void write_geometry(OutputFiles& files, const ResultArguments& arguments,

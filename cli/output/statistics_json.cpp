@@ -65,7 +65,7 @@ Json seconds_json(const Seconds& seconds) {
   json["round"] = seconds.round;
   json["write"] = seconds.write;
   Json stages;
-  for (int i = 0; i < kStageCount; ++i) {
+  for (int i = 0; i < kSumStages; ++i) {
     stages[minksum::to_string(static_cast<Stage>(i))] = seconds.stages[i];
   }
   json["stages"] = stages;
@@ -143,6 +143,7 @@ Json statistics_json(const SumArguments& arguments, const SumRun& run) {
   json["result"] = result_json(arguments, run);
   if (run.rounding) json["rounding"] = rounding_json(arguments.rounding, *run.rounding);
   json["seconds"] = seconds_json(run.seconds);
+  json["small"] = run.statistics.small;
   json["counts"] = counts_json(run.statistics);
   json["arithmetic"] = arithmetic_json(run.statistics);
   json["method"] = to_string(arguments.options.method);

@@ -36,13 +36,14 @@ std::size_t rows_of(std::size_t shown) { return (shown + kColumns - 1) / kColumn
 }  // namespace
 
 CspacePicture::CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
-                             const ConfigurationOptions& options)
+                             const ConfigurationOptions& setting, const Options& options)
     : boundary_(space.boundary()),
-      obstacles_(resolve(obstacles, {options.fill, false, options.cancel})),
+      obstacles_(resolve(obstacles, {.fill = options.fill})),
       robot_(space.robot()),
       corner_{boundary_.max.x - space.radius(), boundary_.max.y - space.radius()} {
-  if (options.workspace) {
-    workspace_ = resolve(*options.workspace, {options.fill, true, options.cancel}).region;
+  if (setting.workspace) {
+    const Options reading{.fill = options.fill, .regularize = true};
+    workspace_ = resolve(*setting.workspace, reading).region;
   }
   extent_.include({as_region(boundary_), {}, {}});
 }

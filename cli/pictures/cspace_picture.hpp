@@ -12,7 +12,7 @@ namespace minksum::cli {
 class CspacePicture {
  public:
   CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
-                const ConfigurationOptions& options);
+                const ConfigurationOptions& setting, const Options& options);
 
   /// Returns the height of a slice's drawing of that width.
   [[nodiscard]] double height_for(double width) const;

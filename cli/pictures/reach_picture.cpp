@@ -63,19 +63,20 @@ std::string note_on(const Reach& found) {
 
 }  // namespace
 
-std::string reach_picture(const ReachArguments& arguments, const ReachOptions& options,
+std::string reach_picture(const ReachArguments& arguments, const ReachOptions& setting,
                           const RobotScene& scene, const Reach& found) {
-  const ResolveOptions reading{options.fill, true, {}};
-  const Geometry obstacles = resolve(scene.obstacles, {options.fill, false, {}});
+  const FillRule fill = arguments.options.fill;
+  const Options reading{.fill = fill, .regularize = true};
+  const Geometry obstacles = resolve(scene.obstacles, {.fill = fill});
   const Region robot = transform(resolve(scene.robot, reading).region,
-                                 Affine::translation(-options.reference.x, -options.reference.y));
+                                 Affine::translation(-setting.reference.x, -setting.reference.y));
   const auto posed = [&](const Waypoint& pose) {
     const Affine to = Affine::translation(pose.at.x, pose.at.y);
     return transform(robot, to.after(pose.turn.map()));
   };
   const Region ends[] = {
-      posed({arguments.from.at, nearest_turn(arguments.from.degrees, options.tolerance)}),
-      posed({arguments.to.at, nearest_turn(arguments.to.degrees, options.tolerance)})};
+      posed({arguments.from.at, nearest_turn(arguments.from.degrees, setting.tolerance)}),
+      posed({arguments.to.at, nearest_turn(arguments.to.degrees, setting.tolerance)})};
   std::vector<Region> ghosts;
   if (found.reachable) {
     for (const Waypoint& pose : poses_on(found.path)) ghosts.push_back(posed(pose));
@@ -83,7 +84,7 @@ std::string reach_picture(const ReachArguments& arguments, const ReachOptions& o
   Extent extent;
   extent.include(obstacles);
   Region workspace;
-  if (options.workspace) workspace = resolve(*options.workspace, reading).region;
+  if (setting.workspace) workspace = resolve(*setting.workspace, reading).region;
   extent.include({workspace, {}, {}});
   for (const Region& end : ends) extent.include({end, {}, {}});
   for (const Region& ghost : ghosts) extent.include({ghost, {}, {}});

@@ -115,7 +115,7 @@ std::string counted(std::size_t number, const char* one, const char* many) {
 }  // namespace
 
 Drawing drawing_of(const SumRun& run, const Options& options) {
-  const ResolveOptions reading{options.fill, options.regularize, {}};
+  const Options reading{.fill = options.fill, .regularize = options.regularize};
   return {resolve(run.operands[0], reading), resolve(run.operands[1], reading), run.exact,
           run.tight ? &*run.tight : nullptr, {}, false, {}};
 }

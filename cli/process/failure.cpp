@@ -172,7 +172,7 @@ ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits, 
 std::optional<std::string> reading_of_faults(const Region& region, FillRule fill,
                                              const std::optional<CancelToken>& cancel) {
   if (fill == FillRule::kStrict) return std::nullopt;
-  const std::vector<Fault> faults = validate(region, 1, cancel);
+  const std::vector<Fault> faults = validate(region, 1, {.cancel = cancel});
   if (faults.empty()) return std::nullopt;
   const char* const meaning =
       fill == FillRule::kAutomatic

@@ -1,12 +1,11 @@
 // Union, intersection and difference, exactly.
 #pragma once
 
-#include <optional>
 #include <span>
 
-#include "minksum/cancel.hpp"
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum {
 
@@ -18,20 +17,20 @@ namespace minksum {
 /// The union of resolved geometries (see Geometry), resolved. They may overlap in any way.
 /// O((n + c) log n) for n vertices in all and c places where edges meet, and so for the others.
 [[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
-                                         const std::optional<CancelToken>& cancel = {});
+                                         const Options& options = {});
 
 /// The operations on valid regions (see `validate`), regularized: closures of what has area.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
-                                       const std::optional<CancelToken>& cancel = {});
+                                       const Options& options = {});
 [[nodiscard]] MINKSUM_API Region intersect(const Region& a, const Region& b,
-                                           const std::optional<CancelToken>& cancel = {});
+                                           const Options& options = {});
 [[nodiscard]] MINKSUM_API Region subtract(const Region& a, const Region& b,
-                                          const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] MINKSUM_API Region symmetric_difference(
-    const Region& a, const Region& b, const std::optional<CancelToken>& cancel = {});
+                                          const Options& options = {});
+[[nodiscard]] MINKSUM_API Region symmetric_difference(const Region& a, const Region& b,
+                                                      const Options& options = {});
 
 /// Whether a ⊆ b.
 [[nodiscard]] MINKSUM_API bool contains(const Region& b, const Region& a,
-                                        const std::optional<CancelToken>& cancel = {});
+                                        const Options& options = {});
 
 }  // namespace minksum

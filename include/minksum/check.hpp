@@ -12,9 +12,8 @@
 
 namespace minksum {
 
+/// How thoroughly a result is checked.
 struct CheckOptions {
-  FillRule fill = FillRule::kAutomatic;  ///< how the operands are read
-  bool regularize = false;               ///< whether their thin parts are dropped
   /// How far, in x and in y, the result may be off: each of its points has a point of the sum
   /// within that, and each point of the sum has one of the result. 0: they must be
   /// equal. Not negative.
@@ -25,9 +24,8 @@ struct CheckOptions {
   /// Edges of the result near which points are tested; if it has more, that many of them, evenly.
   std::uint64_t edges = 10000;
   std::uint64_t seed = 1;
-  /// Above these the proof is not tried.
-  Limits limits{std::uint64_t{1} << 20, std::uint64_t{1} << 23};
-  std::optional<CancelToken> cancel = {};
+  /// Above these the proof is not tried; `Options::limits` have no meaning here.
+  Limits proof{std::uint64_t{1} << 20, std::uint64_t{1} << 23};
 };
 
 /// A point that is in one of result and sum, and further than `within` from the other.
@@ -45,7 +43,7 @@ struct Difference {
 enum class Proof {
   kHolds,     ///< the result is the sum, within what is allowed
   kRefuted,   ///< it is not
-  kNotTried,  ///< the sum is too large for the second method (see `CheckOptions::limits`)
+  kNotTried,  ///< the sum is too large for the second method (see `CheckOptions::proof`)
 };
 
 /// What a check found out.
@@ -76,6 +74,7 @@ struct SumCheck {
 /// The result may be anybody's, rounded or not. O(n + m) and more for each point.
 /// Throws Error: kBadInput for operands and for `within`, kCancelled.
 [[nodiscard]] MINKSUM_API SumCheck check_sum(const Geometry& result, const Geometry& p,
-                                             const Geometry& q, const CheckOptions& options = {});
+                                             const Geometry& q, const CheckOptions& how = {},
+                                             const Options& options = {});
 
 }  // namespace minksum

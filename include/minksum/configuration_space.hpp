@@ -42,17 +42,11 @@ struct MINKSUM_API Turn {
 /// kLimitExceeded for more than a million.
 [[nodiscard]] MINKSUM_API std::vector<Turn> full_turn(std::size_t n, double tolerance = 1e-3);
 
+/// What a configuration space is made for, beside robot and obstacles.
 struct ConfigurationOptions {
   Point reference = {};  ///< the robot's point that says where it is, and that it turns about
   /// The robot has to stay inside it; without it, all around the obstacles is free.
   std::optional<Geometry> workspace = {};
-  /// Keeps the places of free space where the robot has no play: points and polylines. Obstacles
-  /// must not have thin parts then.
-  bool tight = false;
-  FillRule fill = FillRule::kAutomatic;  ///< how all shapes are read
-  Limits limits = {};
-  std::optional<CancelToken> cancel = {};
-  int threads = 0;  ///< for many slices; 0 = one for each core
 };
 
 /// The configurations (x, y, turn) of one turn.
@@ -78,11 +72,13 @@ struct Slice {
 /// have a common denominator. Copies share one state; any number of threads may use it.
 class MINKSUM_API ConfigurationSpace {
  public:
+  /// `options` hold for the slices, too. If `options.tight` is true, free space keeps the places
+  /// where the robot has no play, as points and polylines.
   /// Throws Error(kBadInput): culprit operand 0 for a robot without area, 1 for obstacles that the
-  /// fill rule refuses, or with thin parts if options.tight is set, 2 for a workspace without area;
-  /// and as minkowski_sum does.
+  /// fill rule refuses, or with thin parts if options.tight is true, 2 for a workspace without
+  /// area; and as minkowski_sum does.
   ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
-                     const ConfigurationOptions& options = {});
+                     const ConfigurationOptions& setting = {}, const Options& options = {});
 
   /// The box of (x, y) to which free space is confined: that of the workspace; else of the
   /// obstacles, larger by twice the robot's radius and a little, so that it can go all around them.

@@ -8,12 +8,6 @@
 
 namespace minksum {
 
-struct DepthOptions {
-  FillRule fill = FillRule::kAutomatic;  ///< how both shapes are read; thin parts are dropped
-  Limits limits = {};
-  std::optional<CancelToken> cancel = {};
-};
-
 /// How A and B stand to each other, and the shortest way to change that.
 struct Depth {
   /// Whether their interiors meet.
@@ -40,7 +34,7 @@ struct Depth {
 /// included. The time is that of minkowski_sum, and O(n log n) for the n edges of sum and operands.
 [[nodiscard]] MINKSUM_API std::optional<Depth> penetration_depth(const Geometry& a,
                                                                  const Geometry& b,
-                                                                 const DepthOptions& options = {});
+                                                                 const Options& options = {});
 
 /// When B moves along `direction`: the smallest factor f ≥ 0 for which B + f·direction touches or
 /// overlaps A; nothing if it never does. 0 if they touch or overlap already. `direction` must not
@@ -48,6 +42,6 @@ struct Depth {
 [[nodiscard]] MINKSUM_API std::optional<Rational> time_of_impact(const Geometry& a,
                                                                  const Geometry& b,
                                                                  const Point& direction,
-                                                                 const DepthOptions& options = {});
+                                                                 const Options& options = {});
 
 }  // namespace minksum

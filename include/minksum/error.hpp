@@ -72,4 +72,27 @@ class MINKSUM_API Error : public std::runtime_error {
   std::optional<ExceededLimit> limit_;
 };
 
+/// How a call without exceptions ended. `error` is there unless it went well.
+struct [[nodiscard]] Outcome {
+  std::optional<Error> error;
+  [[nodiscard]] bool ok() const { return !error.has_value(); }
+};
+
+/// Runs `operation` and says how it ended, instead of an exception: an Error as it was thrown, and
+/// kLimitExceeded where memory ran out. Every operation of the library can be called so:
+///
+///     Geometry grown;
+///     const Outcome outcome = attempt([&] { grown = offset(plate, 1); });
+template <class Operation>
+Outcome attempt(Operation&& operation) {
+  try {
+    std::forward<Operation>(operation)();
+    return {};
+  } catch (const Error& error) {
+    return {error};
+  } catch (const std::bad_alloc&) {
+    return {Error(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"})};
+  }
+}
+
 }  // namespace minksum

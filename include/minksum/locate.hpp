@@ -2,11 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum {
 
@@ -21,7 +20,7 @@ enum class Location { kOutside, kBoundary, kInside };
 class MINKSUM_API PointLocator {
  public:
   /// Throws Error(kCancelled).
-  explicit PointLocator(const Geometry& geometry, const std::optional<CancelToken>& cancel = {});
+  explicit PointLocator(const Geometry& geometry, const Options& options = {});
 
   /// Exactly where the point is: in the inside of the area, on its boundary or on a thin part, or
   /// elsewhere. O(log² n).

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/export.h"
+#include "minksum/options.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -15,21 +15,20 @@ struct Box {
   Point max;
 };
 
-// These throw Error(kCancelled) if they are given a token.
+// Options: `cancel` and `progress`. Error(kCancelled) is all that is thrown.
 
 /// The exact area: outer rings count positive, holes negative, whatever their orientation. O(n).
-[[nodiscard]] MINKSUM_API Rational area(const Region& region,
-                                        const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Rational area(const Region& region, const Options& options = {});
 /// The same as a double, correct to a few units in the last place unless it cancels; much faster.
 [[nodiscard]] MINKSUM_API double approximate_area(const Region& region,
-                                                  const std::optional<CancelToken>& cancel = {});
+                                                  const Options& options = {});
 /// The bounding box; nothing for an empty region. O(n).
-[[nodiscard]] MINKSUM_API std::optional<Box> bounding_box(
-    const Region& region, const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API std::optional<Box> bounding_box(const Region& region,
+                                                          const Options& options = {});
 /// How many bits the coordinates need once scaled to integers by their least common denominator
 /// and moved to the origin. An indication of which arithmetic a sum takes: that is picked on a grid
 /// which both operands share, and which may be finer (docs/pipeline.md). O(n).
-[[nodiscard]] MINKSUM_API std::size_t coordinate_bits(
-    const Region& region, const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API std::size_t coordinate_bits(const Region& region,
+                                                      const Options& options = {});
 
 }  // namespace minksum

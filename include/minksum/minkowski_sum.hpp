@@ -2,31 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/error.hpp"
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 #include "minksum/region.hpp"
-#include "minksum/resolve.hpp"
 #include "minksum/trace.hpp"
 
 namespace minksum {
-
-/// How the sum is computed. All three give the same region.
-enum class Method {
-  /// Reduced convolution, cover, orientable loops (Behar and Lien, IROS 2011). The fast one.
-  kReduced,
-  /// Signed convolution and winding numbers (Guibas, Ramshaw, Stolfi 1983), on code of its own:
-  /// an independent check. Meant for small and middling operands.
-  kSigned,
-  /// The full convolution of Wein (ESA 2006), reflex vertices included, no cover. Slow; for the
-  /// comparisons of the paper.
-  kFull,
-};
 
 /// Which number type exact decisions use once the floating-point filter has passed.
 enum class Arithmetic {
@@ -37,23 +22,11 @@ enum class Arithmetic {
   kArbitrary,  ///< rationals of any size
 };
 
-/// The stages of the pipeline, in order.
-enum class Stage { kOperands, kConvolution, kCover, kArrangement, kLoops, kFilters, kOutput };
-inline constexpr int kStageCount = 7;
-/// "operands", "convolution", ...
-[[nodiscard]] MINKSUM_API const char* to_string(Stage stage);
-
-/// Limits whose excess is an Error(kLimitExceeded), not a crash. All methods but kSigned take no
-/// more than 2^30 of either, whatever is set.
-struct Limits {
-  /// Convolution segments that are listed: all, or of very many those that may touch an uncovered
-  /// cell. Those that are only counted are not limited.
-  std::uint64_t max_segments = std::uint64_t{1} << 28;
-  std::uint64_t max_crossings = std::uint64_t{1} << 28;  ///< crossings found
-};
-
-/// What a computation did.
+/// What the computation of a sum did.
 struct Statistics {
+  /// Whether operands were so small that one walk found the sum's boundary. Then there were no
+  /// stages: crossings, loops, cells and decisions are not counted, but are 0.
+  bool small = false;
   std::uint64_t convolution_segments = 0;   ///< segments of the (reduced, signed, full) convolution
   /// What the arrangement is made of: segments that touch an uncovered cell, but for such as are
   /// seen to equal another; where several on one line were joined, the line and those
@@ -73,37 +46,7 @@ struct Statistics {
   std::uint64_t by_arbitrary = 0;
 
   double seconds = 0;                       ///< the whole call
-  double stage_seconds[kStageCount] = {};   ///< indexed by Stage
-};
-
-/// Everything that can be asked of minkowski_sum beyond its operands.
-struct Options {
-  Method method = Method::kReduced;
-  Arithmetic arithmetic = Arithmetic::kAutomatic;
-  bool filter = true;             ///< false: every decision by exact arithmetic (for tests)
-  bool cover = true;              ///< false: no cover; the whole arrangement is built
-  int grid = 0;                   ///< cells along the longer side of the cover's grid; 0 = chosen
-  bool check = false;             ///< run each stage's checker on its result (for tests; slow)
-  Limits limits = {};
-  std::optional<CancelToken> cancel = {};
-  /// Called at the start of each stage and now and then within; return false to stop.
-  std::function<bool(Stage)> progress = {};
-  Statistics* statistics = nullptr;  ///< filled if given
-  Trace* trace = nullptr;            ///< filled if given (Method::kReduced and kFull)
-
-  /// The tight places: closure of the points that P ⊕ Q has in its interior and P° ⊕ Q° has not.
-  /// There P and x − Q touch and have no play, or play along a path only: single points, and
-  /// polylines. Resolved (see Geometry), without area; filled if given (Method::kReduced).
-  Geometry* tight = nullptr;
-
-  FillRule fill = FillRule::kAutomatic;  ///< how operands given as geometries are read
-  bool regularize = false;               ///< whether their thin parts are dropped
-};
-
-/// How a call without exceptions ended. `error` is there unless it went well.
-struct [[nodiscard]] Outcome {
-  std::optional<Error> error;
-  [[nodiscard]] bool ok() const { return !error.has_value(); }
+  double stage_seconds[kSumStages] = {};    ///< indexed by Stage; 0 for sums without stages
 };
 
 /// Memory that is kept from call to call. One thread at a time may use a workspace.
@@ -140,12 +83,38 @@ MINKSUM_API Outcome minkowski_sum(const Region& p, const Region& q, const Option
 
 /// The sum of any two geometries: rings of any kind, read by `options.fill`, polylines and points.
 /// It is the set P ⊕ Q, resolved (see Geometry): closed, with thin parts where both operands are
-/// thin. Statistics are those of the sum of both areas. Tight places are those of both areas, less
-/// what the sum's thin operands cover. Throws as above.
+/// thin. Throws as above.
 [[nodiscard]] MINKSUM_API Geometry minkowski_sum(const Geometry& p, const Geometry& q,
                                                  const Options& options = {});
 /// The same with memory that is reused, and no exception; as above.
 MINKSUM_API Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
                                   Workspace& workspace, Geometry& result);
+
+/// A sum, and what else its computation tells.
+struct DetailedSum {
+  Geometry sum;
+  /// The tight places, if `Options::tight` asks for them: the closure of the points that P ⊕ Q has
+  /// in its interior and P° ⊕ Q° has not. There P and x − Q touch and have no play, or play along a
+  /// path only: single points, and polylines. Resolved (see Geometry), without area. They are those
+  /// of both areas, less what the sum's thin operands cover.
+  Geometry tight;
+  Statistics statistics;  ///< of the sum of both areas
+  Trace trace;            ///< if it was asked for
+};
+
+/// What a DetailedSum has beside sum, tight places and statistics.
+enum class Detail {
+  kStatistics,  ///< nothing more
+  kTrace,       ///< the trace of the sum of both areas, by the stages even where these are small
+};
+
+/// P ⊕ Q as by minkowski_sum, which takes the same steps, and what is known of it. Regions must be
+/// valid, geometries need not be. Throws as above.
+[[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
+                                                   const Options& options = {},
+                                                   Detail detail = Detail::kStatistics);
+[[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Geometry& p, const Geometry& q,
+                                                   const Options& options = {},
+                                                   Detail detail = Detail::kStatistics);
 
 }  // namespace minksum

@@ -12,28 +12,25 @@
 
 namespace minksum {
 
-struct NoFitOptions {
-  /// The point of the moving part that says where it is; without it the part's first
-  /// vertex, as given.
-  std::optional<Point> reference = {};
-  FillRule fill = FillRule::kAutomatic;  ///< how both shapes are read
-  Limits limits = {};
-  std::optional<CancelToken> cancel = {};
-};
-
 /// The no-fit polygon of `moving` around `fixed`: placements t of the reference point. In the
 /// inside of its area the parts overlap; on its boundary, and on its polylines and points (tight
 /// places), they touch; elsewhere they are apart. It is (fixed ⊕ −moving) + reference; thin parts
-/// of both shapes are dropped. Orientation of rings has no meaning. Throws as minkowski_sum does,
-/// and Error(kBadInput) if `moving` has no vertex to be the reference point.
+/// of both shapes are dropped. Orientation of rings has no meaning.
+///
+/// `reference` is the point of the moving part that says where the part is; without it, the part's
+/// first vertex, as given. Throws as minkowski_sum does, and Error(kBadInput) if `moving` has no
+/// vertex to be the reference point.
 [[nodiscard]] MINKSUM_API Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
-                                                  const NoFitOptions& options = {});
+                                                  const std::optional<Point>& reference = {},
+                                                  const Options& options = {});
 
 /// The inner-fit polygon of `part` in `bin`: the placements t of the reference point that put the
 /// part into the bin (touching is allowed). It is (bin ⊖ part) + reference, with the placements
-/// that leave no play as polylines and points. Empty if the part does not fit.
+/// that leave no play as polylines and points. Empty if the part does not fit. `reference` and
+/// errors as above.
 [[nodiscard]] MINKSUM_API Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
-                                                     const NoFitOptions& options = {});
+                                                     const std::optional<Point>& reference = {},
+                                                     const Options& options = {});
 
 /// How a placed part relates to a fixed one.
 enum class Contact { kFree, kTouching, kOverlapping };
@@ -41,7 +38,8 @@ enum class Contact { kFree, kTouching, kOverlapping };
 /// A no-fit polygon to be asked many times. Copies share it; any number of threads may ask.
 class MINKSUM_API NoFitPolygon {
  public:
-  NoFitPolygon(const Geometry& fixed, const Geometry& moving, const NoFitOptions& options = {});
+  NoFitPolygon(const Geometry& fixed, const Geometry& moving,
+               const std::optional<Point>& reference = {}, const Options& options = {});
 
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The relation at placement t of the reference point, exactly; O(log² n).
@@ -53,19 +51,8 @@ class MINKSUM_API NoFitPolygon {
   PointLocator tight_;
 };
 
-struct NoFitTableOptions {
-  /// In how many directions parts are laid: 1, 2 (turned by 180 degrees) or 4 (by 90).
-  int turns = 4;
-  /// Whether tight places are wanted, as polylines and points.
-  bool tight = true;
-  FillRule fill = FillRule::kAutomatic;  ///< how all parts are read
-  Limits limits = {};                         ///< of each sum
-  std::optional<CancelToken> cancel = {};
-  int threads = 0;  ///< 0 = one for each core
-};
-
 /// A part of a table, turned counter-clockwise about its reference point by `turn` times 360
-/// degrees / NoFitTableOptions::turns.
+/// degrees / NoFitTable::turns().
 struct TurnedPart {
   std::size_t part = 0;
   int turn = 0;
@@ -81,10 +68,11 @@ struct TurnedPart {
 /// threads may ask.
 class MINKSUM_API NoFitTable {
  public:
-  /// Makes all sums, on up to options.threads threads. Throws as minkowski_sum does, with the index
-  /// of the part for the operand where one is to blame; Error(kBadInput) for a part without area,
-  /// and for turns other than 1, 2 and 4.
-  explicit NoFitTable(std::span<const Geometry> parts, const NoFitTableOptions& options = {});
+  /// Makes all sums, on up to options.threads threads. Parts are laid in `turns` directions: 1, 2
+  /// (turned by 180 degrees) or 4 (by 90). Throws as minkowski_sum does, with the index of the part
+  /// for the operand where one is to blame; Error(kBadInput) for a part without area, and for turns
+  /// other than 1, 2 and 4.
+  explicit NoFitTable(std::span<const Geometry> parts, int turns = 4, const Options& options = {});
 
   [[nodiscard]] std::size_t size() const;  ///< parts
   [[nodiscard]] int turns() const;
@@ -93,8 +81,7 @@ class MINKSUM_API NoFitTable {
   /// canonical form, always; its origins speak of the parts as given where they are valid, else of
   /// their resolved areas. O(size of the result), without arithmetic but for tight places. Throws
   /// Error(kBadInput) for a part or a turn that is none of the table's; Error(kCancelled).
-  [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving,
-                            const std::optional<CancelToken>& cancel = {}) const;
+  [[nodiscard]] Geometry at(TurnedPart fixed, TurnedPart moving, const Options& options = {}) const;
 
  private:
   struct State;

@@ -46,6 +46,7 @@ enum class Cap {
 /// "round", "butt", "square".
 [[nodiscard]] MINKSUM_API const char* to_string(Cap cap);
 
+/// What an offset looks like.
 struct OffsetOptions {
   Join join = Join::kRound;
   Cap cap = Cap::kRound;
@@ -55,9 +56,6 @@ struct OffsetOptions {
   std::optional<Rational> tolerance = {};
   /// For round joins and caps: kOutside contains the true offset, kInside is contained in it.
   RoundingSide side = RoundingSide::kNearest;
-  FillRule fill = FillRule::kAutomatic;  ///< how the rings of A are read
-  Limits limits = {};
-  std::optional<CancelToken> cancel = {};
 };
 
 /// A grown by `distance` if that is positive, shrunk if it is negative; 0 is `resolve`. A may have
@@ -93,6 +91,7 @@ struct OffsetOptions {
 /// kLimitExceeded (also for a tolerance below 10^-10 of the distance times the miter limit
 /// squared), kCancelled.
 [[nodiscard]] MINKSUM_API Geometry offset(const Geometry& a, const Rational& distance,
-                                          const OffsetOptions& options = {});
+                                          const OffsetOptions& shape = {},
+                                          const Options& options = {});
 
 }  // namespace minksum

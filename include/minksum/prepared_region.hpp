@@ -5,6 +5,7 @@
 
 #include "minksum/export.h"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/options.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -19,7 +20,7 @@ class MINKSUM_API PreparedRegion {
   /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no valid operand (see
   /// `validate`), Error(kLimitExceeded) as `validate` does, and Error(kCancelled). An empty region
   /// is valid. O(n log n) for n vertices, plus close pairs of edges.
-  explicit PreparedRegion(Region region, const std::optional<CancelToken>& cancel = {});
+  explicit PreparedRegion(Region region, const Options& options = {});
 
   [[nodiscard]] const Region& region() const;
 
@@ -40,6 +41,11 @@ class MINKSUM_API PreparedRegion {
                                                const Options& options = {});
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const Region& q,
                                                const Options& options = {});
+
+/// The same, and what is known of the sum.
+[[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
+                                                   const Options& options = {},
+                                                   Detail detail = Detail::kStatistics);
 
 /// The same into a result that is reused, with memory that is reused, and no exception for limits
 /// or cancellation. On failure `result` is empty.

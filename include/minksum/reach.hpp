@@ -12,6 +12,7 @@ struct Configuration {
   Rational degrees;
 };
 
+/// A configuration space, and how finely it is searched.
 struct ReachOptions : ConfigurationOptions {
   /// The robot turns in steps of a full turn over this many.
   std::size_t angles = 72;
@@ -39,7 +40,7 @@ struct Reach {
 
 /// Whether `to` can be reached from `from` in the sliced free space, and a path.
 ///
-/// There is a slice for each of options.angles turns, and one each for the turns of both
+/// There is a slice for each of setting.angles turns, and one each for the turns of both
 /// configurations. The free parts of a slice (polygons of its free space) are nodes of a graph;
 /// those of neighbouring slices whose insides have a point in common are joined: there the robot
 /// can turn by one step. The answer is exact for this graph. Of the paths that it looks at
@@ -62,6 +63,7 @@ struct Reach {
 /// minkowski_sum.
 [[nodiscard]] MINKSUM_API Reach reach(const Geometry& robot, const Geometry& obstacles,
                                       const Configuration& from, const Configuration& to,
-                                      const ReachOptions& options = {});
+                                      const ReachOptions& setting = {},
+                                      const Options& options = {});
 
 }  // namespace minksum

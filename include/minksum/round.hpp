@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum {
 
@@ -17,11 +17,11 @@ enum class RoundingSide {
 /// "nearest", "outside", "inside".
 [[nodiscard]] MINKSUM_API const char* to_string(RoundingSide side);
 
+/// What is rounded to.
 struct RoundOptions {
   RoundingSide side = RoundingSide::kNearest;
   /// Digits after the point, 0 to 4096; without it, to doubles.
   std::optional<int> decimals = {};
-  std::optional<CancelToken> cancel = {};
 };
 
 /// What rounding did.
@@ -68,9 +68,22 @@ struct RoundingReport {
 /// with a square (for a side) and of `resolve`. Thin parts take a few times that of `resolve`,
 /// where hulls may overlap. Throws Error: kBadInput if the region is not valid; kLimitExceeded,
 /// also if a coordinate or its rounded value is beyond the range of doubles; kCancelled.
-[[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& options = {},
-                                       RoundingReport* report = nullptr);
-[[nodiscard]] MINKSUM_API Geometry round(const Geometry& geometry, const RoundOptions& options = {},
-                                         RoundingReport* report = nullptr);
+[[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& target = {},
+                                       const Options& options = {});
+[[nodiscard]] MINKSUM_API Geometry round(const Geometry& geometry, const RoundOptions& target = {},
+                                         const Options& options = {});
+
+/// A rounded set, and what rounding did to it.
+struct Rounded {
+  Geometry geometry;
+  RoundingReport report;
+};
+/// The same, with the report.
+[[nodiscard]] MINKSUM_API Rounded detailed_round(const Region& region,
+                                                 const RoundOptions& target = {},
+                                                 const Options& options = {});
+[[nodiscard]] MINKSUM_API Rounded detailed_round(const Geometry& geometry,
+                                                 const RoundOptions& target = {},
+                                                 const Options& options = {});
 
 }  // namespace minksum

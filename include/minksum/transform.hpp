@@ -1,11 +1,9 @@
 // Moving, turning, mirroring and scaling, exactly.
 #pragma once
 
-#include <optional>
-
-#include "minksum/cancel.hpp"
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum {
 
@@ -29,13 +27,11 @@ struct MINKSUM_API Affine {
 /// The geometry's image. Rings and paths keep their order of vertices; the form is not canonical
 /// any more, and origins are not kept. O(n). Throws Error(kCancelled).
 [[nodiscard]] MINKSUM_API Geometry transform(const Geometry& geometry, const Affine& map,
-                                             const std::optional<CancelToken>& cancel = {});
+                                             const Options& options = {});
 [[nodiscard]] MINKSUM_API Region transform(const Region& region, const Affine& map,
-                                           const std::optional<CancelToken>& cancel = {});
+                                           const Options& options = {});
 /// The point mirror { −p | p ∈ geometry }. Throws Error(kCancelled).
-[[nodiscard]] MINKSUM_API Geometry reflect(const Geometry& geometry,
-                                           const std::optional<CancelToken>& cancel = {});
-[[nodiscard]] MINKSUM_API Region reflect(const Region& region,
-                                         const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API Geometry reflect(const Geometry& geometry, const Options& options = {});
+[[nodiscard]] MINKSUM_API Region reflect(const Region& region, const Options& options = {});
 
 }  // namespace minksum

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "minksum/cancel.hpp"
 #include "minksum/export.h"
+#include "minksum/options.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -36,8 +36,8 @@ struct Fault {
 /// edges do not matter. Wider than OGC: rings of one polygon may touch at several points.
 /// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more
 /// than 2^30 vertices, or somewhat fewer if edges are long; Error(kCancelled).
-[[nodiscard]] MINKSUM_API std::vector<Fault> validate(
-    const Region& region, std::size_t max_faults = 100,
-    const std::optional<CancelToken>& cancel = {});
+[[nodiscard]] MINKSUM_API std::vector<Fault> validate(const Region& region,
+                                                      std::size_t max_faults = 100,
+                                                      const Options& options = {});
 
 }  // namespace minksum

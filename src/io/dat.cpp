@@ -17,7 +17,8 @@ class DatReader {
  public:
   DatReader(std::string_view text, const ReadLimits& limits, Layout layout, Rules rules)
       : cursor_(text),
-        cancellation_(limits.cancel),
+        options_{.cancel = limits.cancel},
+        cancellation_(options_),
         layout_(layout),
         fewest_(fewest_vertices(rules)) {}
 
@@ -85,6 +86,7 @@ class DatReader {
   }
 
   TextCursor cursor_;
+  Options options_;  ///< of reading
   Cancellation cancellation_;
   Layout layout_;
   std::size_t fewest_;

@@ -32,7 +32,8 @@ class GeometryBuilder {
   GeometryBuilder(const TextCursor& cursor, const ReadLimits& limits, Rules rules)
       : cursor_(cursor),
         max_vertices_(limits.max_vertices),
-        cancellation_(limits.cancel),
+        options_{.cancel = limits.cancel},
+        cancellation_(options_),
         rules_(rules) {}
 
   [[nodiscard]] Rules rules() const { return rules_; }
@@ -64,6 +65,7 @@ class GeometryBuilder {
 
   const TextCursor& cursor_;
   std::size_t max_vertices_;
+  Options options_;  ///< of reading
   Cancellation cancellation_;
   Rules rules_;
   Geometry geometry_;

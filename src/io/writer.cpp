@@ -61,7 +61,7 @@ std::optional<int> finite_decimal_digits(const Rational& value) {
 }  // namespace
 
 Writer::Writer(std::ostream& out, const Coordinates& style)
-    : out_(out), style_(style), cancellation_(style_.cancel) {
+    : out_(out), style_(style), options_{.cancel = style.cancel}, cancellation_(options_) {
   buffer_.reserve(kChunk + 4096);
 }
 

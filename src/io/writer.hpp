@@ -45,6 +45,7 @@ class Writer {
 
   std::ostream& out_;
   Coordinates style_;
+  Options options_;  ///< of writing
   Cancellation cancellation_;
   bool json_ = false;
   std::string buffer_;

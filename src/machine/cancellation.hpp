@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/error.hpp"
-#include "minksum/minkowski_sum.hpp"
+#include "minksum/options.hpp"
+#include "minksum/region.hpp"
 
 namespace minksum {
 
@@ -24,14 +23,10 @@ class Cancellation {
 
   /// Makes one that nobody can cancel.
   Cancellation() = default;
-  /// `token` must live as long as this object.
-  explicit Cancellation(const std::optional<CancelToken>& token) : token_(&token) {}
-  explicit Cancellation(const std::optional<CancelToken>&& token) = delete;
-  /// `options` must live as long as this object.
-  explicit Cancellation(const Options& options)
-      : token_(&options.cancel),
-        progress_(options.progress ? &options.progress : nullptr),
-        has_stages_(true) {}
+  /// `options` must live as long. `stage` is what the progress callback is told of at first.
+  explicit Cancellation(const Options& options, Stage stage = Stage::kOperands)
+      : options_(&options), stage_(stage) {}
+  explicit Cancellation(const Options&& options, Stage stage = Stage::kOperands) = delete;
   Cancellation(const Cancellation&) = delete;
   Cancellation& operator=(const Cancellation&) = delete;
 
@@ -43,9 +38,8 @@ class Cancellation {
   /// Looks now. Throws Error(kCancelled).
   void look() {
     done_ = 0;
-    if ((*token_ && (*token_)->cancelled()) || (progress_ != nullptr && !(*progress_)(stage_))) {
-      throw Error(ErrorCode::kCancelled, "cancelled", {}, has_stages_ ? to_string(stage_) : "");
-    }
+    const bool cancelled = options_->cancel && options_->cancel->cancelled();
+    if (cancelled || (options_->progress && !options_->progress({stage_}))) stop();
   }
   /// Sets the stage of which the progress callback is told from now on, and looks.
   void enter(Stage stage) {
@@ -54,7 +48,7 @@ class Cancellation {
   }
   [[nodiscard]] Stage stage() const { return stage_; }
   /// Returns the token, for an operation that is part of this one.
-  [[nodiscard]] const std::optional<CancelToken>& token() const { return *token_; }
+  [[nodiscard]] const Options& options() const { return *options_; }
 
   /// Returns a comparison that counts its calls, for sorting lists that may be long.
   template <class Less>
@@ -66,14 +60,27 @@ class Cancellation {
   }
 
  private:
-  static inline const std::optional<CancelToken> kNobody;
+  static inline const Options kNobody;
+
+  [[noreturn]] void stop() const {
+    throw Error(ErrorCode::kCancelled, "cancelled", {}, to_string(stage_));
+  }
 
   std::uint64_t done_ = 0;
-  const std::optional<CancelToken>* token_ = &kNobody;
-  const std::function<bool(Stage)>* progress_ = nullptr;
+  const Options* options_ = &kNobody;
   Stage stage_ = Stage::kOperands;
-  bool has_stages_ = false;
 };
+
+/// The options of an operation that is part of another one: where that looks at the caller, and its
+/// limits. How operands are read was settled by then.
+[[nodiscard]] inline Options part_of(const Options& options) {
+  Options part;
+  part.limits = options.limits;
+  part.cancel = options.cancel;
+  part.progress = options.progress;
+  part.memory = options.memory;
+  return part;
+}
 
 /// Returns the units of a product, or a division, of two numbers of so many bits.
 [[nodiscard]] constexpr std::uint64_t work_of_product(std::size_t bits) {

@@ -33,8 +33,7 @@ std::optional<Box> as_box(const Region& region) {
   return bounding_box(region);
 }
 
-Region combine(const Region& a, const Region& b, overlay::Inside inside,
-               const std::optional<CancelToken>& cancel) {
+Region combine(const Region& a, const Region& b, overlay::Inside inside, const Options& options) {
   std::vector<overlay::Chain> chains;
   for (const bool second : {false, true}) {
     overlay::for_each_ring(second ? b : a, [&](overlay::Chain chain, bool) {
@@ -42,13 +41,13 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside,
       chains.push_back(chain);
     });
   }
-  return overlay::select(chains, {inside}, cancel).region;
+  return overlay::select(chains, {inside}, options).region;
 }
 
 }  // namespace
 
-Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Geometry unite(std::span<const Geometry> geometries, const Options& options) {
+  Cancellation cancellation(options, Stage::kOverlay);
   // Each geometry winds once around its points: outer rings are counter-clockwise, holes clockwise.
   std::vector<overlay::Chain> chains;
   overlay::ThinStore thin;
@@ -60,32 +59,31 @@ Geometry unite(std::span<const Geometry> geometries, const std::optional<CancelT
     thin.add(geometry, cancellation);
   }
   thin.list_chains(chains);
-  return overlay::select(chains, {[](const Winding& w) { return w.first > 0; }}, cancel);
+  return overlay::select(chains, {[](const Winding& w) { return w.first > 0; }}, options);
 }
 
-Region unite(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {
+Region unite(const Region& a, const Region& b, const Options& options) {
   return combine(
-      a, b, [](const Winding& w) { return in_first(w) || in_second(w); }, cancel);
+      a, b, [](const Winding& w) { return in_first(w) || in_second(w); }, options);
 }
-Region intersect(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {
+Region intersect(const Region& a, const Region& b, const Options& options) {
   return combine(
-      a, b, [](const Winding& w) { return in_first(w) && in_second(w); }, cancel);
+      a, b, [](const Winding& w) { return in_first(w) && in_second(w); }, options);
 }
-Region subtract(const Region& a, const Region& b, const std::optional<CancelToken>& cancel) {
+Region subtract(const Region& a, const Region& b, const Options& options) {
   if (const auto box = as_box(a)) {
-    if (auto result = complement_in(*box, b, cancel)) return std::move(*result);
+    if (auto result = complement_in(*box, b, options)) return std::move(*result);
   }
   return combine(
-      a, b, [](const Winding& w) { return in_first(w) && !in_second(w); }, cancel);
+      a, b, [](const Winding& w) { return in_first(w) && !in_second(w); }, options);
 }
-Region symmetric_difference(const Region& a, const Region& b,
-                            const std::optional<CancelToken>& cancel) {
+Region symmetric_difference(const Region& a, const Region& b, const Options& options) {
   return combine(
-      a, b, [](const Winding& w) { return in_first(w) != in_second(w); }, cancel);
+      a, b, [](const Winding& w) { return in_first(w) != in_second(w); }, options);
 }
 
-bool contains(const Region& b, const Region& a, const std::optional<CancelToken>& cancel) {
-  return subtract(a, b, cancel).empty();
+bool contains(const Region& b, const Region& a, const Options& options) {
+  return subtract(a, b, options).empty();
 }
 
 }  // namespace minksum

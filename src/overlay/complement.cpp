@@ -45,8 +45,11 @@ struct RingIndex {
 /// Turns a region's rings into those of its complement in a box.
 class InsideOut {
  public:
-  InsideOut(const Box& box, const Region& region, const std::optional<CancelToken>& cancel)
-      : cancellation_(cancel), exact_box_(box), region_(region), places_(region, cancellation_) {
+  InsideOut(const Box& box, const Region& region, const Options& options)
+      : cancellation_(options, Stage::kOverlay),
+        exact_box_(box),
+        region_(region),
+        places_(region, cancellation_) {
     box_.add({box.min.x.to_double(), box.min.y.to_double()});
     box_.add({box.max.x.to_double(), box.max.y.to_double()});
   }
@@ -306,9 +309,8 @@ class InsideOut {
 
 }  // namespace
 
-std::optional<Region> complement_in(const Box& box, const Region& region,
-                                    const std::optional<CancelToken>& cancel) {
-  return InsideOut(box, region, cancel).run();
+std::optional<Region> complement_in(const Box& box, const Region& region, const Options& options) {
+  return InsideOut(box, region, options).run();
 }
 
 }  // namespace minksum

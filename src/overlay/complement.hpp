@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/measure.hpp"
+#include "minksum/options.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -16,6 +16,6 @@ namespace minksum {
 /// coordinates. Returns nothing if the conditions do not hold, are not certain, or would take
 /// longer to test than an overlay. Throws Error(kCancelled).
 [[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region,
-                                                  const std::optional<CancelToken>& cancel = {});
+                                                  const Options& options = {});
 
 }  // namespace minksum

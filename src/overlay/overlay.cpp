@@ -24,9 +24,8 @@ Contacts list_contacts(Segments& segments) {
 
 }  // namespace
 
-Geometry select(std::span<const Chain> chains, const Rule& rule,
-                const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Geometry select(std::span<const Chain> chains, const Rule& rule, const Options& options) {
+  Cancellation cancellation(options, Stage::kOverlay);
   cancellation.look();
   Segments segments = list_segments(chains, cancellation);
   const Contacts contacts = list_contacts(segments);

@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum::overlay {
 
@@ -71,6 +71,6 @@ struct Chain {
 /// contacts where segments are not much crowded. Pairs are sought in cells. A cell is divided until
 /// it holds a few segments, or dividing does not part them.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
-                              const std::optional<CancelToken>& cancel);
+                              const Options& options);
 
 }  // namespace minksum::overlay

@@ -45,14 +45,12 @@ const char* to_string(FillRule rule) {
   return "";
 }
 
-Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
-  if (options.fill == FillRule::kStrict) {
-    require_valid(geometry.region, options.operand, options.cancel);
-  }
+Geometry resolve(const Geometry& geometry, const Options& options, int operand) {
+  if (options.fill == FillRule::kStrict) require_valid(geometry.region, operand, options);
   // One ring encloses the points that it winds around. Valid polygons, directed by their roles,
   // wind once around each of their points. So in both cases, windings agree with the OGC.
   if (options.fill == FillRule::kAutomatic && geometry.region.ring_count() > 1 &&
-      !validate(geometry.region, 1, options.cancel).empty()) {
+      !validate(geometry.region, 1, options).empty()) {
     return overlay::take_holes_away(geometry, options);
   }
   const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
@@ -65,10 +63,10 @@ Geometry resolve(const Geometry& geometry, const ResolveOptions& options) {
     chains.push_back(chain);
   });
   overlay::ThinStore thin;
-  Cancellation cancellation(options.cancel);
+  Cancellation cancellation(options, Stage::kOverlay);
   if (!options.regularize) thin.add(geometry, cancellation);
   thin.list_chains(chains);
-  return overlay::select(chains, {inside_by(options.fill)}, options.cancel);
+  return overlay::select(chains, {inside_by(options.fill)}, options);
 }
 
 }  // namespace minksum

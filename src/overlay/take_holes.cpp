@@ -22,8 +22,8 @@ Region copied(const Region& from, const IndexRange& rings) {
   for (const std::size_t ring : rings) append_ring(from, ring, region);
   return region;
 }
-bool is_valid(const Region& region, const ResolveOptions& options) {
-  return validate(region, 1, options.cancel).empty();
+bool is_valid(const Region& region, const Options& options) {
+  return validate(region, 1, options).empty();
 }
 
 /// Adds the rings of a region, directed so that outer rings run counter-clockwise and holes
@@ -41,7 +41,7 @@ void list_by_role(const Region& region, std::vector<Chain>& chains, SetUp set_up
 /// `second` counts the holes that enclose the face.
 class PolygonReader {
  public:
-  PolygonReader(const Region& region, const IndexRange& rings, const ResolveOptions& options)
+  PolygonReader(const Region& region, const IndexRange& rings, const Options& options)
       : region_(region), rings_(rings), options_(options) {}
 
   Geometry run() {
@@ -69,7 +69,7 @@ class PolygonReader {
       }
     }
     const Inside inside = [](const Winding& w) { return w.first != 0 && w.second == 0; };
-    return select(chains_, {inside, options_.regularize ? keeps_nothing : stays}, options_.cancel);
+    return select(chains_, {inside, options_.regularize ? keeps_nothing : stays}, options_);
   }
 
  private:
@@ -100,9 +100,9 @@ class PolygonReader {
     };
     // A piece that is traversed in both directions has no weight, so `spared` keeps it in the list.
     for (Chain& chain : chains) chain.spared = 1;
-    const Geometry inner = select(chains, {nowhere, within}, options_.cancel);
-    Region area = select(chains, {wound_around, keeps_nothing}, options_.cancel).region;
-    Cancellation cancellation(options_.cancel);
+    const Geometry inner = select(chains, {nowhere, within}, options_);
+    Region area = select(chains, {wound_around, keeps_nothing}, options_).region;
+    Cancellation cancellation(options_, Stage::kOverlay);
     hole.inner.add(inner, cancellation);
     hole.area = std::move(area);
     return hole;
@@ -110,13 +110,13 @@ class PolygonReader {
 
   const Region& region_;
   IndexRange rings_;
-  const ResolveOptions& options_;
+  const Options& options_;
   std::vector<Chain> chains_;
 };
 
 }  // namespace
 
-Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options) {
+Geometry take_holes_away(const Geometry& geometry, const Options& options) {
   const Region& region = geometry.region;
   std::vector<Geometry> read;
   read.reserve(region.polygon_count());
@@ -131,11 +131,11 @@ Geometry take_holes_away(const Geometry& geometry, const ResolveOptions& options
     list_by_role(read.back().region, chains, [](Chain& chain) { chain.weight.first = 1; });
   }
   ThinStore thin;
-  Cancellation cancellation(options.cancel);
+  Cancellation cancellation(options, Stage::kOverlay);
   for (const Geometry& part : read) thin.add(part, cancellation);
   if (!options.regularize) thin.add(geometry, cancellation);
   thin.list_chains(chains);
-  return select(chains, {wound_around}, options.cancel);
+  return select(chains, {wound_around}, options);
 }
 
 }  // namespace minksum::overlay

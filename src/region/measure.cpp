@@ -172,8 +172,8 @@ Rational extreme(const Region& region, Get get, Better better, Cancellation& can
 
 }  // namespace
 
-Rational area(const Region& region, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Rational area(const Region& region, const Options& options) {
+  Cancellation cancellation(options);
   CommonScale scale;
   if (!find_common_scale(region, cancellation, scale)) {
     return area_of_rationals(region, cancellation);
@@ -192,8 +192,8 @@ Rational area(const Region& region, const std::optional<CancelToken>& cancel) {
          Rational(2);
 }
 
-double approximate_area(const Region& region, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+double approximate_area(const Region& region, const Options& options) {
+  Cancellation cancellation(options);
   CompensatedSum doubled;
   for (const std::size_t polygon : region.polygons()) {
     bool outer = true;
@@ -207,14 +207,14 @@ double approximate_area(const Region& region, const std::optional<CancelToken>& 
   // Outside this range, the relative error of double arithmetic may be larger than it should be.
   constexpr double kSmallest = 1e-270;
   if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) {
-    return area(region, cancel).to_double();
+    return area(region, options).to_double();
   }
   return result;
 }
 
-std::optional<Box> bounding_box(const Region& region, const std::optional<CancelToken>& cancel) {
+std::optional<Box> bounding_box(const Region& region, const Options& options) {
   if (region.empty()) return std::nullopt;
-  Cancellation cancellation(cancel);
+  Cancellation cancellation(options);
   Box box;
   box.min.x = extreme(region, RegionAccess::x, std::less<>(), cancellation);
   box.min.y = extreme(region, RegionAccess::y, std::less<>(), cancellation);
@@ -223,10 +223,10 @@ std::optional<Box> bounding_box(const Region& region, const std::optional<Cancel
   return box;
 }
 
-std::size_t coordinate_bits(const Region& region, const std::optional<CancelToken>& cancel) {
-  const std::optional<Box> box = bounding_box(region, cancel);
+std::size_t coordinate_bits(const Region& region, const Options& options) {
+  const std::optional<Box> box = bounding_box(region, options);
   if (!box) return 0;
-  Cancellation cancellation(cancel);
+  Cancellation cancellation(options);
   const BigInt scale = least_common_denominator(region, cancellation);
   // Times `scale`, both sides are integers. With k as below, 2^(k-1) < a / b < 2^(k+1), so no long
   // division is needed.

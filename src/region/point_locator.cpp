@@ -215,8 +215,8 @@ struct PointLocator::State {
   }
 };
 
-PointLocator::PointLocator(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+PointLocator::PointLocator(const Geometry& geometry, const Options& options) {
+  Cancellation cancellation(options);
   state_ = std::make_shared<const State>(geometry, cancellation);
 }
 

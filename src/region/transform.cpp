@@ -72,9 +72,8 @@ Point Affine::operator()(const Point& point) const {
   return {xx * point.x + xy * point.y + dx, yx * point.x + yy * point.y + dy};
 }
 
-Region transform(const Region& region, const Affine& map,
-                 const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Region transform(const Region& region, const Affine& map, const Options& options) {
+  Cancellation cancellation(options);
   if (const std::optional<int> quarters = quarters_of(map)) {
     return turned_in_order(region, *quarters, cancellation);
   }
@@ -93,14 +92,13 @@ Region transform(const Region& region, const Affine& map,
   return image;
 }
 
-Geometry transform(const Geometry& geometry, const Affine& map,
-                   const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Geometry transform(const Geometry& geometry, const Affine& map, const Options& options) {
+  Cancellation cancellation(options);
   const auto mapped = [&](const Point& point) {
     cancellation.check(4 * work_of(point));
     return map(point);
   };
-  Geometry image{transform(geometry.region, map, cancel), {}, {}};
+  Geometry image{transform(geometry.region, map, options), {}, {}};
   for (const Polyline& line : geometry.polylines) {
     Polyline& its_image = image.polylines.emplace_back();
     for (const Point& point : line) its_image.push_back(mapped(point));
@@ -109,11 +107,11 @@ Geometry transform(const Geometry& geometry, const Affine& map,
   return image;
 }
 
-Region reflect(const Region& region, const std::optional<CancelToken>& cancel) {
-  return transform(region, Affine::scaling(Rational(-1)), cancel);
+Region reflect(const Region& region, const Options& options) {
+  return transform(region, Affine::scaling(Rational(-1)), options);
 }
-Geometry reflect(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
-  return transform(geometry, Affine::scaling(Rational(-1)), cancel);
+Geometry reflect(const Geometry& geometry, const Options& options) {
+  return transform(geometry, Affine::scaling(Rational(-1)), options);
 }
 
 }  // namespace minksum

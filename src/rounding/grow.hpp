@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "minksum/cancel.hpp"
 #include "minksum/geometry.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum {
 
@@ -13,8 +13,7 @@ namespace minksum {
 /// from every point of the region, and more from every inner point. Let boundary points then move
 /// by at most `half` along each axis, in straight lines. None passes an inner point of the region,
 /// whose winding number stays 1. So the moved rings enclose the region.
-[[nodiscard]] Region grown(const Region& region, const Rational& half,
-                           const std::optional<CancelToken>& cancel);
+[[nodiscard]] Region grown(const Region& region, const Rational& half, const Options& options);
 
 /// Does the same with thin parts, which become area. The moved rings lose no point x of these
 /// either, if points move by −half < d ≤ half along each axis. Snapping moves them so (see
@@ -24,13 +23,11 @@ namespace minksum {
 /// Proof: some η > 0 has d > −half + η for all moves. Then no boundary point comes to x + (δ, δ)
 /// for 0 < δ < η: it would have to start closer to x than `half`. So these points keep their
 /// winding number, and x is in their closure.
-[[nodiscard]] Region grown(const Geometry& geometry, const Rational& half,
-                           const std::optional<CancelToken>& cancel);
+[[nodiscard]] Region grown(const Geometry& geometry, const Rational& half, const Options& options);
 
 /// Returns the closure of the points x with x ⊕ B in the region, which is the complement of the
 /// grown complement. The statement about `grown` holds for points outside the region: moved rings
 /// enclose none of them.
-[[nodiscard]] Region shrunk(const Region& region, const Rational& half,
-                            const std::optional<CancelToken>& cancel);
+[[nodiscard]] Region shrunk(const Region& region, const Rational& half, const Options& options);
 
 }  // namespace minksum

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kMaxDecimals = 4096;
 
-Target target_of(const RoundOptions& options) {
-  if (options.decimals && (*options.decimals < 0 || *options.decimals > kMaxDecimals)) {
+Target target_of(const RoundRequest& request) {
+  if (request.decimals && (*request.decimals < 0 || *request.decimals > kMaxDecimals)) {
     throw Error(ErrorCode::kBadInput, "digits after the point are not from 0 to 4096");
   }
-  return {options.decimals};
+  return {request.decimals};
 }
 
 /// Lists how many rings each polygon has, sorted.
@@ -78,18 +78,16 @@ double thin_bound(const Geometry& geometry, const Target& target, Cancellation& 
 }
 
 Geometry round_to_nearest(const Geometry& geometry, const Target& target,
-                          const RoundOptions& options, RoundingReport& r) {
+                          const RoundRequest& request, RoundingReport& r) {
   Geometry result;
-  result.region = round_region(geometry.region, target, options, r);
-  Cancellation cancellation(options.cancel);
+  result.region = round_region(geometry.region, target, request, r);
+  Cancellation cancellation(request.options, Stage::kRounding);
   const double moved = add_rounded_thin_parts(geometry, target, cancellation, result);
-  ResolveOptions resolving;
-  resolving.cancel = options.cancel;
-  result = resolve(result, resolving);
+  result = resolve(result, part_of(request.options));
   // A path may end inside a region's edge. Rounded by itself, it would come off.
   const bool attached = !geometry.region.empty() && !geometry.polylines.empty();
   const bool moved_apart = attached && !(r.exact && moved == 0);
-  if (!moved_apart && is_on_target(result, target, options.cancel)) {
+  if (!moved_apart && is_on_target(result, target, request.options)) {
     r.exact = r.exact && moved == 0;
     r.largest_move = std::max(r.largest_move, moved);
     r.bound = std::max(r.bound, thin_bound(geometry, target, cancellation));
@@ -97,20 +95,20 @@ Geometry round_to_nearest(const Geometry& geometry, const Target& target,
   }
   // The path came off, or thin parts cross at a point outside the target.
   r = RoundingReport{};
-  return round_by_snapping(geometry, target, options, r);
+  return round_by_snapping(geometry, target, request, r);
 }
 
-Geometry round_thin(const Geometry& geometry, const Target& target, const RoundOptions& options,
+Geometry round_thin(const Geometry& geometry, const Target& target, const RoundRequest& request,
                     RoundingReport& report) {
-  switch (options.side) {
+  switch (request.side) {
     case RoundingSide::kNearest:
       break;
     case RoundingSide::kOutside:
-      return round_outside(geometry, target, options, report);
+      return round_outside(geometry, target, request, report);
     case RoundingSide::kInside:
-      return round_inside(geometry, target, options, report);
+      return round_inside(geometry, target, request, report);
   }
-  return round_to_nearest(geometry, target, options, report);
+  return round_to_nearest(geometry, target, request, report);
 }
 
 }  // namespace
@@ -127,29 +125,39 @@ const char* to_string(RoundingSide side) {
   return "";
 }
 
-Region round(const Region& region, const RoundOptions& options, RoundingReport* report) {
-  RoundingReport own;
-  RoundingReport& r = report != nullptr ? *report : own;
-  const Target target = target_of(options);
-  Cancellation(options.cancel).look();
-  Region result = round_region(region, target, options, r);
-  r.largest_move = std::min(r.largest_move, r.bound);  // both are upper bounds
-  r.topology_kept = topology(result) == topology(region);
+Rounded detailed_round(const Region& region, const RoundOptions& target, const Options& options) {
+  const RoundRequest request{target.side, target.decimals, part_of(options)};
+  const Target places = target_of(request);
+  Cancellation(request.options, Stage::kRounding).look();
+  Rounded result;
+  result.geometry.region = round_region(region, places, request, result.report);
+  // Both are upper bounds.
+  result.report.largest_move = std::min(result.report.largest_move, result.report.bound);
+  result.report.topology_kept = topology(result.geometry.region) == topology(region);
   return result;
 }
 
-Geometry round(const Geometry& geometry, const RoundOptions& options, RoundingReport* report) {
-  RoundingReport own;
-  RoundingReport& r = report != nullptr ? *report : own;
-  if (!geometry.has_thin_parts()) return {round(geometry.region, options, &r), {}, {}};
-  const Target target = target_of(options);
-  Cancellation(options.cancel).look();
-  Geometry result = round_thin(geometry, target, options, r);
-  r.largest_move = std::min(r.largest_move, r.bound);
-  r.topology_kept = topology(result.region) == topology(geometry.region) &&
-                    result.polylines.size() == geometry.polylines.size() &&
-                    result.points.size() == geometry.points.size();
+Rounded detailed_round(const Geometry& geometry, const RoundOptions& target,
+                       const Options& options) {
+  if (!geometry.has_thin_parts()) return detailed_round(geometry.region, target, options);
+  const RoundRequest request{target.side, target.decimals, part_of(options)};
+  const Target places = target_of(request);
+  Cancellation(request.options, Stage::kRounding).look();
+  Rounded result;
+  result.geometry = round_thin(geometry, places, request, result.report);
+  result.report.largest_move = std::min(result.report.largest_move, result.report.bound);
+  result.report.topology_kept = topology(result.geometry.region) == topology(geometry.region) &&
+                                result.geometry.polylines.size() == geometry.polylines.size() &&
+                                result.geometry.points.size() == geometry.points.size();
   return result;
+}
+
+Region round(const Region& region, const RoundOptions& target, const Options& options) {
+  return detailed_round(region, target, options).geometry.region;
+}
+
+Geometry round(const Geometry& geometry, const RoundOptions& target, const Options& options) {
+  return detailed_round(geometry, target, options).geometry;
 }
 
 }  // namespace minksum

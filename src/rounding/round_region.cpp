@@ -20,32 +20,31 @@ double in_units(double length, const Target& target) {
   return rounded_up(length * rounded_up(target.unit()));
 }
 
-[[noreturn]] void refuse(const Region& region, const RoundOptions& options) {
-  require_valid(region, -1, options.cancel);
+[[noreturn]] void refuse(const Region& region, const RoundRequest& request) {
+  require_valid(region, -1, request.options);
   throw Error(ErrorCode::kInternal, "a valid region did not check_topology", {}, "round");
 }
 
-Region resolved(const Region& region, const RoundOptions& options) {
-  ResolveOptions resolving;
-  resolving.cancel = options.cancel;
+Region resolved(const Region& region, const RoundRequest& request) {
+  const Options resolving = part_of(request.options);
   Geometry geometry;
   geometry.region = region;
   return resolve(geometry, resolving).region;
 }
 
 /// Returns the geometry to be snapped so that the result lies on the right side.
-Geometry sided(const Geometry& geometry, const RoundOptions& options, const SnapGrid& grid) {
-  Geometry base{canonical(geometry.region, options), geometry.polylines, geometry.points};
+Geometry sided(const Geometry& geometry, const RoundRequest& request, const SnapGrid& grid) {
+  Geometry base{canonical(geometry.region, request), geometry.polylines, geometry.points};
   const Rational half = grid.step() * Rational(1, 2);
-  switch (options.side) {
+  switch (request.side) {
     case RoundingSide::kNearest:
       break;
     case RoundingSide::kOutside:
-      if (base.has_thin_parts()) return {grown(base, half, options.cancel), {}, {}};
-      base.region = grown(base.region, half, options.cancel);
+      if (base.has_thin_parts()) return {grown(base, half, request.options), {}, {}};
+      base.region = grown(base.region, half, request.options);
       break;
     case RoundingSide::kInside:
-      base.region = shrunk(base.region, half, options.cancel);
+      base.region = shrunk(base.region, half, request.options);
       break;
   }
   return base;
@@ -67,25 +66,25 @@ double half_place(const RoundedVertices& vertices, const Target& target) {
   return std::max(std::ldexp(1.0, last_place - 1), std::ldexp(1.0, kLowest));
 }
 
-Region canonical(const Region& region, const RoundOptions& options) {
-  Cancellation cancellation(options.cancel);
+Region canonical(const Region& region, const RoundRequest& request) {
+  Cancellation cancellation(request.options, Stage::kRounding);
   TopologyCheck same = check_topology(region, region, cancellation);
-  if (same.outcome == TopologyVerdict::kInvalid) refuse(region, options);
-  if (same.outcome == TopologyVerdict::kCut) return resolved(same.region, options);
+  if (same.outcome == TopologyVerdict::kInvalid) refuse(region, request);
+  if (same.outcome == TopologyVerdict::kCut) return resolved(same.region, request);
   return std::move(same.region);
 }
 
 std::optional<Region> round_by_vertices(const Region& region, const Target& target,
-                                        const RoundOptions& options, RoundingReport& report) {
-  Cancellation cancellation(options.cancel);
+                                        const RoundRequest& request, RoundingReport& report) {
+  Cancellation cancellation(request.options, Stage::kRounding);
   const RoundedVertices vertices = round_vertices(region, target, cancellation);
   report.exact = std::none_of(vertices.begin(), vertices.end(),
                               [](const RoundedVertex& v) { return v.moved(); });
-  const bool sided = options.side != RoundingSide::kNearest && !report.exact;
+  const bool sided = request.side != RoundingSide::kNearest && !report.exact;
   const double half = half_place(vertices, target);
   Sided moved;
   if (sided) {
-    auto chosen = choose_side(region, options.side, target, vertices,
+    auto chosen = choose_side(region, request.side, target, vertices,
                               target.is_decimal() ? 1 : 2 * half, cancellation);
     if (!chosen) return {};
     moved = std::move(*chosen);
@@ -94,23 +93,21 @@ std::optional<Region> round_by_vertices(const Region& region, const Target& targ
   }
   TopologyCheck checked = check_topology(region, moved.region, cancellation);
   if (checked.outcome == TopologyVerdict::kInvalid) return {};
-  if (checked.outcome == TopologyVerdict::kCut) checked.region = resolved(checked.region, options);
+  if (checked.outcome == TopologyVerdict::kCut) checked.region = resolved(checked.region, request);
   report.largest_move = in_units(moved.largest_move, target);
-  report.bound = diagonal(half * (options.side != RoundingSide::kNearest ? 2 : 1));
+  report.bound = diagonal(half * (request.side != RoundingSide::kNearest ? 2 : 1));
   return std::move(checked.region);
 }
 
 Geometry round_by_snapping(const Geometry& geometry, const Target& target,
-                           const RoundOptions& options, RoundingReport& report) {
-  Cancellation cancellation(options.cancel);
+                           const RoundRequest& request, RoundingReport& report) {
+  Cancellation cancellation(request.options, Stage::kRounding);
   const SnapGrid grid = snap_grid(geometry, target, cancellation);
-  Geometry base = sided(geometry, options, grid);
-  ResolveOptions resolving;
-  resolving.cancel = options.cancel;
-  if (base.has_thin_parts()) base = resolve(base, resolving);
+  Geometry base = sided(geometry, request, grid);
+  if (base.has_thin_parts()) base = resolve(base, part_of(request.options));
   Snapped snapped = snap(base, grid, cancellation);
   const double step = rounded_up(grid.step());
-  const bool moved_first = options.side != RoundingSide::kNearest;
+  const bool moved_first = request.side != RoundingSide::kNearest;
   report.snapped = true;
   report.exact = snapped.exact && !moved_first;
   report.largest_move =
@@ -119,17 +116,17 @@ Geometry round_by_snapping(const Geometry& geometry, const Target& target,
   return std::move(snapped.geometry);
 }
 
-Region round_region(const Region& region, const Target& target, const RoundOptions& options,
+Region round_region(const Region& region, const Target& target, const RoundRequest& request,
                     RoundingReport& report) {
   report = RoundingReport{};
   if (region.empty()) {
     report.exact = true;
     return {};
   }
-  if (auto rounded = round_by_vertices(region, target, options, report)) return std::move(*rounded);
+  if (auto rounded = round_by_vertices(region, target, request, report)) return std::move(*rounded);
   Geometry geometry;
   geometry.region = region;
-  return round_by_snapping(geometry, target, options, report).region;
+  return round_by_snapping(geometry, target, request, report).region;
 }
 
 }  // namespace minksum

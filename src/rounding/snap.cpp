@@ -44,8 +44,7 @@ class Snapper {
 
   Snapped run() {
     Snapped result;
-    ResolveOptions options;
-    options.cancel = cancellation_.token();
+    Options options = part_of(cancellation_.options());
     options.fill = FillRule::kPositive;
     options.regularize = true;
     Geometry areas;

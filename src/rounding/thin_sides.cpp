@@ -12,10 +12,8 @@
 namespace minksum {
 namespace {
 
-Geometry resolved(const Geometry& geometry, const RoundOptions& options) {
-  ResolveOptions resolving;
-  resolving.cancel = options.cancel;
-  return resolve(geometry, resolving);
+Geometry resolved(const Geometry& geometry, const RoundRequest& request) {
+  return resolve(geometry, part_of(request.options));
 }
 
 void add_ring(Region& region, const Ring& ring) {
@@ -28,9 +26,12 @@ void add_ring(Region& region, const Ring& ring) {
 
 class OutsideRounder {
  public:
-  OutsideRounder(const Geometry& exact, const Target& target, const RoundOptions& options)
-      : exact_(exact), target_(target), options_(options), cancellation_(options.cancel) {
-    swollen_.region = canonical(exact.region, options);
+  OutsideRounder(const Geometry& exact, const Target& target, const RoundRequest& request)
+      : exact_(exact),
+        target_(target),
+        request_(request),
+        cancellation_(request.options, Stage::kRounding) {
+    swollen_.region = canonical(exact.region, request);
     for (const Polyline& line : exact.polylines) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) replace(line[i], line[i + 1]);
     }
@@ -42,12 +43,12 @@ class OutsideRounder {
     for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
       Geometry result = kept_;
       result.region = rounded_area(report);
-      if (result.has_thin_parts()) result = resolved(result, options_);
-      if (is_on_target(result, target_, options_.cancel)) return result;
+      if (result.has_thin_parts()) result = resolved(result, request_);
+      if (is_on_target(result, target_, request_.options)) return result;
       swell_pieces_off_target(result);
     }
     report = RoundingReport{};
-    return round_by_snapping(exact_, target_, options_, report);
+    return round_by_snapping(exact_, target_, request_, report);
   }
 
  private:
@@ -111,17 +112,17 @@ class OutsideRounder {
     const Region area = swollen ? united() : swollen_.region;
     if (area.empty()) {
       report.exact = true;
-    } else if (auto rounded = round_by_vertices(area, target_, options_, report)) {
+    } else if (auto rounded = round_by_vertices(area, target_, request_, report)) {
       result = std::move(*rounded);
       if (swollen) far = rounded_up(far + farthest_);
     } else {
-      result = round_by_snapping(swollen_, target_, options_, report).region;
+      result = round_by_snapping(swollen_, target_, request_, report).region;
     }
     if (swollen) report.exact = false;
     if (far != 0) {
       report.exact = false;
       report.largest_move = rounded_up(report.largest_move + far);
-      report.bound = rounded_up(report.bound + cell_bound(exact_, target_, options_.cancel));
+      report.bound = rounded_up(report.bound + cell_bound(exact_, target_, request_.options));
     }
     return result;
   }
@@ -129,7 +130,7 @@ class OutsideRounder {
   [[nodiscard]] Region united() const {
     Geometry all;
     const Region& region = swollen_.region;
-    Cancellation cancellation(options_.cancel);
+    Cancellation cancellation(request_.options, Stage::kRounding);
     for (const Region* from : {&region, &hulls_}) {
       for (std::size_t ring = 0; ring < from->ring_count(); ++ring) {
         // Each ring may be a polygon of its own, because only winding numbers count.
@@ -141,8 +142,7 @@ class OutsideRounder {
         }
       }
     }
-    ResolveOptions resolving;
-    resolving.cancel = options_.cancel;
+    Options resolving = part_of(request_.options);
     resolving.fill = FillRule::kPositive;
     resolving.regularize = true;
     return resolve(all, resolving).region;
@@ -150,7 +150,7 @@ class OutsideRounder {
 
   const Geometry& exact_;
   const Target& target_;
-  const RoundOptions& options_;
+  const RoundRequest& request_;
   Cancellation cancellation_;
   Geometry kept_;     ///< thin parts of the target
   Geometry swollen_;  ///< the exact region, and exact thin parts that hulls replace
@@ -163,8 +163,8 @@ class OutsideRounder {
 
 class InnerParts {
  public:
-  InnerParts(const Target& target, const std::optional<CancelToken>& cancel)
-      : target_(target), cancellation_(cancel) {}
+  InnerParts(const Target& target, const Options& options)
+      : target_(target), cancellation_(options, Stage::kRounding) {}
 
   /// Adds the parts in the target. Returns whether nothing is lost.
   bool add(const Geometry& exact, Geometry& result) {
@@ -226,9 +226,8 @@ class InnerParts {
 
 }  // namespace
 
-bool is_on_target(const Geometry& geometry, const Target& target,
-                  const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+bool is_on_target(const Geometry& geometry, const Target& target, const Options& options) {
+  Cancellation cancellation(options, Stage::kRounding);
   const RoundedVertices vertices = round_vertices(geometry.region, target, cancellation);
   bool all = std::none_of(vertices.begin(), vertices.end(),
                           [](const RoundedVertex& v) { return v.moved(); });
@@ -239,9 +238,8 @@ bool is_on_target(const Geometry& geometry, const Target& target,
   return all;
 }
 
-double cell_bound(const Geometry& geometry, const Target& target,
-                  const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+double cell_bound(const Geometry& geometry, const Target& target, const Options& options) {
+  Cancellation cancellation(options, Stage::kRounding);
   RoundedVertices corners;
   for_each_thin_point(geometry, [&](const Point& p) {
     cancellation.check(64 * work_of(p));
@@ -255,18 +253,18 @@ double cell_bound(const Geometry& geometry, const Target& target,
   return diagonal(2 * half_place(corners, target));
 }
 
-Geometry round_outside(const Geometry& geometry, const Target& target, const RoundOptions& options,
+Geometry round_outside(const Geometry& geometry, const Target& target, const RoundRequest& request,
                        RoundingReport& report) {
-  return OutsideRounder(geometry, target, options).run(report);
+  return OutsideRounder(geometry, target, request).run(report);
 }
 
-Geometry round_inside(const Geometry& geometry, const Target& target, const RoundOptions& options,
+Geometry round_inside(const Geometry& geometry, const Target& target, const RoundRequest& request,
                       RoundingReport& report) {
   Geometry result;
-  result.region = round_region(geometry.region, target, options, report);
-  if (!InnerParts(target, options.cancel).add(geometry, result)) report.exact = false;
-  if (result.has_thin_parts()) result = resolved(result, options);
-  if (!is_on_target(result, target, options.cancel)) {
+  result.region = round_region(geometry.region, target, request, report);
+  if (!InnerParts(target, request.options).add(geometry, result)) report.exact = false;
+  if (result.has_thin_parts()) result = resolved(result, request);
+  if (!is_on_target(result, target, request.options)) {
     throw Error(ErrorCode::kBadInput,
                 "thin parts cross: a geometry must be resolved to be rounded");
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "minksum/round.hpp"
-#include "rounding/round_vertices.hpp"
+#include "rounding/round_region.hpp"
 
 namespace minksum {
 
@@ -16,12 +16,12 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
 
 /// Tells whether all coordinates are in the target.
 [[nodiscard]] bool is_on_target(const Geometry& geometry, const Target& target,
-                                const std::optional<CancelToken>& cancel);
+                                const Options& options);
 
 /// Returns √2 · u, rounded up, where u is the largest side of a cell. No corner of a cell around a
 /// point of the thin parts is farther from the point.
 [[nodiscard]] double cell_bound(const Geometry& geometry, const Target& target,
-                                const std::optional<CancelToken>& cancel);
+                                const Options& options);
 
 /// Returns a resolved geometry of the target that contains the exact one. The report lacks
 /// `topology_kept`. `largest_move` may exceed `bound`, because both are upper bounds.
@@ -40,7 +40,7 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
 /// replace, and the region moves by no more than that. So the bound is 2√2 · u, or √2 · u if no
 /// hull was made.
 [[nodiscard]] Geometry round_outside(const Geometry& geometry, const Target& target,
-                                     const RoundOptions& options, RoundingReport& report);
+                                     const RoundRequest& request, RoundingReport& report);
 
 /// Returns a resolved geometry of the target that is contained in the exact one. The result has the
 /// region rounded to the inside, the points in the target, and the segments with both ends in the
@@ -48,6 +48,6 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
 /// not, its ends in the target remain as points. The report is that of the region, but for `exact`.
 /// Throws Error(kBadInput) if it finds that the geometry is not resolved.
 [[nodiscard]] Geometry round_inside(const Geometry& geometry, const Target& target,
-                                    const RoundOptions& options, RoundingReport& report);
+                                    const RoundRequest& request, RoundingReport& report);
 
 }  // namespace minksum

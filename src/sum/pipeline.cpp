@@ -9,7 +9,7 @@ namespace minksum {
 namespace {
 
 /// Whether reflex vertices take part. They have no segments in the sum of two thin operands.
-bool is_full(const Workspace::State& w, const Options& options) {
+bool is_full(const Workspace::State& w, const SumSettings& options) {
   return options.method == Method::kFull && !w.operands.both_thin();
 }
 
@@ -32,7 +32,7 @@ void count(const Workspace::State& w, const Predicates& predicates, Statistics& 
                                                    : statistics.by_fixed_width) = counts.by_kernel;
 }
 
-void prepare(const CallerOperand& p, const CallerOperand& q, const Options& options,
+void prepare(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
              Cancellation& cancellation, Workspace::State& w) {
   std::array<const PreparedOperand*, 2> ready{p.operand, q.operand};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
@@ -46,15 +46,16 @@ void prepare(const CallerOperand& p, const CallerOperand& q, const Options& opti
   combine_operands(*ready[0], *ready[1], options, NarrowHoles::kFill, cancellation, w.operands);
 }
 
-void report_tight_places(const Options& options, Predicates& predicates, Workspace::State& w) {
+void report_tight_places(const SumRequest& options, Predicates& predicates, Workspace::State& w) {
   find_tight_places(w.operands, w.arrangement, w.loops, w.filtered, predicates, w.trees,
                     w.tight_scratch, w.tight);
-  write_tight_places(w.operands, w.arrangement, w.tight, predicates.cancellation(), *options.tight);
+  write_tight_places(w.operands, w.arrangement, w.tight, predicates.cancellation(),
+                     *options.tight_places);
 }
 
 }  // namespace
 
-void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation) {
+void convolve(Workspace::State& w, const SumSettings& options, Cancellation& cancellation) {
   const Operands& o = w.operands;
   if (is_full(w, options)) {
     return full_convolution(o, options.limits, cancellation, w.convolution_scratch, w.convolution);
@@ -69,14 +70,14 @@ void convolve(Workspace::State& w, const Options& options, Cancellation& cancell
 }
 
 void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
-                   const Options& options, Cancellation& cancellation, Workspace::State& w) {
+                   const SumRequest& options, Cancellation& cancellation, Workspace::State& w) {
   std::vector<Fault> faults;
   prepare_operand(valid, options, 0, cancellation, w.operand_scratch, w.prepared[1], faults);
   if (!faults.empty()) reject(faults[0], 1);
   combine_operands(p, w.prepared[1], options, narrow, cancellation, w.operands);
 }
 
-void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
+void run_stages(const SumRequest& options, const SharedRaster* shared, StageRunner& runner,
                 Workspace::State& w, Region& result) {
   Cancellation& cancellation = runner.cancellation();
   if (options.check) runner.require(check(w.operands));
@@ -129,7 +130,7 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
     write_region(w.operands, w.arrangement, w.boundary, cancellation, w.output_scratch, result);
   });
   if (options.check) runner.require(check(w.boundary, w.arrangement, w.operands));
-  if (options.tight != nullptr) {
+  if (options.tight_places != nullptr) {
     runner.run(Stage::kOutput, [&] { report_tight_places(options, predicates, w); });
     if (options.check) {
       runner.require(check(w.tight, w.arrangement, w.loops, w.filtered, w.operands));
@@ -146,7 +147,7 @@ void run_stages(const Options& options, const SharedRaster* shared, StageRunner&
   }
 }
 
-void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options,
+void run_pipeline(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
                   Workspace::State& w, Region& result) {
   StageRunner runner(options);
   runner.run(Stage::kOperands, [&] { prepare(p, q, options, runner.cancellation(), w); });

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "minksum/prepared_region.hpp"
+#include "minksum/testing.hpp"
 #include "sum/cover/shared_raster.hpp"
 #include "sum/output/output.hpp"
 #include "sum/small/small_sum.hpp"
@@ -52,17 +53,17 @@ struct CallerOperand {
 };
 
 /// Computes the sum of two operands that are not empty, by Method::kReduced or kFull.
-void run_pipeline(const CallerOperand& p, const CallerOperand& q, const Options& options,
+void run_pipeline(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
                   Workspace::State& w, Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
 /// Combines a prepared operand with a region that is known to be valid.
 void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
-                   const Options& options, Cancellation& cancellation, Workspace::State& w);
+                   const SumRequest& options, Cancellation& cancellation, Workspace::State& w);
 /// Lists the convolution, or only a sample of it if it has very many segments.
-void convolve(Workspace::State& w, const Options& options, Cancellation& cancellation);
+void convolve(Workspace::State& w, const SumSettings& options, Cancellation& cancellation);
 /// Runs the stages after the first. `shared` is a raster for these operands, or null.
-void run_stages(const Options& options, const SharedRaster* shared, StageRunner& runner,
+void run_stages(const SumRequest& options, const SharedRaster* shared, StageRunner& runner,
                 Workspace::State& w, Region& result);
 
 }  // namespace minksum

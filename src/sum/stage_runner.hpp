@@ -7,7 +7,7 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/error.hpp"
-#include "minksum/minkowski_sum.hpp"
+#include "sum/sum_request.hpp"
 
 namespace minksum {
 
@@ -15,7 +15,7 @@ namespace minksum {
 /// statistics are wanted. The time of a checker between two stages counts for the second one.
 class StageRunner {
  public:
-  explicit StageRunner(const Options& options) : options_(options), cancellation_(options) {
+  explicit StageRunner(const SumRequest& options) : options_(options), cancellation_(options) {
     if (options.statistics != nullptr) last_ = std::chrono::steady_clock::now();
   }
 
@@ -36,7 +36,7 @@ class StageRunner {
   }
 
  private:
-  const Options& options_;
+  const SumRequest& options_;
   Cancellation cancellation_;
   std::chrono::steady_clock::time_point last_;  ///< when the last stage ended
 };

@@ -40,8 +40,8 @@ void reject(const Fault& fault, int operand) {
   throw Error(ErrorCode::kBadInput, to_string(fault), culprit);
 }
 
-void require_valid(const Region& region, int operand, const std::optional<CancelToken>& cancel) {
-  const std::vector<Fault> faults = validate(region, 1, cancel);
+void require_valid(const Region& region, int operand, const Options& options) {
+  const std::vector<Fault> faults = validate(region, 1, options);
   if (!faults.empty()) reject(faults.front(), operand);
 }
 

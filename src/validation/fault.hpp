@@ -8,7 +8,6 @@ namespace minksum {
 /// Throws Error(kBadInput) for a fault of this operand (Culprit::operand).
 [[noreturn]] void reject(const Fault& fault, int operand);
 /// Throws this error for the first fault of a region that is not valid (see `validate`).
-void require_valid(const Region& region, int operand,
-                   const std::optional<CancelToken>& cancel = {});
+void require_valid(const Region& region, int operand, const Options& options = {});
 
 }  // namespace minksum

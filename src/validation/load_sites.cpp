@@ -208,7 +208,7 @@ Arithmetic rung_for(int bits, Arithmetic asked) {
   return std::max(needed, asked);
 }
 
-void load_sites(const Region& region, const Options& options, Cancellation& cancellation,
+void load_sites(const Region& region, const SumSettings& options, Cancellation& cancellation,
                 PreparedOperand& operand) {
   operand.region = &region;
   operand.thin = false;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/predicates.hpp"
-#include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 #include "minksum/validity.hpp"
 #include "spatial/box_pairs.hpp"
 
@@ -89,23 +89,23 @@ struct PreparedOperand {
 /// Fills all of `operand` but its directions from `region`, which must live as long. Lists at most
 /// `max_faults` faults. Only `arithmetic` and `filter` of `options` are used. Takes O(n log n) for
 /// n vertices, plus close pairs of edges.
-void load_and_validate(const Region& region, const Options& options, std::size_t max_faults,
+void load_and_validate(const Region& region, const SumSettings& options, std::size_t max_faults,
                        Cancellation& cancellation, OperandScratch& scratch,
                        PreparedOperand& operand, std::vector<Fault>& faults);
 
 // -- Steps, in their order ---------------------------------------------------------------------
 /// Loads the exact coordinates of all vertices as given.
-void load_sites(const Region& region, const Options& options, Cancellation& cancellation,
+void load_sites(const Region& region, const SumSettings& options, Cancellation& cancellation,
                 PreparedOperand& operand);
 /// Drops repeated and straight vertices, orients the rings, and marks convex vertices. Leaves out
 /// rings that have a fault.
-void clean_rings(const Options& options, Cancellation& cancellation, OperandScratch& scratch,
+void clean_rings(const SumSettings& options, Cancellation& cancellation, OperandScratch& scratch,
                  PreparedOperand& operand, std::vector<Fault>& faults);
 /// Finds faults between edges and rings. The faults' vertices are indices in the region.
 void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScratch& scratch,
                  PreparedOperand& operand, std::vector<Fault>& faults);
 /// Makes a kernel, bounds and approximate places for the present coordinates of so many sites.
-void approximate_sites(std::size_t count, const Options& options, Cancellation& cancellation,
+void approximate_sites(std::size_t count, const SumSettings& options, Cancellation& cancellation,
                        OperandScratch& scratch, PreparedOperand& operand);
 /// Sets which site follows which around the rings, and the edges between them.
 void connect_rings(Cancellation& cancellation, PreparedOperand& operand);

@@ -212,7 +212,7 @@ bool is_identity(std::span<const SiteId> order, std::size_t size) {
 
 }  // namespace
 
-void approximate_sites(std::size_t count, const Options& options, Cancellation& cancellation,
+void approximate_sites(std::size_t count, const SumSettings& options, Cancellation& cancellation,
                        OperandScratch& scratch, PreparedOperand& operand) {
   auto& ids = scratch.all;
   for (auto i = static_cast<SiteId>(ids.size()); i < count; ++i) ids.push_back(i);
@@ -258,7 +258,7 @@ void connect_rings(Cancellation& cancellation, PreparedOperand& operand) {
   operand.kernel->approximate_edges(operand.sites.dx, operand.sites.dy, cancellation);
 }
 
-void clean_rings(const Options& options, Cancellation& cancellation, OperandScratch& scratch,
+void clean_rings(const SumSettings& options, Cancellation& cancellation, OperandScratch& scratch,
                  PreparedOperand& operand, std::vector<Fault>& faults) {
   const std::size_t n = operand.region->vertex_count();
   approximate_sites(n, options, cancellation, scratch, operand);

@@ -8,7 +8,7 @@ constexpr std::size_t kMaxVertices = std::size_t{1} << 30;
 
 }  // namespace
 
-void load_and_validate(const Region& region, const Options& options, std::size_t max_faults,
+void load_and_validate(const Region& region, const SumSettings& options, std::size_t max_faults,
                        Cancellation& cancellation, OperandScratch& scratch,
                        PreparedOperand& operand, std::vector<Fault>& faults) {
   if (region.vertex_count() > kMaxVertices) {
@@ -19,15 +19,14 @@ void load_and_validate(const Region& region, const Options& options, std::size_t
   if (faults.size() < max_faults) find_faults(max_faults, cancellation, scratch, operand, faults);
 }
 
-std::vector<Fault> validate(const Region& region, std::size_t max_faults,
-                            const std::optional<CancelToken>& cancel) {
+std::vector<Fault> validate(const Region& region, std::size_t max_faults, const Options& options) {
   std::vector<Fault> faults;
   if (region.empty()) return faults;
-  Cancellation cancellation(cancel);
+  Cancellation cancellation(options);
   cancellation.look();
   OperandScratch scratch;
   PreparedOperand operand;
-  load_and_validate(region, Options{}, max_faults, cancellation, scratch, operand, faults);
+  load_and_validate(region, SumSettings{}, max_faults, cancellation, scratch, operand, faults);
   if (faults.size() > max_faults) faults.resize(max_faults);
   return faults;
 }

@@ -15,7 +15,7 @@ namespace minksum::test {
 
 /// Returns the same set in canonical form.
 inline Region canonical(const Region& region) {
-  ResolveOptions options;
+  Options options;
   options.regularize = true;
   return resolve(region, options).region;
 }

@@ -50,9 +50,17 @@ static minksum_geometry *read(const char *wkt) {
   return geometry;
 }
 
-static int stop_at_once(void *calls) {
+static int stop_at_once(void* calls, minksum_stage stage, size_t done, size_t parts) {
+  EXPECT(stage == MINKSUM_STAGE_OPERANDS && done == 0 && parts == 1);
   ++*(int *)calls;
   return 1;
+}
+
+/* Remembers how many parts there are. */
+static int count_parts(void* most, minksum_stage stage, size_t done, size_t parts) {
+  EXPECT(stage <= MINKSUM_STAGE_SEARCH && done <= parts);
+  if (parts > *(size_t*)most) *(size_t*)most = parts;
+  return 0;
 }
 
 static void test_geometries(void) {
@@ -144,7 +152,7 @@ static void test_sums(void) {
   options.fill = (minksum_fill)99;
   EXPECT(minksum_sum(square, third, &options, &out, &error) == MINKSUM_BAD_INPUT);
   minksum_options_init(&options);
-  options.stop = stop_at_once;
+  options.progress = stop_at_once;
   options.context = &calls;
   EXPECT(minksum_sum(square, third, &options, &out, &error) == MINKSUM_CANCELLED);
   EXPECT(calls > 0 && out == NULL);
@@ -224,6 +232,8 @@ static void test_pairs(void) {
   minksum_no_fit_table *table = NULL;
   minksum_depth depth;
   minksum_sum_check check;
+  minksum_options options;
+  size_t most = 0;
   double factor = 0;
   int found = 0;
   EXPECT(minksum_penetration_depth(a, b, NULL, &depth, &error) == MINKSUM_OK);
@@ -239,10 +249,18 @@ static void test_pairs(void) {
              "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
   parts[0] = a;
   parts[1] = unit;
-  EXPECT(minksum_no_fit_table_new(parts, 2, 4, 1, NULL, &table, &error) == MINKSUM_OK);
+  EXPECT(minksum_no_fit_table_new(parts, 2, 4, NULL, &table, &error) == MINKSUM_OK);
   EXPECT_WKT(minksum_no_fit_table_at(table, 0, 0, 1, 2, &out, &error),
              "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
   EXPECT(minksum_no_fit_table_at(table, 2, 0, 1, 0, &out, &error) == MINKSUM_BAD_INPUT);
+  minksum_no_fit_table_free(table);
+  minksum_options_init(&options);
+  options.tight = 0;
+  options.threads = 0;
+  options.progress = count_parts;
+  options.context = &most;
+  EXPECT(minksum_no_fit_table_new(parts, 2, 1, &options, &table, &error) == MINKSUM_OK);
+  EXPECT(most == 2);
   minksum_no_fit_table_free(table);
   EXPECT(minksum_sum(a, unit, NULL, &out, &error) == MINKSUM_OK);
   EXPECT(minksum_check_sum(out, a, unit, 0, NULL, &check, &error) == MINKSUM_OK);

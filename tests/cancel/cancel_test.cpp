@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "minksum/minksum.hpp"
+#include "minksum/testing.hpp"
 #include "support/cancel_cases.hpp"
 #include "support/polygon_kinds.hpp"
 
@@ -28,9 +29,9 @@ class Stopper {
 constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
 /// Returns whether the operation ended because it was cancelled.
-bool is_cancelled(const test::CancelCase& hard, const CancelToken& token) {
+bool is_cancelled(const test::CancelCase& hard, const Options& options) {
   try {
-    hard.run(token);
+    hard.run(options);
     return false;
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kCancelled) << error.what();
@@ -44,24 +45,37 @@ TEST(Cancel, EveryOperationEndsAtAnyLook) {
     bool ended = true;
     for (std::uint64_t at = 1; ended && at < 256; at *= 2) {
       Stopper stopper(at);
-      ended = is_cancelled(hard, stopper.token());
+      ended = is_cancelled(hard, {.cancel = stopper.token()});
       // The operation was told to stop, or ended before.
       EXPECT_EQ(ended, stopper.looks() >= at);
     }
   }
 }
 
+TEST(Cancel, EveryOperationTellsItsProgressAndEndsWhereThatSaysStop) {
+  for (const test::CancelCase& hard : test::cancel_cases(60)) {
+    if (hard.operation == "write, read") continue;  // texts have a token alone
+    SCOPED_TRACE(hard.operation + ", " + hard.input);
+    for (const std::uint64_t at : {1U, 2U, 16U}) {
+      std::atomic<std::uint64_t> calls{0};
+      const auto progress = [&](const Progress& p) {
+        EXPECT_LE(p.done, p.parts);
+        return calls.fetch_add(1) + 1 < at;
+      };
+      EXPECT_EQ(is_cancelled(hard, {.progress = progress}), calls >= at);
+    }
+  }
+}
+
 TEST(Cancel, LooksGrowWithTheWork) {
   // The n² pairs of edges that cross count at least as many units of work.
-  Options options;
+  SumSettings options;
   Stopper stopper(kNever);
   options.cancel = stopper.token();
   options.method = Method::kFull;
   const Region teeth = test::comb(80, 1, 1000);
-  Statistics statistics;
-  options.statistics = &statistics;
-  static_cast<void>(minkowski_sum(teeth, test::turned(teeth), options));
-  EXPECT_GT(stopper.looks(), statistics.crossings >> 15U);
+  const DetailedSum sum = detailed_sum(teeth, test::turned(teeth), options);
+  EXPECT_GT(stopper.looks(), sum.statistics.crossings >> 15U);
 }
 
 TEST(Cancel, ResultIsEmptyAndTheWorkspaceWorksAfterwards) {
@@ -71,7 +85,7 @@ TEST(Cancel, ResultIsEmptyAndTheWorkspaceWorksAfterwards) {
   Workspace workspace;
   for (std::uint64_t at = 1; at < 64; at *= 2) {
     Stopper stopper(at);
-    Options options;
+    SumSettings options;
     options.cancel = stopper.token();
     Region result = p;
     const Outcome outcome = minkowski_sum(p, q, options, workspace, result);
@@ -81,14 +95,14 @@ TEST(Cancel, ResultIsEmptyAndTheWorkspaceWorksAfterwards) {
       EXPECT_EQ(outcome.error->code(), ErrorCode::kCancelled);
       EXPECT_TRUE(result.empty());
     }
-    ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, result).ok());
+    ASSERT_TRUE(minkowski_sum(p, q, Options{}, workspace, result).ok());
     EXPECT_EQ(result, sum);
   }
 }
 
 TEST(Cancel, WhatAPollingFunctionThrowsIsThrownOn) {
   struct Stop {};
-  Options options;
+  SumSettings options;
   options.cancel = CancelToken::polling([]() -> bool { throw Stop{}; });
   const Region p = test::comb(30, 1, 1000);
   EXPECT_THROW(static_cast<void>(minkowski_sum(p, p, options)), Stop);

@@ -102,7 +102,7 @@ bool measure(const CancelCase& hard, unsigned run, const Arguments& arguments) {
   const double begin = thread_seconds();
   std::string end = "done";
   try {
-    hard.run(token);
+    hard.run({.cancel = token});
   } catch (const Error& error) {
     end = error.what();
   }

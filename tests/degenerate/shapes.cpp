@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "minksum/testing.hpp"
 #include "support/data.hpp"
 
 namespace minksum::test {
@@ -33,13 +34,13 @@ Geometry read_shape(const std::string& name) {
 }
 
 Geometry reduced_sum(const Geometry& p, const Geometry& q) {
-  Options options;
+  SumSettings options;
   options.check = true;
   return minkowski_sum(p, q, options);
 }
 
 Geometry signed_sum_of(const Geometry& p, const Geometry& q) {
-  Options options;
+  SumSettings options;
   options.method = Method::kSigned;
   return minkowski_sum(p, q, options);
 }

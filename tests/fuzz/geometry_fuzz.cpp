@@ -22,10 +22,10 @@ using namespace minksum;
 // Beyond this work, brute force takes too long.
 constexpr std::size_t kMaxWork = 100;
 
-Options read_setting(int rule, int byte) {
+SumSettings read_setting(int rule, int byte) {
   constexpr std::array kArithmetics = {Arithmetic::kAutomatic, Arithmetic::kMedium,
                                        Arithmetic::kWide, Arithmetic::kArbitrary};
-  Options setting;
+  SumSettings setting;
   setting.fill = fuzz::fill_rule(rule);
   setting.regularize = rule / 5 % 4 == 3;
   setting.arithmetic = kArithmetics[static_cast<std::size_t>(byte % 4)];
@@ -49,7 +49,7 @@ void require(const std::string& fault, const test::SumCase& sum_case) {
 }
 
 void try_laws(const test::SumCase& sum_case, const Rational& scale) {
-  const Options& setting = sum_case.setting;
+  const SumSettings& setting = sum_case.setting;
   for (const Geometry* geometry : {&sum_case.p, &sum_case.q}) {
     require(test::broken_resolve(*geometry, setting.fill, setting.regularize), sum_case);
   }
@@ -67,7 +67,7 @@ void try_laws(const test::SumCase& sum_case, const Rational& scale) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::GeometryReader reader(data, size);
   const int rule = reader.take();
-  const Options setting = read_setting(rule, reader.take());
+  const SumSettings setting = read_setting(rule, reader.take());
   const int scales = reader.take();
   const Geometry p = reader.read();
   const Geometry q = scaled(reader.read(), Rational(1 + scales % 3, 1 + scales / 3 % 2));

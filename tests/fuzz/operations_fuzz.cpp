@@ -39,10 +39,10 @@ void require_form(const Geometry& geometry, const Case& c) {
 }
 
 Geometry set_of(const Geometry& geometry, const Case& c) {
-  return resolve(geometry, {c.fill, false, {}});
+  return resolve(geometry, {.fill = c.fill});
 }
 Region area_of(const Geometry& geometry, const Case& c) {
-  return resolve(geometry, {c.fill, true, {}}).region;
+  return resolve(geometry, {.fill = c.fill, .regularize = true}).region;
 }
 Region moved(const Region& region, const Point& by) {
   return transform(region, Affine::translation(by.x, by.y));
@@ -50,7 +50,7 @@ Region moved(const Region& region, const Point& by) {
 bool overlap(const Region& a, const Region& b) { return !intersect(a, b).empty(); }
 
 void try_morphology(const Case& c, bool tight) {
-  MorphologyOptions options;
+  Options options;
   options.fill = c.fill;
   const Region a = area_of(c.a, c);
   const Geometry b = set_of(c.b, c);
@@ -88,24 +88,24 @@ void try_morphology(const Case& c, bool tight) {
 void try_offset(const Case& c, int kind, int size) {
   constexpr std::array kJoins{Join::kRound, Join::kMiter, Join::kSquare, Join::kBevel};
   constexpr std::array kCaps{Cap::kRound, Cap::kButt, Cap::kSquare};
+  const Options reading{.fill = c.fill};
   OffsetOptions options;
-  options.fill = c.fill;
   options.join = kJoins[static_cast<std::size_t>(kind % 4)];
   options.cap = kCaps[static_cast<std::size_t>(kind / 4 % 3)];
   options.miter_limit = Rational(2 + kind / 16 % 8, 2);
   const Rational distance(1 + size % 8, 1 + size / 8 % 4);
   options.tolerance = distance * Rational(1, 3 << (size / 32 % 4));
   const Region a = area_of(c.a, c);
-  const Geometry grown = offset(c.a, distance, options);
+  const Geometry grown = offset(c.a, distance, options, reading);
   require_form(grown, c);
   require(contains(grown.region, a), c, "grown it contains what was there");
-  const Geometry shrunk = offset(c.a, -distance, options);
+  const Geometry shrunk = offset(c.a, -distance, options, reading);
   require_form(shrunk, c);
   require(contains(a, shrunk.region), c, "shrunk it is within what was there");
   if (options.join != Join::kRound || options.cap != Cap::kRound) return;
   const auto on = [&](RoundingSide side, const Rational& by) {
     options.side = side;
-    return offset(c.a, by, options).region;
+    return offset(c.a, by, options, reading).region;
   };
   require(contains(on(RoundingSide::kOutside, distance), on(RoundingSide::kInside, distance)), c,
           "the outer offset contains the inner one");
@@ -117,10 +117,7 @@ void try_placements(const Case& c, int x, int y) {
   const Region a = area_of(c.a, c);
   const Region b = area_of(c.b, c);
   if (a.empty() || b.empty()) return;
-  NoFitOptions nesting;
-  nesting.fill = c.fill;
-  nesting.reference = Point{};
-  const NoFitPolygon nfp(c.a, c.b, nesting);
+  const NoFitPolygon nfp(c.a, c.b, Point{}, {.fill = c.fill});
   require_form({nfp.geometry().region, {}, {}}, c);  // tight places may lie in its area
   std::vector<Point> places = nfp.geometry().points;
   for (const Polyline& line : nfp.geometry().polylines) places.push_back(line.front());
@@ -136,7 +133,7 @@ void try_placements(const Case& c, int x, int y) {
   const bool overlapping = overlap(a, moved(b, shift));
   require((nfp.contact(shift) == Contact::kOverlapping) == overlapping, c,
           "inside the no-fit polygon parts overlap");
-  DepthOptions options;
+  Options options;
   options.fill = c.fill;
   const auto depth = penetration_depth(c.a, there, options);
   if (!depth) fail(c, "two areas have a depth");
@@ -165,10 +162,7 @@ void try_placements(const Case& c, int x, int y) {
 void try_slice(const Case& c, int degrees) {
   const Region robot = area_of(c.a, c);
   if (robot.empty()) return;
-  ConfigurationOptions options;
-  options.fill = c.fill;
-  options.threads = 1;
-  const ConfigurationSpace space(c.a, c.b, options);
+  const ConfigurationSpace space(c.a, c.b, {}, {.fill = c.fill});
   const Turn turn = nearest_turn(Rational(degrees * 3, 2), 0.5);
   const Slice slice = space.slice(turn, true);
   const Geometry turned{transform(robot, Affine::scaling(-1).after(turn.map())), {}, {}};

@@ -70,7 +70,7 @@ void try_rounding(const Region& exact, const RoundOptions& options) {
   RoundingReport report;
   Region rounded;
   try {
-    rounded = round(exact, options, &report);
+    rounded = test::round(exact, options, report);
   } catch (const Error& error) {
     expect(false, exact, options, rounded, std::string("it can be rounded: ") + error.what());
   }
@@ -81,7 +81,7 @@ void try_rounding(const Region& exact, const RoundOptions& options) {
   require(validate(rounded, 1).empty(), "it is valid");
   require(report.largest_move <= report.bound, "it keeps its bound");
   RoundingReport again;
-  require(round(rounded, options, &again) == rounded && again.exact,
+  require(test::round(rounded, options, again) == rounded && again.exact,
           "a second time changes nothing");
   if (options.side == RoundingSide::kOutside) require(contains(rounded, exact), "it is outside");
   if (options.side == RoundingSide::kInside) require(contains(exact, rounded), "it is inside");

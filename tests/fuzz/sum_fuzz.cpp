@@ -7,6 +7,7 @@
 #include <string>
 
 #include "minksum/minksum.hpp"
+#include "minksum/testing.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -55,7 +56,7 @@ class ShapeReader {
   std::abort();
 }
 
-void expect_sum(const Region& p, const Region& q, const char* setting, const Options& options,
+void expect_sum(const Region& p, const Region& q, const char* setting, const SumSettings& options,
                 const Region& expected) {
   try {
     if (!(minkowski_sum(p, q, options) == expected)) {
@@ -67,10 +68,10 @@ void expect_sum(const Region& p, const Region& q, const char* setting, const Opt
 }
 
 void try_settings(const Region& p, const Region& q, const Region& expected, int grid) {
-  const auto expect = [&](const char* setting, const Options& options) {
+  const auto expect = [&](const char* setting, const SumSettings& options) {
     expect_sum(p, q, setting, options, expected);
   };
-  Options options;
+  SumSettings options;
   expect("plain", options);
   options.check = true;
   options.grid = grid;
@@ -104,7 +105,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Region* region : {&p, &q}) {
     if (region->empty() || !validate(*region, 1).empty()) return 0;
   }
-  Options options;
+  SumSettings options;
   options.method = Method::kSigned;
   Region expected;
   try {
@@ -115,7 +116,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try_settings(p, q, expected, grid);
   Workspace workspace;
   Region mirror;
-  if (!minkowski_sum(q, p, {}, workspace, mirror).ok() || !(mirror == expected)) {
+  if (!minkowski_sum(q, p, Options{}, workspace, mirror).ok() || !(mirror == expected)) {
     fail(p, q, "the sum of q and p is the same");
   }
   return 0;

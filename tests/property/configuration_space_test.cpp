@@ -8,6 +8,7 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/locate.hpp"
+#include "minksum/resolve.hpp"
 #include "reference/placed_robot.hpp"
 #include "support/generators.hpp"
 #include "support/polygon_kinds.hpp"
@@ -62,7 +63,7 @@ void expect_collisions(Random& random, const test::RobotScene& scene,
   const PointLocator free(slice.free);
   const PointLocator area({slice.free.region, {}, {}});
   const PointLocator obstacles(slice.obstacles);
-  const reference::PlacedRobot robot(scene.robot, scene.options.reference, scene.obstacles,
+  const reference::PlacedRobot robot(scene.robot, scene.setting.reference, scene.obstacles,
                                      scene.workspace());
   const reference::Pt direction = reference::direction_of(slice.turn);
   for (int i = 0; i < places; ++i) {
@@ -73,8 +74,8 @@ void expect_collisions(Random& random, const test::RobotScene& scene,
     }
     const bool is_free = robot.at(reference::to_pt(at), direction) == reference::Collision::kNone;
     const bool found_free = free.locate(at) != Location::kOutside;
-    ASSERT_TRUE(found_free == is_free || (is_free && !scene.options.tight &&
-                                          has_no_play(robot, reference::to_pt(at), direction)))
+    ASSERT_TRUE(found_free == is_free ||
+                (is_free && !scene.tight && has_no_play(robot, reference::to_pt(at), direction)))
         << test::to_text(scene) << '\n'
         << slice.turn.asked << ' ' << at.x << ' ' << at.y;
     // Free space and obstacles share only their boundaries and the thin parts.
@@ -98,8 +99,9 @@ TEST(ConfigurationSpace, AgreesWithCollisionTests) {
   for (int i = 0; i < scenes && !HasFatalFailure(); ++i) {
     SCOPED_TRACE(i);
     test::RobotScene scene = test::random_robot_scene(random);
-    scene.options.tight = !scene.obstacles.has_thin_parts();
-    const ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.options);
+    scene.tight = !scene.obstacles.has_thin_parts();
+    const ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.setting,
+                                   {.tight = scene.tight});
     const Turn turn = random.one_in(3) ? nearest_turn(random_angle(random)) : scene.turn;
     expect_collisions(random, scene, space, space.slice(turn, true), kPlaces, found);
   }
@@ -198,12 +200,12 @@ TEST(ConfigurationSpace, ThreadsGiveSlicesInOrder) {
   Random random(5);
   const Region robot = test::random_two_opt(random, 12, 20);
   const Region obstacles = test::random_with_holes(random, 90, 3);
-  ConfigurationOptions options;
+  Options options;
   std::vector<Slice> expected;
   const std::vector<Turn> turns = full_turn(50);
   for (const int threads : {1, 2, 7, 100}) {
     options.threads = threads;
-    const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), options);
+    const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), {}, options);
     std::vector<Slice> slices = space.slices(turns, true);
     ASSERT_EQ(slices.size(), turns.size());
     if (threads == 1) expected = slices;
@@ -218,12 +220,12 @@ TEST(ConfigurationSpace, ThreadsGiveSlicesInOrder) {
 
 // Of the exceptions of all threads, the first in the order of slices arrives.
 TEST(ConfigurationSpace, FailuresOfThreads) {
-  ConfigurationOptions options;
+  Options options;
   const Geometry square = as_geometry(test::rectangle(0, 0, 9, 9));
   const std::vector<Turn> turns = full_turn(30);
   for (const int threads : {1, 3}) {
     options.threads = threads;
-    const ConfigurationSpace space(square, square, options);
+    const ConfigurationSpace space(square, square, {}, options);
     const auto throw_at = [](std::size_t from) {
       return [from](std::size_t i, Slice&) {
         if (i >= from) throw std::runtime_error(std::to_string(i));
@@ -248,11 +250,11 @@ TEST(ConfigurationSpace, FailuresOfThreads) {
 }
 
 TEST(ConfigurationSpace, CanBeCancelled) {
-  ConfigurationOptions options;
+  Options options;
   options.threads = 2;
   options.cancel.emplace();
   const Geometry square = as_geometry(test::rectangle(0, 0, 9, 9));
-  const ConfigurationSpace space(square, square, options);
+  const ConfigurationSpace space(square, square, {}, options);
   std::size_t seen = 0;
   try {
     space.for_each_slice(full_turn(1000), true, {}, [&](std::size_t, Slice&) {
@@ -270,31 +272,30 @@ TEST(ConfigurationSpace, BadInput) {
   const Geometry line{{}, {{{0, 0}, {1, 1}}}, {}};
   const Geometry bow = as_geometry(test::make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 3}}));
   const auto expect_refused = [](const Geometry& robot, const Geometry& obstacles,
-                                 const ConfigurationOptions& options, int operand) {
+                                 const ConfigurationOptions& setting, int operand,
+                                 const Options& options = {}) {
     try {
-      const ConfigurationSpace space(robot, obstacles, options);
+      const ConfigurationSpace space(robot, obstacles, setting, options);
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadInput);
       EXPECT_EQ(error.culprit().operand, operand);
     }
   };
-  ConfigurationOptions options;
-  expect_refused(line, square, options, 0);
-  expect_refused({}, square, options, 0);
-  options.workspace = line;
-  expect_refused(square, square, options, 2);
-  options.workspace.reset();
+  ConfigurationOptions setting;
+  expect_refused(line, square, setting, 0);
+  expect_refused({}, square, setting, 0);
+  setting.workspace = line;
+  expect_refused(square, square, setting, 2);
+  setting.workspace.reset();
   // Places without play among lines are not known.
-  options.tight = true;
-  expect_refused(square, line, options, 1);
-  expect_refused(square, {{}, {}, {{0, 0}}}, options, 1);
-  options.tight = false;
-  options.fill = FillRule::kStrict;
-  expect_refused(bow, square, options, 0);
-  expect_refused(square, bow, options, 1);
-  options.workspace = bow;
-  expect_refused(square, square, options, 2);
+  expect_refused(square, line, setting, 1, {.tight = true});
+  expect_refused(square, {{}, {}, {{0, 0}}}, setting, 1, {.tight = true});
+  const Options strict{.fill = FillRule::kStrict};
+  expect_refused(bow, square, setting, 0, strict);
+  expect_refused(square, bow, setting, 1, strict);
+  setting.workspace = bow;
+  expect_refused(square, square, setting, 2, strict);
 }
 
 double tangent(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }

@@ -11,10 +11,12 @@
 #include <map>
 
 #include "minksum/round.hpp"
+#include "minksum/testing.hpp"
 #include "support/generators.hpp"
 #include "support/geometries.hpp"
 #include "support/geometry_laws.hpp"
 #include "support/messes.hpp"
+#include "support/rounding_options.hpp"
 
 namespace {
 
@@ -28,7 +30,7 @@ constexpr std::size_t kMaxWork = 140;
 // The slow laws are tested for some pairs only.
 constexpr std::uint64_t kAllLawsEvery = 16;
 
-Options random_setting(Random& random) {
+SumSettings random_setting(Random& random) {
   constexpr std::array kRules = {FillRule::kAutomatic, FillRule::kAutomatic, FillRule::kEvenOdd,
                                  FillRule::kNonZero,   FillRule::kPositive,  FillRule::kNegative};
   // Slow settings, such as the last one, are rare.
@@ -36,7 +38,7 @@ Options random_setting(Random& random) {
                                        Arithmetic::kAutomatic, Arithmetic::kMedium,
                                        Arithmetic::kMedium,    Arithmetic::kWide,
                                        Arithmetic::kWide,      Arithmetic::kArbitrary};
-  Options setting;
+  SumSettings setting;
   setting.fill = kRules[static_cast<std::size_t>(random.below(kRules.size()))];
   setting.regularize = random.one_in(5);
   setting.arithmetic = kArithmetics[static_cast<std::size_t>(random.below(kArithmetics.size()))];
@@ -73,11 +75,10 @@ SumCase random_case(Random& random, Tally& tally) {
 }
 
 void count(const SumCase& sum_case, Tally& tally) {
-  Geometry tight;
-  Options options = sum_case.setting;
+  SumSettings options = sum_case.setting;
   options.check = false;
-  options.tight = &tight;
-  const Geometry sum = minkowski_sum(sum_case.p, sum_case.q, options);
+  options.tight = true;
+  const auto [sum, tight, statistics, trace] = detailed_sum(sum_case.p, sum_case.q, options);
   tally.with_area += sum.region.empty() ? 0 : 1;
   tally.with_thin_parts += sum.has_thin_parts() ? 1 : 0;
   tally.with_tight_points += tight.points.empty() ? 0 : 1;
@@ -85,7 +86,7 @@ void count(const SumCase& sum_case, Tally& tally) {
 }
 
 std::string first_broken_law(const SumCase& sum_case, bool all) {
-  const Options& setting = sum_case.setting;
+  const SumSettings& setting = sum_case.setting;
   for (const Geometry* geometry : {&sum_case.p, &sum_case.q}) {
     std::string fault = broken_resolve(*geometry, setting.fill, setting.regularize);
     if (!fault.empty()) return fault;
@@ -136,7 +137,7 @@ TEST(GeometryLaws, RoundingThatIsWrongIsFound) {
   const auto fault = [&](const Geometry& rounded) {
     return broken_rounding(exact, options, report, rounded);
   };
-  const Geometry right = round(exact, options, &report);
+  const Geometry right = test::round(exact, options, report);
   EXPECT_EQ(fault(right), "");
   EXPECT_NE(fault(exact), "");
   EXPECT_NE(fault({make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), {}, {}}), "");

@@ -95,7 +95,7 @@ struct Tally {
 
 void check(const Geometry& exact, const RoundOptions& options, bool by_reference, Tally& tally) {
   RoundingReport report;
-  const Geometry rounded = round(exact, options, &report);
+  const Geometry rounded = round(exact, options, report);
   ++tally.rounded;
   tally.exact += report.exact ? 1 : 0;
   tally.snapped += report.snapped ? 1 : 0;

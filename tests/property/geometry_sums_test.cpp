@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 #include "reference/brute_force.hpp"
 #include "reference/brute_force_overlay.hpp"
 #include "support/generators.hpp"
@@ -82,7 +83,7 @@ GeometryPair random_geometry_pair(Random& random) {
 }
 
 Geometry sum_by(Method method, const GeometryPair& pair) {
-  Options options;
+  SumSettings options;
   options.method = method;
   return minkowski_sum(pair.p, pair.q, options);
 }
@@ -133,29 +134,29 @@ Polyline zigzag(Random& random, int edges, int height, int step) {
 
 struct Setting {
   std::string name;
-  Options options;
+  SumSettings options;
 };
 
-Setting setting(const char* name, void (*change)(Options&)) {
+Setting setting(const char* name, void (*change)(SumSettings&)) {
   Setting result{name, {}};
   change(result.options);
   return result;
 }
 
 std::vector<Setting> settings() {
-  return {setting("cover off", [](Options& o) { o.cover = false; }),
-          setting("grid 256", [](Options& o) { o.grid = 256; }),
-          setting("wide", [](Options& o) { o.arithmetic = Arithmetic::kWide; })};
+  return {setting("cover off", [](SumSettings& o) { o.cover = false; }),
+          setting("grid 256", [](SumSettings& o) { o.grid = 256; }),
+          setting("wide", [](SumSettings& o) { o.arithmetic = Arithmetic::kWide; })};
 }
 /// Returns settings that take long with many segments.
 std::vector<Setting> slow_settings() {
-  return {setting("grid 16", [](Options& o) { o.grid = 16; }),
-          setting("filter off", [](Options& o) { o.filter = false; }),
-          setting("medium", [](Options& o) { o.arithmetic = Arithmetic::kMedium; }),
-          setting("arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; }),
-          setting("signed", [](Options& o) { o.method = Method::kSigned; }),
-          setting("checked", [](Options& o) { o.check = true; }),
-          setting("full", [](Options& o) { o.method = Method::kFull; })};
+  return {setting("grid 16", [](SumSettings& o) { o.grid = 16; }),
+          setting("filter off", [](SumSettings& o) { o.filter = false; }),
+          setting("medium", [](SumSettings& o) { o.arithmetic = Arithmetic::kMedium; }),
+          setting("arbitrary", [](SumSettings& o) { o.arithmetic = Arithmetic::kArbitrary; }),
+          setting("signed", [](SumSettings& o) { o.method = Method::kSigned; }),
+          setting("checked", [](SumSettings& o) { o.check = true; }),
+          setting("full", [](SumSettings& o) { o.method = Method::kFull; })};
 }
 
 void expect_same(const GeometryPair& pair, const std::vector<Setting>& all,

@@ -221,20 +221,16 @@ TEST(Offset, ReadsByFillRule) {
   for (const FillRule fill :
        {FillRule::kEvenOdd, FillRule::kNonZero, FillRule::kPositive, FillRule::kNegative}) {
     for (const Geometry& shape : shapes) {
-      const Geometry read = resolve(shape, {fill, false, {}});
+      const Geometry read = resolve(shape, {.fill = fill});
       for (const Join join : kJoins) {
-        OffsetOptions options = with(join);
-        options.fill = fill;
         for (const int d : {1, 9, -1, 0}) {
-          EXPECT_EQ(offset(shape, d, options), offset(read, d, with(join)))
+          EXPECT_EQ(offset(shape, d, with(join), {.fill = fill}), offset(read, d, with(join)))
               << to_string(fill) << ' ' << to_string(join) << ' ' << message(shape, d);
         }
       }
     }
   }
-  OffsetOptions strict = with(Join::kMiter);
-  strict.fill = FillRule::kStrict;
-  EXPECT_THROW((void)offset(twice, 1, strict), Error);
+  EXPECT_THROW((void)offset(twice, 1, with(Join::kMiter), {.fill = FillRule::kStrict}), Error);
   // A spike is a polyline.
   const Geometry spike =
       of_area(make_polygon({{0, 0}, {10, 0}, {20, 0}, {10, 0}, {10, 10}, {0, 10}}));
@@ -254,9 +250,9 @@ TEST(Offset, NothingAndZero) {
 
 TEST(Offset, Refusals) {
   const Geometry square = of_area(rectangle(0, 0, 2, 2));
-  const auto code_of = [&](const OffsetOptions& options) {
+  const auto code_of = [&](const OffsetOptions& shape, const Options& options = {}) {
     try {
-      (void)offset(square, 1, options);
+      (void)offset(square, 1, shape, options);
     } catch (const Error& error) {
       return error.code();
     }
@@ -279,8 +275,7 @@ TEST(Offset, Refusals) {
   options.side = RoundingSide::kInside;
   EXPECT_EQ(code_of(options), ErrorCode::kBadInput);
   options = with(Join::kSquare);
-  options.limits.max_segments = 3;
-  EXPECT_EQ(code_of(options), ErrorCode::kLimitExceeded);
+  EXPECT_EQ(code_of(options, {.limits = {.max_segments = 3}}), ErrorCode::kLimitExceeded);
 }
 
 }  // namespace

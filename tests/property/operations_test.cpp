@@ -8,6 +8,7 @@
 #include "minksum/depth.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/no_fit.hpp"
+#include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "reference/membership.hpp"
 #include "support/generators.hpp"
@@ -66,7 +67,7 @@ TEST(PointLocator, KnowsThinParts) {
 
 TEST(Erosion, IsWhatItsDefinitionSays) {
   Random random(2);
-  MorphologyOptions tight;
+  Options tight;
   tight.tight = true;
   int inside = 0;
   for (int i = 0; i < kPairs; ++i) {
@@ -131,10 +132,10 @@ TEST(NoFitPolygon, SaysHowPlacedPartsStand) {
   int counts[3] = {0, 0, 0};
   for (int i = 0; i < kPairs; ++i) {
     const test::Pair pair = test::random_pair(random);
-    NoFitOptions options;
-    if (i % 2 == 0) options.reference = Point{Rational(1, 3), Rational(-2)};
-    const Point reference = options.reference.value_or(pair.q.point(0));
-    const NoFitPolygon nfp(as_geometry(pair.p), as_geometry(pair.q), options);
+    std::optional<Point> chosen;
+    if (i % 2 == 0) chosen = Point{Rational(1, 3), Rational(-2)};
+    const Point reference = chosen.value_or(pair.q.point(0));
+    const NoFitPolygon nfp(as_geometry(pair.p), as_geometry(pair.q), chosen);
     const auto expect = [&](const Point& t) {
       const Region placed = at(pair.q, {t.x - reference.x, t.y - reference.y});
       const bool overlap = !intersect(pair.p, placed).empty();

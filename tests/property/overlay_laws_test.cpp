@@ -97,7 +97,7 @@ TEST(OverlayLaws, RulesDoNotAskHowRingsAreWritten) {
     other.points.assign(mess.points.rbegin(), mess.points.rend());
     for (const FillRule rule : {FillRule::kAutomatic, FillRule::kEvenOdd, FillRule::kNonZero,
                                 FillRule::kPositive, FillRule::kNegative}) {
-      ResolveOptions options;
+      Options options;
       options.fill = rule;
       EXPECT_EQ(to_text(resolve(mess, options)), to_text(resolve(other, options)));
     }

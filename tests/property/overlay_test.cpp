@@ -37,7 +37,7 @@ Case random_case(Random& random) {
   return c;
 }
 Geometry resolved(const Geometry& geometry, FillRule rule, bool regularize = false) {
-  ResolveOptions options;
+  Options options;
   options.fill = rule;
   options.regularize = regularize;
   return resolve(geometry, options);

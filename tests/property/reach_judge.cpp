@@ -23,18 +23,18 @@ Region grown(const Region& robot, const Point& reference, const Rational& r) {
 }
 
 std::vector<Turn> all_turns(const ReachScene& scene, const Turn& first, const Turn& last) {
-  std::vector<Turn> turns = full_turn(scene.options.angles, scene.options.tolerance);
+  std::vector<Turn> turns = full_turn(scene.setting.angles, scene.setting.tolerance);
   turns.push_back(first);
   turns.push_back(last);
   return reference::counter_clockwise(turns);
 }
 
 const Region* workspace_of(const ReachScene& scene) {
-  return scene.options.workspace ? &scene.options.workspace->region : nullptr;
+  return scene.setting.workspace ? &scene.setting.workspace->region : nullptr;
 }
 
 ConfigurationSpace space_of(const ReachScene& scene, const Region& robot) {
-  ConfigurationOptions options = scene.options;
+  ConfigurationOptions options = scene.setting;
   options.reference = {};
   return {{robot, {}, {}}, scene.obstacles, options};
 }
@@ -47,11 +47,11 @@ Judge::Judge(const ReachScene& scene, const Configuration& from, const Configura
       to_(to),
       first_(std::move(first)),
       last_(std::move(last)),
-      certain_(scene.options.certain),
+      certain_(scene.setting.certain),
       turns_(all_turns(scene, first_, last_)),
-      robot_(scene.robot, scene.options.reference, scene.obstacles, workspace_of(scene)),
+      robot_(scene.robot, scene.setting.reference, scene.obstacles, workspace_of(scene)),
       margin_(margin_of(scene)),
-      grown_(grown(scene.robot, scene.options.reference, margin_)),
+      grown_(grown(scene.robot, scene.setting.reference, margin_)),
       grown_robot_(grown_, {}, scene.obstacles, workspace_of(scene)),
       space_(space_of(scene, grown_)) {
   // The points give the space more room on all sides, which must not matter.
@@ -64,7 +64,7 @@ Judge::Judge(const ReachScene& scene, const Configuration& from, const Configura
 /// Returns the margin that `reach` documents, with steps taken from the actual turns.
 Rational Judge::margin_of(const ReachScene& scene) const {
   if (!certain_) return 0;
-  const ConfigurationSpace plain({scene.robot, {}, {}}, scene.obstacles, scene.options);
+  const ConfigurationSpace plain({scene.robot, {}, {}}, scene.obstacles, scene.setting);
   reference::Number largest = 0;
   for (std::size_t i = 0; i < turns_.size(); ++i) {
     const auto half =

@@ -13,13 +13,13 @@ namespace minksum::test {
 struct ReachScene {
   Region robot;
   Geometry obstacles;
-  ReachOptions options;
+  ReachOptions setting;
 
   [[nodiscard]] Reach from_to(const Configuration& from, const Configuration& to) const {
-    return reach({robot, {}, {}}, obstacles, from, to, options);
+    return reach({robot, {}, {}}, obstacles, from, to, setting);
   }
   [[nodiscard]] Turn turn_of(const Configuration& end) const {
-    return nearest_turn(end.degrees, options.tolerance);
+    return nearest_turn(end.degrees, setting.tolerance);
   }
 };
 

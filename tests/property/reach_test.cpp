@@ -36,8 +36,8 @@ Scene two_rooms(const Region& robot, const Rational& door) {
   Scene scene;
   scene.robot = robot;
   scene.obstacles = as_geometry(Region(walls));
-  scene.options.workspace = as_geometry(test::rectangle(0, 0, 40, 20));
-  scene.options.angles = 24;
+  scene.setting.workspace = as_geometry(test::rectangle(0, 0, 40, 20));
+  scene.setting.angles = 24;
   return scene;
 }
 
@@ -47,11 +47,11 @@ TEST(Reach, ThroughADoor) {
   const Configuration to{{34, 10}, 270};
   for (const bool certain : {false, true}) {
     Scene scene = two_rooms(rod, 5);
-    scene.options.certain = certain;
+    scene.setting.certain = certain;
     expect_good_path(scene, from, to, scene.from_to(from, to));
     expect_good_path(scene, to, from, scene.from_to(to, from));
     scene = two_rooms(rod, Rational(9, 10));
-    scene.options.certain = certain;
+    scene.setting.certain = certain;
     EXPECT_FALSE(scene.from_to(from, to).reachable);
   }
   // A hair more than the rod's width is enough, and exactly its width leaves no play.
@@ -64,7 +64,7 @@ TEST(Reach, ThroughADoor) {
   // The rod has to turn, so one angle is not enough.
   for (const std::size_t angles : {std::size_t{1}, std::size_t{4}}) {
     Scene scene = two_rooms(test::turned(rod), 5);
-    scene.options.angles = angles;
+    scene.setting.angles = angles;
     EXPECT_EQ(scene.from_to({{6, 10}, 0}, {{34, 10}, 0}).reachable, angles == 4);
     scene.robot = rod;
     EXPECT_TRUE(scene.from_to({{6, 10}, 0}, {{34, 10}, 0}).reachable);
@@ -96,7 +96,7 @@ TEST(Reach, ByWayOfSlivers) {
   Scene scene;
   scene.robot = test::make_polygon({{0, 0}, {14, 0}, {1, 1}, {0, 7}});
   scene.obstacles = as_geometry(Region(obstacles));
-  scene.options.angles = 12;
+  scene.setting.angles = 12;
   const Configuration from{{13, -3}, 70};
   const Configuration to{{-1, 36}, 173};
   expect_good_path(scene, from, to, scene.from_to(from, to));
@@ -109,9 +109,9 @@ TEST(Reach, CertainNeedsRoomOrAngles) {
   const Configuration to{{34, 10}, 0};
   Scene scene = two_rooms(rod, Rational(3, 2));
   EXPECT_TRUE(scene.from_to(from, to).reachable);
-  scene.options.certain = true;
+  scene.setting.certain = true;
   EXPECT_FALSE(scene.from_to(from, to).reachable);
-  scene.options.angles = 180;
+  scene.setting.angles = 180;
   const Reach found = scene.from_to(from, to);
   expect_good_path(scene, from, to, found);
   EXPECT_GT(found.margin, Rational(1, 100));
@@ -125,7 +125,7 @@ TEST(Reach, FromWallsWithoutPlay) {
       test::make_region({{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}});
   scene.obstacles.polylines = {{{-1, 0}, {1, 0}}, {{1, 1}, {9, 1}}, {{0, 2}, {2, 2}}};
   scene.obstacles.points = {{0, 1}};
-  scene.options.angles = 4;
+  scene.setting.angles = 4;
   const Configuration between{{0, 0}, 0};
   const Configuration outside{{0, 5}, 0};
   EXPECT_FALSE(scene.from_to(between, outside).reachable);
@@ -143,8 +143,8 @@ TEST(Reach, NotByWayOfAPoint) {
     Scene scene;
     scene.robot = test::rectangle(-1, -1, 1, 1);
     scene.obstacles = as_geometry(Region(walls));
-    scene.options.workspace = as_geometry(test::rectangle(0, 0, 12, 12));
-    scene.options.angles = 4;
+    scene.setting.workspace = as_geometry(test::rectangle(0, 0, 12, 12));
+    scene.setting.angles = 4;
     for (const Configuration& to : {Configuration{{3, 10}, 0}, Configuration{{6, 6}, 180}}) {
       const Configuration from{{9, 2}, 90};
       const bool at_point = to.degrees == Rational(180);
@@ -158,8 +158,8 @@ TEST(Reach, NotByWayOfAPoint) {
 TEST(Reach, TurnsPastZero) {
   Scene scene;
   scene.robot = test::moved(test::rectangle(0, 0, 10, 1), -5, Rational(-1, 2));
-  scene.options.workspace = as_geometry(test::rectangle(0, 0, 40, 5));
-  scene.options.angles = 18;
+  scene.setting.workspace = as_geometry(test::rectangle(0, 0, 40, 5));
+  scene.setting.angles = 18;
   const Rational middle(5, 2);
   const Configuration from{{20, middle}, 340};
   const Configuration to{{22, middle}, 20};
@@ -171,7 +171,7 @@ TEST(Reach, AroundEverything) {
   Scene scene;
   scene.robot = test::make_polygon({{-1, -1}, {3, -1}, {-1, 2}});
   scene.obstacles = as_geometry(test::rectangle(0, -50, 10, 50));
-  scene.options.angles = 12;
+  scene.setting.angles = 12;
   const Configuration from{{-9, 0}, 17};
   const Configuration to{{30, Rational(1, 3)}, 211};
   expect_good_path(scene, from, to, scene.from_to(from, to));
@@ -190,9 +190,9 @@ TEST(Reach, LongWays) {
   Scene scene;
   scene.robot = test::rectangle(0, 0, 1, 1);
   scene.obstacles = as_geometry(test::scaled(test::spiral(6), Rational(4)));
-  scene.options.angles = 4;
+  scene.setting.angles = 4;
   const Box box = *bounding_box(scene.obstacles.region);
-  const ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.options);
+  const ConfigurationSpace space(as_geometry(scene.robot), scene.obstacles, scene.setting);
   // The searches go from far outside to free points inside.
   const Configuration from{{box.min.x - Rational(5), box.min.y - Rational(5)}, 0};
   const PointLocator free(space.slice(nearest_turn(0), true).free);
@@ -220,17 +220,17 @@ struct Tally {
 
 Scene scene_of(Random& random, const test::RobotScene& made) {
   Scene scene{made.robot, made.obstacles, {}};
-  static_cast<ConfigurationOptions&>(scene.options) = made.options;
-  scene.options.angles = made.angles;
-  scene.options.tolerance = made.tolerance;
-  scene.options.certain = random.one_in(3);
+  static_cast<ConfigurationOptions&>(scene.setting) = made.setting;
+  scene.setting.angles = made.angles;
+  scene.setting.tolerance = made.tolerance;
+  scene.setting.certain = random.one_in(3);
   return scene;
 }
 
 /// Returns the angle of the turn in which the robot may have no play, of another slice, or any
 /// angle.
 Rational random_degrees(Random& random, const Scene& scene, const Turn& turn) {
-  const auto angles = static_cast<int>(scene.options.angles);
+  const auto angles = static_cast<int>(scene.setting.angles);
   switch (random.below(4)) {
     case 0:
       return Rational(360 * random.below(angles), angles);
@@ -248,7 +248,7 @@ void find_places(Random& random, const test::RobotScene& made, const Scene& scen
   const auto find = [&](Configuration& end) {
     const Waypoint any = &end == &from ? judge.from() : judge.to();
     const Slice slice = judge.space().slice(any.turn, true);
-    const ConfigurationSpace near(as_geometry(scene.robot), scene.obstacles, scene.options);
+    const ConfigurationSpace near(as_geometry(scene.robot), scene.obstacles, scene.setting);
     for (int i = 0; i < 10; ++i) {
       end.at = test::random_place(random, made, slice, near.boundary());
       if (judge.at({end.at, any.turn}) == reference::Collision::kNone) return;
@@ -292,7 +292,7 @@ void expect_right_answer(Random& random, const test::RobotScene& made, const Sce
   if (random.one_in(8)) to = from;
   std::ostringstream ends;
   ends << from.at.x << ' ' << from.at.y << ' ' << from.degrees << " to " << to.at.x << ' '
-       << to.at.y << ' ' << to.degrees << (scene.options.certain ? " certain" : "");
+       << to.at.y << ' ' << to.degrees << (scene.setting.certain ? " certain" : "");
   SCOPED_TRACE(ends.str());
   Judge judge(scene, from, to);
   if (judge.at(judge.from()) != reference::Collision::kNone ||
@@ -350,10 +350,10 @@ TEST(Reach, BadInput) {
   expect_refused(scene, free, {{-99, 0}, 0}, 4, "leaves the workspace at the goal");
   scene.obstacles.polylines.push_back({{30, 1}, {30, 19}});
   expect_refused(scene, free, {{30, 10}, 0}, 4, "overlaps an obstacle at the goal");
-  scene.options.angles = 0;
+  scene.setting.angles = 0;
   expect_refused(scene, free, free, -1, "at least one angle");
-  scene.options.angles = 2;
-  scene.options.certain = true;
+  scene.setting.angles = 2;
+  scene.setting.certain = true;
   expect_refused(scene, free, free, -1, "more angles");
 }
 

@@ -53,7 +53,7 @@ struct Tally {
 class Checker {
  public:
   Checker(const Region& exact, RoundOptions options) : exact_(exact), options_(options) {
-    rounded_ = round(exact, options, &report_);
+    rounded_ = round(exact, options, report_);
   }
 
   void check_all(Tally& tally) const {

@@ -16,7 +16,7 @@ using namespace minksum::test;
 
 struct Setting {
   std::string name;
-  Options options;
+  SumSettings options;
 };
 
 std::vector<Setting> settings() {
@@ -26,31 +26,31 @@ std::vector<Setting> settings() {
     change(setting.options);
     all.push_back(std::move(setting));
   };
-  add("cover off", [](Options& o) { o.cover = false; });
+  add("cover off", [](SumSettings& o) { o.cover = false; });
   for (const int grid : {1, 2, 3, 4, 8, 16, 64, 256}) {
-    add("grid " + std::to_string(grid), [grid](Options& o) { o.grid = grid; });
+    add("grid " + std::to_string(grid), [grid](SumSettings& o) { o.grid = grid; });
   }
-  add("filter off", [](Options& o) { o.filter = false; });
-  add("filter and cover off", [](Options& o) { o.filter = o.cover = false; });
-  add("medium", [](Options& o) { o.arithmetic = Arithmetic::kMedium; });
-  add("wide", [](Options& o) { o.arithmetic = Arithmetic::kWide; });
-  add("wide without filter", [](Options& o) {
+  add("filter off", [](SumSettings& o) { o.filter = false; });
+  add("filter and cover off", [](SumSettings& o) { o.filter = o.cover = false; });
+  add("medium", [](SumSettings& o) { o.arithmetic = Arithmetic::kMedium; });
+  add("wide", [](SumSettings& o) { o.arithmetic = Arithmetic::kWide; });
+  add("wide without filter", [](SumSettings& o) {
     o.arithmetic = Arithmetic::kWide;
     o.filter = false;
   });
-  add("arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; });
-  add("arbitrary without filter", [](Options& o) {
+  add("arbitrary", [](SumSettings& o) { o.arithmetic = Arithmetic::kArbitrary; });
+  add("arbitrary without filter", [](SumSettings& o) {
     o.arithmetic = Arithmetic::kArbitrary;
     o.filter = false;
   });
-  add("narrow", [](Options& o) { o.arithmetic = Arithmetic::kNarrow; });
-  add("narrow without filter", [](Options& o) {
+  add("narrow", [](SumSettings& o) { o.arithmetic = Arithmetic::kNarrow; });
+  add("narrow without filter", [](SumSettings& o) {
     o.arithmetic = Arithmetic::kNarrow;
     o.filter = false;
   });
-  add("checked", [](Options& o) { o.check = true; });
-  add("signed", [](Options& o) { o.method = Method::kSigned; });
-  add("full", [](Options& o) { o.method = Method::kFull; });
+  add("checked", [](SumSettings& o) { o.check = true; });
+  add("signed", [](SumSettings& o) { o.method = Method::kSigned; });
+  add("full", [](SumSettings& o) { o.method = Method::kFull; });
   return all;
 }
 
@@ -58,9 +58,9 @@ void expect_same_everywhere(const Region& p, const Region& q, const std::string&
   const Region expected = minkowski_sum(p, q);
   const std::string text = to_text(expected);
   for (Setting& setting : settings()) {
-    Statistics statistics;
-    setting.options.statistics = &statistics;
-    const Region result = minkowski_sum(p, q, setting.options);
+    const DetailedSum found = detailed_sum(p, q, setting.options);
+    const Region& result = found.sum.region;
+    const Statistics& statistics = found.statistics;
     EXPECT_EQ(result, expected) << setting.name << ", " << about;
     EXPECT_EQ(to_text(result), text) << setting.name << ", " << about;
     if (setting.options.method != Method::kSigned) {  // the signed method gives no origins
@@ -128,7 +128,7 @@ TEST(Settings, MediumPairsByTwoMethods) {
     EXPECT_EQ(sum, sum_by(Method::kSigned, p, q)) << note(seed, p, q);
     EXPECT_EQ(provenance_fault(p, q, sum), "") << note(seed, p, q);
     for (const int grid : {5, 24, 100}) {
-      Options options;
+      SumSettings options;
       options.grid = grid;
       options.check = grid == 24;
       EXPECT_EQ(sum, minkowski_sum(p, q, options)) << "grid " << grid << ' ' << note(seed, p, q);
@@ -147,7 +147,7 @@ TEST(Settings, WorkspaceAndRepetition) {
   for (std::uint64_t seed = 1; seed <= 300 && !HasFailure(); ++seed) {
     Random random(seed);
     const Pair pair = random_pair(random);
-    const Outcome outcome = minkowski_sum(pair.p, pair.q, {}, workspace, result);
+    const Outcome outcome = minkowski_sum(pair.p, pair.q, Options{}, workspace, result);
     ASSERT_TRUE(outcome.ok()) << outcome.error->what() << note(seed, pair);
     EXPECT_EQ(result, minkowski_sum(pair.p, pair.q)) << note(seed, pair);
   }

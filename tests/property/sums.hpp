@@ -5,22 +5,22 @@
 #include <string>
 
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 #include "support/generators.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum::test {
 
 [[nodiscard]] inline Region sum_by(Method method, const Region& p, const Region& q) {
-  Options options;
+  SumSettings options;
   options.method = method;
   return minkowski_sum(p, q, options);
 }
 
 /// Returns the sum by the stages, however small the operands are.
 [[nodiscard]] inline Region sum_by_stages(const Region& p, const Region& q) {
-  Statistics statistics;
-  Options options;
-  options.statistics = &statistics;
+  SumSettings options;
+  options.small = false;
   return minkowski_sum(p, q, options);
 }
 

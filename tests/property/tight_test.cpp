@@ -161,12 +161,12 @@ struct Tally {
   }
 };
 
-Geometry tight_places(const Region& p, const Region& q, Options options, const Region& expected,
+Geometry tight_places(const Region& p, const Region& q, SumSettings options, const Region& expected,
                       const std::string& about) {
-  Geometry tight;
-  options.tight = &tight;
-  EXPECT_EQ(minkowski_sum(p, q, options), expected) << about;
-  return tight;
+  options.tight = true;
+  DetailedSum found = detailed_sum(p, q, options);
+  EXPECT_EQ(found.sum.region, expected) << about;
+  return std::move(found.tight);
 }
 
 void compare(std::uint64_t seed, Tally& tally) {
@@ -178,7 +178,7 @@ void compare(std::uint64_t seed, Tally& tally) {
   if (seed % 16 == 0) {
     EXPECT_EQ(to_text(sum), to_text(reference::brute_force_sum(pair.p, pair.q)));
   }
-  Options options;
+  SumSettings options;
   options.check = seed % 8 == 0;
   switch (seed % 5) {
     case 1:
@@ -251,10 +251,7 @@ TEST(TightPairsWithWalls, AgreeWithBruteForce) {
     const Pair pair = tight_pair(random);
     const Geometry p = with_walls(pair.p, random);
     const Geometry q = with_walls(pair.q, random);
-    Geometry tight;
-    Options options;
-    options.tight = &tight;
-    static_cast<void>(minkowski_sum(p, q, options));
+    const Geometry tight = detailed_sum(p, q, {.tight = true}).tight;
     EXPECT_EQ(to_text(tight), to_text(uncovered_tight_places(p, q))) << "seed " << seed << '\n'
                                                                      << to_text(p) << '\n'
                                                                      << to_text(q);
@@ -300,7 +297,7 @@ TEST(LargerTightPairs, CoverHidesNothing) {
     if (random.one_in(4)) pair.p = scaled(pair.p, 2);
     const std::string about = note(seed * 7919, pair);
     const Region sum = minkowski_sum(pair.p, pair.q);
-    Options options;
+    SumSettings options;
     options.cover = false;
     const Geometry truth = tight_places(pair.p, pair.q, options, sum, about);
     tally.count(truth);

@@ -20,6 +20,7 @@
 #include "minksum/measure.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/no_fit.hpp"
+#include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "real/shape_run.hpp"
 #include "reference/membership.hpp"
@@ -147,7 +148,7 @@ class Runner {
       }
     }
     const Region square = test::scaled(test::rectangle(-1, -1, 1, 1), step);
-    MorphologyOptions tight;
+    Options tight;
     tight.tight = true;
     const PointLocator in_shape(resolve(as_geometry(shape)));
     const PointLocator eroded(erode(as_geometry(shape), as_geometry(element), tight));

@@ -59,7 +59,7 @@ class Runner {
     CheckOptions options;
     options.samples = 200;
     options.edges = 300;
-    options.limits.max_segments = arguments_.proof_segments;
+    options.proof.max_segments = arguments_.proof_segments;
     const SumCheck check = check_sum(sum, first, second, options);
     expect(name, check.ok(), "check");
     expect(name, !sum.has_thin_parts(), "thin parts");

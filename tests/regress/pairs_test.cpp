@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "minksum/testing.hpp"
 #include "minksum/validity.hpp"
 #include "property/sums.hpp"
 #include "reference/brute_force.hpp"
@@ -47,7 +48,7 @@ Pair read_pair(const std::string& name) {
 
 struct Setting {
   std::string name;
-  Options options;
+  SumSettings options;
 };
 
 std::vector<Setting> settings() {
@@ -58,29 +59,27 @@ std::vector<Setting> settings() {
     all.push_back(std::move(setting));
   };
   for (const int grid : {1, 2, 3, 4, 8, 16, 64}) {
-    add("grid " + std::to_string(grid), [grid](Options& o) { o.grid = grid; });
+    add("grid " + std::to_string(grid), [grid](SumSettings& o) { o.grid = grid; });
   }
-  add("cover off", [](Options& o) { o.cover = false; });
-  add("filter off", [](Options& o) { o.filter = false; });
-  add("filter and cover off", [](Options& o) { o.filter = o.cover = false; });
-  add("medium", [](Options& o) { o.arithmetic = Arithmetic::kMedium; });
-  add("wide", [](Options& o) { o.arithmetic = Arithmetic::kWide; });
-  add("arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; });
-  add("checked", [](Options& o) { o.check = true; });
-  add("checked, grid 8", [](Options& o) {
+  add("cover off", [](SumSettings& o) { o.cover = false; });
+  add("filter off", [](SumSettings& o) { o.filter = false; });
+  add("filter and cover off", [](SumSettings& o) { o.filter = o.cover = false; });
+  add("medium", [](SumSettings& o) { o.arithmetic = Arithmetic::kMedium; });
+  add("wide", [](SumSettings& o) { o.arithmetic = Arithmetic::kWide; });
+  add("arbitrary", [](SumSettings& o) { o.arithmetic = Arithmetic::kArbitrary; });
+  add("checked", [](SumSettings& o) { o.check = true; });
+  add("checked, grid 8", [](SumSettings& o) {
     o.check = true;
     o.grid = 8;
   });
-  add("signed", [](Options& o) { o.method = Method::kSigned; });
-  add("full", [](Options& o) { o.method = Method::kFull; });
+  add("signed", [](SumSettings& o) { o.method = Method::kSigned; });
+  add("full", [](SumSettings& o) { o.method = Method::kFull; });
   return all;
 }
 
-Geometry tight_places(const Pair& pair, Options options) {
-  Geometry tight;
-  options.tight = &tight;
-  (void)minkowski_sum(pair.p, pair.q, options);
-  return tight;
+Geometry tight_places(const Pair& pair, SumSettings options) {
+  options.tight = true;
+  return detailed_sum(pair.p, pair.q, options).tight;
 }
 
 class RegressPairs : public ::testing::TestWithParam<std::string> {};
@@ -96,7 +95,7 @@ TEST_P(RegressPairs, EveryWayGivesTheSame) {
                                 : sum_by(Method::kSigned, pair.p, pair.q);
   EXPECT_EQ(reference::canonical_fault(expected), "");
   const Geometry tight = small ? reference::brute_force_tight_places(pair.p, pair.q)
-                               : tight_places(pair, Options{});
+                               : tight_places(pair, SumSettings{});
   for (const Setting& setting : settings()) {
     SCOPED_TRACE(setting.name);
     if (setting.options.method == Method::kReduced) {

@@ -8,13 +8,12 @@
 
 #include "minksum/io.hpp"
 #include "minksum/minksum.hpp"
+#include "minksum/testing.hpp"
 #include "support/geometries.hpp"
 #include "support/polygon_kinds.hpp"
 
 namespace minksum::test {
 namespace {
-
-using Cancel = std::optional<CancelToken>;
 
 // -- Inputs ---------------------------------------------------------------------------------------
 /// Returns one polygon whose holes are diamonds in a row, each of which touches the next at a
@@ -90,77 +89,75 @@ Region long_numbers(int spikes, int digits) {
 Geometry geometry_of(Region region) { return {std::move(region), {}, {}}; }
 
 // -- Operations -----------------------------------------------------------------------------------
-using Unary = std::pair<const char*, std::function<void(const Geometry&, const Cancel&)>>;
+using Unary = std::pair<const char*, std::function<void(const Geometry&, const Options&)>>;
 using Binary =
-    std::pair<const char*, std::function<void(const Geometry&, const Geometry&, const Cancel&)>>;
+    std::pair<const char*, std::function<void(const Geometry&, const Geometry&, const Options&)>>;
 
-void sum_by(const Geometry& a, const Geometry& b, const Cancel& cancel,
-            const std::function<void(Options&)>& set) {
-  Options options;
-  options.cancel = cancel;
-  set(options);
-  static_cast<void>(minkowski_sum(a, b, options));
+Options with(const Options& options, FillRule fill) {
+  Options copy = options;
+  copy.fill = fill;
+  return copy;
+}
+Options on_two_threads(const Options& options) {
+  Options copy = options;
+  copy.threads = 2;
+  return copy;
 }
 
-RoundOptions rounding(const Cancel& cancel, RoundingSide side, std::optional<int> decimals) {
-  RoundOptions options;
-  options.side = side;
-  options.decimals = decimals;
-  options.cancel = cancel;
-  return options;
+void sum_by(const Geometry& a, const Geometry& b, const Options& options,
+            const std::function<void(SumSettings&)>& set) {
+  SumSettings settings{options};
+  set(settings);
+  static_cast<void>(minkowski_sum(a, b, settings));
 }
 
 std::vector<Unary> unary_operations() {
   std::vector<Unary> list;
   const auto add = [&](const char* name, auto run) { list.emplace_back(name, run); };
   add("validate",
-      [](const Geometry& a, const Cancel& c) { static_cast<void>(validate(a.region, 100, c)); });
-  add("prepare", [](const Geometry& a, const Cancel& c) {
+      [](const Geometry& a, const Options& c) { static_cast<void>(validate(a.region, 100, c)); });
+  add("prepare", [](const Geometry& a, const Options& c) {
     if (validate(a.region, 1, c).empty()) static_cast<void>(PreparedRegion(a.region, c));
   });
   for (const FillRule fill : {FillRule::kAutomatic, FillRule::kEvenOdd, FillRule::kPositive}) {
     add(fill == FillRule::kAutomatic ? "resolve" : to_string(fill),
-        [fill](const Geometry& a, const Cancel& c) {
-          static_cast<void>(resolve(a, {fill, false, c}));
+        [fill](const Geometry& a, const Options& c) {
+          static_cast<void>(resolve(a, with(c, fill)));
         });
   }
-  add("area", [](const Geometry& a, const Cancel& c) { static_cast<void>(area(a.region, c)); });
-  add("measure", [](const Geometry& a, const Cancel& c) {
+  add("area", [](const Geometry& a, const Options& c) { static_cast<void>(area(a.region, c)); });
+  add("measure", [](const Geometry& a, const Options& c) {
     static_cast<void>(approximate_area(a.region, c));
     static_cast<void>(coordinate_bits(a.region, c));
   });
-  add("locate", [](const Geometry& a, const Cancel& c) {
-    const PointLocator locator(resolve(a, {FillRule::kAutomatic, false, c}), c);
-  });
-  add("transform", [](const Geometry& a, const Cancel& c) {
+  add("locate",
+      [](const Geometry& a, const Options& c) { const PointLocator locator(resolve(a, c), c); });
+  add("transform", [](const Geometry& a, const Options& c) {
     static_cast<void>(transform(a, Affine::rotation(Rational(1, 7)), c));
   });
-  add("write, read", [](const Geometry& a, const Cancel& c) {
+  add("write, read", [](const Geometry& a, const Options& c) {
     std::ostringstream out;
-    io::Coordinates exact{io::Coordinates::Style::kExact, 6, c};
+    io::Coordinates exact{io::Coordinates::Style::kExact, 6, c.cancel};
     io::write(out, a, io::Format::kWkt, exact);
     io::ReadLimits limits;
-    limits.cancel = c;
+    limits.cancel = c.cancel;
     static_cast<void>(io::read_geometry(out.str(), limits));
   });
   for (const RoundingSide side :
        {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
     add(side == RoundingSide::kNearest ? "round" : to_string(side),
-        [side](const Geometry& a, const Cancel& c) {
-          const Geometry third = transform(resolve(a, {FillRule::kAutomatic, false, c}),
-                                           Affine::scaling(Rational(1, 3)), c);
-          static_cast<void>(round(third, rounding(c, side, 0)));
+        [side](const Geometry& a, const Options& c) {
+          const Geometry third = transform(resolve(a, c), Affine::scaling(Rational(1, 3)), c);
+          static_cast<void>(round(third, {.side = side, .decimals = 0}, c));
         });
   }
-  add("offset", [](const Geometry& a, const Cancel& c) {
-    OffsetOptions options;
-    options.cancel = c;
-    static_cast<void>(offset(a, Rational(1), options));
-    options.join = Join::kMiter;
-    static_cast<void>(offset(a, Rational(1), options));
+  add("offset", [](const Geometry& a, const Options& c) {
+    for (const Join join : {Join::kRound, Join::kMiter}) {
+      static_cast<void>(offset(a, 1, {.join = join}, c));
+    }
   });
-  add("subtract from a box", [](const Geometry& a, const Cancel& c) {
-    const Region region = resolve(a, {FillRule::kAutomatic, true, c}).region;
+  add("subtract from a box", [](const Geometry& a, const Options& c) {
+    const Region region = resolve(a, c).region;
     static_cast<void>(subtract(rectangle(-1'000'000, -1'000'000, 1'000'000, 1'000'000), region, c));
   });
   return list;
@@ -169,59 +166,44 @@ std::vector<Unary> unary_operations() {
 std::vector<Binary> binary_operations() {
   std::vector<Binary> list;
   const auto add = [&](const char* name, auto run) { list.emplace_back(name, run); };
-  const auto add_sum = [&](const char* name, const std::function<void(Options&)>& set) {
-    list.emplace_back(name, [set](const Geometry& a, const Geometry& b, const Cancel& c) {
+  const auto add_sum = [&](const char* name, const std::function<void(SumSettings&)>& set) {
+    list.emplace_back(name, [set](const Geometry& a, const Geometry& b, const Options& c) {
       sum_by(a, b, c, set);
     });
   };
-  add_sum("sum", [](Options&) {});
-  add_sum("sum, signed", [](Options& o) { o.method = Method::kSigned; });
-  add_sum("sum, full", [](Options& o) { o.method = Method::kFull; });
-  add_sum("sum, arbitrary", [](Options& o) { o.arithmetic = Arithmetic::kArbitrary; });
-  add_sum("sum, no filter", [](Options& o) { o.filter = false; });
-  add("no-fit polygon", [](const Geometry& a, const Geometry& b, const Cancel& c) {
-    NoFitOptions options;
-    options.reference = Point{};
-    options.cancel = c;
-    const NoFitPolygon polygon(a, b, options);
+  add_sum("sum", [](SumSettings&) {});
+  add_sum("sum, signed", [](SumSettings& o) { o.method = Method::kSigned; });
+  add_sum("sum, full", [](SumSettings& o) { o.method = Method::kFull; });
+  add_sum("sum, arbitrary", [](SumSettings& o) { o.arithmetic = Arithmetic::kArbitrary; });
+  add_sum("sum, no filter", [](SumSettings& o) { o.filter = false; });
+  add("no-fit polygon", [](const Geometry& a, const Geometry& b, const Options& c) {
+    const NoFitPolygon polygon(a, b, Point{}, c);
   });
-  add("no-fit table", [](const Geometry& a, const Geometry& b, const Cancel& c) {
+  add("no-fit table", [](const Geometry& a, const Geometry& b, const Options& c) {
     if (a.region.empty() || b.region.empty()) return;
-    NoFitTableOptions options;
-    options.cancel = c;
-    options.threads = 2;
     const std::array<Geometry, 2> parts{a, b};
-    static_cast<void>(NoFitTable(parts, options));
+    static_cast<void>(NoFitTable(parts, 4, on_two_threads(c)));
   });
-  add("depth", [](const Geometry& a, const Geometry& b, const Cancel& c) {
-    DepthOptions options;
-    options.cancel = c;
-    static_cast<void>(penetration_depth(a, b, options));
+  add("depth", [](const Geometry& a, const Geometry& b, const Options& c) {
+    static_cast<void>(penetration_depth(a, b, c));
   });
-  add("erode, dilate", [](const Geometry& a, const Geometry& b, const Cancel& c) {
-    MorphologyOptions options;
-    options.cancel = c;
-    static_cast<void>(open(a, b, options));
+  add("erode, dilate", [](const Geometry& a, const Geometry& b, const Options& c) {
+    static_cast<void>(open(a, b, c));
   });
-  add("unite, intersect", [](const Geometry& a, const Geometry& b, const Cancel& c) {
-    const std::array<Geometry, 2> both{resolve(a, {FillRule::kAutomatic, false, c}),
-                                       resolve(b, {FillRule::kAutomatic, false, c})};
+  add("unite, intersect", [](const Geometry& a, const Geometry& b, const Options& c) {
+    const std::array<Geometry, 2> both{resolve(a, c), resolve(b, c)};
     const Geometry united = unite(both, c);  // freed later, outside of the library's time
     static_cast<void>(intersect(both[0].region, both[1].region, c));
   });
-  add("check", [](const Geometry& a, const Geometry& b, const Cancel& c) {
+  add("check", [](const Geometry& a, const Geometry& b, const Options& c) {
     CheckOptions options;
-    options.cancel = c;
     options.samples = 100;
     options.edges = 100;
-    static_cast<void>(check_sum(a, a, b, options));
+    static_cast<void>(check_sum(a, a, b, options, c));
   });
-  add("slices", [](const Geometry& a, const Geometry& b, const Cancel& c) {
+  add("slices", [](const Geometry& a, const Geometry& b, const Options& c) {
     if (b.region.empty()) return;
-    ConfigurationOptions options;
-    options.cancel = c;
-    options.threads = 2;
-    const ConfigurationSpace space(b, a, options);
+    const ConfigurationSpace space(b, a, {}, on_two_threads(c));
     static_cast<void>(space.slices(full_turn(9), true));
   });
   return list;
@@ -269,11 +251,11 @@ std::vector<CancelCase> cancel_cases(int size) {
     const auto shapes = std::make_shared<const Input>(std::move(input));
     for (const auto& [name, run] : unary_operations()) {
       cases.push_back({name, shapes->name,
-                       [shapes, run = run](const Cancel& cancel) { run(shapes->a, cancel); }});
+                       [shapes, run = run](const Options& options) { run(shapes->a, options); }});
     }
     for (const auto& [name, run] : binary_operations()) {
-      cases.push_back({name, shapes->name, [shapes, run = run](const Cancel& cancel) {
-                         run(shapes->a, shapes->b, cancel);
+      cases.push_back({name, shapes->name, [shapes, run = run](const Options& options) {
+                         run(shapes->a, shapes->b, options);
                        }});
     }
   }

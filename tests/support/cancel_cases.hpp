@@ -2,19 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "minksum/cancel.hpp"
+#include "minksum/options.hpp"
 
 namespace minksum::test {
 
-/// One operation on one input, which takes a token. `run` may be called many times.
+/// One operation on one input. `run` may be called many times; it looks at the options' token and
+/// tells their progress callback.
 struct CancelCase {
   std::string operation;
   std::string input;
-  std::function<void(const std::optional<CancelToken>&)> run;
+  std::function<void(const Options&)> run;
 };
 
 /// Returns all operations on inputs of each kind that is hard for some phase. Kinds are chains of

@@ -7,6 +7,7 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/check.hpp"
+#include "minksum/testing.hpp"
 #include "minksum/validity.hpp"
 #include "reference/brute_force.hpp"
 #include "reference/brute_force_overlay.hpp"
@@ -31,8 +32,8 @@ std::string differ(const char* what, const Geometry& found, const Geometry& expe
   return std::string(what) + "\nfound    " + to_text(found) + "\nexpected " + to_text(expected);
 }
 
-Geometry resolved(const Geometry& geometry, const Options& setting) {
-  return resolve(geometry, {setting.fill, setting.regularize, {}});
+Geometry resolved(const Geometry& geometry, const SumSettings& setting) {
+  return resolve(geometry, {.fill = setting.fill, .regularize = setting.regularize});
 }
 
 Geometry without_area(const Geometry& geometry) {
@@ -95,7 +96,7 @@ Geometry less_one_part(const Geometry& geometry) {
 }  // namespace
 
 std::string note(const SumCase& sum_case) {
-  const Options& o = sum_case.setting;
+  const SumSettings& o = sum_case.setting;
   return std::string(to_string(o.fill)) + (o.regularize ? ", regularized" : "") +
          (o.cover ? "" : ", cover off") + (o.filter ? "" : ", filter off") +
          (o.check ? ", checked" : "") + ", grid " + std::to_string(o.grid) + ", arithmetic " +
@@ -110,9 +111,9 @@ std::size_t brute_force_work(const SumCase& sum_case) {
 
 std::string broken_resolve(const Geometry& geometry, FillRule fill, bool regularize) {
   const Geometry expected = reference::brute_force_resolve(geometry, fill, regularize);
-  const Geometry found = resolve(geometry, {fill, regularize, {}});
+  const Geometry found = resolve(geometry, {.fill = fill, .regularize = regularize});
   if (!(found == expected)) return differ("resolving is as by brute force", found, expected);
-  const Geometry again = resolve(found, {FillRule::kStrict, false, {}});
+  const Geometry again = resolve(found, {.fill = FillRule::kStrict});
   if (!(again == found)) return differ("what is resolved stays so", again, found);
   return {};
 }
@@ -124,7 +125,7 @@ std::string broken_sum(const SumCase& sum_case) {
   if (!(reduced == expected)) return differ("the sum is as by brute force", reduced, expected);
   const Geometry exchanged = minkowski_sum(q, p, setting);
   if (!(exchanged == expected)) return differ("q and p have the same sum", exchanged, expected);
-  Options by_winding;
+  SumSettings by_winding;
   by_winding.method = Method::kSigned;
   by_winding.fill = setting.fill;
   by_winding.regularize = setting.regularize;
@@ -140,10 +141,12 @@ std::string broken_scaling(const SumCase& sum_case, const std::function<Point(co
     return {mapped.x + origin.x, mapped.y + origin.y};
   };
   const auto sum_of = [&](const Geometry& p, const Geometry& q, Geometry& tight) {
-    Options setting = sum_case.setting;
+    SumSettings setting = sum_case.setting;
     setting.arithmetic = Arithmetic::kAutomatic;
-    setting.tight = &tight;
-    return minkowski_sum(p, q, setting);
+    setting.tight = true;
+    DetailedSum found = detailed_sum(p, q, setting);
+    tight = std::move(found.tight);
+    return std::move(found.sum);
   };
   const auto& [p, q, as_given] = sum_case;
   Geometry tight;
@@ -163,10 +166,9 @@ std::string broken_form(const Geometry& result) {
 }
 
 std::string broken_tight(const SumCase& sum_case) {
-  Options setting = sum_case.setting;
-  Geometry tight;
-  setting.tight = &tight;
-  const Geometry sum = minkowski_sum(sum_case.p, sum_case.q, setting);
+  SumSettings setting = sum_case.setting;
+  setting.tight = true;
+  const auto [sum, tight, statistics, trace] = detailed_sum(sum_case.p, sum_case.q, setting);
   const Geometry plain = minkowski_sum(sum_case.p, sum_case.q, sum_case.setting);
   if (!(sum == plain)) return differ("asking for tight places changes nothing", sum, plain);
   const Geometry expected =
@@ -189,7 +191,7 @@ std::string broken_rounding(const Geometry& exact, const RoundOptions& options,
   if (report.largest_move > report.bound) return fault("rounding keeps its bound");
   if (report.exact && !(rounded == exact)) return fault("what is exact is as it was");
   RoundingReport again;
-  if (!(round(rounded, options, &again) == rounded) || !again.exact) {
+  if (!(round(rounded, options, again) == rounded) || !again.exact) {
     return fault("a second time changes nothing");
   }
   if (options.side == RoundingSide::kOutside && !contains(rounded, exact)) {
@@ -207,7 +209,7 @@ std::string broken_rounding(const Geometry& exact) {
          {std::optional<int>{}, std::optional<int>{3}, std::optional<int>{0}}) {
       const RoundOptions options = rounding(decimals, side);
       RoundingReport report;
-      const Geometry rounded = round(exact, options, &report);
+      const Geometry rounded = round(exact, options, report);
       std::string fault = broken_rounding(exact, options, report, rounded);
       if (!fault.empty()) return fault;
     }
@@ -216,17 +218,18 @@ std::string broken_rounding(const Geometry& exact) {
 }
 
 std::string broken_check(const SumCase& sum_case, const Geometry& sum) {
-  CheckOptions options;
+  CheckOptions how;
+  how.samples = 8;
+  Options options;
   options.fill = sum_case.setting.fill;
   options.regularize = sum_case.setting.regularize;
-  options.samples = 8;
-  const SumCheck right = check_sum(sum, sum_case.p, sum_case.q, options);
+  const SumCheck right = check_sum(sum, sum_case.p, sum_case.q, how, options);
   if (!right.ok() || right.proof != Proof::kHolds) {
     return differ("the check agrees with the sum", sum, {});
   }
   if (sum.empty()) return {};
   const Geometry less = less_one_part(sum);
-  const SumCheck wrong = check_sum(less, sum_case.p, sum_case.q, options);
+  const SumCheck wrong = check_sum(less, sum_case.p, sum_case.q, how, options);
   if (wrong.ok()) return differ("the check misses what is missing", less, sum);
   return {};
 }

@@ -8,6 +8,7 @@
 
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/round.hpp"
+#include "minksum/testing.hpp"
 
 namespace minksum::test {
 
@@ -16,7 +17,7 @@ namespace minksum::test {
 struct SumCase {
   Geometry p;
   Geometry q;
-  Options setting;
+  SumSettings setting;
 };
 
 /// Returns enough of a case to run it again.

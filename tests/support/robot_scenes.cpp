@@ -60,7 +60,7 @@ void make_loose(Random& random, RobotScene& scene) {
   if (random.one_in(2)) add_walls(random, scene.obstacles, 12 * size);
   if (random.one_in(2)) {
     const Region room = scaled(random_region(random), Rational(random.between(2, 8)));
-    scene.options.workspace = Geometry{room, {}, {}};
+    scene.setting.workspace = Geometry{room, {}, {}};
   }
 }
 
@@ -70,7 +70,7 @@ void make_lattice(Random& random, RobotScene& scene) {
   scene.kind = "lattice";
   scene.robot = rectangle(-1, -1, 1, 1);
   scene.obstacles.region = scaled(random_cells(random, 4, 4, random.one_in(4), false), 2);
-  if (random.one_in(2)) scene.options.workspace = Geometry{rectangle(0, 0, 8, 8), {}, {}};
+  if (random.one_in(2)) scene.setting.workspace = Geometry{rectangle(0, 0, 8, 8), {}, {}};
   scene.angles = 4;
   scene.turn = full_turn(4)[static_cast<std::size_t>(random.below(4))];
 }
@@ -119,7 +119,7 @@ void make_narrow(Random& random, RobotScene& scene) {
   if (width.sign() <= 0) width = box.max.y - box.min.y;
   const Rational length = (box.max.x - box.min.x) * Rational(random.between(1, 3));
   const Affine map = along_robot ? turn : Affine{};
-  ConfigurationOptions& options = scene.options;
+  ConfigurationOptions& options = scene.setting;
   switch (random.below(4)) {
     case 0:
       scene.kind = "door";
@@ -147,7 +147,7 @@ void make_cast(Random& random, RobotScene& scene) {
     const Region more = together(room, moved(scene.robot, 3 * random.between(4, 12), 0));
     if (reference::validity_fault(more).empty()) room = more;
   }
-  scene.options.workspace = Geometry{std::move(room), {}, {}};
+  scene.setting.workspace = Geometry{std::move(room), {}, {}};
   if (random.one_in(3)) add_walls(random, scene.obstacles, 12);
 }
 
@@ -180,7 +180,7 @@ RobotScene random_robot_scene(Random& random) {
       make_loose(random, scene);
   }
   if (random.one_in(2)) {
-    scene.options.reference = {Rational(random.between(-9, 30), 2), Rational(random.below(9), 3)};
+    scene.setting.reference = {Rational(random.between(-9, 30), 2), Rational(random.below(9), 3)};
   }
   return scene;
 }
@@ -188,10 +188,10 @@ RobotScene random_robot_scene(Random& random) {
 std::string to_text(const RobotScene& scene) {
   std::ostringstream out;
   out << scene.kind << ", " << scene.angles << " angles, turn " << scene.turn.quarters << " and "
-      << scene.turn.tan_half << ", reference " << scene.options.reference.x << ' '
-      << scene.options.reference.y << "\nrobot " << to_text(scene.robot) << "\nobstacles "
+      << scene.turn.tan_half << ", reference " << scene.setting.reference.x << ' '
+      << scene.setting.reference.y << "\nrobot " << to_text(scene.robot) << "\nobstacles "
       << to_text(scene.obstacles);
-  if (scene.options.workspace) out << "\nworkspace " << to_text(*scene.options.workspace);
+  if (scene.setting.workspace) out << "\nworkspace " << to_text(*scene.setting.workspace);
   return out.str();
 }
 
@@ -242,7 +242,7 @@ std::optional<Point> contact(Random& random, const RobotScene& scene, const Turn
   const std::size_t k = random.one_in(2) ? (i + 1) % fixed.size() : any_of(random, fixed.size());
   const Point on = between(fixed[i], fixed[k], Rational(random.below(3), 2));
   const Point vertex = scene.robot.point(any_of(random, scene.robot.vertex_count()));
-  const Point& home = scene.options.reference;
+  const Point& home = scene.setting.reference;
   const Point arm = turn.map()({vertex.x - home.x, vertex.y - home.y});
   return Point{on.x - arm.x, on.y - arm.y};
 }

@@ -11,14 +11,15 @@ namespace minksum::test {
 struct RobotScene {
   Region robot;
   Geometry obstacles;            ///< its parts may overlap; its region is valid
-  ConfigurationOptions options;  ///< with the reference point and, now and then, a workspace
+  ConfigurationOptions setting;  ///< with the reference point and, now and then, a workspace
+  bool tight = false;            ///< Options::tight
   std::size_t angles = 1;        ///< number of angles of a full turn
   double tolerance = 1e-3;       ///< tolerance of each turn, in degrees
   Turn turn;                     ///< one of the turns; in narrow scenes the robot fits in it
   std::string kind;              ///< for messages
 
   [[nodiscard]] const Region* workspace() const {
-    return options.workspace ? &options.workspace->region : nullptr;
+    return setting.workspace ? &setting.workspace->region : nullptr;
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "minksum/round.hpp"
 
@@ -19,6 +20,18 @@ inline RoundOptions rounding(std::optional<int> decimals, RoundingSide side) {
 }
 inline RoundOptions to_decimals(int digits, RoundingSide side = RoundingSide::kNearest) {
   return rounding(digits, side);
+}
+/// The rounded set, and its report.
+inline Region round(const Region& region, const RoundOptions& target, RoundingReport& report) {
+  Rounded rounded = detailed_round(region, target);
+  report = rounded.report;
+  return std::move(rounded.geometry.region);
+}
+inline Geometry round(const Geometry& geometry, const RoundOptions& target,
+                      RoundingReport& report) {
+  Rounded rounded = detailed_round(geometry, target);
+  report = rounded.report;
+  return std::move(rounded.geometry);
 }
 inline RoundOptions to_doubles(RoundingSide side) { return rounding({}, side); }
 

@@ -5,11 +5,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <vector>
 
 #include "minksum/io.hpp"
 #include "minksum/minksum.hpp"
+#include "minksum/testing.hpp"
+#include "support/shapes.hpp"
 
 namespace minksum {
 namespace {
@@ -61,9 +64,9 @@ TEST(Face, ShapesConvertToWhatIsAskedFor) {
   EXPECT_EQ(no_fit_polygon(region, region), no_fit_polygon(geometry, geometry));
   Workspace workspace;
   Region result;
-  EXPECT_TRUE(minkowski_sum(region, prepared, {}, workspace, result).ok());
+  EXPECT_TRUE(minkowski_sum(region, prepared, Options{}, workspace, result).ok());
   EXPECT_EQ(result, sum);
-  EXPECT_TRUE(minkowski_sum(prepared, result, {}, workspace, result).ok());
+  EXPECT_TRUE(minkowski_sum(prepared, result, Options{}, workspace, result).ok());
   EXPECT_EQ(result, minkowski_sum(region, sum));
 }
 
@@ -119,9 +122,56 @@ TEST(Face, RegionsPrint) {
             R"({"type": "Polygon", "coordinates": [[[0,0], [2,0], [0.5,1], [0,0]]]})");
 }
 
+TEST(Face, EveryOperationCanBeAttempted) {
+  const Geometry plate{test::rectangle(0, 0, 9, 9)};
+  Geometry grown;
+  Outcome outcome = attempt([&] { grown = offset(plate, 1); });
+  EXPECT_TRUE(outcome.ok());
+  EXPECT_FALSE(grown.empty());
+  outcome = attempt([&] { grown = erode(plate, {}); });
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
+  EXPECT_EQ(outcome.error->culprit().operand, 1);
+  outcome = attempt([] { throw std::bad_alloc(); });
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error->limit()->name, "memory");
+}
+
+TEST(Face, MemoryIsKeptFromCallToCall) {
+  Workspace memory;
+  const Options options{.memory = &memory};
+  const Geometry plate{test::rectangle(0, 0, 9, 9)};
+  const Geometry part{kTriangle};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(minkowski_sum(plate, part, options), minkowski_sum(plate, part));
+    EXPECT_EQ(erode(plate, part, options), erode(plate, part));
+    EXPECT_EQ(no_fit_polygon(plate, part, {}, options), no_fit_polygon(plate, part));
+    EXPECT_EQ(offset(plate, 1, {.join = Join::kMiter}, options),
+              offset(plate, 1, {.join = Join::kMiter}));
+  }
+}
+
+TEST(Face, WhatIsAskedForBesideTheSumChangesNothing) {
+  const Region region = kTriangle;
+  std::vector<Stage> stages;
+  const Options watched{.progress = [&](const Progress& progress) {
+    stages.push_back(progress.stage);
+    return true;
+  }};
+  const DetailedSum plain = detailed_sum(region, region, watched);
+  EXPECT_TRUE(plain.statistics.small);  // as without statistics and progress
+  EXPECT_EQ(stages, std::vector<Stage>{Stage::kOperands});
+  EXPECT_TRUE(plain.trace.pieces.empty());
+  const DetailedSum traced = detailed_sum(region, region, {.tight = true}, Detail::kTrace);
+  EXPECT_FALSE(traced.statistics.small);
+  EXPECT_FALSE(traced.trace.pieces.empty());
+  EXPECT_EQ(traced.sum, plain.sum);
+  EXPECT_EQ(plain.sum.region, minkowski_sum(region, region));
+}
+
 TEST(Face, ErrorsNameTheLimitThatWasPassed) {
   const Region region = kTriangle;
-  Options options;
+  SumSettings options;
   options.limits.max_segments = 2;
   options.method = Method::kSigned;
   Workspace workspace;

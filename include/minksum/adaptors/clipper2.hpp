@@ -67,7 +67,7 @@ template <class Paths>
     }
     region = std::move(divided);
   }
-  ResolveOptions options;
+  Options options;
   options.fill = fill;
   options.regularize = true;
   return resolve(region, options).region;

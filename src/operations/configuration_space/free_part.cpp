@@ -57,9 +57,9 @@ LooseBox LooseBox::around(double ax, double ay, double bx, double by) {
           std::nextafter(std::max(ax, bx), kHuge), std::nextafter(std::max(ay, by), kHuge)};
 }
 
-FreePart::FreePart(Region polygon, const std::optional<CancelToken>& cancel)
-    : region_(std::move(polygon)), locator_({region_, {}, {}}, cancel) {
-  Cancellation cancellation(cancel);
+FreePart::FreePart(Region polygon, const Options& options)
+    : region_(std::move(polygon)), locator_({region_, {}, {}}, options) {
+  Cancellation cancellation(options, Stage::kSearch);
   for (const std::size_t ring : region_.rings_of(0)) {
     const auto index = static_cast<std::uint32_t>(ring_begin_.size());
     ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
@@ -186,11 +186,10 @@ bool FreePart::meets(const Point& a, const Point& b, Location open_side,
 }
 
 /// Whether a point is on the side of a ring that is not free: outside of the outer one, in a hole.
-bool FreePart::is_beyond(std::uint32_t ring, const Point& point,
-                         const std::optional<CancelToken>& cancel) const {
+bool FreePart::is_beyond(std::uint32_t ring, const Point& point, const Options& options) const {
   const Polygon alone{Ring(points_.begin() + ring_begin_[ring],
                            points_.begin() + ring_begin_[ring + 1]), {}};
-  const Location location = PointLocator({Region(alone), {}, {}}, cancel).locate(point);
+  const Location location = PointLocator({Region(alone), {}, {}}, options).locate(point);
   return location == (ring == 0 ? Location::kOutside : Location::kInside);
 }
 
@@ -261,7 +260,7 @@ std::vector<Point> FreePart::walk(const Point& a, const Point& b,
     }
     // The ring by which the segment leaves, and where it meets that for the last time: from there
     // on it is on that ring's free side, so that each ring is gone around once at most.
-    while (i < after && !is_beyond(ring_of_[found[i].edge], middle, cancellation.token())) {
+    while (i < after && !is_beyond(ring_of_[found[i].edge], middle, cancellation.options())) {
       ++i;
     }
     std::size_t last = found.size();

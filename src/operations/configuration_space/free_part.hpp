@@ -27,7 +27,7 @@ struct LooseBox {
 /// One polygon of a valid region. Everything is decided exactly.
 class FreePart {
  public:
-  FreePart(Region polygon, const std::optional<CancelToken>& cancel);
+  FreePart(Region polygon, const Options& options);
 
   [[nodiscard]] const Region& region() const { return region_; }
   [[nodiscard]] const LooseBox& box() const { return box_; }
@@ -65,7 +65,7 @@ class FreePart {
   [[nodiscard]] std::uint32_t next(std::uint32_t vertex) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t vertex) const;
   [[nodiscard]] bool is_beyond(std::uint32_t ring, const Point& point,
-                               const std::optional<CancelToken>& cancel) const;
+                               const Options& options) const;
   void go_round(const Hit& from, const Point& a, const Hit& to, const Point& b,
                 std::vector<Point>& path) const;
   [[nodiscard]] std::vector<Point> walk(const Point& a, const Point& b,
@@ -88,6 +88,6 @@ class FreePart {
 /// A point strictly inside of a region with area; exact, and as far from the boundary as a look at
 /// a few of them tells, near a way from `from` to `to`. Coordinates are short where there is room.
 [[nodiscard]] Point point_within(const Region& region, const Point& from, const Point& to,
-                                 const std::optional<CancelToken>& cancel);
+                                 const Options& options);
 
 }  // namespace minksum

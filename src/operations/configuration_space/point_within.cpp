@@ -67,9 +67,9 @@ struct Candidate {
 /// Points of a grid in the box that seem to be inside, with few bits, the best first. Far from the
 /// boundary is good, up to a part of the box; so is a short way.
 std::vector<Candidate> candidates(const Region& region, const Point& from, const Point& to,
-                                  const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
-  const std::optional<Box> box = bounding_box(region, cancel);
+                                  const Options& options) {
+  Cancellation cancellation(options, Stage::kSearch);
+  const std::optional<Box> box = bounding_box(region, options);
   const double x0 = box->min.x.to_double();
   const double y0 = box->min.y.to_double();
   const double width = box->max.x.to_double() - x0;
@@ -122,8 +122,8 @@ Rational height_between(const Region& region, std::size_t polygon, Cancellation&
 }
 
 /// In the first polygon, between two edges that a level line crosses away from all its vertices.
-Point exact_point(const Region& region, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Point exact_point(const Region& region, const Options& options) {
+  Cancellation cancellation(options, Stage::kSearch);
   const std::size_t polygon = region.polygons().front();
   const Rational y = height_between(region, polygon, cancellation);
   std::vector<Rational> crossings;
@@ -150,13 +150,13 @@ Point exact_point(const Region& region, const std::optional<CancelToken>& cancel
 }  // namespace
 
 Point point_within(const Region& region, const Point& from, const Point& to,
-                   const std::optional<CancelToken>& cancel) {
-  const PointLocator locator({region, {}, {}}, cancel);
-  for (const Candidate& candidate : candidates(region, from, to, cancel)) {
+                   const Options& options) {
+  const PointLocator locator({region, {}, {}}, options);
+  for (const Candidate& candidate : candidates(region, from, to, options)) {
     const Point point{Rational(candidate.x), Rational(candidate.y)};
     if (locator.locate(point) == Location::kInside) return point;
   }
-  return exact_point(region, cancel);
+  return exact_point(region, options);
 }
 
 }  // namespace minksum

@@ -9,6 +9,7 @@
 
 #include "minksum/boolean.hpp"
 #include "operations/configuration_space/free_part.hpp"
+#include "overlay/resolve_area.hpp"
 
 namespace minksum {
 namespace {
@@ -20,9 +21,9 @@ bool before(const Turn& a, const Turn& b) {
 }
 
 /// All slices' turns, counter-clockwise from 0, none twice.
-std::vector<Turn> turns_of(const Turn& from, const Turn& to, const ReachOptions& options) {
+std::vector<Turn> turns_of(const Turn& from, const Turn& to, const ReachOptions& setting) {
   std::vector<Turn> turns{from, to};
-  const std::vector<Turn> even = full_turn(options.angles, options.tolerance);
+  const std::vector<Turn> even = full_turn(setting.angles, setting.tolerance);
   turns.insert(turns.end(), even.begin(), even.end());
   // Of equal ones an end's comes first, and stays.
   std::stable_sort(turns.begin(), turns.end(), before);
@@ -72,15 +73,15 @@ struct FreeParts {
   std::vector<Point> samples;  ///< one strictly inside of each
 };
 
-FreeParts parts_of(const Slice& slice, const std::optional<CancelToken>& cancel) {
+FreeParts parts_of(const Slice& slice, const Options& options) {
   FreeParts result;
   result.turn = slice.turn;
   const Region& free = slice.free.region;
   for (const std::size_t polygon : free.polygons()) {
     Region alone(free.polygon(polygon));
     const Point any = alone.point(0);
-    result.samples.push_back(point_within(alone, any, any, cancel));
-    result.parts.emplace_back(std::move(alone), cancel);
+    result.samples.push_back(point_within(alone, any, any, options));
+    result.parts.emplace_back(std::move(alone), options);
   }
   return result;
 }
@@ -98,13 +99,13 @@ double length_of(const std::vector<Point>& way) {
 class Planner {
  public:
   Planner(std::vector<FreeParts> slices, const Configuration& from, const Configuration& to,
-          const Rational& reach, const std::optional<CancelToken>& cancel)
+          const Rational& reach, const Options& options)
       : slices_(std::move(slices)),
         from_(from),
         to_(to),
         reach_(reach.to_double()),
-        cancel_(cancel),
-        cancellation_(cancel) {
+        options_(options),
+        cancellation_(options, Stage::kSearch) {
     for (const FreeParts& slice : slices_) finished_.emplace_back(slice.parts.size(), false);
   }
 
@@ -181,7 +182,7 @@ class Planner {
     if (!joined(from, step)) return false;
     if (location == Location::kBoundary) return true;
     step.at =
-        point_within(intersect(here.region(), there.region(), cancel_), from.at, to_.at, cancel_);
+        point_within(intersect(here.region(), there.region(), options_), from.at, to_.at, options_);
     step.way = here.way(from.at, step.at, cancellation_);
     step.cost += length_of(step.way);
     offer(std::move(step));
@@ -217,7 +218,7 @@ class Planner {
     if (!first.box().meets(second.box())) return false;
     return second.locate(slices_[a.slice].samples[a.part]) == Location::kInside ||
            first.locate(slices_[b.slice].samples[b.part]) == Location::kInside ||
-           !intersect(first.region(), second.region(), cancel_).empty();
+           !intersect(first.region(), second.region(), options_).empty();
   }
 
   [[nodiscard]] std::vector<Waypoint> path_to(const Step& goal) {
@@ -247,7 +248,7 @@ class Planner {
   const Configuration& from_;
   const Configuration& to_;
   double reach_;
-  const std::optional<CancelToken>& cancel_;
+  const Options& options_;
   Cancellation cancellation_;
   std::vector<std::vector<bool>> finished_;
   std::vector<Step> open_;  ///< a heap
@@ -257,15 +258,14 @@ class Planner {
 
 /// Throws if the robot is not free at one of both ends (3 or 4).
 void require_free(const ConfigurationSpace& space, const Configuration& end, const Turn& turn,
-                  const ReachOptions& options, int operand) {
-  const Region placed = transform(
-      space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()), options.cancel);
+                  const ReachOptions& setting, const Options& options, int operand) {
+  const Region placed =
+      transform(space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()), options);
   Culprit culprit;
   culprit.operand = operand;
   const std::string where = operand == 3 ? " at the start" : " at the goal";
-  if (options.workspace) {
-    const ResolveOptions reading{options.fill, true, options.cancel, 2};
-    if (!contains(resolve(*options.workspace, reading).region, placed, options.cancel)) {
+  if (setting.workspace) {
+    if (!contains(resolve_area(*setting.workspace, 2, options).region, placed, options)) {
       throw Error(ErrorCode::kBadInput, "the robot leaves the workspace" + where, culprit);
     }
   }
@@ -277,27 +277,27 @@ void require_free(const ConfigurationSpace& space, const Configuration& end, con
 }  // namespace
 
 Reach reach(const Geometry& robot, const Geometry& obstacles, const Configuration& from,
-            const Configuration& to, const ReachOptions& options) {
-  const Turn first = nearest_turn(from.degrees, options.tolerance);
-  const Turn last = nearest_turn(to.degrees, options.tolerance);
-  const std::vector<Turn> turns = turns_of(first, last, options);
+            const Configuration& to, const ReachOptions& setting, const Options& options) {
+  const Turn first = nearest_turn(from.degrees, setting.tolerance);
+  const Turn last = nearest_turn(to.degrees, setting.tolerance);
+  const std::vector<Turn> turns = turns_of(first, last, setting);
   Reach result;
-  ConfigurationOptions regular = options;
+  Options regular = options;
   regular.tight = false;  // ways without play do not count
-  ConfigurationSpace space(robot, obstacles, regular);
-  if (options.certain) {
+  ConfigurationSpace space(robot, obstacles, setting, regular);
+  if (setting.certain) {
     result.margin = margin_of(turns, space.radius(), std::max(first.off, last.off));
     if (result.margin.sign() > 0) space = space.grown(octagon(result.margin));
   }
   space.include(from.at);
   space.include(to.at);
-  require_free(space, from, first, options, 3);
-  require_free(space, to, last, options, 4);
+  require_free(space, from, first, setting, options, 3);
+  require_free(space, to, last, setting, options, 4);
   std::vector<FreeParts> parts(turns.size());
   space.for_each_slice(
-      turns, true, [&](std::size_t i, Slice& slice) { parts[i] = parts_of(slice, options.cancel); },
+      turns, true, [&](std::size_t i, Slice& slice) { parts[i] = parts_of(slice, options); },
       [](std::size_t, Slice&) {});
-  Planner planner(std::move(parts), from, to, space.radius(), options.cancel);
+  Planner planner(std::move(parts), from, to, space.radius(), options);
   result.slices = turns.size();
   result.parts = planner.part_count();
   result.path = planner.find(planner.slice_of(first), planner.slice_of(last));

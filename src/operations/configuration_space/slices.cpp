@@ -6,16 +6,19 @@
 
 #include "machine/cancellation.hpp"
 #include "machine/in_order.hpp"
+#include "machine/part_progress.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/configuration_space.hpp"
 #include "minksum/prepared_region.hpp"
 #include "operations/configuration_space/free_part.hpp"
 #include "operations/sum/fixed_sum.hpp"
+#include "overlay/resolve_area.hpp"
 
 namespace minksum {
 
 struct ConfigurationSpace::State {
-  ConfigurationOptions options;
+  ConfigurationOptions setting;
+  Options options;
   Region robot;           ///< its reference point at the origin
   Rational radius;
   Geometry obstacles;
@@ -26,18 +29,6 @@ struct ConfigurationSpace::State {
 
 namespace {
 
-Geometry read(const Geometry& geometry, const ConfigurationOptions& options, int operand,
-              bool regularize) {
-  return resolve(geometry, {options.fill, regularize, options.cancel, operand});
-}
-
-Options sum_options(const ConfigurationOptions& options) {
-  Options result;
-  result.limits = options.limits;
-  result.cancel = options.cancel;
-  return result;
-}
-
 [[noreturn]] void refuse(const char* what, int operand) {
   Culprit culprit;
   culprit.operand = operand;
@@ -45,8 +36,8 @@ Options sum_options(const ConfigurationOptions& options) {
 }
 
 /// A rational that is not below the largest distance from the origin.
-Rational radius_of(const Region& robot, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Rational radius_of(const Region& robot, const Options& options) {
+  Cancellation cancellation(options, Stage::kSearch);
   Rational squared;
   Rational largest;  // coordinate
   for (std::size_t v = 0; v < robot.vertex_count(); ++v) {
@@ -69,9 +60,9 @@ void enlarge(std::optional<Box>& box, const Point& point) {
   box->max = {std::max(box->max.x, point.x), std::max(box->max.y, point.y)};
 }
 
-std::optional<Box> box_of(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
-  std::optional<Box> box = bounding_box(geometry.region, cancel);
+std::optional<Box> box_of(const Geometry& geometry, const Options& options) {
+  Cancellation cancellation(options, Stage::kSearch);
+  std::optional<Box> box = bounding_box(geometry.region, options);
   const auto add = [&](const Point& point) {
     cancellation.check(4 * work_of(point));
     enlarge(box, point);
@@ -88,8 +79,8 @@ Box widened(const Box& box, const Rational& by) {
 }
 
 /// −R(turn).
-Region turned_mirror(const Region& robot, const Turn& turn, const ConfigurationOptions& options) {
-  return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()), options.cancel);
+Region turned_mirror(const Region& robot, const Turn& turn, const Options& options) {
+  return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()), options);
 }
 
 Region as_region(const Box& box) {
@@ -99,23 +90,23 @@ Region as_region(const Box& box) {
 
 /// `shared` is for these obstacles, or null.
 Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, const Turn& turn,
-                 const SharedRaster* shared, bool with_free, Workspace& workspace) {
+                 const SharedRaster* shared, bool with_free, const Options& options,
+                 Workspace& workspace) {
   const auto begin = std::chrono::steady_clock::now();
   Slice slice;
   slice.turn = turn;
-  Options options = sum_options(state.options);
+  SumRequest request(part_of(options));
   Geometry tight;
-  if (with_free && state.options.tight) options.tight = &tight;
-  Region mirrored = turned_mirror(state.robot, turn, state.options);
-  const Outcome outcome =
-      state.forbidden.has_thin_parts()
-          ? minkowski_sum(state.forbidden, {std::move(mirrored), {}, {}}, options, workspace,
-                          slice.obstacles)
-          : minkowski_sum(state.prepared, mirrored, shared, options, workspace,
-                          slice.obstacles.region);
+  if (with_free && state.options.tight.value_or(false)) request.tight_places = &tight;
+  Region mirrored = turned_mirror(state.robot, turn, options);
+  const Outcome outcome = state.forbidden.has_thin_parts()
+                              ? sum_of_geometries(state.forbidden, {std::move(mirrored), {}, {}},
+                                                  request, workspace, slice.obstacles)
+                              : minkowski_sum(state.prepared, mirrored, shared, request, workspace,
+                                              slice.obstacles.region);
   if (!outcome.ok()) throw *outcome.error;
   if (with_free) {
-    slice.free.region = subtract(as_region(boundary), slice.obstacles.region, state.options.cancel);
+    slice.free.region = subtract(as_region(boundary), slice.obstacles.region, options);
     slice.free.polylines = std::move(tight.polylines);
     slice.free.points = std::move(tight.points);
   }
@@ -126,54 +117,57 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
 }  // namespace
 
 ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
-                                       const ConfigurationOptions& options) {
+                                       const ConfigurationOptions& setting,
+                                       const Options& options) {
   State state;
+  state.setting = setting;
   state.options = options;
-  state.robot =
-      transform(read(robot, options, 0, true).region,
-                Affine::translation(-options.reference.x, -options.reference.y), options.cancel);
+  state.options.memory = nullptr;  // slices may be made by many threads
+  const Point& reference = setting.reference;
+  state.robot = transform(resolve_area(robot, 0, options).region,
+                          Affine::translation(-reference.x, -reference.y), options);
   if (state.robot.empty()) refuse("a robot needs an area", 0);
-  state.obstacles = read(obstacles, options, 1, false);
+  state.obstacles = resolve(obstacles, options, 1);
   // minkowski_sum finds those between areas only, and none may be missing.
-  if (options.tight && state.obstacles.has_thin_parts()) {
+  if (options.tight.value_or(false) && state.obstacles.has_thin_parts()) {
     refuse("places without play among obstacles with thin parts are not known", 1);
   }
-  if (options.workspace) {
-    state.workspace = read(*options.workspace, options, 2, true).region;
+  if (setting.workspace) {
+    state.workspace = resolve_area(*setting.workspace, 2, options).region;
     if (state.workspace.empty()) refuse("a workspace needs an area", 2);
   }
   set_up(std::move(state));
 }
 
 void ConfigurationSpace::set_up(State state) {
-  const std::optional<CancelToken>& cancel = state.options.cancel;
-  state.radius = radius_of(state.robot, cancel);
+  const Options& options = state.options;
+  state.radius = radius_of(state.robot, options);
   state.forbidden = state.obstacles;
-  if (state.options.workspace) {
+  if (state.setting.workspace) {
     // A robot inside the workspace has its reference point in the boundary, and one that has it
     // there is within twice the radius of the box: the frame's outer side is never seen.
-    boundary_ = widened(*bounding_box(state.workspace, cancel), state.radius);
+    boundary_ = widened(*bounding_box(state.workspace, options), state.radius);
     const Region frame = as_region(widened(boundary_, state.radius * Rational(2)));
-    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, cancel), {}, {}}};
-    state.forbidden = unite(both, cancel);
+    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, options), {}, {}}};
+    state.forbidden = unite(both, options);
   } else {
-    const auto box = box_of(state.obstacles, cancel);
+    const auto box = box_of(state.obstacles, options);
     boundary_ = widened(box ? *box : Box{}, state.radius * Rational(2));
   }
-  state.prepared = PreparedRegion(state.forbidden.region, cancel);
+  state.prepared = PreparedRegion(state.forbidden.region, options);
   state_ = std::make_shared<const State>(std::move(state));
 }
 
 ConfigurationSpace ConfigurationSpace::grown(const Region& by) const {
   ConfigurationSpace space = *this;
   State state = *state_;
-  state.robot = minkowski_sum(state.robot, by, sum_options(state.options));
+  state.robot = minkowski_sum(state.robot, by, part_of(state.options));
   space.set_up(std::move(state));
   return space;
 }
 
 void ConfigurationSpace::include(const Point& point) {
-  if (state_->options.workspace) return;
+  if (state_->setting.workspace) return;
   std::optional<Box> box = boundary_;
   const Rational& by = state_->radius;
   enlarge(box, {point.x - by, point.y - by});
@@ -185,12 +179,12 @@ const Rational& ConfigurationSpace::radius() const { return state_->radius; }
 const Region& ConfigurationSpace::robot() const { return state_->robot; }
 
 bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
-  const std::optional<CancelToken>& cancel = state_->options.cancel;
-  Cancellation cancellation(cancel);
+  const Options& options = state_->options;
+  Cancellation cancellation(options, Stage::kSearch);
   const Geometry& obstacles = state_->obstacles;
-  if (!intersect(obstacles.region, region, cancel).empty()) return true;
+  if (!intersect(obstacles.region, region, options).empty()) return true;
   for (std::size_t p = 0; p < region.polygon_count() && obstacles.has_thin_parts(); ++p) {
-    const FreePart part(Region(region.polygon(p)), cancel);
+    const FreePart part(Region(region.polygon(p)), options);
     const auto enters = [&](const Point& a, const Point& b) {
       return part.meets(a, b, Location::kInside, cancellation);
     };
@@ -210,7 +204,7 @@ Slice ConfigurationSpace::slice(const Turn& turn, bool with_free) const {
 }
 
 Slice ConfigurationSpace::slice(const Turn& turn, bool with_free, Workspace& workspace) const {
-  return make_slice(*state_, boundary_, turn, nullptr, with_free, workspace);
+  return make_slice(*state_, boundary_, turn, nullptr, with_free, state_->options, workspace);
 }
 
 void ConfigurationSpace::for_each_slice(
@@ -224,12 +218,14 @@ void ConfigurationSpace::for_each_slice(
       !state_->forbidden.has_thin_parts()) {
     const Region typical = turned_mirror(state_->robot, turns.front(), state_->options);
     shared = share_raster(state_->prepared, typical, 2 * state_->radius.to_double(),
-                          sum_options(state_->options));
+                          SumRequest(part_of(state_->options)));
   }
+  PartProgress progress(state_->options, turns.size());
   const auto make = [&](std::size_t i, Workspace& workspace) {
     Slice made = make_slice(*state_, boundary_, turns[i], shared ? &*shared : nullptr, with_free,
-                            workspace);
+                            progress.options(), workspace);
     if (finish) finish(i, made);
+    progress.finish_part();
     return made;
   };
   for_each_in_order<Slice, Workspace>(turns.size(), state_->options.threads, make, visit);

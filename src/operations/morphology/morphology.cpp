@@ -5,21 +5,11 @@
 #include "machine/cancellation.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/measure.hpp"
+#include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 
 namespace minksum {
 namespace {
-
-Geometry read(const Geometry& geometry, const MorphologyOptions& options, int operand) {
-  return resolve(geometry, {options.fill, false, options.cancel, operand});
-}
-
-Options sum_options(const MorphologyOptions& options) {
-  Options sum;
-  sum.limits = options.limits;
-  sum.cancel = options.cancel;
-  return sum;
-}
 
 void add(Box& box, const Point& point) {
   if (point.x < box.min.x) box.min.x = point.x;
@@ -28,10 +18,10 @@ void add(Box& box, const Point& point) {
   if (box.max.y < point.y) box.max.y = point.y;
 }
 
-Box box_of(const Geometry& geometry, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+Box box_of(const Geometry& geometry, const Options& options) {
+  Cancellation cancellation(options);
   Box box;
-  if (const auto areal = bounding_box(geometry.region, cancel)) {
+  if (const auto areal = bounding_box(geometry.region, options)) {
     box = *areal;
   } else {
     const Point& any =
@@ -59,39 +49,38 @@ Box widened(const Box& box, const Rational& by) {
 }
 
 /// All of it, for operands in resolved form.
-Geometry eroded(const Region& a, const Geometry& b, const MorphologyOptions& options) {
+Geometry eroded(const Region& a, const Geometry& b, const Options& options) {
   Geometry result;
   if (a.empty()) return result;
   // x + B ⊆ A puts x into A's box moved by −b for any b of B, so within B's size of A's box moved
   // by one of them. The frame reaches beyond that by its size again, so that all is enclosed in
   // complement ⊕ −B.
-  const Box size = box_of(b, options.cancel);
+  const Box size = box_of(b, options);
   const Rational reach = size.max.x - size.min.x + size.max.y - size.min.y + Rational(1);
-  const Box box = *bounding_box(a, options.cancel);
+  const Box box = *bounding_box(a, options);
   const Region frame =
-      subtract(Region(Polygon{corners(widened(box, reach + reach)), {}}), a, options.cancel);
+      subtract(Region(Polygon{corners(widened(box, reach + reach)), {}}), a, options);
   const Box where = widened({{box.min.x - size.max.x, box.min.y - size.max.y},
                              {box.max.x - size.min.x, box.max.y - size.min.y}},
                             Rational(1));
-  Geometry tight;
-  Options sum = sum_options(options);
-  if (options.tight) sum.tight = &tight;
-  const Geometry outside = minkowski_sum({frame, {}, {}}, reflect(b, options.cancel), sum);
-  result.region = subtract(Region(Polygon{corners(where), {}}), outside.region, options.cancel);
-  result.polylines = std::move(tight.polylines);
-  result.points = std::move(tight.points);
+  Options part = part_of(options);
+  part.tight = options.tight;
+  DetailedSum outside = detailed_sum(Geometry(frame), reflect(b, options), part);
+  result.region = subtract(Region(Polygon{corners(where), {}}), outside.sum.region, options);
+  result.polylines = std::move(outside.tight.polylines);
+  result.points = std::move(outside.tight.points);
   return result;
 }
 
 /// B, if there can be an erosion by it.
-Geometry usable_element(const Geometry& b, const MorphologyOptions& options) {
-  Geometry element = read(b, options, 1);
+Geometry usable_element(const Geometry& b, const Options& options) {
+  Geometry element = resolve(b, options, 1);
   Culprit second;
   second.operand = 1;
   if (element.empty()) {
     throw Error(ErrorCode::kBadInput, "erosion by an empty set would be the whole plane", second);
   }
-  if (options.tight && element.has_thin_parts()) {
+  if (options.tight.value_or(false) && element.has_thin_parts()) {
     throw Error(ErrorCode::kBadInput, "tight places of an element with thin parts are not known",
                 second);
   }
@@ -100,26 +89,24 @@ Geometry usable_element(const Geometry& b, const MorphologyOptions& options) {
 
 }  // namespace
 
-Geometry dilate(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
-  Options sum = sum_options(options);
-  sum.fill = options.fill;
-  return minkowski_sum(a, b, sum);
+Geometry dilate(const Geometry& a, const Geometry& b, const Options& options) {
+  return minkowski_sum(a, b, options);
 }
 
-Geometry erode(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+Geometry erode(const Geometry& a, const Geometry& b, const Options& options) {
   const Geometry element = usable_element(b, options);
-  return eroded(read(a, options, 0).region, element, options);
+  return eroded(resolve(a, options, 0).region, element, options);
 }
 
-Geometry open(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+Geometry open(const Geometry& a, const Geometry& b, const Options& options) {
   const Geometry element = usable_element(b, options);
-  const Geometry inner = eroded(read(a, options, 0).region, element, options);
-  return minkowski_sum(inner, element, sum_options(options));
+  const Geometry inner = eroded(resolve(a, options, 0).region, element, options);
+  return minkowski_sum(inner, element, part_of(options));
 }
 
-Geometry close(const Geometry& a, const Geometry& b, const MorphologyOptions& options) {
+Geometry close(const Geometry& a, const Geometry& b, const Options& options) {
   const Geometry element = usable_element(b, options);
-  const Geometry sum = minkowski_sum(read(a, options, 0), element, sum_options(options));
+  const Geometry sum = minkowski_sum(resolve(a, options, 0), element, part_of(options));
   return eroded(sum.region, element, options);
 }
 

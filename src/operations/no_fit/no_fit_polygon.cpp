@@ -1,19 +1,17 @@
 #include <utility>
 
+#include "machine/cancellation.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
+#include "overlay/resolve_area.hpp"
 
 namespace minksum {
 namespace {
 
-Geometry read(const Geometry& geometry, const NoFitOptions& options, int operand) {
-  return resolve(geometry, {options.fill, true, options.cancel, operand});
-}
-
 /// The reference point of a shape as it was given.
-Point reference_of(const Geometry& moving, const NoFitOptions& options) {
-  if (options.reference) return *options.reference;
+Point reference_of(const Geometry& moving, const std::optional<Point>& reference) {
+  if (reference) return *reference;
   if (!moving.region.empty()) return moving.region.point(0);
   Culprit second;
   second.operand = 1;
@@ -21,41 +19,43 @@ Point reference_of(const Geometry& moving, const NoFitOptions& options) {
 }
 
 /// Moved by `by`; the form stays canonical.
-Geometry moved(const Geometry& geometry, const Point& by, const NoFitOptions& options) {
-  return transform(geometry, Affine::translation(by.x, by.y), options.cancel);
+Geometry moved(const Geometry& geometry, const Point& by, const Options& options) {
+  return transform(geometry, Affine::translation(by.x, by.y), options);
+}
+
+/// The options of a sum or an erosion of resolved shapes.
+Options with_tight_places(const Options& options) {
+  Options part = part_of(options);
+  part.tight = options.tight.value_or(true);
+  return part;
 }
 
 }  // namespace
 
 Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
-                        const NoFitOptions& options) {
-  const Point reference = reference_of(moving, options);
-  Geometry tight;
-  Options sum;
-  sum.limits = options.limits;
-  sum.cancel = options.cancel;
-  sum.tight = &tight;
-  Geometry result = minkowski_sum(read(fixed, options, 0),
-                                  reflect(read(moving, options, 1), options.cancel), sum);
-  result.polylines = std::move(tight.polylines);
-  result.points = std::move(tight.points);
-  return moved(result, reference, options);
+                        const std::optional<Point>& reference, const Options& options) {
+  const Point at = reference_of(moving, reference);
+  DetailedSum sum =
+      detailed_sum(resolve_area(fixed, 0, options),
+                   reflect(resolve_area(moving, 1, options), options), with_tight_places(options));
+  sum.sum.polylines = std::move(sum.tight.polylines);
+  sum.sum.points = std::move(sum.tight.points);
+  return moved(sum.sum, at, options);
 }
 
-Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part, const NoFitOptions& options) {
-  const Point reference = reference_of(part, options);
-  MorphologyOptions erosion;
-  erosion.tight = true;
-  erosion.limits = options.limits;
-  erosion.cancel = options.cancel;
-  return moved(erode(read(bin, options, 0), read(part, options, 1), erosion), reference, options);
+Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
+                           const std::optional<Point>& reference, const Options& options) {
+  const Point at = reference_of(part, reference);
+  return moved(erode(resolve_area(bin, 0, options), resolve_area(part, 1, options),
+                     with_tight_places(options)),
+               at, options);
 }
 
 NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,
-                           const NoFitOptions& options)
-    : geometry_(no_fit_polygon(fixed, moving, options)),
-      locator_({geometry_.region, {}, {}}, options.cancel),
-      tight_({{}, geometry_.polylines, geometry_.points}, options.cancel) {}
+                           const std::optional<Point>& reference, const Options& options)
+    : geometry_(no_fit_polygon(fixed, moving, reference, options)),
+      locator_({geometry_.region, {}, {}}, options),
+      tight_({{}, geometry_.polylines, geometry_.points}, options) {}
 
 Contact NoFitPolygon::contact(const Point& t) const {
   switch (locator_.locate(t)) {

@@ -6,7 +6,9 @@
 
 #include "machine/cancellation.hpp"
 #include "machine/in_order.hpp"
+#include "machine/part_progress.hpp"
 #include "minksum/no_fit.hpp"
+#include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "operations/no_fit/table_part.hpp"
 #include "operations/sum/fixed_sum.hpp"
@@ -35,15 +37,14 @@ struct NoFitTable::State {
 
 namespace {
 
-Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
-             const NoFitTableOptions& options, Workspace& workspace) {
+/// By the stages. `options` are those of one sum.
+Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving, const Options& options,
+             bool with_tight, Workspace& workspace) {
   Geometry result;
   Geometry tight;
-  Options settings;
-  settings.limits = options.limits;
-  settings.cancel = options.cancel;
-  if (options.tight) settings.tight = &tight;
-  const Outcome outcome = sum_by_stages(fixed, moving, settings, workspace, result.region);
+  SumRequest request(options);
+  if (with_tight) request.tight_places = &tight;
+  const Outcome outcome = sum_by_stages(fixed, moving, request, workspace, result.region);
   if (!outcome.ok()) throw *outcome.error;
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
@@ -51,14 +52,14 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving,
 }
 
 /// How many threads are worth their start.
-int worthwhile_threads(std::span<const Geometry> parts, const NoFitTableOptions& options) {
+int worthwhile_threads(std::span<const Geometry> parts, int turns, int threads) {
   // Sums take a time that grows with the square of their operands' vertices: together these are a
   // fraction of a millisecond.
   constexpr std::uint64_t kForOne = 60'000;
   std::uint64_t vertices = 0;
   for (const Geometry& part : parts) vertices += part.region.vertex_count();
-  const std::uint64_t work = vertices * vertices * static_cast<std::uint64_t>(options.turns);
-  const auto wanted = std::min<std::uint64_t>(thread_count(options.threads), work / kForOne);
+  const std::uint64_t work = vertices * vertices * static_cast<std::uint64_t>(turns);
+  const auto wanted = std::min<std::uint64_t>(thread_count(threads), work / kForOne);
   return static_cast<int>(std::max<std::uint64_t>(wanted, 1));
 }
 
@@ -72,49 +73,52 @@ struct Memory {
 };
 
 Geometry sum(const TablePart& fixed, const TablePart& moving, std::size_t direction,
-             const NoFitTableOptions& options, Memory& memory) {
+             const Options& options, bool with_tight, Memory& memory) {
   const SmallOperand* const p = fixed.small(0);
   const SmallOperand* const q = moving.small(direction);
-  if (p != nullptr && q != nullptr && !options.tight && allow_small(options.limits)) {
+  if (p != nullptr && q != nullptr && !with_tight && allow_small(options.limits)) {
     Geometry result;
     if (sum_small(*p, *q, memory.small, result.region)) return result;
   }
   if (!memory.workspace) memory.workspace.emplace();
-  return sum(fixed.prepared(0), moving.prepared(direction), options, *memory.workspace);
+  return sum(fixed.prepared(0), moving.prepared(direction), options, with_tight, *memory.workspace);
 }
 
 }  // namespace
 
-NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions& options) {
-  if (options.turns != 1 && options.turns != 2 && options.turns != 4) {
+NoFitTable::NoFitTable(std::span<const Geometry> given, int turns, const Options& options) {
+  if (turns != 1 && turns != 2 && turns != 4) {
     throw Error(ErrorCode::kBadInput, "a table of no-fit polygons has 1, 2 or 4 turns");
   }
   std::vector<TablePart> parts;
   parts.reserve(given.size());
-  for (const Geometry& part : given) parts.emplace_back(part, parts.size(), options);
+  for (const Geometry& part : given) parts.emplace_back(part, parts.size(), turns, options);
 
   State state;
-  state.turns = options.turns;
+  state.turns = turns;
   state.rows.reserve(parts.size());
-  const int half = std::max(1, options.turns / 2);
+  const int half = std::max(1, turns / 2);
+  const bool with_tight = options.tight.value_or(true);
+  PartProgress progress(options, parts.size());
   const auto make_row = [&](std::size_t i, Memory& memory) {
-    Cancellation cancellation(options.cancel);
+    Cancellation cancellation(progress.options());
     cancellation.look();
     std::vector<Geometry> row;
     row.reserve((parts.size() - i) * static_cast<std::size_t>(state.turns));
     for (std::size_t j = i; j < parts.size(); ++j) {
-      const int turns = j == i ? state.turns_with_itself() : state.turns;
-      for (int turn = 0; turn < turns; ++turn) {
+      const int wanted = j == i ? state.turns_with_itself() : turns;
+      for (int turn = 0; turn < wanted; ++turn) {
         cancellation.check(kWorkOfSmallSum);
         // Its point mirror is itself, turned by half a full turn.
         const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].directions();
-        row.push_back(sum(parts[i], parts[j], mirror, options, memory));
+        row.push_back(sum(parts[i], parts[j], mirror, progress.options(), with_tight, memory));
       }
     }
+    progress.finish_part();
     return row;
   };
   for_each_in_order<std::vector<Geometry>, Memory>(
-      parts.size(), worthwhile_threads(given, options), make_row,
+      parts.size(), worthwhile_threads(given, turns, options.threads), make_row,
       [&](std::size_t, std::vector<Geometry>& row) { state.rows.push_back(std::move(row)); });
   state_ = std::make_shared<const State>(std::move(state));
 }
@@ -122,9 +126,8 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, const NoFitTableOptions&
 std::size_t NoFitTable::size() const { return state_->rows.size(); }
 int NoFitTable::turns() const { return state_->turns; }
 
-Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving,
-                        const std::optional<CancelToken>& cancel) const {
-  Cancellation cancellation(cancel);
+Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving, const Options& options) const {
+  Cancellation cancellation(options);
   const int turns = state_->turns;
   for (const TurnedPart& part : {fixed, moving}) {
     if (part.part >= size()) throw Error(ErrorCode::kBadInput, "there is no such part");
@@ -148,9 +151,9 @@ Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving,
   Geometry result{turned(sum.region, quarters, cancellation), {}, {}};
   if (mirrored) RegionAccess::exchange_operands(result.region);
   if (sum.has_thin_parts()) {
-    const Geometry tight = resolve(
-        transform(Geometry{{}, sum.polylines, sum.points}, Affine::quarter_turns(quarters), cancel),
-        {FillRule::kAutomatic, false, cancel});
+    const Geometry tight = resolve(transform(Geometry{{}, sum.polylines, sum.points},
+                                             Affine::quarter_turns(quarters), options),
+                                   part_of(options));
     result.polylines = tight.polylines;
     result.points = tight.points;
   }

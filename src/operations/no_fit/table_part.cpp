@@ -4,6 +4,7 @@
 
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
+#include "overlay/resolve_area.hpp"
 
 namespace minksum {
 namespace {
@@ -19,11 +20,11 @@ bool is_by_role(FillRule fill) { return fill == FillRule::kAutomatic || fill == 
 
 }  // namespace
 
-TablePart::TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options)
+TablePart::TablePart(const Geometry& given, std::size_t index, int turns, const Options& options)
     : given_(&given),
       index_(index),
       options_(&options),
-      directions_(options.turns == 1 ? 2 : static_cast<std::size_t>(options.turns)),
+      directions_(turns == 1 ? 2 : static_cast<std::size_t>(turns)),
       prepared_(std::make_unique<Prepared>()) {
   if (read_small_part()) return;
   for (std::size_t i = 0; i < directions_; ++i) static_cast<void>(prepared(i));
@@ -45,17 +46,15 @@ bool TablePart::read_small_part() {
 
 Region TablePart::covered() const {
   // Resolving takes as long as some sums: what is valid already goes without.
-  const bool valid = !small_.empty() || (is_by_role(options_->fill) &&
-                                         validate(given_->region, 1, options_->cancel).empty());
+  const bool valid = !small_.empty() ||
+                     (is_by_role(options_->fill) && validate(given_->region, 1, *options_).empty());
   const Region area =
-      valid ? given_->region
-            : resolve(*given_, {options_->fill, true, options_->cancel, static_cast<int>(index_)})
-                  .region;
+      valid ? given_->region : resolve_area(*given_, static_cast<int>(index_), *options_).region;
   if (area.empty() || given_->region.empty()) {
     refuse("a part without area cannot be paired", index_);
   }
   const Point reference = given_->region.point(0);
-  return transform(area, Affine::translation(-reference.x, -reference.y), options_->cancel);
+  return transform(area, Affine::translation(-reference.x, -reference.y), *options_);
 }
 
 const PreparedRegion& TablePart::prepared(std::size_t direction) const {
@@ -63,8 +62,8 @@ const PreparedRegion& TablePart::prepared(std::size_t direction) const {
   Direction& d = prepared_->directions[direction];
   std::call_once(d.once, [&] {
     d.region.emplace(
-        transform(prepared_->covered, Affine::quarter_turns(quarters(direction)), options_->cancel),
-        options_->cancel);
+        transform(prepared_->covered, Affine::quarter_turns(quarters(direction)), *options_),
+        *options_);
   });
   return *d.region;
 }

@@ -18,7 +18,7 @@ class TablePart {
  public:
   /// `given` and `options` must live as long. Throws Error(kBadInput) with the part's index if it
   /// has no area or is no valid operand.
-  TablePart(const Geometry& given, std::size_t index, const NoFitTableOptions& options);
+  TablePart(const Geometry& given, std::size_t index, int turns, const Options& options);
 
   /// As many as the table's turns; of one turn, there is the point mirror as well.
   [[nodiscard]] std::size_t directions() const { return directions_; }
@@ -47,7 +47,7 @@ class TablePart {
 
   const Geometry* given_;
   std::size_t index_;
-  const NoFitTableOptions* options_;
+  const Options* options_;
   std::vector<SmallOperand> small_;
   std::size_t directions_;
   std::unique_ptr<Prepared> prepared_;

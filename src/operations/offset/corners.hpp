@@ -38,9 +38,9 @@ struct CornerOutline {
 /// less than a 12th of the tolerance.
 class Corners {
  public:
-  /// With the options' join, miter limit and cap. Throws Error(kLimitExceeded) if the tolerance is
+  /// With the shape's join, miter limit and cap. Throws Error(kLimitExceeded) if the tolerance is
   /// too small to choose in doubles.
-  Corners(const Rational& distance, const Rational& tolerance, const OffsetOptions& options);
+  Corners(const Rational& distance, const Rational& tolerance, const OffsetOptions& shape);
 
   /// The edge in the direction of `along`, which is not (0, 0).
   [[nodiscard]] OffsetEdge edge(Point along) const;

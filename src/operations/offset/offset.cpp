@@ -10,6 +10,7 @@
 #include "minksum/boolean.hpp"
 #include "minksum/error.hpp"
 #include "minksum/morphology.hpp"
+#include "minksum/resolve.hpp"
 #include "operations/offset/outline.hpp"
 
 namespace minksum {
@@ -17,14 +18,14 @@ namespace {
 
 [[noreturn]] void refuse(const char* what) { throw Error(ErrorCode::kBadInput, what); }
 
-bool all_round(const OffsetOptions& options) {
-  return options.join == Join::kRound && options.cap == Cap::kRound;
+bool all_round(const OffsetOptions& shape) {
+  return shape.join == Join::kRound && shape.cap == Cap::kRound;
 }
 
-void require_sense(const OffsetOptions& options) {
-  if (options.tolerance && options.tolerance->sign() <= 0) refuse("a tolerance must be positive");
-  if (options.miter_limit < Rational(1)) refuse("a miter limit must be at least 1");
-  if (options.side != RoundingSide::kNearest && !all_round(options)) {
+void require_sense(const OffsetOptions& shape) {
+  if (shape.tolerance && shape.tolerance->sign() <= 0) refuse("a tolerance must be positive");
+  if (shape.miter_limit < Rational(1)) refuse("a miter limit must be at least 1");
+  if (shape.side != RoundingSide::kNearest && !all_round(shape)) {
     refuse("a side can be chosen for round joins and caps only");
   }
 }
@@ -45,27 +46,30 @@ RoundingSide swapped(RoundingSide side) {
 /// One offset: by `radius` outwards or inwards.
 class Offset {
  public:
-  Offset(const Rational& distance, const OffsetOptions& options)
-      : options_(options),
+  Offset(const Rational& distance, const OffsetOptions& shape, const Options& options)
+      : shape_(shape),
+        options_(options),
         inwards_(distance.sign() < 0),
         radius_(inwards_ ? -distance : distance),
-        tolerance_(options.tolerance ? std::min(*options.tolerance, radius_ / Rational(2))
-                                     : radius_ / Rational(1000)) {}
+        tolerance_(shape.tolerance ? std::min(*shape.tolerance, radius_ / Rational(2))
+                                   : radius_ / Rational(1000)) {}
 
   [[nodiscard]] Geometry run(const Geometry& a) const {
-    const ResolveOptions reading{options_.fill, inwards_, options_.cancel, 0};
-    if (all_round(options_)) {
+    Options reading = part_of(options_);
+    reading.fill = options_.fill;
+    reading.regularize = inwards_ || options_.regularize;
+    if (all_round(shape_)) {
       // The disc is read as A is, and its ring is counter-clockwise.
       const bool reads_disc = options_.fill != FillRule::kNegative;
       return reads_disc ? round(a, options_.fill)
-                        : round(resolve(a, reading), FillRule::kAutomatic);
+                        : round(resolve(a, reading, 0), FillRule::kAutomatic);
     }
-    Geometry set = resolve({a.region, {}, {}}, reading);
-    const Corners corners(radius_, tolerance_, options_);
-    Cancellation cancellation(options_.cancel);
+    Geometry set = resolve({a.region, {}, {}}, reading, 0);
+    const Corners corners(radius_, tolerance_, shape_);
+    Cancellation cancellation(options_);
     Region outlines;
-    if (options_.join != Join::kRound) add_boundary(set.region, corners, cancellation, outlines);
-    if (!inwards_) {
+    if (shape_.join != Join::kRound) add_boundary(set.region, corners, cancellation, outlines);
+    if (!reading.regularize) {
       for (const auto& lines : {set.polylines, a.polylines}) {
         for (const Polyline& line : lines) add_polyline(line, corners, cancellation, outlines);
       }
@@ -75,18 +79,23 @@ class Offset {
     }
     require_few(outlines);
     const FillRule rule = inwards_ ? FillRule::kNegative : FillRule::kPositive;
-    Geometry result = resolve({std::move(outlines), {}, {}}, {rule, true, options_.cancel});
-    if (options_.join != Join::kRound) return result;
+    Options winding = part_of(options_);
+    winding.fill = rule;
+    winding.regularize = true;
+    Geometry result = resolve({std::move(outlines), {}, {}}, winding);
+    if (shape_.join != Join::kRound) return result;
     const std::array<Geometry, 2> both{round({std::move(set.region), {}, {}}, FillRule::kAutomatic),
                                        std::move(result)};
-    return both[1].empty() ? both[0] : unite(both, options_.cancel);
+    return both[1].empty() ? both[0] : unite(both, options_);
   }
 
  private:
   [[nodiscard]] Geometry round(const Geometry& a, FillRule fill) const {
-    const RoundingSide side = inwards_ ? swapped(options_.side) : options_.side;
+    const RoundingSide side = inwards_ ? swapped(shape_.side) : shape_.side;
     const Geometry element{disc(radius_, tolerance_, side), {}, {}};
-    const MorphologyOptions options{false, fill, options_.limits, options_.cancel};
+    Options options = part_of(options_);
+    options.fill = fill;
+    options.regularize = options_.regularize;
     return inwards_ ? erode(a, element, options) : dilate(a, element, options);
   }
 
@@ -123,10 +132,10 @@ class Offset {
   }
 
   void add_point(const Point& point, Cancellation& cancellation, Region& outlines) const {
-    if (options_.cap == Cap::kButt) return;
+    if (shape_.cap == Cap::kButt) return;
     const Rational& r = radius_;
     Ring ring{{-r, -r}, {r, -r}, {r, r}, {-r, r}};
-    if (options_.cap == Cap::kRound) ring = disc(r, tolerance_).polygon(0).outer;
+    if (shape_.cap == Cap::kRound) ring = disc(r, tolerance_).polygon(0).outer;
     cancellation.check(ring.size() * work_of(point));
     outlines.begin_polygon();
     outlines.begin_ring();
@@ -139,7 +148,8 @@ class Offset {
     throw exceeded("Limits::max_segments", most, "the offset's outlines have", "segments");
   }
 
-  const OffsetOptions& options_;
+  const OffsetOptions& shape_;
+  const Options& options_;
   bool inwards_;
   Rational radius_;
   Rational tolerance_;
@@ -173,10 +183,11 @@ const char* to_string(Cap cap) {
   return "square";
 }
 
-Geometry offset(const Geometry& a, const Rational& distance, const OffsetOptions& options) {
-  require_sense(options);
-  if (distance.sign() == 0) return resolve(a, {options.fill, false, options.cancel, 0});
-  return Offset(distance, options).run(a);
+Geometry offset(const Geometry& a, const Rational& distance, const OffsetOptions& shape,
+                const Options& options) {
+  require_sense(shape);
+  if (distance.sign() == 0) return resolve(a, options, 0);
+  return Offset(distance, shape, options).run(a);
 }
 
 }  // namespace minksum

@@ -11,6 +11,7 @@
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
 #include "operations/penetration/contact.hpp"
+#include "overlay/resolve_area.hpp"
 #include "region/point_arithmetic.hpp"
 
 namespace minksum {
@@ -21,13 +22,12 @@ struct Shape {
   bool as_given = false;  ///< its vertices are those that the caller knows
 };
 
-Shape read(const Geometry& geometry, const DepthOptions& options, int operand) {
+Shape read(const Geometry& geometry, const Options& options, int operand) {
   const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
-  if (by_role && !geometry.has_thin_parts() &&
-      validate(geometry.region, 1, options.cancel).empty()) {
+  if (by_role && !geometry.has_thin_parts() && validate(geometry.region, 1, options).empty()) {
     return {geometry, true};
   }
-  return {resolve(geometry, {options.fill, true, options.cancel, operand}), false};
+  return {resolve_area(geometry, operand, options), false};
 }
 
 /// A ⊕ −B with its tight places.
@@ -38,15 +38,14 @@ struct Obstacle {
   Geometry tight;
 };
 
-std::optional<Obstacle> obstacle(const Geometry& a, const Geometry& b,
-                                 const DepthOptions& options) {
+std::optional<Obstacle> obstacle(const Geometry& a, const Geometry& b, const Options& options) {
   Obstacle result{read(a, options, 0), read(b, options, 1), {}, {}};
   if (result.a.geometry.empty() || result.b.geometry.empty()) return std::nullopt;
-  Options sum;
-  sum.limits = options.limits;
-  sum.cancel = options.cancel;
-  sum.tight = &result.tight;
-  result.sum = minkowski_sum(result.a.geometry, reflect(result.b.geometry, options.cancel), sum);
+  Options part = part_of(options);
+  part.tight = true;
+  DetailedSum sum = detailed_sum(result.a.geometry, reflect(result.b.geometry, options), part);
+  result.sum = std::move(sum.sum);
+  result.tight = std::move(sum.tight);
   return result;
 }
 
@@ -133,17 +132,16 @@ Nearest nearest_of(const std::vector<Edge>& edges, Cancellation& cancellation) {
 }  // namespace
 
 std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
-                                       const DepthOptions& options) {
+                                       const Options& options) {
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;
-  Cancellation cancellation(options.cancel);
+  Cancellation cancellation(options, Stage::kSearch);
   const std::vector<Edge> edges = edges_of(*around, cancellation);
   Nearest nearest = nearest_of(edges, cancellation);
   Depth depth;
   depth.overlapping =
       nearest.squared.sign() != 0 &&
-      PointLocator(around->sum, options.cancel).locate({Rational(0), Rational(0)}) ==
-          Location::kInside;
+      PointLocator(around->sum, options).locate({Rational(0), Rational(0)}) == Location::kInside;
   depth.vector = nearest.point;
   depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
@@ -155,15 +153,14 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
   return depth;
 }
 
-std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b,
-                                       const Point& direction, const DepthOptions& options) {
+std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b, const Point& direction,
+                                       const Options& options) {
   if (direction.x.sign() == 0 && direction.y.sign() == 0) {
     throw Error(ErrorCode::kBadInput, "a direction must not be (0, 0)");
   }
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;
-  if (PointLocator(around->sum, options.cancel).locate({Rational(0), Rational(0)}) !=
-      Location::kOutside) {
+  if (PointLocator(around->sum, options).locate({Rational(0), Rational(0)}) != Location::kOutside) {
     return Rational(0);
   }
   // The first point of the sum on the ray is on an edge: crossed, or ended at if they are parallel.
@@ -172,7 +169,7 @@ std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b,
   const auto offer = [&first](const Rational& factor) {
     if (factor.sign() >= 0 && (!first || factor < *first)) first = factor;
   };
-  Cancellation cancellation(options.cancel);
+  Cancellation cancellation(options, Stage::kSearch);
   for (const Edge& edge : edges_of(*around, cancellation)) {
     cancellation.check(16 * work_of(edge.a));
     const int from = cross(direction, edge.a).sign();

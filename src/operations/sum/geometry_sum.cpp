@@ -89,7 +89,7 @@ bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<
 /// An operand as given, or as resolved.
 class Reader {
  public:
-  Reader(int operand, const Geometry& given, const Options& options, PartialSums& partial)
+  Reader(int operand, const Geometry& given, const SumRequest& options, PartialSums& partial)
       : operand_(operand), given_(given), geometry_(&given), options_(options), partial_(partial) {}
 
   [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
@@ -109,13 +109,13 @@ class Reader {
   void leave_crossings() {
     if (as_given_ || given_.polylines.empty()) return;
     // What runs along an area is none of the thin parts, whose sums would take tight places.
-    if (options_.tight != nullptr) return;
+    if (options_.tight_places != nullptr) return;
     if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
     if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
       return;
     }
     // Rings that are not valid may add polylines.
-    if (!validate(given_.region, 1, options_.cancel).empty()) return;
+    if (!validate(given_.region, 1, options_).empty()) return;
     resolved_.polylines.clear();
     for (const Polyline& line : given_.polylines) {
       append_walks(line, partial_.cancellation(), resolved_.polylines);
@@ -124,8 +124,7 @@ class Reader {
   void resolve() {
     if (!as_given_) return;
     as_given_ = false;
-    resolved_ = minksum::resolve(*geometry_,
-                                 {options_.fill, options_.regularize, options_.cancel, operand_});
+    resolved_ = minksum::resolve(*geometry_, options_, operand_);
     geometry_ = &resolved_;
     if (!partial_.take(operand_, resolved_.region)) {
       throw Error(ErrorCode::kInternal, "a resolved operand is not valid", {}, "operands");
@@ -136,7 +135,7 @@ class Reader {
   int operand_;
   const Geometry& given_;
   const Geometry* geometry_;
-  const Options& options_;
+  const SumRequest& options_;
   PartialSums& partial_;
   bool as_given_ = true;
   Geometry resolved_;
@@ -145,7 +144,7 @@ class Reader {
 /// All sums of parts but that of both regions.
 class ThinSums {
  public:
-  ThinSums(const Geometry& p, const Geometry& q, const Options& options, PartialSums& partial,
+  ThinSums(const Geometry& p, const Geometry& q, const SumRequest& options, PartialSums& partial,
            std::vector<Geometry>& sums)
       : operands_{&p, &q}, options_(options), partial_(partial), sums_(sums) {}
 
@@ -159,7 +158,7 @@ class ThinSums {
     if (!of(0).polylines.empty() && !of(1).polylines.empty()) {
       Geometry loose;
       partial_.add_polylines(of(0).polylines, of(1).polylines, loose);
-      sums_.push_back(resolve(loose, {FillRule::kAutomatic, false, options_.cancel}));
+      sums_.push_back(resolve(loose, part_of(options_)));
     }
     // Two points meet once: with the second operand's points everything of the first is moved.
     move({of(0).region, of(0).polylines, of(0).points}, of(1).points);
@@ -185,20 +184,18 @@ class ThinSums {
   }
 
   std::array<const Geometry*, 2> operands_;
-  const Options& options_;
+  const SumRequest& options_;
   PartialSums& partial_;
   std::vector<Geometry>& sums_;
 };
 
 /// What the sum's thin operands cover is no tight place any more.
-void uncover(const Geometry& sum, const std::optional<CancelToken>& cancel, Geometry& tight) {
+void uncover(const Geometry& sum, const Options& options, Geometry& tight) {
   if (!tight.has_thin_parts()) return;
   const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
-  Geometry left = unite(both, cancel);
+  Geometry left = unite(both, options);
   // Where paths were apart because the sum's thin part met them, they go on now.
-  ResolveOptions joining;
-  joining.cancel = cancel;
-  tight = resolve({{}, std::move(left.polylines), std::move(left.points)}, joining);
+  tight = resolve({{}, std::move(left.polylines), std::move(left.points)}, part_of(options));
 }
 
 }  // namespace
@@ -207,12 +204,12 @@ void forget_origins(Region& region) {
   if (region.has_origins()) RegionAccess::clear_origins(region);
 }
 
-void sum_geometries(const Geometry& p, const Geometry& q, const Options& options,
+void sum_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
                     PartialSums& partial, Geometry& result) {
   result.region.clear();
   result.polylines.clear();
   result.points.clear();
-  if (options.tight != nullptr) *options.tight = {};
+  if (options.tight_places != nullptr) *options.tight_places = {};
   Reader first(0, p, options, partial);
   Reader second(1, q, options, partial);
   first.read();
@@ -231,14 +228,14 @@ void sum_geometries(const Geometry& p, const Geometry& q, const Options& options
   if (!a.has_thin_parts() && !b.has_thin_parts()) return;
   std::vector<Geometry> sums;
   ThinSums(a, b, options, partial, sums).run();
-  if (options.tight != nullptr) {
-    const Geometry thin = unite(sums, options.cancel);
-    uncover(thin, options.cancel, *options.tight);
+  if (options.tight_places != nullptr) {
+    const Geometry thin = unite(sums, options);
+    uncover(thin, options, *options.tight_places);
     sums.assign(1, thin);
   }
   if (!result.region.empty()) sums.push_back({std::move(result.region), {}, {}});
   partial.cancellation().look();
-  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums, options.cancel);
+  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums, options);
   forget_origins(result.region);
 }
 

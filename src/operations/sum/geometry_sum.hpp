@@ -5,7 +5,7 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
-#include "minksum/minkowski_sum.hpp"
+#include "sum/sum_request.hpp"
 
 namespace minksum {
 
@@ -32,7 +32,7 @@ class PartialSums {
 /// P ⊕ Q for P = A ∪ L, Q = B ∪ M with areas A, B and thin parts L, M, after reading them by
 /// `options.fill`: A⊕B ∪ A⊕M ∪ L⊕B ∪ L⊕M. What is moved by a point is moved exactly.
 /// Throws Error, see minkowski_sum.
-void sum_geometries(const Geometry& p, const Geometry& q, const Options& options,
+void sum_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
                     PartialSums& partial, Geometry& result);
 
 /// Drops what made the edges: where operands were not used as given it would mislead.

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <chrono>
-#include <new>
 #include <type_traits>
 
 #include "minksum/prepared_region.hpp"
+#include "minksum/testing.hpp"
 #include "operations/sum/fixed_sum.hpp"
 #include "operations/sum/geometry_sum.hpp"
 #include "second/signed_convolution/signed_convolution.hpp"
@@ -22,8 +22,9 @@ Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
 const char* to_string(Stage stage) {
-  constexpr std::array<const char*, kStageCount> kNames{
-      "operands", "convolution", "cover", "arrangement", "loops", "filters", "output"};
+  constexpr std::array kNames{"operands", "convolution", "cover",  "arrangement",
+                              "loops",    "filters",     "output", "overlay",
+                              "rounding", "checking",    "search"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 
@@ -31,32 +32,25 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void require_valid(const CallerOperand& p, const CallerOperand& q, const Options& options) {
+void require_valid(const CallerOperand& p, const CallerOperand& q, const SumRequest& options) {
   for (const int i : {0, 1}) {
     const CallerOperand& given = i == 0 ? p : q;
-    if (given.operand == nullptr) minksum::require_valid(given.region, i, options.cancel);
+    if (given.operand == nullptr) minksum::require_valid(given.region, i, options);
   }
 }
 
-void require_method_for_tight(const Options& options) {
-  if (options.tight != nullptr && options.method != Method::kReduced) {
+void require_method_for_tight(const SumRequest& request) {
+  if (request.tight_places != nullptr && request.method != Method::kReduced) {
     throw Error(ErrorCode::kBadInput, "tight places are found by Method::kReduced only");
   }
 }
 
-/// Where the tight places go, as an object of the result's type.
-Region* tight_of(const Options& options, const Region&) {
-  return options.tight == nullptr ? nullptr : &options.tight->region;
-}
-Geometry* tight_of(const Options& options, const Geometry&) { return options.tight; }
-
-/// An operand that stays as it is while results are written: it is copied first if it is one.
+/// An operand that stays as it is while the result is written: it is copied first if it is that.
 template <class Set>
 class Kept {
  public:
-  Kept(const Set& operand, const Options& options, const std::type_identity_t<Set>* result)
-      : operand_(&operand) {
-    if (&operand != result && &operand != tight_of(options, operand)) return;
+  Kept(const Set& operand, const std::type_identity_t<Set>& result) : operand_(&operand) {
+    if (&operand != &result) return;
     copy_ = operand;
     operand_ = &*copy_;
   }
@@ -67,17 +61,11 @@ class Kept {
   const Set* operand_;
 };
 
-template <class Set>
-void require_two_results(const Options& options, const Set& result) {
-  if (&result != tight_of(options, result)) return;
-  throw Error(ErrorCode::kBadInput, "the sum and its tight places cannot be one object");
-}
-
 /// Whether nothing is asked for that the stages alone give.
-bool may_be_small(const Options& o) {
-  return o.method == Method::kReduced && o.arithmetic == Arithmetic::kAutomatic && o.filter &&
-         o.cover && o.grid == 0 && !o.check && !o.progress && o.statistics == nullptr &&
-         o.trace == nullptr && o.tight == nullptr && allow_small(o.limits);
+bool may_be_small(const SumRequest& r) {
+  return r.small && r.method == Method::kReduced && r.arithmetic == Arithmetic::kAutomatic &&
+         r.filter && r.cover && r.grid == 0 && !r.check && r.trace == nullptr &&
+         r.tight_places == nullptr && allow_small(r.limits);
 }
 
 /// Null if it is none.
@@ -87,7 +75,7 @@ const SmallOperand* small_of(const CallerOperand& given, SmallOperand& memory) {
   return read_small(given.region, SmallHoles::kNone, memory) ? &memory : nullptr;
 }
 
-bool run_small(const CallerOperand& p, const CallerOperand& q, const Options& options,
+bool run_small(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
                SmallScratch& scratch, Region& result) {
   if (!may_be_small(options)) return false;
   Cancellation(options).look();
@@ -95,16 +83,22 @@ bool run_small(const CallerOperand& p, const CallerOperand& q, const Options& op
   const SmallOperand* const small_p = small_of(p, memory[0]);
   if (small_p == nullptr) return false;
   const SmallOperand* const small_q = small_of(q, memory[1]);
-  return small_q != nullptr && sum_small(*small_p, *small_q, scratch, result);
+  if (small_q == nullptr || !sum_small(*small_p, *small_q, scratch, result)) return false;
+  if (options.statistics != nullptr) {
+    options.statistics->small = true;
+    options.statistics->convolution_segments = scratch.segments();
+    options.statistics->segments_kept = scratch.segments();
+  }
+  return true;
 }
 
-void run(const CallerOperand& p, const CallerOperand& q, const Options& options,
+void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
          Workspace::State& state, Region& result) {
   const std::optional<Clock::time_point> begin =
       options.statistics != nullptr ? std::optional(Clock::now()) : std::nullopt;
   if (options.statistics != nullptr) *options.statistics = Statistics{};
   if (options.trace != nullptr) *options.trace = Trace{};
-  if (options.tight != nullptr) *options.tight = Geometry{};
+  if (options.tight_places != nullptr) *options.tight_places = Geometry{};
   require_method_for_tight(options);
   if (p.region.empty() || q.region.empty()) {
     require_valid(p, q, options);
@@ -122,40 +116,43 @@ void run(const CallerOperand& p, const CallerOperand& q, const Options& options,
   }
 }
 
-Region run(const CallerOperand& p, const CallerOperand& q, const Options& options) {
-  Workspace workspace;
+/// The caller's memory, or some for one call.
+class Memory {
+ public:
+  explicit Memory(const Options& options)
+      : workspace_(options.memory != nullptr ? options.memory : &own_.emplace()) {}
+  Memory(const Memory&) = delete;
+  Memory& operator=(const Memory&) = delete;
+  [[nodiscard]] Workspace::State& state() { return workspace_->state(); }
+
+ private:
+  std::optional<Workspace> own_;
+  Workspace* workspace_;
+};
+
+Region run(const CallerOperand& p, const CallerOperand& q, const SumRequest& options) {
+  Memory memory(options);
   Region result;
-  run(p, q, options, workspace.state(), result);
+  run(p, q, options, memory.state(), result);
   return result;
 }
 
-/// `work` and what became of it; on failure `clear` is called.
-template <class Work, class Clear>
-Outcome without_exceptions(Work work, Clear clear) {
-  try {
-    work();
-    return {};
-  } catch (const Error& error) {
-    clear();
-    return {error};
-  } catch (const std::bad_alloc&) {
-    clear();
-    return {Error(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"})};
-  }
+/// `work` and how it ended; on failure the result is empty.
+template <class Work, class Set>
+Outcome attempt_or_clear(Work work, Set& result) {
+  Outcome outcome = attempt(work);
+  if (!outcome.ok()) result = Set{};
+  return outcome;
 }
-Outcome run_without_exceptions(const CallerOperand& p, const CallerOperand& q,
-                               const Options& options, Workspace& workspace, Region& result) {
-  const auto work = [&] {
-    require_two_results(options, result);
-    run(p, q, options, workspace.state(), result);
-  };
-  return without_exceptions(work, [&] { result.clear(); });
+Outcome attempt_sum(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
+                    Workspace& workspace, Region& result) {
+  return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
 }
 
 /// The sums that a sum of geometries is made of.
 class Sums final : public PartialSums {
  public:
-  Sums(const Options& options, Workspace::State& state)
+  Sums(const SumRequest& options, Workspace::State& state)
       : options_(options),
         quiet_(options),
         cancellation_(options),
@@ -163,7 +160,7 @@ class Sums final : public PartialSums {
         begin_(Clock::now()) {
     quiet_.statistics = nullptr;
     quiet_.trace = nullptr;
-    quiet_.tight = nullptr;
+    quiet_.tight_places = nullptr;
     if (options.statistics != nullptr) *options.statistics = Statistics{};
     if (options.trace != nullptr) *options.trace = Trace{};
   }
@@ -231,8 +228,8 @@ class Sums final : public PartialSums {
     return {state_.walks[i], &state_.thin[i]};
   }
 
-  const Options& options_;
-  Options quiet_;  ///< for the sums that are not to be told of
+  const SumRequest& options_;
+  SumRequest quiet_;  ///< for the sums that are not to be told of
   Cancellation cancellation_;
   Workspace::State& state_;
   Clock::time_point begin_;
@@ -242,30 +239,61 @@ class Sums final : public PartialSums {
   std::array<SmallOperand, 2> small_;
 };
 
-void run(const Geometry& p, const Geometry& q, const Options& options, Workspace::State& state,
+void run(const Geometry& p, const Geometry& q, const SumRequest& options, Workspace::State& state,
          Geometry& result) {
   require_method_for_tight(options);
-  const Kept first(p, options, &result);
-  const Kept second(q, options, &result);
+  const Kept first(p, result);
+  const Kept second(q, result);
   Sums sums(options, state);
   sum_geometries(*first, *second, options, sums, result);
   sums.count_time();
 }
 
+Geometry run(const Geometry& p, const Geometry& q, const SumRequest& options) {
+  Memory memory(options);
+  Geometry result;
+  run(p, q, options, memory.state(), result);
+  return result;
+}
+
 CallerOperand given(const PreparedRegion& region) {
   return {region.region(), &region.state().operand, region.state().small.get()};
+}
+CallerOperand given(const Region& region) { return {region}; }
+
+/// The request for a DetailedSum.
+template <class Settings>
+SumRequest request_for(const Settings& settings, Detail detail, DetailedSum& result) {
+  SumRequest request(settings);
+  request.statistics = &result.statistics;
+  if (settings.tight.value_or(false)) request.tight_places = &result.tight;
+  if (detail == Detail::kTrace) request.trace = &result.trace;
+  return request;
+}
+template <class Operand, class Settings>
+DetailedSum detailed(const Operand& p, const Operand& q, const Settings& settings, Detail detail) {
+  DetailedSum result;
+  result.sum.region = run(given(p), given(q), request_for(settings, detail, result));
+  return result;
+}
+template <class Settings>
+DetailedSum detailed(const Geometry& p, const Geometry& q, const Settings& settings,
+                     Detail detail) {
+  DetailedSum result;
+  result.sum = run(p, q, request_for(settings, detail, result));
+  return result;
 }
 
 }  // namespace
 
-PreparedRegion::PreparedRegion(Region region, const std::optional<CancelToken>& cancel) {
-  Cancellation cancellation(cancel);
+PreparedRegion::PreparedRegion(Region region, const Options& options) {
+  Cancellation cancellation(options);
   auto state = std::make_shared<State>();
   state->region = std::move(region);
   if (!state->region.empty()) {
     OperandScratch scratch;
     std::vector<Fault> faults;
-    prepare_operand(state->region, Options{}, 1, cancellation, scratch, state->operand, faults);
+    prepare_operand(state->region, SumSettings{}, 1, cancellation, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
     if (read_small(state->region, SmallHoles::kSome, *small)) state->small = std::move(small);
@@ -276,53 +304,109 @@ PreparedRegion::PreparedRegion(Region region, const std::optional<CancelToken>& 
 const Region& PreparedRegion::region() const { return state_->region; }
 
 Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
-  const Kept first(p, options, nullptr);
-  const Kept second(q, options, nullptr);
-  return run(CallerOperand{*first}, CallerOperand{*second}, options);
+  return run(given(p), given(q), SumRequest(options));
 }
 Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
-  return run(given(p), given(q), options);
+  return run(given(p), given(q), SumRequest(options));
 }
 Region minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options) {
-  const Kept first(p, options, nullptr);
-  return run(CallerOperand{*first}, given(q), options);
+  return run(given(p), given(q), SumRequest(options));
 }
 Region minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options) {
-  const Kept second(q, options, nullptr);
-  return run(given(p), CallerOperand{*second}, options);
+  return run(given(p), given(q), SumRequest(options));
+}
+Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {
+  return run(p, q, SumRequest(options));
 }
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  const Kept first(p, options, &result);
-  const Kept second(q, options, &result);
-  return run_without_exceptions(CallerOperand{*first}, CallerOperand{*second}, options, workspace,
-                                result);
+  const Kept first(p, result);
+  const Kept second(q, result);
+  return attempt_sum(given(*first), given(*second), SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  return run_without_exceptions(given(p), given(q), options, workspace, result);
+  return attempt_sum(given(p), given(q), SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  const Kept first(p, options, &result);
-  return run_without_exceptions(CallerOperand{*first}, given(q), options, workspace, result);
+  const Kept first(p, result);
+  return attempt_sum(given(*first), given(q), SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  const Kept second(q, options, &result);
-  return run_without_exceptions(given(p), CallerOperand{*second}, options, workspace, result);
+  const Kept second(q, result);
+  return attempt_sum(given(p), given(*second), SumRequest(options), workspace, result);
 }
-Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
+Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
+                      Workspace& workspace, Geometry& result) {
+  return sum_of_geometries(p, q, SumRequest(options), workspace, result);
+}
+DetailedSum detailed_sum(const Region& p, const Region& q, const Options& options, Detail detail) {
+  return detailed(p, q, options, detail);
+}
+DetailedSum detailed_sum(const Geometry& p, const Geometry& q, const Options& options,
+                         Detail detail) {
+  return detailed(p, q, options, detail);
+}
+DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
+                         Detail detail) {
+  return detailed(p, q, options, detail);
+}
+
+// -- By settings ---------------------------------------------------------------------------------
+Region minkowski_sum(const Region& p, const Region& q, const SumSettings& settings) {
+  return run(given(p), given(q), SumRequest(settings));
+}
+Geometry minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings) {
+  return run(p, q, SumRequest(settings));
+}
+Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
+                     const SumSettings& settings) {
+  return run(given(p), given(q), SumRequest(settings));
+}
+Outcome minkowski_sum(const Region& p, const Region& q, const SumSettings& settings,
                       Workspace& workspace, Region& result) {
-  return run_without_exceptions({p.region(), &p.state().operand}, {q.region(), &q.state().operand},
-                                options, workspace, result);
+  const Kept first(p, result);
+  const Kept second(q, result);
+  return attempt_sum(given(*first), given(*second), SumRequest(settings), workspace, result);
+}
+Outcome minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
+                      Workspace& workspace, Geometry& result) {
+  return sum_of_geometries(p, q, SumRequest(settings), workspace, result);
+}
+Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumSettings& settings,
+                      Workspace& workspace, Region& result) {
+  return attempt_sum(given(p), given(q), SumRequest(settings), workspace, result);
+}
+DetailedSum detailed_sum(const Region& p, const Region& q, const SumSettings& settings,
+                         Detail detail) {
+  return detailed(p, q, settings, detail);
+}
+DetailedSum detailed_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
+                         Detail detail) {
+  return detailed(p, q, settings, detail);
+}
+DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
+                         const SumSettings& settings, Detail detail) {
+  return detailed(p, q, settings, detail);
+}
+
+// -- For who knows more of the operands ----------------------------------------------------------
+Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
+                          Workspace& workspace, Geometry& result) {
+  return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
+}
+Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
+                      Workspace& workspace, Region& result) {
+  return attempt_sum({p.region(), &p.state().operand}, {q.region(), &q.state().operand}, options,
+                     workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
-                      const Options& options, Workspace& workspace, Region& result) {
+                      const SumRequest& options, Workspace& workspace, Region& result) {
   Workspace::State& w = workspace.state();
   const auto run_all = [&] {
-    if (options.statistics != nullptr) *options.statistics = Statistics{};
-    if (options.tight != nullptr) *options.tight = Geometry{};
+    if (options.tight_places != nullptr) *options.tight_places = Geometry{};
     if (fixed.region().empty() || valid.empty()) return result.clear();
     StageRunner runner(options);
     runner.run(Stage::kOperands, [&] {
@@ -331,11 +415,11 @@ Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const Sh
     });
     run_stages(options, shared, runner, w, result);
   };
-  return without_exceptions(run_all, [&] { result.clear(); });
+  return attempt_or_clear(run_all, result);
 }
 
 std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Region& typical,
-                                         double widest, const Options& options) {
+                                         double widest, const SumRequest& options) {
   Workspace workspace;
   Workspace::State& w = workspace.state();
   Cancellation cancellation(options);
@@ -348,21 +432,6 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
     if (error.code() != ErrorCode::kLimitExceeded) throw;
     return std::nullopt;
   }
-}
-
-Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {
-  Workspace workspace;
-  Geometry result;
-  run(p, q, options, workspace.state(), result);
-  return result;
-}
-Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
-                      Workspace& workspace, Geometry& result) {
-  const auto work = [&] {
-    require_two_results(options, result);
-    run(p, q, options, workspace.state(), result);
-  };
-  return without_exceptions(work, [&] { result = {}; });
 }
 
 }  // namespace minksum

@@ -7,6 +7,8 @@
 #include "minksum/boolean.hpp"
 #include "minksum/check.hpp"
 #include "minksum/measure.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/testing.hpp"
 #include "second/check/placed_operand.hpp"
 
 namespace minksum {
@@ -30,27 +32,32 @@ Geometry square_around_origin(const Rational& reach) {
   return square;
 }
 
-/// Returns the points at most `options.within` away from `geometry` in x and in y. The second
-/// method computes them, because the method under test must not tell how far off it may be.
-Geometry grown(const Geometry& geometry, const CheckOptions& options) {
-  Options second;
+/// The second method's settings, for a part of the check.
+SumSettings by_second_method(const Options& options) {
+  SumSettings second{part_of(options)};
+  second.limits = {};
   second.method = Method::kSigned;
-  second.cancel = options.cancel;
-  return minkowski_sum(geometry, square_around_origin(options.within), second);
+  return second;
+}
+
+/// The set of points at most `within` away from `geometry` in x and in y. By the second method: the
+/// one that is checked must not tell what it may be off.
+Geometry grown(const Geometry& geometry, const Rational& within, const Options& options) {
+  return minkowski_sum(geometry, square_around_origin(within), by_second_method(options));
 }
 
 /// Asks whether result and sum agree at points.
 class Witness {
  public:
-  Witness(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& options,
+  Witness(const Geometry& result, const Geometry& p, const Geometry& q, const Rational& within,
           Cancellation& cancellation, SumCheck& check)
       : cancellation_(cancellation),
         result_(result, cancellation),
         sum_(p, q, cancellation),
         check_(check) {
-    if (options.within.sign() == 0) return;
-    near_result_.emplace(result, square_around_origin(options.within), cancellation);
-    near_sum_.emplace(p, grown(q, options), cancellation);
+    if (within.sign() == 0) return;
+    near_result_.emplace(result, square_around_origin(within), cancellation);
+    near_sum_.emplace(p, grown(q, within, cancellation.options()), cancellation);
   }
 
   void ask(const Point& x) {
@@ -127,7 +134,7 @@ std::pair<Span, Span> spans(const Geometry& geometry, Cancellation& cancellation
   for (const Polyline& line : geometry.polylines) {
     points.insert(points.end(), line.begin(), line.end());
   }
-  if (const auto box = bounding_box(geometry.region, cancellation.token())) {
+  if (const auto box = bounding_box(geometry.region, cancellation.options())) {
     points.push_back(box->min);
     points.push_back(box->max);
   }
@@ -151,10 +158,10 @@ Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
 }
 
 // Asks in the box of the sum, made wider by a twentieth on each side.
-void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& options,
+void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& how,
                    Cancellation& cancellation, Witness& witness) {
   if (p.empty() || q.empty()) return;
-  std::mt19937_64 random(options.seed);
+  std::mt19937_64 random(how.seed);
   const auto [px, py] = spans(p, cancellation);
   const auto [qx, qy] = spans(q, cancellation);
   const auto wider = [](const Span& a, const Span& b) {
@@ -164,7 +171,7 @@ void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& opt
   };
   const Span x = wider(px, qx);
   const Span y = wider(py, qy);
-  for (std::uint64_t i = 0; i < options.samples; ++i) witness.ask(pick(x, y, random));
+  for (std::uint64_t i = 0; i < how.samples; ++i) witness.ask(pick(x, y, random));
 }
 
 using Room = std::pair<Span, Span>;
@@ -200,15 +207,15 @@ void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& 
 
 // Random points in the sum's box miss a hole that is small beside the sum. So do points near the
 // edges of a result that lacks it.
-void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& options,
+void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& how,
                   Cancellation& cancellation, Witness& witness) {
   std::vector<Room> rooms;
   add_rooms(p, q, cancellation, rooms);
   add_rooms(q, p, cancellation, rooms);
   if (rooms.empty()) return;
-  std::mt19937_64 random(options.seed);
-  for (std::uint64_t i = 0; i < options.samples; ++i) {
-    const Room& room = rooms[i * rooms.size() / options.samples];
+  std::mt19937_64 random(how.seed);
+  for (std::uint64_t i = 0; i < how.samples; ++i) {
+    const Room& room = rooms[i * rooms.size() / how.samples];
     witness.ask(pick(room.first, room.second, random));
   }
 }
@@ -249,7 +256,7 @@ Difference difference_of(const Region& part, Cancellation& cancellation) {
   double largest = -1;
   for (const std::size_t polygon : part.polygons()) {
     const Region one(part.polygon(polygon));
-    const double its_area = approximate_area(one, cancellation.token());
+    const double its_area = approximate_area(one, cancellation.options());
     cancellation.check(64);
     result.area += its_area;
     if (its_area <= largest) continue;
@@ -263,12 +270,11 @@ bool same_thin_parts(const Geometry& a, const Geometry& b) {
   return a.polylines == b.polylines && a.points == b.points;
 }
 
-void prove(const Geometry& result, const Geometry& p, const Geometry& q,
-           const CheckOptions& options, Cancellation& cancellation, SumCheck& check) {
-  Options second;
-  second.method = Method::kSigned;
-  second.limits = options.limits;
-  second.cancel = options.cancel;
+void prove(const Geometry& result, const Geometry& p, const Geometry& q, const CheckOptions& how,
+           Cancellation& cancellation, SumCheck& check) {
+  const Options& options = cancellation.options();
+  SumSettings second = by_second_method(options);
+  second.limits = how.proof;
   Geometry sum;
   try {
     sum = minkowski_sum(p, q, second);
@@ -276,22 +282,22 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
     if (error.code() == ErrorCode::kLimitExceeded) return;
     throw;
   }
-  check.sum_area = approximate_area(sum.region, options.cancel);
-  check.missing = difference_of(subtract(sum.region, result.region, options.cancel), cancellation);
-  check.surplus = difference_of(subtract(result.region, sum.region, options.cancel), cancellation);
-  if (options.within.sign() == 0) {
+  check.sum_area = approximate_area(sum.region, options);
+  check.missing = difference_of(subtract(sum.region, result.region, options), cancellation);
+  check.surplus = difference_of(subtract(result.region, sum.region, options), cancellation);
+  if (how.within.sign() == 0) {
     check.thin_parts_differ = !same_thin_parts(sum, result);
     const bool equal = sum.region == result.region && !check.thin_parts_differ;
     check.proof = equal ? Proof::kHolds : Proof::kRefuted;
     return;
   }
   // Thin parts grow to areas as well, so areas decide for them, too.
-  const Geometry wide_sum = grown(sum, options);
-  const Geometry wide_result = grown(result, options);
+  const Geometry wide_sum = grown(sum, how.within, options);
+  const Geometry wide_result = grown(result, how.within, options);
   const Geometry both_sums[] = {wide_sum, result};
   const Geometry both_results[] = {wide_result, sum};
-  const bool near = unite(both_sums, options.cancel) == wide_sum &&
-                    unite(both_results, options.cancel) == wide_result;
+  const bool near =
+      unite(both_sums, options) == wide_sum && unite(both_results, options) == wide_result;
   check.proof = near ? Proof::kHolds : Proof::kRefuted;
 }
 
@@ -299,35 +305,33 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q,
 }  // namespace checking
 
 SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
-                   const CheckOptions& options) {
+                   const CheckOptions& how, const Options& options) {
   using namespace checking;
-  if (options.within.sign() < 0) {
+  if (how.within.sign() < 0) {
     throw Error(ErrorCode::kBadInput, "how far a result may be off must not be negative");
   }
   const auto operand = [&options](const Geometry& geometry, int index) {
-    return resolve(geometry, {options.fill, options.regularize, options.cancel, index});
+    return resolve(geometry, options, index);
   };
   const Geometry first = operand(p, 0);
   const Geometry second = operand(q, 1);
 
   SumCheck check;
-  Cancellation cancellation(options.cancel);
-  check.faults = validate(result.region, kFaults, options.cancel);
-  ResolveOptions as_it_is;
-  as_it_is.cancel = options.cancel;
-  const Geometry found = resolve(result, as_it_is);
+  Cancellation cancellation(options, Stage::kChecking);
+  check.faults = validate(result.region, kFaults, options);
+  const Geometry found = resolve(result, part_of(options));
   if (check.faults.empty() && found.region.polygon_count() != result.region.polygon_count()) {
     check.faults.push_back({"rings that touch cut the inside of a polygon in pieces", {}, {}, {}});
   }
-  check.result_area = approximate_area(found.region, options.cancel);
+  check.result_area = approximate_area(found.region, options);
   {
-    Witness witness(found, first, second, options, cancellation, check);
-    ask_near_edges(found.region, options.edges, witness);
+    Witness witness(found, first, second, how.within, cancellation, check);
+    ask_near_edges(found.region, how.edges, witness);
     ask_thin_parts(found, witness);
-    ask_at_random(first, second, options, cancellation, witness);
-    ask_in_holes(first, second, options, cancellation, witness);
+    ask_at_random(first, second, how, cancellation, witness);
+    ask_in_holes(first, second, how, cancellation, witness);
   }
-  prove(found, first, second, options, cancellation, check);
+  prove(found, first, second, how, cancellation, check);
   return check;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "minksum/testing.hpp"
 #include "second/signed_convolution/crossings.hpp"
 #include "second/signed_convolution/geometry.hpp"
 #include "second/signed_convolution/segments.hpp"
@@ -85,7 +86,7 @@ struct DeltaRange {
 template <class N>
 class ArrangementBuilder {
  public:
-  ArrangementBuilder(Geometry<N>& geometry, const Options& options, Statistics& statistics)
+  ArrangementBuilder(Geometry<N>& geometry, const SumSettings& options, Statistics& statistics)
       : geometry_(geometry),
         options_(options),
         cancellation_(geometry.cancellation()),
@@ -298,7 +299,7 @@ class ArrangementBuilder {
   }
 
   Geometry<N>& geometry_;
-  const Options& options_;
+  const SumSettings& options_;
   Cancellation& cancellation_;
   Statistics& statistics_;
   std::vector<DeltaRange> segment_deltas_;

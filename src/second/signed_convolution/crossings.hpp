@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "machine/exceeded.hpp"
+#include "minksum/testing.hpp"
 #include "second/signed_convolution/broken.hpp"
 #include "second/signed_convolution/geometry.hpp"
 
@@ -116,7 +117,7 @@ class Grid {
 template <class N>
 class CrossingFinder {
  public:
-  CrossingFinder(Geometry<N>& geometry, const Options& options)
+  CrossingFinder(Geometry<N>& geometry, const SumSettings& options)
       : geometry_(geometry), cancellation_(geometry.cancellation()), options_(options) {}
 
   void run() {
@@ -266,7 +267,7 @@ class CrossingFinder {
 
   Geometry<N>& geometry_;
   Cancellation& cancellation_;
-  const Options& options_;
+  const SumSettings& options_;
   std::vector<KeyBox> boxes_;
   std::vector<std::size_t> cell_first_;
   std::vector<SegmentId> members_;

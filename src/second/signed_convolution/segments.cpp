@@ -51,7 +51,7 @@ Range edges_of_q_between(DirectionRank a, DirectionRank b, DirectionRank count) 
 
 class Lister {
  public:
-  Lister(DirectionRank count, const Options& options, Cancellation& cancellation,
+  Lister(DirectionRank count, const SumSettings& options, Cancellation& cancellation,
          std::vector<SignedSegment>& segments)
       : count_(count), options_(options), cancellation_(cancellation), segments_(segments) {}
 
@@ -120,7 +120,7 @@ class Lister {
   }
 
   DirectionRank count_;
-  const Options& options_;
+  const SumSettings& options_;
   Cancellation& cancellation_;
   std::vector<SignedSegment>& segments_;
 };
@@ -172,8 +172,8 @@ std::vector<Layer> make_layers(const IntegerOperands& operands, Cancellation& ca
 }
 
 std::vector<SignedSegment> signed_segments(const IntegerOperands& operands,
-                                           std::span<const Layer> layers, const Options& options,
-                                           Cancellation& cancellation) {
+                                           std::span<const Layer> layers,
+                                           const SumSettings& options, Cancellation& cancellation) {
   std::vector<SignedSegment> segments;
   Lister lister(operands.direction_count, options, cancellation, segments);
   for (std::size_t i = 0; i < layers.size(); ++i) {

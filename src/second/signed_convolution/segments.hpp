@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "machine/cancellation.hpp"
-#include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 #include "second/signed_convolution/operands.hpp"
 
 namespace minksum::signed_sum {
@@ -50,7 +50,7 @@ struct SignedSegment {
 /// Returns the signed convolutions of all layers, layer after layer.
 [[nodiscard]] std::vector<SignedSegment> signed_segments(const IntegerOperands& operands,
                                                          std::span<const Layer> layers,
-                                                         const Options& options,
+                                                         const SumSettings& options,
                                                          Cancellation& cancellation);
 
 /// Tells whether the segments form closed cycles in every layer: at each pair of vertices, as many

@@ -37,7 +37,7 @@ struct Input {
 };
 
 template <class N>
-void solve(const Input& input, const Options& options, Cancellation& cancellation,
+void solve(const Input& input, const SumSettings& options, Cancellation& cancellation,
            Statistics& statistics, StageTimer& timer, Region& result) {
   cancellation.enter(Stage::kArrangement);
   Geometry<N> geometry(input.operands.bits, cancellation);
@@ -68,7 +68,7 @@ Arithmetic pick(unsigned bits, Arithmetic least) {
   return Arithmetic::kNarrow;
 }
 
-void compute(const CallerOperand& p, const CallerOperand& q, const Options& options,
+void compute(const CallerOperand& p, const CallerOperand& q, const SumSettings& options,
              Statistics& statistics, Region& result) {
   StageTimer timer(statistics);
   Cancellation cancellation(options);
@@ -98,7 +98,7 @@ void compute(const CallerOperand& p, const CallerOperand& q, const Options& opti
   }
 }
 
-void compute_or_clear(const CallerOperand& p, const CallerOperand& q, const Options& options,
+void compute_or_clear(const CallerOperand& p, const CallerOperand& q, const SumSettings& options,
                       Statistics& statistics, Region& result) {
   try {
     compute(p, q, options, statistics, result);
@@ -132,15 +132,15 @@ void add_parallel_sums(const Polyline& p, const Polyline& q, Cancellation& cance
 }  // namespace
 }  // namespace signed_sum
 
-void signed_convolution_sum(const Region& p, const Region& q, const Options& options,
+void signed_convolution_sum(const Region& p, const Region& q, const SumSettings& options,
                             Statistics& statistics, Region& result) {
   result.clear();
   if (p.empty() || q.empty()) return;
   signed_sum::compute_or_clear(p, q, options, statistics, result);
 }
 
-void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const Options& options,
-                            Region& result) {
+void signed_convolution_sum(const Region& p, std::span<const Polyline> q,
+                            const SumSettings& options, Region& result) {
   result.clear();
   if (p.empty() || q.empty()) return;
   Statistics unasked;
@@ -148,7 +148,7 @@ void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const 
 }
 
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
-                            const Options& options, Geometry& result) {
+                            const SumSettings& options, Geometry& result) {
   result = {};
   if (p.empty() || q.empty()) return;
   Statistics unasked;

@@ -11,24 +11,24 @@
 
 #include <span>
 
-#include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 
 namespace minksum {
 
 /// Sets `result` to P ⊕ Q by signed convolution and winding numbers. The operands must be valid
 /// (see `validate`). The result is in canonical form, without origins.
-void signed_convolution_sum(const Region& p, const Region& q, const Options& options,
+void signed_convolution_sum(const Region& p, const Region& q, const SumSettings& options,
                             Statistics& statistics, Region& result);
 
 /// Does the same where the second operand is the union of polylines as in a resolved Geometry. Each
 /// polyline is a ring that is traversed there and back.
-void signed_convolution_sum(const Region& p, std::span<const Polyline> q, const Options& options,
-                            Region& result);
+void signed_convolution_sum(const Region& p, std::span<const Polyline> q,
+                            const SumSettings& options, Region& result);
 
 /// Sets `result` to the sum of two unions of such polylines. Edges of different directions sweep
 /// the region. Each pair of parallel edges adds a segment, which may overlap with others and the
 /// region.
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
-                            const Options& options, Geometry& result);
+                            const SumSettings& options, Geometry& result);
 
 }  // namespace minksum

@@ -5,12 +5,13 @@
 namespace minksum {
 
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
-             const Options& options, Predicates& predicates, ArrangementScratch& scratch,
+             const SumRequest& options, Predicates& predicates, ArrangementScratch& scratch,
              Arrangement& arrangement) {
   bin_segments(operands, convolution, cover, options.limits, predicates.cancellation(), scratch,
                arrangement);
   find_crossings(cover, options, predicates, scratch, arrangement);
-  split_segments(operands, cover, options.tight != nullptr, predicates, scratch, arrangement);
+  split_segments(operands, cover, options.tight_places != nullptr, predicates, scratch,
+                 arrangement);
 }
 
 std::optional<std::string> check(const Arrangement& a, const Operands& operands) {

@@ -11,6 +11,7 @@
 #include "sum/arrangement/visible_segments.hpp"
 #include "sum/convolution/convolution.hpp"
 #include "sum/cover/cover.hpp"
+#include "sum/sum_request.hpp"
 
 namespace minksum {
 
@@ -178,7 +179,7 @@ struct ArrangementScratch {
 /// Builds the arrangement.
 /// O(k · cells per segment + pairs within uncovered cells + c log c).
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
-             const Options& options, Predicates& predicates, ArrangementScratch& scratch,
+             const SumRequest& options, Predicates& predicates, ArrangementScratch& scratch,
              Arrangement& arrangement);
 
 /// Builds the arrangement by merging, if each operand is one convex ring. Then all edges in order
@@ -208,7 +209,7 @@ void bin_segments(const Operands& operands, const Convolution& convolution, cons
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, and unites points that pairs of segments share.
-void find_crossings(const Cover& cover, const Options& options, Predicates& predicates,
+void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, and makes nodes and pieces. O(c log c) for
 /// c incidences.

@@ -10,7 +10,7 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(const Cover& cover, const Options& options, Predicates& predicates,
+  CrossingFinder(const Cover& cover, const SumSettings& options, Predicates& predicates,
                  ArrangementScratch& scratch, Arrangement& arrangement)
       : cover_(cover),
         grid_(scratch.grid),
@@ -212,7 +212,7 @@ class CrossingFinder {
 
 }  // namespace
 
-void find_crossings(const Cover& cover, const Options& options, Predicates& predicates,
+void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement) {
   CrossingFinder(cover, options, predicates, scratch, arrangement).run();
   arrangement.crossings = scratch.crossings.size();

@@ -16,7 +16,7 @@ Vec<double> along(const KeptSegment& s, double lambda) {
 
 }  // namespace
 
-SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const Options& options,
+SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const SumSettings& options,
                              Predicates& predicates, ArrangementScratch& scratch,
                              const std::vector<KeptSegment>& kept)
     : predicates_(predicates),

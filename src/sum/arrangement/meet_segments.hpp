@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "minksum/testing.hpp"
 #include "sum/arrangement/arrangement.hpp"
 
 namespace minksum {
@@ -25,7 +26,7 @@ struct SegmentExtent {
 /// It is taken in each part, which costs nothing but repeated events.
 class SegmentMeeter {
  public:
-  SegmentMeeter(const UniformGrid& grid, const Options& options, Predicates& predicates,
+  SegmentMeeter(const UniformGrid& grid, const SumSettings& options, Predicates& predicates,
                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
 
   /// Sets the part in which points are wanted from now on.

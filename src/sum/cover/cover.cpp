@@ -23,7 +23,7 @@ int choose_plain_side(std::uint64_t segments) {
 /// Chooses the cells along the longer side of the first grid with a cover. Moving bitmaps of s
 /// cells a side costs in proportion to s^3. The share of segments that stay visible is in
 /// proportion to 1 / s. The total cost is least where s^4 is in proportion to all segments.
-int choose_side(std::uint64_t segments, const Options& options) {
+int choose_side(std::uint64_t segments, const SumSettings& options) {
   if (options.grid > 0) return std::min(options.grid, kMaxSide);
   const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
   return std::min(static_cast<int>(side), kMaxSide);
@@ -124,7 +124,7 @@ Visibility refine(const Operands& operands, std::uint64_t segments, const Sample
 
 /// Chooses the cells along a side of the finest level, a power of two. Few cells are divided down
 /// to that level.
-std::int32_t choose_division(std::uint64_t segments, const Options& options) {
+std::int32_t choose_division(std::uint64_t segments, const SumSettings& options) {
   constexpr std::uint32_t kMostCells = 4096;
   const auto k = static_cast<double>(segments);
   const double wanted = options.grid > 0 ? options.grid : std::min(6.0 * std::sqrt(k), k / 8);
@@ -162,8 +162,9 @@ bool is_sparse(const Operands& operands, std::uint64_t size, List list) {
 
 }  // namespace
 
-void cover_interior(const Operands& operands, const Options& options, Cancellation& cancellation,
-                    CoverScratch& scratch, Convolution& convolution, Cover& cover) {
+void cover_interior(const Operands& operands, const SumSettings& options,
+                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
+                    Cover& cover) {
   const std::uint64_t size = convolution.size;
   const auto list = [&]() -> std::span<const Segment> {
     if (!convolution.listed()) {

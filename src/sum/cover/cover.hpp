@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machine/vectors.hpp"
+#include "minksum/testing.hpp"
 #include "spatial/uniform_grid.hpp"
 #include "sum/convolution/convolution.hpp"
 #include "sum/cover/bitmap.hpp"
@@ -87,8 +88,9 @@ struct CoverScratch {
 /// many thin translates cover the sum rather than few fat ones. There parallelograms are tried as
 /// well. If these leave many crossings, the grid is divided by winding number. Segments that are
 /// only counted are listed only for a division, or if no cell is covered.
-void cover_interior(const Operands& operands, const Options& options, Cancellation& cancellation,
-                    CoverScratch& scratch, Convolution& convolution, Cover& cover);
+void cover_interior(const Operands& operands, const SumSettings& options,
+                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
+                    Cover& cover);
 
 /// Estimates what a cover leaves of the segments, from some hundreds of them.
 [[nodiscard]] Visibility look_at_sample(const Operands& operands, const Convolution& convolution,

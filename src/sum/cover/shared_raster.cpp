@@ -30,7 +30,7 @@ std::size_t words_for(std::int32_t columns) {
 }  // namespace
 
 std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
-                                         const Options& options, Cancellation& cancellation,
+                                         const SumSettings& options, Cancellation& cancellation,
                                          CoverScratch& scratch, Convolution& convolution) {
   Cover cover;
   cover_interior(operands, options, cancellation, scratch, convolution, cover);
@@ -49,9 +49,9 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   return shared;
 }
 
-void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
-                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
-                    Cover& cover) {
+void cover_interior(const Operands& operands, const SharedRaster& shared,
+                    const SumSettings& options, Cancellation& cancellation, CoverScratch& scratch,
+                    Convolution& convolution, Cover& cover) {
   const auto cover_without = [&] {
     cover_interior(operands, options, cancellation, scratch, convolution, cover);
   };

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "minksum/testing.hpp"
 #include "sum/cover/cover.hpp"
 
 namespace minksum {
@@ -21,15 +22,15 @@ struct SharedRaster {
 /// alone did not make that cover, if the cover is empty, or if rows would be too long. `operands`
 /// must be combined with NarrowHoles::kKeep, and `convolution` is theirs, as for `cover_interior`.
 [[nodiscard]] std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
-                                                       const Options& options,
+                                                       const SumSettings& options,
                                                        Cancellation& cancellation,
                                                        CoverScratch& scratch,
                                                        Convolution& convolution);
 
 /// Covers the sum as `cover_interior` does, but with a given raster of the first operand. The
 /// raster is not used if cells do not fit, or if it leaves much more than in the typical sum.
-void cover_interior(const Operands& operands, const SharedRaster& shared, const Options& options,
-                    Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
-                    Cover& cover);
+void cover_interior(const Operands& operands, const SharedRaster& shared,
+                    const SumSettings& options, Cancellation& cancellation, CoverScratch& scratch,
+                    Convolution& convolution, Cover& cover);
 
 }  // namespace minksum

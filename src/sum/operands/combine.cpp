@@ -25,7 +25,8 @@ struct CommonGrid {
   int bits = 0;
 };
 
-CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q, const Options& options) {
+CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q,
+                       const SumSettings& options) {
   CommonGrid common;
   if (p.rational || q.rational || options.arithmetic == Arithmetic::kArbitrary) return common;
   const std::int64_t common_part = std::gcd(p.grid.unit.divisor, q.grid.unit.divisor);
@@ -52,7 +53,7 @@ CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q, const
 }
 
 void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const CommonGrid& common,
-                  const Options& options, Operands& o) {
+                  const SumSettings& options, Operands& o) {
   const GridPart parts[2] = {{&p.grid, common.factor[0], o.scratch.kept[0]},
                              {&q.grid, common.factor[1], o.scratch.kept[1]}};
   make_grid_kernel(rung_for(common.bits, options.arithmetic), parts, common.unit, o.kernel);
@@ -236,7 +237,7 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles 
   for (const SiteId site : o.scratch.kept[1]) renumbered[site + p.size()] = id++;
 }
 
-void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSettings& options,
                 Cancellation& cancellation, Operands& o) {
   const CommonGrid common = common_grid(p, q, options);
   if (common.fits) {
@@ -253,9 +254,9 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Option
   connect(cancellation, o);
 }
 
-void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumRequest& options,
                       NarrowHoles narrow, Cancellation& cancellation, Operands& o) {
-  fill_holes(p, q, narrow, options.tight != nullptr, cancellation, o);
+  fill_holes(p, q, narrow, options.tight_places != nullptr, cancellation, o);
   join_sites(p, q, options, cancellation, o);
   o.convex.clear();
   o.vertex_source.clear();

@@ -3,7 +3,7 @@
 
 namespace minksum {
 
-void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
+void prepare_operand(const Region& region, const SumSettings& options, std::size_t max_faults,
                      Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
                      std::vector<Fault>& faults) {
   load_and_validate(region, options, max_faults, cancellation, scratch, operand, faults);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sum/operands/prepare_operand.hpp"
+#include "sum/sum_request.hpp"
 
 namespace minksum {
 
@@ -79,7 +80,7 @@ enum class NarrowHoles : std::uint8_t { kFill, kKeep };
 
 /// Fills `operands` from two operands without faults. O(n + m) for n and m sites, if neither
 /// operand's coordinates are wide.
-void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumRequest& options,
                       NarrowHoles narrow, Cancellation& cancellation, Operands& operands);
 
 /// Returns what is wrong with `operands`, or nothing.
@@ -103,7 +104,7 @@ void list_parallel_sums(const Operands& operands, std::span<const Region, 2> wal
 void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles narrow,
                 bool tight_wanted, Cancellation& cancellation, Operands& operands);
 /// Brings both operands' exact coordinates to their common grid.
-void join_sites(const PreparedOperand& p, const PreparedOperand& q, const Options& options,
+void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSettings& options,
                 Cancellation& cancellation, Operands& operands);
 /// Merges both operands' directions, and sets everything that concerns ranks and places.
 void rank_directions(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,

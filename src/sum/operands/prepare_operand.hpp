@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "minksum/geometry.hpp"
+#include "minksum/testing.hpp"
 #include "validation/prepared_operand.hpp"
 
 namespace minksum {
@@ -14,7 +15,7 @@ namespace minksum {
 /// Fills `operand` from `region`, which must live as long. `operand` may be used only if `faults`
 /// stays empty. Only `arithmetic` and `filter` of `options` are used.
 /// O(n log n) for n vertices, plus close pairs of edges for the validation.
-void prepare_operand(const Region& region, const Options& options, std::size_t max_faults,
+void prepare_operand(const Region& region, const SumSettings& options, std::size_t max_faults,
                      Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
                      std::vector<Fault>& faults);
 
@@ -31,8 +32,9 @@ void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& canc
 /// it turns left on one side and right on the other. At both ends it turns left by half a circle.
 /// The pipeline asks no more of a ring: see docs/pipeline.md, "How are polylines and points
 /// added?". O(n log n).
-void prepare_thin_operand(const Region& walks, const Options& options, Cancellation& cancellation,
-                          OperandScratch& scratch, PreparedOperand& operand);
+void prepare_thin_operand(const Region& walks, const SumSettings& options,
+                          Cancellation& cancellation, OperandScratch& scratch,
+                          PreparedOperand& operand);
 
 /// Sorts an operand's edges by direction.
 void sort_directions(Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand);

@@ -20,8 +20,9 @@ void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& canc
   }
 }
 
-void prepare_thin_operand(const Region& walks, const Options& options, Cancellation& cancellation,
-                          OperandScratch& scratch, PreparedOperand& operand) {
+void prepare_thin_operand(const Region& walks, const SumSettings& options,
+                          Cancellation& cancellation, OperandScratch& scratch,
+                          PreparedOperand& operand) {
   load_sites(walks, options, cancellation, operand);
   operand.thin = true;
   const auto n = static_cast<SiteId>(walks.vertex_count());

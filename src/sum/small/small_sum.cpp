@@ -224,6 +224,7 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
   }
   const bool wide = numbers == SmallNumberType::kIntegers;
   if (p.convex && q.convex) {
+    scratch.count(p.size + q.size);
     if (wide) {
       merge_convex<std::int64_t>(p, q, result);
     } else {
@@ -234,8 +235,11 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
   // With more segments, looking at each pair of blocks takes longer than the stages.
   constexpr double kMostSegments = 1400;
   if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
-  return wide ? walk<std::int64_t>(p, q, width, scratch.state(), result)
-              : walk<double>(p, q, width, scratch.state(), result);
+  SmallScratch::State& state = scratch.state();
+  const bool done = wide ? walk<std::int64_t>(p, q, width, state, result)
+                         : walk<double>(p, q, width, state, result);
+  scratch.count(state.segments.size);
+  return done;
 }
 
 }  // namespace minksum

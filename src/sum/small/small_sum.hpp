@@ -17,9 +17,13 @@ class SmallScratch {
   SmallScratch& operator=(SmallScratch&&) noexcept;
   struct State;
   [[nodiscard]] State& state();
+  /// Of the last sum's reduced convolution.
+  [[nodiscard]] std::uint64_t segments() const { return segments_; }
+  void count(std::uint64_t segments) { segments_ = segments; }
 
  private:
   std::unique_ptr<State> state_;
+  std::uint64_t segments_ = 0;
 };
 
 /// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false

@@ -5,6 +5,7 @@
 
 #include "exact/kernel_of.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 #include "sum/operands/operands.hpp"
 #include "support/shapes.hpp"
 #include "unit/sum/prepare_operands.hpp"
@@ -54,7 +55,7 @@ std::vector<std::unique_ptr<Operands>> on_all_rungs(const Region& p, const Regio
   std::vector<std::unique_ptr<Operands>> all;
   for (const Arithmetic rung : {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide,
                                 Arithmetic::kArbitrary}) {
-    Options options;
+    SumRequest options;
     options.arithmetic = rung;
     all.push_back(std::make_unique<Operands>());
     prepare_operands(p, q, options, *all.back());
@@ -203,22 +204,21 @@ TEST_F(Rungs, ProbesAreInGeneralPosition) {
 
 TEST(Ladder, TellsWhichRungAnswered) {
   const Region square = rectangle(0, 0, 10, 10);
-  Statistics statistics;
-  Options options;
-  options.statistics = &statistics;
-  (void)minkowski_sum(square, square, options);
+  SumSettings options;
+  options.small = false;
+  Statistics statistics = detailed_sum(square, square, options).statistics;
   EXPECT_EQ(statistics.arithmetic, Arithmetic::kNarrow);
   EXPECT_GT(statistics.by_filter, 0U);
   EXPECT_EQ(statistics.by_fixed_width, 0U) << "few bits: doubles are exact";
   EXPECT_EQ(statistics.by_arbitrary, 0U);
 
   options.filter = false;
-  (void)minkowski_sum(square, square, options);
+  statistics = detailed_sum(square, square, options).statistics;
   EXPECT_GT(statistics.by_fixed_width, 0U);
   EXPECT_EQ(statistics.by_filter, 0U);
 
   options.arithmetic = Arithmetic::kArbitrary;
-  (void)minkowski_sum(square, square, options);
+  statistics = detailed_sum(square, square, options).statistics;
   EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
   EXPECT_EQ(statistics.by_fixed_width, 0U);
   EXPECT_GT(statistics.by_arbitrary, 0U);
@@ -239,10 +239,7 @@ TEST(Ladder, SlowRungsAreRareOnOrdinaryInput) {
     }
     return region;
   };
-  Statistics statistics;
-  Options options;
-  options.statistics = &statistics;
-  (void)minkowski_sum(ragged(4e7), ragged(1e7), options);
+  const Statistics statistics = detailed_sum(ragged(4e7), ragged(1e7)).statistics;
   EXPECT_EQ(statistics.arithmetic, Arithmetic::kNarrow);
   EXPECT_GT(statistics.by_filter, 1000U);
   EXPECT_LT(statistics.by_fixed_width * 100, statistics.by_filter);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "minksum/minkowski_sum.hpp"
+#include "minksum/testing.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum {
@@ -18,7 +19,7 @@ Geometry with_a_wall(Region region) { return {std::move(region), {{{20, 0}, {24,
 
 /// Expects the right sum if the result is either operand, or if both are one object.
 template <class Set>
-void expect_aliasing_is_allowed(const Set& p, const Set& q, const Options& options) {
+void expect_aliasing_is_allowed(const Set& p, const Set& q, const SumSettings& options) {
   Workspace workspace;
   Set expected;
   ASSERT_TRUE(minkowski_sum(p, q, options, workspace, expected).ok());
@@ -38,7 +39,7 @@ void expect_aliasing_is_allowed(const Set& p, const Set& q, const Options& optio
 TEST(Aliasing, AResultMayBeAnOperand) {
   for (const Method method : {Method::kReduced, Method::kSigned, Method::kFull}) {
     SCOPED_TRACE(static_cast<int>(method));
-    Options options;
+    SumSettings options;
     options.method = method;
     expect_aliasing_is_allowed(frame(), wedge(), options);
     expect_aliasing_is_allowed<Geometry>({frame(), {}, {}}, {wedge(), {}, {}}, options);
@@ -48,54 +49,16 @@ TEST(Aliasing, AResultMayBeAnOperand) {
 }
 
 TEST(Aliasing, AResultMayBeAnOperandOfTheStages) {
-  Options options;
+  SumSettings options;
   options.check = true;  // then small operands go through the stages
   expect_aliasing_is_allowed(frame(), wedge(), options);
   expect_aliasing_is_allowed(with_a_wall(frame()), with_a_wall(wedge()), options);
 }
 
-// The peg has the size of the hole, so the tight place is a point.
-TEST(Aliasing, TightPlacesMayGoToAnOperand) {
-  const Geometry plate = with_a_wall(frame());
-  const Geometry peg{rectangle(-3, -3, 0, 0), {}, {}};
-  Options options;
-  Geometry expected_tight;
-  options.tight = &expected_tight;
-  const Geometry expected = minkowski_sum(plate, peg, options);
-  ASSERT_EQ(expected_tight.points, (std::vector<Point>{{3, 3}}));
-  Geometry first = plate;
-  options.tight = &first;
-  EXPECT_EQ(minkowski_sum(first, peg, options), expected);
-  EXPECT_EQ(first, expected_tight);
-  Geometry second = peg;
-  options.tight = &second;
-  EXPECT_EQ(minkowski_sum(plate, second, options), expected);
-  EXPECT_EQ(second, expected_tight);
-  // For regions, tight places go to the geometry that owns the operand.
-  Geometry owner{frame(), {}, {}};
-  options.tight = &owner;
-  EXPECT_EQ(minkowski_sum(owner.region, peg.region, options), minkowski_sum(frame(), peg.region));
-  EXPECT_EQ(owner, expected_tight);
-}
-
-TEST(Aliasing, TwoResultsCannotBeOneObject) {
-  Geometry both;
-  Options options;
-  options.tight = &both;
-  Workspace workspace;
-  const Geometry p{frame(), {}, {}};
-  Outcome outcome = minkowski_sum(p, p, options, workspace, both);
-  ASSERT_FALSE(outcome.ok());
-  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
-  outcome = minkowski_sum(p.region, p.region, options, workspace, both.region);
-  ASSERT_FALSE(outcome.ok());
-  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
-}
-
 TEST(Aliasing, AFailureEmptiesTheOperandThatIsTheResult) {
   Region bow_tie = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   Workspace workspace;
-  EXPECT_FALSE(minkowski_sum(bow_tie, wedge(), {}, workspace, bow_tie).ok());
+  EXPECT_FALSE(minkowski_sum(bow_tie, wedge(), Options{}, workspace, bow_tie).ok());
   EXPECT_TRUE(bow_tie.empty());
 }
 

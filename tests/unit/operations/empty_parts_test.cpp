@@ -18,6 +18,7 @@
 #include "minksum/offset.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
+#include "minksum/testing.hpp"
 #include "minksum/transform.hpp"
 #include "support/shapes.hpp"
 
@@ -64,23 +65,20 @@ TEST(EmptyParts, EveryOperationTakesThem) {
   const Geometry hall{rectangle(-20, -20, 20, 20), {}, {}};
   expect_equal("resolve", [](const Geometry& g) { return text(resolve(g)); });
   for (const Method method : {Method::kReduced, Method::kSigned}) {
-    Options options;
+    SumSettings options;
     options.method = method;
     expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(g, other, options)); });
     expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(area, g, options)); });
     expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(g, g, options)); });
   }
   for (const FillRule fill : {FillRule::kNonZero, FillRule::kStrict}) {
-    Options options;
+    SumSettings options;
     options.fill = fill;
     expect_equal("sum", [&](const Geometry& g) { return text(minkowski_sum(g, other, options)); });
   }
   expect_equal("tight", [&](const Geometry& g) {
-    Geometry tight;
-    Options options;
-    options.tight = &tight;
-    const std::string sum = text(minkowski_sum(g, area, options));
-    return sum + text(tight);
+    const DetailedSum found = detailed_sum(g, area, {.tight = true});
+    return text(found.sum) + text(found.tight);
   });
   expect_equal("dilate", [&](const Geometry& g) { return text(dilate(g, area)); });
   expect_equal("erode", [&](const Geometry& g) { return text(erode(hall, g)); });

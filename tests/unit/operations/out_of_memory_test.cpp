@@ -11,6 +11,7 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
+#include "minksum/testing.hpp"
 #include "support/rounding_options.hpp"
 
 namespace {
@@ -123,7 +124,7 @@ Region triangle_fan() {
 TEST(OutOfMemory, Sums) {
   const Region p = triangle_fan();
   for (const Method method : {Method::kReduced, Method::kSigned, Method::kFull}) {
-    Options options;
+    SumSettings options;
     options.method = method;
     const Region expected = minkowski_sum(p, p, options);
     EXPECT_GT(fail_at_each([&] { return minkowski_sum(p, p, options) == expected; }), 5);
@@ -151,13 +152,8 @@ TEST(OutOfMemory, Geometries) {
 TEST(OutOfMemory, TightPlaces) {
   const Region frame = io::read("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))");
   const Region square = io::read("POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
-  fail_at_each([&] {
-    Geometry tight;
-    Options options;
-    options.tight = &tight;
-    static_cast<void>(minkowski_sum(frame, square, options));
-    return tight.points.size() == 1;
-  });
+  fail_at_each(
+      [&] { return detailed_sum(frame, square, {.tight = true}).tight.points.size() == 1; });
 }
 
 // A workspace keeps its memory and stays usable. Without any memory not even the error can be made,
@@ -172,13 +168,13 @@ TEST(OutOfMemory, WorkspacesStayGood) {
     Region result;
     bool ok = true;
     ending = run_with(requests, [&] {
-      ok = minkowski_sum(p, p, {}, workspace, result).ok();
+      ok = minkowski_sum(p, p, Options{}, workspace, result).ok();
       return true;
     });
     ASSERT_NE(ending, Ending::kOther);
     ASSERT_EQ(result.empty(), ending == Ending::kOutOfMemory || !ok);
     if (!ok) ending = Ending::kOutOfMemory;
-    ASSERT_TRUE(minkowski_sum(p, p, {}, workspace, result).ok()) << "after " << requests;
+    ASSERT_TRUE(minkowski_sum(p, p, Options{}, workspace, result).ok()) << "after " << requests;
     ASSERT_EQ(result, expected) << "after " << requests << " requests";
   }
   EXPECT_EQ(ending, Ending::kFine);

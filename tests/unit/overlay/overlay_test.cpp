@@ -18,7 +18,7 @@ using test::rectangle;
 
 Geometry resolved(const Region& region, FillRule rule = FillRule::kAutomatic,
                   bool regularize = false) {
-  ResolveOptions options;
+  Options options;
   options.fill = rule;
   options.regularize = regularize;
   return resolve({region, {}, {}}, options);
@@ -202,7 +202,7 @@ TEST(Resolve, AnyMagnitude) {
 }
 
 TEST(Resolve, Cancelled) {
-  ResolveOptions options;
+  Options options;
   options.cancel.emplace();
   options.cancel->cancel();
   try {

@@ -27,7 +27,7 @@ void expect_sides_of(const Geometry& exact) {
        {std::optional<int>{}, std::optional<int>{1}, std::optional<int>{0}}) {
     for (const RoundingSide side : {RoundingSide::kOutside, RoundingSide::kInside}) {
       RoundingReport report;
-      const Geometry rounded = round(exact, rounding(decimals, side), &report);
+      const Geometry rounded = round(exact, rounding(decimals, side), report);
       SCOPED_TRACE(std::string(to_string(side)) + ' ' + to_text(rounded));
       EXPECT_EQ(resolve(rounded), rounded);
       EXPECT_EQ(report.exact, rounded == exact);
@@ -43,7 +43,7 @@ TEST(RoundGeometry, PathsAndPointsGoToTheNearest) {
   thin.polylines = {{point("0", "0"), point("10/3", "1/3"), point("5", "5")}};
   thin.points = {point("-1/3", "7")};
   RoundingReport report;
-  const Geometry rounded = round(thin, to_decimals(1), &report);
+  const Geometry rounded = round(thin, to_decimals(1), report);
   Geometry expected;
   expected.polylines = {{point("0", "0"), point("3.3", "0.3"), point("5", "5")}};
   expected.points = {point("-0.3", "7")};
@@ -59,7 +59,7 @@ TEST(RoundGeometry, PathsThatWouldCrossAreSnapped) {
   Geometry thin;
   thin.polylines = {{point("0", "0"), point("9", "1")}, {point("0", "-3"), point("5", "0.54")}};
   RoundingReport report;
-  const Geometry rounded = round(thin, to_decimals(0), &report);
+  const Geometry rounded = round(thin, to_decimals(0), report);
   EXPECT_TRUE(report.snapped);
   Geometry expected;
   expected.polylines = {{point("0", "-3"), point("5", "1")},
@@ -74,7 +74,7 @@ TEST(RoundGeometry, PathsStayWhereTheyEndOnAnEdge) {
   // The polyline ends in the middle of the slanted edge.
   geometry.polylines = {{point("1/6", "1/3"), point("2", "2")}};
   RoundingReport report;
-  const Geometry rounded = round(resolve(geometry), to_decimals(3), &report);
+  const Geometry rounded = round(resolve(geometry), to_decimals(3), report);
   EXPECT_EQ(resolve(rounded), rounded);
   EXPECT_LE(report.largest_move, report.bound);
   ASSERT_EQ(rounded.polylines.size(), 1U);
@@ -95,7 +95,7 @@ TEST(RoundGeometry, WhatIsExactStaysThin) {
   for (const RoundingSide side : {RoundingSide::kOutside, RoundingSide::kInside}) {
     for (const RoundOptions& options : {to_integers(side), to_decimals(3, side)}) {
       RoundingReport report;
-      EXPECT_EQ(round(exact, options, &report), exact);
+      EXPECT_EQ(round(exact, options, report), exact);
       EXPECT_TRUE(report.exact);
       EXPECT_TRUE(report.topology_kept);
       EXPECT_EQ(report.largest_move, 0);
@@ -106,13 +106,13 @@ TEST(RoundGeometry, WhatIsExactStaysThin) {
 TEST(RoundGeometry, AShortSegmentIsNotLost) {
   const Geometry segment = lines({{point("0", "0"), point("1/3", "1/7")}});
   RoundingReport report;
-  const Geometry outside = round(segment, to_integers(RoundingSide::kOutside), &report);
+  const Geometry outside = round(segment, to_integers(RoundingSide::kOutside), report);
   EXPECT_EQ(outside, (Geometry{rectangle(0, 0, 1, 1), {}, {}}));
   EXPECT_FALSE(report.exact);
   EXPECT_FALSE(report.topology_kept);
   EXPECT_GT(report.largest_move, 1.08);  // from (1/3, 1/7) to (1, 1)
   EXPECT_LT(report.largest_move, 1.09);
-  EXPECT_EQ(round(segment, to_integers(RoundingSide::kInside), &report),
+  EXPECT_EQ(round(segment, to_integers(RoundingSide::kInside), report),
             lines({}, {point("0", "0")}));
   EXPECT_FALSE(report.exact);
   EXPECT_EQ(report.largest_move, 0);
@@ -124,10 +124,10 @@ TEST(RoundGeometry, APointBecomesItsCell) {
   EXPECT_EQ(round(inner, to_integers(RoundingSide::kOutside)),
             (Geometry{rectangle(0, 0, 1, 1), {}, {}}));
   RoundingReport report;
-  EXPECT_TRUE(round(inner, to_integers(RoundingSide::kInside), &report).empty());
+  EXPECT_TRUE(round(inner, to_integers(RoundingSide::kInside), report).empty());
   EXPECT_FALSE(report.exact);
   const Geometry on_line = lines({}, {point("2", "-1/2")});
-  EXPECT_EQ(round(on_line, to_integers(RoundingSide::kOutside), &report),
+  EXPECT_EQ(round(on_line, to_integers(RoundingSide::kOutside), report),
             lines({{point("2", "-1"), point("2", "0")}}));
   EXPECT_FALSE(report.exact);
   EXPECT_GE(report.largest_move, 0.5);
@@ -163,7 +163,7 @@ TEST(RoundGeometry, AreasPathsAndPointsTogether) {
   mixed.region = polygon({point("0", "0"), point("1/3", "0"), point("1/3", "1/3")});
   Geometry outside{rectangle(0, 0, 2, 1), {}, {point("4", "4")}};
   RoundingReport report;
-  EXPECT_EQ(round(resolve(mixed), to_integers(RoundingSide::kOutside), &report), outside);
+  EXPECT_EQ(round(resolve(mixed), to_integers(RoundingSide::kOutside), report), outside);
   EXPECT_LE(report.largest_move, report.bound);
   EXPECT_EQ(round(resolve(mixed), to_integers(RoundingSide::kInside)),
             lines({}, {point("4", "4")}));
@@ -194,7 +194,7 @@ TEST(RoundGeometry, SidesOfSmallAndLargeNumbers) {
   expect_sides_of(lines({{point("0", "0"), point("1e-320", "1e-325")}}, {point("1e300", "1/3")}));
   expect_sides_of(lines({{point("-1e-400", "0"), point("1e-400", "1e-400")}}));
   EXPECT_THROW(
-      (void)round(lines({}, {point("1e400", "0")}), RoundOptions{RoundingSide::kOutside, {}, {}}),
+      (void)round(lines({}, {point("1e400", "0")}), RoundOptions{RoundingSide::kOutside, {}}),
       Error);
 }
 

@@ -25,7 +25,7 @@ Region polygon(Ring outer, std::vector<Ring> holes = {}) {
 
 TEST(Round, NearestDoubles) {
   RoundingReport report;
-  const Region rounded = round(third_triangle(), {}, &report);
+  const Region rounded = round(third_triangle(), {}, report);
   Region expected;
   expected.begin_polygon();
   expected.begin_ring();
@@ -47,7 +47,7 @@ TEST(Round, WhatIsExactStays) {
   const Region sum = minkowski_sum(rectangle(0, 0, 2, 3), rectangle(0, 0, 1, 1));
   for (const RoundingSide side : kRoundingSides) {
     RoundingReport report;
-    const Region rounded = round(sum, to_doubles(side), &report);
+    const Region rounded = round(sum, to_doubles(side), report);
     EXPECT_EQ(rounded, sum);
     EXPECT_TRUE(report.exact);
     EXPECT_TRUE(report.topology_kept);
@@ -85,12 +85,12 @@ TEST(Round, StraightenedVerticesGo) {
 TEST(Round, WhatCollapsesGoes) {
   RoundingReport report;
   const Region sliver = polygon({point("0", "0"), point("9", "1/4"), point("9", "1/3")});
-  EXPECT_TRUE(round(sliver, to_decimals(0), &report).empty());
+  EXPECT_TRUE(round(sliver, to_decimals(0), report).empty());
   EXPECT_TRUE(report.snapped);
   EXPECT_FALSE(report.topology_kept);
-  const Region outside = round(sliver, to_decimals(0, RoundingSide::kOutside), &report);
+  const Region outside = round(sliver, to_decimals(0, RoundingSide::kOutside), report);
   EXPECT_TRUE(contains(outside, sliver));
-  EXPECT_TRUE(round(sliver, to_decimals(0, RoundingSide::kInside), &report).empty());
+  EXPECT_TRUE(round(sliver, to_decimals(0, RoundingSide::kInside), report).empty());
 }
 
 TEST(Round, EdgesGoByTheVerticesThatTheyPassed) {
@@ -99,7 +99,7 @@ TEST(Round, EdgesGoByTheVerticesThatTheyPassed) {
       polygon({point("0", "0"), point("9", "0"), point("9", "9"), point("16/3", "9"),
                point("5", "1/3"), point("4", "9"), point("0", "9")});
   RoundingReport report;
-  const Region rounded = round(notched, to_decimals(0), &report);
+  const Region rounded = round(notched, to_decimals(0), report);
   EXPECT_TRUE(report.snapped);
   EXPECT_FALSE(report.topology_kept);
   EXPECT_EQ(rounded,
@@ -112,7 +112,7 @@ TEST(Round, RingsThatComeToTouchMayCutAPolygon) {
       polygon({point("0", "0"), point("8", "0"), point("8", "8"), point("0", "8")},
               {{point("1/4", "4"), point("4", "3"), point("31/4", "4"), point("4", "5")}});
   RoundingReport report;
-  const Region rounded = round(ring, to_decimals(0), &report);
+  const Region rounded = round(ring, to_decimals(0), report);
   EXPECT_FALSE(report.topology_kept);
   EXPECT_FALSE(report.snapped);
   EXPECT_EQ(rounded, make_region({{{{0, 0}, {8, 0}, {8, 4}, {4, 3}, {0, 4}}},
@@ -123,10 +123,10 @@ TEST(Round, OutsideAndInsideMoveTheVerticesThatMust) {
   const Region square =
       polygon({point("0", "0"), point("10/3", "0"), point("10/3", "10/3"), point("0", "10/3")});
   RoundingReport report;
-  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kOutside), &report), rectangle(0, 0, 4, 4));
+  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kOutside), report), rectangle(0, 0, 4, 4));
   EXPECT_FALSE(report.snapped);
   EXPECT_LT(report.largest_move, 0.943);
-  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kInside), &report), rectangle(0, 0, 3, 3));
+  EXPECT_EQ(round(square, to_decimals(0, RoundingSide::kInside), report), rectangle(0, 0, 3, 3));
   EXPECT_LT(report.largest_move, 0.472);
 }
 
@@ -178,20 +178,20 @@ TEST(Round, SmallestDoubles) {
                                {smallest * 9 + half, Rational(0)},
                                {Rational(0), smallest * 5}});
   RoundingReport report;
-  const Region rounded = round(tiny, {}, &report);
+  const Region rounded = round(tiny, {}, report);
   EXPECT_EQ(rounded.vertex_count(), 3U);
   EXPECT_EQ(rounded.exact_x(1), smallest * 10);
   EXPECT_GE(Rational(report.largest_move), half);
   EXPECT_TRUE(contains(round(tiny, to_doubles(RoundingSide::kOutside)), tiny));
   EXPECT_TRUE(contains(tiny, round(tiny, to_doubles(RoundingSide::kInside))));
   const Region nothing = scaled(tiny, Rational(1, 100));
-  EXPECT_TRUE(round(nothing, {}, &report).empty());
+  EXPECT_TRUE(round(nothing, {}, report).empty());
   EXPECT_TRUE(contains(round(nothing, to_doubles(RoundingSide::kOutside)), nothing));
 }
 
 TEST(Round, AThousandDigits) {
   RoundingReport report;
-  const Region rounded = round(third_triangle(), to_decimals(1000), &report);
+  const Region rounded = round(third_triangle(), to_decimals(1000), report);
   const Rational third = Rational(1, 3);
   const Rational off = third - rounded.exact_x(1);
   EXPECT_EQ(off * *Rational::parse("1e1000"), third);
@@ -210,11 +210,11 @@ TEST(Round, RefusesWhatIsNoRegion) {
 }
 
 TEST(Round, StopsWhenAsked) {
-  RoundOptions options;
+  Options options;
   options.cancel.emplace();
   options.cancel->cancel();
   try {
-    (void)round(third_triangle(), options);
+    (void)round(third_triangle(), {}, options);
     FAIL() << "cancelled";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kCancelled);

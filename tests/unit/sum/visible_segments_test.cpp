@@ -22,7 +22,7 @@ using test::Random;
 
 /// Runs the stages up to the cover, from all segments and from a sample.
 struct Covered {
-  Options options;
+  SumRequest options;
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution all;
@@ -236,11 +236,12 @@ TEST(VisibleSegments, CanBeStopped) {
   ASSERT_FALSE(c.sample.listed());
   VisibleScratch scratch;
   int asked = 0;
-  const std::optional<CancelToken> token = CancelToken::polling([&] {
+  Options options;
+  options.cancel = CancelToken::polling([&] {
     ++asked;
     return true;
   });
-  Cancellation cancellation(token);
+  Cancellation cancellation(options);
   EXPECT_THROW((void)visible_segments(c.operands, c.sample, c.cover, {}, cancellation, scratch),
                Error);
   EXPECT_EQ(asked, 1);

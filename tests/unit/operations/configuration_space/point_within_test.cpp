@@ -12,7 +12,7 @@ namespace minksum {
 namespace {
 
 void expect_inside(const Region& region) {
-  const Point point = point_within(region, {0, 0}, {100, 100}, std::nullopt);
+  const Point point = point_within(region, {0, 0}, {100, 100}, {});
   EXPECT_EQ(PointLocator({region, {}, {}}).locate(point), Location::kInside)
       << test::to_text(region);
 }

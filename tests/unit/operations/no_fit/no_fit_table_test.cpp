@@ -27,12 +27,11 @@ Geometry placed(const Geometry& part, int quarters) {
 
 /// Compares all entries of a table of so many turns.
 void expect_entries(const std::vector<Geometry>& parts, int turns) {
-  NoFitTableOptions options;
-  options.turns = turns;
+  Options options;
   options.threads = 1 + turns / 2;
-  const NoFitTable table(parts, options);
+  const NoFitTable table(parts, turns, options);
   options.tight = false;
-  const NoFitTable areas(parts, options);
+  const NoFitTable areas(parts, turns, options);
   ASSERT_EQ(table.size(), parts.size());
   ASSERT_EQ(table.turns(), turns);
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -57,13 +56,13 @@ TEST(NoFitTable, IsTheSameOnManyThreads) {
   for (int i = 0; i < 12; ++i) {
     parts.push_back({test::random_two_opt(random, 30, 200), {}, {}});
   }
-  NoFitTableOptions options;
+  Options options;
   for (const bool tight : {false, true}) {
     options.tight = tight;
     options.threads = 1;
-    const NoFitTable one(parts, options);
+    const NoFitTable one(parts, 4, options);
     options.threads = 3;
-    const NoFitTable three(parts, options);
+    const NoFitTable three(parts, 4, options);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       for (std::size_t j = 0; j < parts.size(); ++j) {
         EXPECT_EQ(one.at({i, 0}, {j, 1}), three.at({i, 0}, {j, 1})) << i << ", " << j;
@@ -137,9 +136,7 @@ TEST(NoFitTable, SaysWhichPartIsBad) {
     EXPECT_EQ(error.culprit().operand, 2);
   }
   const std::vector<Geometry> good{square};
-  NoFitTableOptions options;
-  options.turns = 3;
-  EXPECT_THROW(NoFitTable(good, options), Error);
+  EXPECT_THROW(NoFitTable(good, 3), Error);
   const NoFitTable table(good);
   EXPECT_THROW((void)table.at({1, 0}, {0, 0}), Error);
   EXPECT_THROW((void)table.at({0, 0}, {0, 4}), Error);
@@ -148,13 +145,13 @@ TEST(NoFitTable, SaysWhichPartIsBad) {
 
 TEST(NoFitTable, StopsWhenCancelled) {
   const std::vector<Geometry> parts(4, {test::rectangle(0, 0, 1, 1), {}, {}});
-  NoFitTableOptions options;
+  Options options;
   options.cancel.emplace();
   options.cancel->cancel();
   for (const int threads : {1, 3}) {
     options.threads = threads;
     try {
-      const NoFitTable table(parts, options);
+      const NoFitTable table(parts, 4, options);
       FAIL() << "a cancelled table was made";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kCancelled);

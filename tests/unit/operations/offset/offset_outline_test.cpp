@@ -27,7 +27,9 @@ Region roughened(const Region& region, const Rational& unit, Random& random) {
   for (const Point& p : region.polygon(0).outer) {
     for (int k = 0; k < 3; ++k) ring.push_back({p.x + jitter(), p.y + jitter()});
   }
-  return resolve({Region(Polygon{ring, {}}), {}, {}}, {FillRule::kNonZero, true, {}}).region;
+  return resolve({Region(Polygon{ring, {}}), {}, {}},
+                 {.fill = FillRule::kNonZero, .regularize = true})
+      .region;
 }
 
 /// Returns a long shape, put at an angle, with one side bent, convex or not. The edges of that side
@@ -51,7 +53,7 @@ OffsetOptions with(Join join, Cap cap) {
 }
 
 Geometry negative(const Region& outlines) {
-  return resolve({outlines, {}, {}}, {FillRule::kNegative, true, {}});
+  return resolve({outlines, {}, {}}, {.fill = FillRule::kNegative, .regularize = true});
 }
 
 Region outlines_of(const Region& region, bool inwards, const Corners& corners) {

@@ -3,6 +3,7 @@
 
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
+#include "minksum/testing.hpp"
 #include "support/geometries.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/random.hpp"
@@ -15,8 +16,8 @@ using namespace minksum::test;
 const Region kBowTie = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
 const Region kSquare = rectangle(0, 0, 2, 2);
 
-Options with_fill(FillRule rule) {
-  Options options;
+SumSettings with_fill(FillRule rule) {
+  SumSettings options;
   options.fill = rule;
   return options;
 }
@@ -61,7 +62,7 @@ TEST(GeometrySum, SpikesAreSweptUnlessRegularized) {
   const Geometry unit{rectangle(0, 0, 1, 1), {}, {}};
   EXPECT_EQ(to_text(minkowski_sum(spiked, unit)),
             to_text(make_polygon({{0, 0}, {10, 0}, {10, 1}, {5, 1}, {5, 5}, {0, 5}})));
-  Options options;
+  SumSettings options;
   options.regularize = true;
   EXPECT_EQ(to_text(minkowski_sum(spiked, unit, options)), to_text(rectangle(0, 0, 5, 5)));
 }
@@ -103,7 +104,7 @@ TEST(GeometrySum, CrossingsOfPolylinesNeedNoVertices) {
     // In resolved operands each crossing is a vertex.
     const Geometry expected = minkowski_sum(resolve(p), resolve(q));
     for (const Method method : {Method::kReduced, Method::kSigned}) {
-      Options options;
+      SumSettings options;
       options.method = method;
       options.check = true;
       EXPECT_EQ(minkowski_sum(p, q, options), expected) << to_text(p) << '\n' << to_text(q);
@@ -116,7 +117,7 @@ TEST(GeometrySum, StrictRefusesWithThePlace) {
   const Geometry bow_tie{kBowTie, {}, {}};
   Workspace workspace;
   Geometry sum = square;
-  const Options strict = with_fill(FillRule::kStrict);
+  const SumSettings strict = with_fill(FillRule::kStrict);
   for (const int operand : {0, 1}) {
     const Outcome outcome = minkowski_sum(operand == 0 ? bow_tie : square,
                                           operand == 0 ? square : bow_tie, strict, workspace, sum);
@@ -146,7 +147,7 @@ TEST(GeometrySum, AWorkspaceServesAllKindsInTurn) {
   Geometry sum;
   for (const Geometry& p : operands) {
     for (const Geometry& q : operands) {
-      ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, sum).ok());
+      ASSERT_TRUE(minkowski_sum(p, q, Options{}, workspace, sum).ok());
       EXPECT_EQ(to_text(sum), to_text(minkowski_sum(p, q)));
       EXPECT_EQ(sum.empty(), p.empty() || q.empty());
     }
@@ -154,7 +155,7 @@ TEST(GeometrySum, AWorkspaceServesAllKindsInTurn) {
 }
 
 TEST(GeometrySum, LimitsHoldForThinPartsToo) {
-  Options options;
+  SumSettings options;
   options.limits.max_segments = 3;
   Workspace workspace;
   Geometry sum;
@@ -175,7 +176,7 @@ TEST(GeometrySum, LimitsHoldForThinPartsToo) {
 }
 
 TEST(GeometrySum, StopsWhenAsked) {
-  Options options;
+  SumSettings options;
   options.cancel.emplace();
   options.cancel->cancel();
   Workspace workspace;
@@ -194,38 +195,41 @@ TEST(GeometrySum, ThinPartsCoverTightPlaces) {
   const Region framed = make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}},
                                      {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}});
   const Geometry square{rectangle(-1, -1, 1, 1), {}, {}};
-  Geometry tight;
-  Options options;
-  options.tight = &tight;
+  const Options options{.tight = true};
   const Region filled = rectangle(-1, -1, 7, 7);
-  EXPECT_EQ(minkowski_sum(Geometry{framed, {}, {}}, square, options).region, filled);
-  EXPECT_EQ(to_text(tight), to_text(make_lines({}, {{3, 3}})));
+  const DetailedSum closed = detailed_sum(Geometry{framed, {}, {}}, square, options);
+  EXPECT_EQ(closed.sum.region, filled);
+  EXPECT_EQ(to_text(closed.tight), to_text(make_lines({}, {{3, 3}})));
   // A point in the hole covers the tight place; one that is far away does not.
   for (const auto& [x, covers] : {std::pair{3, true}, {20, false}}) {
     const Geometry with_point{framed, {}, {Point{x, 3}}};
-    EXPECT_EQ(minkowski_sum(with_point, square, options).region.polygon_count(), covers ? 1U : 2U);
-    EXPECT_EQ(tight.points.size(), covers ? 0U : 1U);
+    const DetailedSum found = detailed_sum(with_point, square, options);
+    EXPECT_EQ(found.sum.region.polygon_count(), covers ? 1U : 2U);
+    EXPECT_EQ(found.tight.points.size(), covers ? 0U : 1U);
   }
   // A path along the hole belongs to the area there, and takes no tight place away. It does not
   // matter that it goes on through the area and crosses its edge.
   const Geometry with_path{framed, {{{2, 2}, {4, 2}, {3, -2}}}, {}};
-  static_cast<void>(minkowski_sum(with_path, square, options));
-  EXPECT_EQ(to_text(tight), to_text(make_lines({}, {{3, 3}})));
-  options.method = Method::kSigned;
+  EXPECT_EQ(to_text(detailed_sum(with_path, square, options).tight),
+            to_text(make_lines({}, {{3, 3}})));
+  SumSettings by_winding{options};
+  by_winding.method = Method::kSigned;
   const Geometry line = make_lines({{{0, 0}, {1, 1}}});
-  EXPECT_THROW(static_cast<void>(minkowski_sum(line, line, options)), Error);
+  EXPECT_THROW(static_cast<void>(detailed_sum(line, line, by_winding)), Error);
 }
 
 TEST(GeometrySum, StatisticsAreThoseOfTheAreas) {
-  Statistics statistics;
-  Options options;
-  options.statistics = &statistics;
   Geometry flagged{kSquare, make_lines({{{2, 2}, {5, 2}}}).polylines, {}};
-  static_cast<void>(minkowski_sum(flagged, flagged, options));
-  EXPECT_EQ(statistics.convolution_segments, 8U);
-  EXPECT_GT(statistics.seconds, 0);
-  static_cast<void>(minkowski_sum(make_lines({{{0, 0}, {5, 2}}}), flagged, options));
-  EXPECT_EQ(statistics.convolution_segments, 0U);
+  for (const bool small : {true, false}) {
+    SumSettings settings;
+    settings.small = small;
+    Statistics statistics = detailed_sum(flagged, flagged, settings).statistics;
+    EXPECT_EQ(statistics.convolution_segments, 8U);
+    EXPECT_EQ(statistics.small, small);
+    EXPECT_GT(statistics.seconds, 0);
+    statistics = detailed_sum(make_lines({{{0, 0}, {5, 2}}}), flagged, settings).statistics;
+    EXPECT_EQ(statistics.convolution_segments, 0U);
+  }
 }
 
 }  // namespace

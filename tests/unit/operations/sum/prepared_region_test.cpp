@@ -1,9 +1,11 @@
 // Tests that a prepared operand has the same sums as the region itself, with any other operand.
+#include "minksum/prepared_region.hpp"
+
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "minksum/prepared_region.hpp"
+#include "minksum/testing.hpp"
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -49,7 +51,7 @@ TEST(PreparedRegion, GivesWhatTheRegionsGive) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     for (std::size_t j = 0; j < shapes.size(); ++j) {
       const Region expected = minkowski_sum(shapes[i], shapes[j]);
-      Options options;
+      SumSettings options;
       options.check = true;
       ASSERT_TRUE(minkowski_sum(prepared[i], prepared[j], options, workspace, sum).ok());
       ASSERT_EQ(sum, expected) << i << " + " << j;
@@ -73,32 +75,31 @@ TEST(PreparedRegion, TakesLongDecimalsForWhatTheyAre) {
   for (const auto& [a, b] : {std::pair{0, 0}, {7, 1}, {5, 2}, {3, 9}, {-1, 4}}) {
     region.add_vertex(Rational(a) + x, Rational(b) - y);
   }
-  Statistics statistics;
-  Options options;
-  options.statistics = &statistics;
-  const Region sum = minkowski_sum(region, region, options);
-  EXPECT_EQ(statistics.arithmetic, Arithmetic::kWide);
+  SumSettings options;
+  const DetailedSum sum = detailed_sum(region, region, options);
+  EXPECT_EQ(sum.statistics.arithmetic, Arithmetic::kWide);
   options.arithmetic = Arithmetic::kArbitrary;
-  EXPECT_EQ(sum, minkowski_sum(region, region, options));
-  EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
+  const DetailedSum again = detailed_sum(region, region, options);
+  EXPECT_EQ(sum.sum, again.sum);
+  EXPECT_EQ(again.statistics.arithmetic, Arithmetic::kArbitrary);
 }
 
 /// Expects that all settings give the sum that rationals of any size give. Returns the rung of the
 /// first setting.
 Arithmetic expect_same_by_rationals(const Region& p, const Region& q) {
-  Statistics statistics;
-  Geometry tight;
-  Options options;
+  SumSettings options;
   options.check = true;
-  options.tight = &tight;
-  options.statistics = &statistics;
-  const Region sum = minkowski_sum(p, q, options);
-  const Arithmetic rung = statistics.arithmetic;
+  options.tight = true;
+  const DetailedSum first = detailed_sum(p, q, options);
+  const Region& sum = first.sum.region;
+  const Arithmetic rung = first.statistics.arithmetic;
   EXPECT_EQ(minkowski_sum(PreparedRegion(p), PreparedRegion(q)), sum);
-  const Geometry expected_tight = std::exchange(tight, {});
+  const Geometry& expected_tight = first.tight;
   options.arithmetic = Arithmetic::kArbitrary;
-  const Region expected = minkowski_sum(p, q, options);
-  EXPECT_EQ(statistics.arithmetic, Arithmetic::kArbitrary);
+  const DetailedSum by_rationals = detailed_sum(p, q, options);
+  const Region& expected = by_rationals.sum.region;
+  const Geometry& tight = by_rationals.tight;
+  EXPECT_EQ(by_rationals.statistics.arithmetic, Arithmetic::kArbitrary);
   EXPECT_EQ(sum, expected) << to_text(p) << '\n' << to_text(q);
   EXPECT_EQ(tight, expected_tight) << to_text(p) << '\n' << to_text(q);
   for (std::size_t v = 0; v < std::min(sum.vertex_count(), expected.vertex_count()); ++v) {
@@ -134,12 +135,9 @@ TEST(PreparedRegion, ComparesSizesOnDifferentGrids) {
     const Rational side = (Rational(9, 7) * whole + Rational(more)) / whole;
     const Polygon sheet{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}},
                         {{{0, 0}, {side, 0}, {side, side}, {0, side}}}};
-    Geometry tight;
-    Options options;
-    options.tight = &tight;
-    const Region sum = minkowski_sum(Region(sheet), part, options);
-    EXPECT_EQ(sum.hole_count(), more == 1 ? 1U : 0U);
-    EXPECT_EQ(tight.points.size(), more == 0 ? 1U : 0U);
+    const DetailedSum found = detailed_sum(Region(sheet), part, {.tight = true});
+    EXPECT_EQ(found.sum.region.hole_count(), more == 1 ? 1U : 0U);
+    EXPECT_EQ(found.tight.points.size(), more == 0 ? 1U : 0U);
     expect_same_by_rationals(Region(sheet), part);
   }
 }

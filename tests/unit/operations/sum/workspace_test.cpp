@@ -9,6 +9,7 @@
 
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/prepared_region.hpp"
+#include "minksum/testing.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -52,7 +53,7 @@ TEST(Workspace, RepeatedCallsDoNotAllocate) {
   const Region q = ragged_frame(60, 90000, 2);
   Workspace workspace;
   Region sum;
-  const Options options;
+  const SumSettings options;
   ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
   const Region first = sum;
   EXPECT_GT(sum.hole_count(), 0U);
@@ -70,9 +71,9 @@ TEST(Workspace, RepeatedCallsWithPreparedOperandsDoNotAllocate) {
   const PreparedRegion q(ragged_frame(60, 90000, 2));
   Workspace workspace;
   Region sum;
-  for (int i = 0; i < 2; ++i) ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, sum).ok());
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(minkowski_sum(p, q, Options{}, workspace, sum).ok());
   const std::size_t before = allocations;
-  const Outcome outcome = minkowski_sum(p, q, {}, workspace, sum);
+  const Outcome outcome = minkowski_sum(p, q, Options{}, workspace, sum);
   EXPECT_EQ(allocations - before, 0U);
   EXPECT_TRUE(outcome.ok());
 }
@@ -82,9 +83,9 @@ TEST(Workspace, RepeatedCallsWithLegalGeometriesDoNotAllocate) {
   const Geometry q{ragged_frame(60, 90000, 2), {}, {}};
   Workspace workspace;
   Geometry sum;
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(minkowski_sum(p, q, {}, workspace, sum).ok());
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(minkowski_sum(p, q, Options{}, workspace, sum).ok());
   const std::size_t before = allocations;
-  const Outcome outcome = minkowski_sum(p, q, {}, workspace, sum);
+  const Outcome outcome = minkowski_sum(p, q, Options{}, workspace, sum);
   EXPECT_EQ(allocations - before, 0U);
   EXPECT_TRUE(outcome.ok());
   EXPECT_EQ(sum.region, minkowski_sum(p.region, q.region));
@@ -101,7 +102,7 @@ TEST(Workspace, HoldsNothingOfOneCallForTheNext) {
       {&big, &small}, {&square, &square}, {&small, &big}, {&square, &big}, {&big, &small}};
   for (const Arithmetic arithmetic : {Arithmetic::kAutomatic, Arithmetic::kArbitrary}) {
     for (const auto& [p, q] : calls) {
-      Options options;
+      SumSettings options;
       options.arithmetic = arithmetic;
       ASSERT_TRUE(minkowski_sum(*p, *q, options, workspace, sum).ok());
       ASSERT_EQ(sum, minkowski_sum(*p, *q));
@@ -114,14 +115,14 @@ TEST(Workspace, AFailureLeavesAnEmptyResultAndAUsableWorkspace) {
   const Region bow_tie = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   Workspace workspace;
   Region sum = square;
-  const Outcome outcome = minkowski_sum(square, bow_tie, {}, workspace, sum);
+  const Outcome outcome = minkowski_sum(square, bow_tie, Options{}, workspace, sum);
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
   EXPECT_EQ(outcome.error->culprit().operand, 1);
   EXPECT_EQ(outcome.error->culprit().polygon, 0U);
   EXPECT_EQ(outcome.error->culprit().ring, 0U);
   EXPECT_TRUE(sum.empty());
-  EXPECT_TRUE(minkowski_sum(square, square, {}, workspace, sum).ok());
+  EXPECT_TRUE(minkowski_sum(square, square, Options{}, workspace, sum).ok());
   EXPECT_EQ(sum, rectangle(0, 0, 14, 14));
 }
 
@@ -141,7 +142,7 @@ TEST(Threads, SumsSideBySideAreTheSame) {
 }
 
 TEST(Stopping, ACancelTokenStopsWithoutAnException) {
-  Options options;
+  SumSettings options;
   options.cancel.emplace();
   options.cancel->cancel();
   Workspace workspace;
@@ -159,20 +160,21 @@ TEST(Stopping, ACancelTokenStopsWithoutAnException) {
 TEST(Stopping, ProgressIsToldTheStagesInOrderAndMayStopAtEach) {
   const Region p = ragged_frame(80, 400000, 7);
   std::vector<Stage> stages;
-  Options options;
-  options.progress = [&](Stage stage) {
+  SumSettings options;
+  options.progress = [&](const Progress& progress) {
+    const Stage stage = progress.stage;
     if (stages.empty() || stages.back() != stage) stages.push_back(stage);
     return true;
   };
   const Region expected = minkowski_sum(p, p, options);
-  ASSERT_EQ(stages.size(), static_cast<std::size_t>(kStageCount));
-  for (int i = 0; i < kStageCount; ++i) {
+  ASSERT_EQ(stages.size(), static_cast<std::size_t>(kSumStages));
+  for (int i = 0; i < kSumStages; ++i) {
     EXPECT_EQ(static_cast<int>(stages[static_cast<std::size_t>(i)]), i);
   }
   Workspace workspace;
   Region sum;
   for (const Stage last : stages) {
-    options.progress = [&](Stage stage) { return stage != last; };
+    options.progress = [&](const Progress& progress) { return progress.stage != last; };
     const Outcome outcome = minkowski_sum(p, p, options, workspace, sum);
     ASSERT_FALSE(outcome.ok());
     EXPECT_EQ(outcome.error->code(), ErrorCode::kCancelled);
@@ -185,7 +187,7 @@ TEST(Stopping, ProgressIsToldTheStagesInOrderAndMayStopAtEach) {
 
 TEST(Limits, AreNamedWhenExceeded) {
   const Region p = ragged_frame(80, 400000, 8);
-  Options options;
+  SumSettings options;
   Workspace workspace;
   Region sum;
   options.limits.max_segments = 100;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "minksum/check.hpp"
+#include "minksum/testing.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -18,8 +19,16 @@ Geometry real_sum(const Geometry& p, const Geometry& q, const Options& options) 
 Geometry recorded_sum(const Geometry& p, const Geometry& q, const Options& options) asm(
     "__wrap__ZN7minksum13minkowski_sumERKNS_8GeometryES2_RKNS_7OptionsE");
 Geometry recorded_sum(const Geometry& p, const Geometry& q, const Options& options) {
-  asked.push_back(options.method);
+  asked.push_back(Method::kReduced);
   return real_sum(p, q, options);
+}
+Geometry real_sum(const Geometry& p, const Geometry& q, const SumSettings& settings) asm(
+    "__real__ZN7minksum13minkowski_sumERKNS_8GeometryES2_RKNS_11SumSettingsE");
+Geometry recorded_sum(const Geometry& p, const Geometry& q, const SumSettings& settings) asm(
+    "__wrap__ZN7minksum13minkowski_sumERKNS_8GeometryES2_RKNS_11SumSettingsE");
+Geometry recorded_sum(const Geometry& p, const Geometry& q, const SumSettings& settings) {
+  asked.push_back(settings.method);
+  return real_sum(p, q, settings);
 }
 
 namespace {

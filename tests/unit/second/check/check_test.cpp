@@ -44,7 +44,7 @@ TEST(CheckSum, FindsALostHoleThatIsSmall) {
     plate.add_vertex(Rational(x, 10), Rational(y, 10));
   }
   CheckOptions options;
-  options.limits.max_segments = 0;
+  options.proof.max_segments = 0;
   for (const bool swapped : {false, true}) {
     const Geometry p{swapped ? square : plate, {}, {}};
     const Geometry q{swapped ? plate : square, {}, {}};
@@ -102,7 +102,7 @@ TEST(Check, RefutesPlantedErrors) {
 // The points alone find the errors and their places, so the proof is not needed.
 TEST(Check, PointsFindPlantedErrorsByThemselves) {
   CheckOptions options;
-  options.limits.max_segments = 1;
+  options.proof.max_segments = 1;
   for (const Planted& planted : planted_errors()) {
     const SumCheck found = check(planted.result, options);
     EXPECT_EQ(found.proof, Proof::kNotTried) << planted.what;

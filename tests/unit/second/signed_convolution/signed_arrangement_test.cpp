@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "minksum/error.hpp"
+#include "minksum/testing.hpp"
 #include "second/signed_convolution/arrangement.hpp"
 #include "second/signed_convolution/rings.hpp"
 #include "second/signed_convolution/winding.hpp"
@@ -54,7 +55,7 @@ TYPED_TEST(SignedArrangement, OneNodeForOnePoint) {
   segment(3, 3, 7, 3);
   segment(5, 3, 1, 3);
   EXPECT_EQ(geometry.node_count(), 8U);
-  const Options options;
+  const SumSettings options;
   CrossingFinder<TypeParam> finder(geometry, options);
   finder.run();
   EXPECT_EQ(geometry.node_count(), 8U);
@@ -72,7 +73,7 @@ TYPED_TEST(SignedArrangement, CrossingsThatCoincideAreOneNode) {
   segment(0, 7, 7, 0);
   segment(0, 3, 7, 4);
   segment(3, 0, 4, 7);
-  const Options options;
+  const SumSettings options;
   CrossingFinder<TypeParam> finder(geometry, options);
   finder.run();
   ASSERT_EQ(geometry.node_count(), 9U);
@@ -95,7 +96,7 @@ struct Stages {
   Stages(const Stages&) = delete;
   Stages& operator=(const Stages&) = delete;
 
-  Options options;
+  SumSettings options;
   Cancellation never;
   Statistics statistics;
   IntegerOperands operands;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "minksum/measure.hpp"
+#include "minksum/testing.hpp"
 #include "reference/brute_force.hpp"
 #include "reference/membership.hpp"
 #include "reference/validity.hpp"
@@ -13,7 +14,7 @@
 namespace minksum {
 namespace {
 
-Region signed_sum_of(const Region& p, const Region& q, Options options = {}) {
+Region signed_sum_of(const Region& p, const Region& q, SumSettings options = {}) {
   options.check = true;
   Statistics statistics;
   Region result;
@@ -120,7 +121,7 @@ TEST(SignedConvolution, IsCommutativeAndCanonicalOnEveryRung) {
     EXPECT_EQ(reference::canonical_fault(sum), "") << i << ' ' << pair.kind;
     EXPECT_EQ(sum, signed_sum_of(pair.q, pair.p)) << i << ' ' << pair.kind;
     for (const Arithmetic rung : {Arithmetic::kMedium, Arithmetic::kArbitrary}) {
-      Options options;
+      SumSettings options;
       options.arithmetic = rung;
       EXPECT_EQ(sum, signed_sum_of(pair.p, pair.q, options)) << i << ' ' << pair.kind;
     }
@@ -188,7 +189,7 @@ TEST(SignedConvolution, CanBeStopped) {
   const Region square = test::parse_wkt(kSquare);
   Statistics statistics;
   Region result;
-  Options options;
+  SumSettings options;
   options.cancel.emplace();
   options.cancel->cancel();
   const auto code_of = [&] {
@@ -204,7 +205,7 @@ TEST(SignedConvolution, CanBeStopped) {
   options.cancel.reset();
   for (const Stage last : {Stage::kOperands, Stage::kConvolution, Stage::kArrangement,
                            Stage::kLoops, Stage::kOutput}) {
-    options.progress = [last](Stage stage) { return stage != last; };
+    options.progress = [last](const Progress& progress) { return progress.stage != last; };
     EXPECT_EQ(code_of(), ErrorCode::kCancelled);
   }
   options.progress = nullptr;
@@ -217,7 +218,7 @@ TEST(SignedConvolution, CountsWhatItDid) {
   Statistics statistics;
   Region result;
   const Region square = test::parse_wkt(kSquare);
-  signed_convolution_sum(square, square, Options{}, statistics, result);
+  signed_convolution_sum(square, square, SumSettings{}, statistics, result);
   EXPECT_EQ(statistics.convolution_segments, 8U);
   EXPECT_EQ(statistics.crossings, 0U);
   EXPECT_EQ(statistics.coordinate_bits, 3U);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "minksum/error.hpp"
+#include "minksum/testing.hpp"
 #include "second/signed_convolution/operands.hpp"
 #include "second/signed_convolution/segments.hpp"
 #include "support/data.hpp"
@@ -15,7 +16,7 @@ struct Convolution {
   Convolution(const Region& p, const Region& q)
       : operands(make_operands(p, q, never)),
         layers(make_layers(operands, never)),
-        segments(signed_segments(operands, layers, Options{}, never)) {}
+        segments(signed_segments(operands, layers, SumSettings{}, never)) {}
   Convolution(const Convolution&) = delete;
   Convolution& operator=(const Convolution&) = delete;
 
@@ -124,7 +125,7 @@ TEST(SignedSegments, LimitIsAnError) {
   const IntegerOperands operands =
       make_operands(test::parse_wkt(kDart), test::parse_wkt(kFrame), never);
   const std::vector<Layer> layers = make_layers(operands, never);
-  Options options;
+  SumSettings options;
   options.limits.max_segments = 5;
   try {
     (void)signed_segments(operands, layers, options, never);

@@ -7,6 +7,7 @@
 
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
+#include "minksum/testing.hpp"
 #include "sum/arrangement/arrangement.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -77,7 +78,7 @@ Region comb(int teeth) {
 }
 
 TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
-  const Options options;
+  const SumRequest options;
   Operands o;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
@@ -136,7 +137,7 @@ TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
       reduced_convolution(o, {}, never, scratch, convolution);
       ASSERT_GT(o.bits, 25);
       if (lines_are_joined(o, convolution.segments.size())) ++joined_sums;
-      Options options;
+      SumRequest options;
       options.check = true;
       EXPECT_EQ(minkowski_sum(image_p, image_q, options),
                 resolve({transformed(sum, map), {}, {}}).region)
@@ -147,7 +148,7 @@ TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
 }
 
 TEST(JoinLines, LeavesSegmentsOfManyDirections) {
-  const Options options;
+  const SumRequest options;
   Operands o;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "minksum/configuration_space.hpp"
+#include "minksum/testing.hpp"
 #include "operations/sum/fixed_sum.hpp"
 #include "support/generators.hpp"
 #include "support/geometries.hpp"
@@ -33,7 +34,7 @@ Region room_with_slot() {
 /// Compares sums of `fixed` with `moving`, turned. Returns how many cells a shared raster covers.
 std::uint64_t expect_same_sums(const Region& fixed, const Region& moving, int grid,
                                const std::string& what) {
-  Options sharing;
+  SumRequest sharing;
   sharing.grid = grid;
   const PreparedRegion prepared(fixed);
   const auto shared = share_raster(prepared, moving, 400, sharing);
@@ -41,7 +42,7 @@ std::uint64_t expect_same_sums(const Region& fixed, const Region& moving, int gr
   Workspace workspace;
   Region sum;
   Statistics statistics;
-  Options options;
+  SumRequest options;
   options.check = true;
   options.statistics = &statistics;
   std::uint64_t covered = 0;
@@ -89,14 +90,14 @@ TEST(SharedRaster, KeepsNarrowHoles) {
   const Region upright = turned_by(bar, 90);
   EXPECT_EQ(minkowski_sum(room, bar).ring_count(), 1U);
   EXPECT_EQ(minkowski_sum(room, upright).ring_count(), 2U);
-  Options options;
+  SumRequest options;
   options.grid = 64;
   const PreparedRegion prepared(room);
   const auto shared = share_raster(prepared, bar, 250, options);
   ASSERT_TRUE(shared);
   Workspace workspace;
   Region sum;
-  ASSERT_TRUE(minkowski_sum(prepared, upright, &*shared, {}, workspace, sum).ok());
+  ASSERT_TRUE(minkowski_sum(prepared, upright, &*shared, SumRequest{}, workspace, sum).ok());
   EXPECT_EQ(sum, minkowski_sum(room, upright));
 }
 
@@ -105,7 +106,7 @@ TEST(SharedRaster, FallsBackWhereRowsAreTooShort) {
   Random random(2);
   const Region fixed = test::random_two_opt(random, 60, 300);
   const Region moving = test::random_two_opt(random, 20, 90);
-  Options options;
+  SumRequest options;
   options.grid = 100;
   const PreparedRegion prepared(fixed);
   const auto shared = share_raster(prepared, moving, 90, options);
@@ -113,7 +114,7 @@ TEST(SharedRaster, FallsBackWhereRowsAreTooShort) {
   const Region large = test::scaled(moving, Rational(20));
   Workspace workspace;
   Region sum;
-  ASSERT_TRUE(minkowski_sum(prepared, large, &*shared, {}, workspace, sum).ok());
+  ASSERT_TRUE(minkowski_sum(prepared, large, &*shared, SumRequest{}, workspace, sum).ok());
   EXPECT_EQ(sum, minkowski_sum(fixed, large));
 }
 
@@ -129,10 +130,8 @@ TEST(SharedRaster, IsNotMadeWhereThereIsNoCover) {
 /// fail.
 void expect_same_slices(const Region& robot, const Region& obstacles, const Limits& limits,
                         const std::vector<Turn>& turns, const std::string& what) {
-  ConfigurationOptions options;
-  options.threads = 1;
-  options.limits = limits;
-  const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), options);
+  const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), {},
+                                 {.limits = limits});
   const auto one_by_one = [&] {
     std::vector<Slice> slices;
     for (const Turn& turn : turns) slices.push_back(space.slice(turn));
@@ -224,9 +223,7 @@ TEST(SharedRaster, OfSlices) {
   Random random(4);
   const Region robot = test::random_two_opt(random, 30, 60);
   const Region obstacles = test::random_with_holes(random, 400, 9);
-  ConfigurationOptions options;
-  options.tight = true;
-  const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), options);
+  const ConfigurationSpace space(as_geometry(robot), as_geometry(obstacles), {}, {.tight = true});
   const std::vector<Turn> turns = full_turn(12);
   const std::vector<Slice> slices = space.slices(turns, true);
   ASSERT_EQ(slices.size(), turns.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "minksum/testing.hpp"
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -223,11 +224,14 @@ TEST(SmallSum, IsMadeOfManySegments) {
   const Region q = transform(p, Affine::quarter_turns(1));
   Region result;
   ASSERT_TRUE(sum(p, q, result));
-  Options options;
-  Statistics statistics;
-  options.statistics = &statistics;  // makes the stages compute the sum
-  EXPECT_EQ(result, minkowski_sum(p, q, options));
-  EXPECT_GT(statistics.convolution_segments, 300U);
+  SumSettings by_stages;
+  by_stages.small = false;
+  const DetailedSum expected = detailed_sum(p, q, by_stages);
+  EXPECT_EQ(result, expected.sum.region);
+  EXPECT_GT(expected.statistics.convolution_segments, 300U);
+  const Statistics small = detailed_sum(p, q).statistics;
+  EXPECT_TRUE(small.small);
+  EXPECT_EQ(small.convolution_segments, expected.statistics.convolution_segments);
 }
 
 TEST(SmallSum, IsLeftToTheStagesWhereMuchLiesOnFewLines) {

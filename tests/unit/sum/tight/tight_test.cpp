@@ -8,6 +8,7 @@
 
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/prepared_region.hpp"
+#include "minksum/testing.hpp"
 #include "support/data.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
@@ -36,21 +37,20 @@ std::string text_of(const Geometry& tight) {
 
 /// Returns the tight places of a pair. Expects the same in both orders, and the sum unchanged.
 std::string tight_places(const Region& p, const Region& q) {
-  Options options;
-  Geometry tight;
-  options.tight = &tight;
+  SumSettings options;
+  options.tight = true;
   options.check = true;
-  const Region sum = minkowski_sum(p, q, options);
-  EXPECT_EQ(sum, minkowski_sum(p, q));
-  EXPECT_TRUE(tight.region.empty());
-  Geometry other;
-  options.tight = &other;
-  EXPECT_EQ(minkowski_sum(q, p, options), sum);
-  EXPECT_EQ(text_of(other), text_of(tight));
+  const DetailedSum found = detailed_sum(p, q, options);
+  EXPECT_EQ(found.sum.region, minkowski_sum(p, q));
+  EXPECT_TRUE(found.tight.region.empty());
+  const DetailedSum other = detailed_sum(q, p, options);
+  EXPECT_EQ(other.sum, found.sum);
+  EXPECT_EQ(text_of(other.tight), text_of(found.tight));
   options.cover = false;
-  EXPECT_EQ(minkowski_sum(p, q, options), sum);
-  EXPECT_EQ(text_of(other), text_of(tight));
-  return text_of(tight);
+  const DetailedSum uncovered = detailed_sum(p, q, options);
+  EXPECT_EQ(uncovered.sum, found.sum);
+  EXPECT_EQ(text_of(uncovered.tight), text_of(found.tight));
+  return text_of(found.tight);
 }
 std::string tight_places(const std::string& p, const std::string& q) {
   return tight_places(parse_wkt(p), parse_wkt(q));
@@ -165,13 +165,12 @@ TEST(TightPlaces, PartsOfAnOperand) {
 }
 
 TEST(TightPlaces, OtherMethodsRefuse) {
-  Geometry tight;
-  Options options;
-  options.tight = &tight;
+  SumSettings options;
+  options.tight = true;
   for (const Method method : {Method::kSigned, Method::kFull}) {
     options.method = method;
     try {
-      (void)minkowski_sum(rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1), options);
+      (void)detailed_sum(rectangle(0, 0, 1, 1), rectangle(0, 0, 1, 1), options);
       FAIL() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadInput);
@@ -183,25 +182,18 @@ TEST(TightPlaces, PreparedOperandsAndReusedMemory) {
   const Region sheet = frame({{{2, 2}, {2, 4}, {4, 4}, {4, 2}}}, 2);
   const PreparedRegion p(sheet);
   const PreparedRegion q(parse_wkt(kSquare));
-  Geometry tight;
-  Options options;
-  options.tight = &tight;
-  (void)minkowski_sum(p, q, options);
-  EXPECT_EQ(text_of(tight), "(3 3)");
-  Workspace workspace;
-  Region sum;
-  ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
-  EXPECT_EQ(text_of(tight), "(3 3)");
-  ASSERT_TRUE(minkowski_sum(q, q, options, workspace, sum).ok());
-  EXPECT_EQ(text_of(tight), "");
-  ASSERT_TRUE(minkowski_sum(p, q, options, workspace, sum).ok());
-  ASSERT_TRUE(minkowski_sum(p, PreparedRegion(Region{}), options, workspace, sum).ok());
-  EXPECT_TRUE(tight.empty());
+  Workspace memory;
+  for (Workspace* const kept : {static_cast<Workspace*>(nullptr), &memory}) {
+    const Options options{.tight = true, .memory = kept};
+    EXPECT_EQ(text_of(detailed_sum(p, q, options).tight), "(3 3)");
+    EXPECT_EQ(text_of(detailed_sum(q, q, options).tight), "");
+  }
+  EXPECT_TRUE(detailed_sum(p, PreparedRegion(Region{}), {.tight = true}).tight.empty());
 }
 
 /// Keeps the results of all stages of one sum, for the checker.
 struct Stages {
-  Options options;
+  SumRequest options;
   Geometry geometry;
   Operands operands;
   Arrangement arrangement;
@@ -211,7 +203,7 @@ struct Stages {
 
   Stages(const Region& p, const Region& q) {
     Cancellation never;
-    options.tight = &geometry;
+    options.tight_places = &geometry;
     prepare_operands(p, q, options, operands);
     ConvolutionScratch convolution_scratch;
     Convolution convolution;

@@ -1,0 +1,16 @@
+// What an operand covers.
+#pragma once
+
+#include "minksum/resolve.hpp"
+
+namespace minksum {
+
+/// As `resolve`, without thin parts whatever the options say. An error names this operand.
+[[nodiscard]] inline Geometry resolve_area(const Geometry& geometry, int operand,
+                                           const Options& options) {
+  Options areal = options;
+  areal.regularize = true;
+  return resolve(geometry, areal, operand);
+}
+
+}  // namespace minksum
