@@ -10,7 +10,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test oracle bench bench-quick compare asan clean
+.PHONY: help deps deps-bench build demo test oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -55,6 +55,10 @@ asan: deps ## build and run every test under AddressSanitizer and UndefinedBehav
 	$(CMAKE) --preset asan $(CMAKE_ARGS)
 	$(CMAKE) --build build-asan -j $(JOBS)
 	$(CTEST) --test-dir build-asan -j $(JOBS)
+
+docs: ## make the site of all pages and the reference: build/docs/html/index.html
+	@scripts/install_packages.sh packages-docs.txt
+	@scripts/make_docs.sh $(BUILD)
 
 clean: ## remove what was built
 	rm -rf $(BUILD) build-dev build-asan build-fuzz demo-output
