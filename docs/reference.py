@@ -69,7 +69,7 @@ class Reference:
                 self.add_names(member, domain)
 
     def find(self, text, scope, location):
-        """The domain and the qualified name of what code in prose names, seen from a scope."""
+        """The role and the qualified name of what code in prose names, seen from a scope."""
         name = re.fullmatch(r"([A-Za-z_]\w*(?:::~?\w+)*)(\(\))?", text)
         if not name:
             return None
@@ -78,7 +78,9 @@ class Reference:
         for outer in ["::".join(parts[:i]) for i in range(len(parts), 0, -1)] + SCOPES + [""]:
             full = f"{outer}::{name}" if outer else name
             if full in self.names:
-                return self.names[full], full
+                if self.names[full] == "c":
+                    return ("c", "type"), full.replace("::", ".")
+                return ("cpp", "any"), full
         first = name.removeprefix("minksum::").partition("::")[0]
         if "::" in name and any(f"{outer}::{first}" in self.names for outer in SCOPES):
             log.warning("there is no %s", name, location=location)
@@ -117,7 +119,7 @@ class Prose:
 
     def link(self, text, name):
         target = self.reference.find(name, self.scope, self.location)
-        return target and f"\\ :{target[0]}:any:`{escape(text)} <{target[1]}>`\\ "
+        return target and f"\\ :{':'.join(target[0])}:`{escape(text)} <{target[1]}>`\\ "
 
     def inline(self, node):
         return self.words(node.text) + "".join(self.element(child) + self.words(child.tail)
@@ -328,8 +330,9 @@ def link_names(app, doctree):
         plain = re.fullmatch(r"[a-z]+(\(\))?", text)
         target = None if plain or docname == "CHANGELOG" else app.reference.find(text, "", literal)
         if target and not isinstance(literal.parent, (nodes.reference, addnodes.pending_xref)):
-            link = addnodes.pending_xref("", refdomain=target[0], reftype="any", refdoc=docname,
-                                         reftarget=target[1], refexplicit=True, refwarn=True)
+            (domain, kind), name = target
+            link = addnodes.pending_xref("", refdomain=domain, reftype=kind, reftarget=name,
+                                         refdoc=docname, refexplicit=True, refwarn=True)
             literal.replace_self(link)
             link += literal
 

@@ -27,7 +27,9 @@ class MINKSUM_API CancelToken {
     return token;
   }
 
+  /// Asks to stop. That cannot be taken back.
   void cancel() const { state_->cancelled.store(true, std::memory_order_relaxed); }
+  /// Whether somebody asked to stop. Asks the function of `polling`.
   [[nodiscard]] bool cancelled() const {
     if (state_->cancelled.load(std::memory_order_relaxed)) return true;
     if (!state_->stop || !state_->stop()) return false;

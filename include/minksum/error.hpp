@@ -23,10 +23,14 @@ enum class ErrorCode {
 };
 
 /// Which operand of a binary operation.
-enum class Operand : unsigned char { kFirst = 0, kSecond = 1 };
+enum class Operand : unsigned char {
+  kFirst = 0,   ///< P of a sum P ⊕ Q
+  kSecond = 1,  ///< Q
+};
 
 /// The place in an operand that an error is about. Indices count from 0; `kNone` = not known.
 struct Culprit {
+  /// An index that is not known.
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   /// 0 = first, 1 = second, -1 = not about an operand. Functions of more than two say what 2,
@@ -50,6 +54,7 @@ struct ExceededLimit {
 /// What the library throws, but for std::bad_alloc where memory runs out; io::ReadError is one too.
 class MINKSUM_API Error : public std::runtime_error {
  public:
+  /// What went wrong, in words and as what the functions below give.
   Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {},
         const std::optional<ExceededLimit>& limit = {})
       : std::runtime_error(message),
@@ -58,7 +63,9 @@ class MINKSUM_API Error : public std::runtime_error {
         stage_(std::move(stage)),
         limit_(limit) {}
 
+  /// What kind of failure it is.
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+  /// The place in an operand that caused it, as far as one did.
   [[nodiscard]] const Culprit& culprit() const noexcept { return culprit_; }
   /// The limit, for kLimitExceeded; nothing where the caller can do nothing about it.
   [[nodiscard]] const std::optional<ExceededLimit>& limit() const noexcept { return limit_; }

@@ -21,18 +21,21 @@ using Polyline = std::vector<Point>;
 /// neighbour); no vertex is in the middle of a straight run; polylines and points are sorted. So
 /// equal sets compare equal.
 struct Geometry {
-  Region region;
-  std::vector<Polyline> polylines;
-  std::vector<Point> points;
+  Region region;                    ///< what has area
+  std::vector<Polyline> polylines;  ///< what has length alone
+  std::vector<Point> points;        ///< what has neither
 
   Geometry() = default;
-  /// An area alone converts by itself: NOLINTNEXTLINE(google-explicit-constructor)
+  /// An area alone converts by itself.
+  // NOLINTNEXTLINE(google-explicit-constructor)
   Geometry(Region area, std::vector<Polyline> lines = {}, std::vector<Point> alone = {})
       : region(std::move(area)), polylines(std::move(lines)), points(std::move(alone)) {}
 
+  /// Whether there is nothing at all.
   [[nodiscard]] bool empty() const { return region.empty() && !has_thin_parts(); }
   /// Whether there is anything without area.
   [[nodiscard]] bool has_thin_parts() const { return !polylines.empty() || !points.empty(); }
+  /// Whether all parts are equal as stored. Equal sets are, if both are resolved.
   friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 

@@ -14,15 +14,25 @@
 
 namespace minksum::io {
 
-enum class Format { kWkt, kGeoJson, kPoly, kDat, kSvg };
+/// The text formats; docs/formats.md describes them.
+enum class Format {
+  kWkt,      ///< Well-Known Text of the Open Geospatial Consortium
+  kGeoJson,  ///< RFC 7946
+  kPoly,     ///< `.poly`: chains of points, and which are holes
+  kDat,      ///< `.dat`: CGAL's plain polygons; is only read
+  kSvg,      ///< a picture; is only written
+};
 
 /// A fault in a text, with its place. Lines and columns count from 1; 0 = not known.
 class MINKSUM_API ReadError : public Error {
  public:
+  /// As Error, with a line and a column.
   ReadError(ErrorCode code, const std::string& message, std::size_t line, std::size_t column,
             const std::optional<ExceededLimit>& limit = {})
       : Error(code, message, {}, {}, limit), line_(line), column_(column) {}
+  /// The line of the text; from 1.
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
+  /// The column in that line; from 1.
   [[nodiscard]] std::size_t column() const noexcept { return column_; }
 
  private:
@@ -33,10 +43,10 @@ class MINKSUM_API ReadError : public Error {
 /// Limits on what is read; exceeding one is a ReadError(kLimitExceeded) that names it. A token that
 /// is cancelled makes an Error(kCancelled).
 struct ReadLimits {
-  std::size_t max_bytes = std::size_t{1} << 30;
+  std::size_t max_bytes = std::size_t{1} << 30;     ///< of the text
   std::size_t max_vertices = std::size_t{1} << 30;  ///< of rings and polylines, and points
   int max_depth = 32;                               ///< nesting of parentheses, brackets and braces
-  std::optional<CancelToken> cancel = {};
+  std::optional<CancelToken> cancel = {};           ///< stops reading
 };
 
 /// The format that the text seems to be in, by its first characters; WKT if it says nothing.
@@ -56,6 +66,7 @@ struct ReadLimits {
 /// Reads a region: as above, but polylines and points, and rings of fewer than three vertices, are
 /// errors.
 [[nodiscard]] MINKSUM_API Region read(std::string_view text, const ReadLimits& limits = {});
+/// Reads a region from a file, or from standard input for "-".
 [[nodiscard]] MINKSUM_API Region read_file(const std::string& path, const ReadLimits& limits = {});
 
 /// The text of a file, or of standard input for "-".
@@ -68,9 +79,14 @@ struct ReadLimits {
 
 /// How coordinates are written.
 struct Coordinates {
-  enum class Style { kDouble, kExact, kDecimal };
-  Style style = Style::kDouble;
-  int digits = 6;  ///< for kDecimal: digits after the point
+  /// As which numbers they are written.
+  enum class Style {
+    kDouble,   ///< the nearest doubles, in the fewest digits that are read as these doubles
+    kExact,    ///< integers and fractions, "1/3"; in GeoJSON finite decimals where they are
+    kDecimal,  ///< decimals with `digits` digits after the point
+  };
+  Style style = Style::kDouble;  ///< as which numbers
+  int digits = 6;                ///< for kDecimal: digits after the point
   /// Cancels writing: Error(kCancelled). What was written until then stays.
   std::optional<CancelToken> cancel = {};
 };
@@ -80,16 +96,19 @@ struct Coordinates {
 /// the doubles that is to be written as one.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});
+/// The region as WKT.
 [[nodiscard]] MINKSUM_API std::string to_wkt(const Region& region, const Coordinates& style = {});
 /// The same with thin parts: a collection if there are several kinds of parts. What is written with
 /// exact coordinates and read again is equal. `.poly` has no form for thin parts: Error(kBadInput).
 MINKSUM_API void write(std::ostream& out, const Geometry& geometry, Format format,
                        const Coordinates& style = {});
+/// The geometry as WKT.
 [[nodiscard]] MINKSUM_API std::string to_wkt(const Geometry& geometry,
                                              const Coordinates& style = {});
 /// A GeoJSON geometry object. Numbers that are no finite decimals are strings ("1/3").
 [[nodiscard]] MINKSUM_API std::string to_geojson(const Region& region,
                                                  const Coordinates& style = {});
+/// The same with thin parts.
 [[nodiscard]] MINKSUM_API std::string to_geojson(const Geometry& geometry,
                                                  const Coordinates& style = {});
 
@@ -99,6 +118,7 @@ namespace minksum {
 
 /// WKT with the nearest doubles. Throws as io::write does.
 MINKSUM_API std::ostream& operator<<(std::ostream& out, const Region& region);
+/// The same with thin parts.
 MINKSUM_API std::ostream& operator<<(std::ostream& out, const Geometry& geometry);
 
 }  // namespace minksum

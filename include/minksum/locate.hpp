@@ -9,7 +9,12 @@
 
 namespace minksum {
 
-enum class Location { kOutside, kBoundary, kInside };
+/// Where a point lies.
+enum class Location {
+  kOutside,   ///< it is not of the set
+  kBoundary,  ///< on the boundary of the area, on a polyline, or on a single point
+  kInside,    ///< in the inside of the area
+};
 
 /// A resolved geometry, prepared for point location. Copies share it; any number of
 /// threads may ask.

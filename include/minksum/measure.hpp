@@ -11,8 +11,8 @@ namespace minksum {
 
 /// An axis-parallel box with exact sides.
 struct Box {
-  Point min;
-  Point max;
+  Point min;  ///< the lower left corner
+  Point max;  ///< the upper right corner
 };
 
 // Options: `cancel` and `progress`. Error(kCancelled) is all that is thrown.

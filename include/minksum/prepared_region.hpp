@@ -22,6 +22,7 @@ class MINKSUM_API PreparedRegion {
   /// is valid. O(n log n) for n vertices, plus close pairs of edges.
   explicit PreparedRegion(Region region, const Options& options = {});
 
+  /// The operand as it was given.
   [[nodiscard]] const Region& region() const;
 
   struct State;

@@ -18,8 +18,8 @@ namespace minksum {
 
 /// An exact decimal: mantissa · 10^exponent. What a number in a text file usually is.
 struct Decimal {
-  std::int64_t mantissa = 0;
-  int exponent = 0;
+  std::int64_t mantissa = 0;  ///< its digits, and its sign
+  int exponent = 0;           ///< the power of ten
 };
 
 namespace detail {
@@ -45,8 +45,8 @@ class MINKSUM_API Rational {
  public:
   Rational();                                           ///< zero
   // Numbers convert by themselves, as nothing is lost: NOLINTBEGIN(google-explicit-constructor)
-  Rational(std::int64_t value);
-  Rational(std::uint64_t value);
+  Rational(std::int64_t value);   ///< this integer
+  Rational(std::uint64_t value);  ///< this integer
   /// Any other integer of up to 64 bits.
   template <detail::Integer Number>
   Rational(Number value) : Rational(static_cast<detail::Widest<Number>>(value)) {}
@@ -65,8 +65,8 @@ class MINKSUM_API Rational {
   /// exactly. Returns nothing if `text` is not such a number, if a denominator is 0, or if it has
   /// more than `kMaxDigits` digits or a decimal exponent beyond ±`kMaxExponent`.
   static std::optional<Rational> parse(std::string_view text);
-  static constexpr int kMaxDigits = 4096;
-  static constexpr int kMaxExponent = 4096;
+  static constexpr int kMaxDigits = 4096;    ///< of a text for `parse`, exponent apart
+  static constexpr int kMaxExponent = 4096;  ///< of a text for `parse`, either way
 
   /// The quotient of two integers given as little-endian 64-bit limbs; the numerator's sign apart.
   /// Throws Error(kBadInput) if the denominator is 0.
@@ -75,9 +75,9 @@ class MINKSUM_API Rational {
                              std::size_t denominator_limbs);
 
   [[nodiscard]] int sign() const;  ///< -1, 0 or 1
-  [[nodiscard]] bool is_integer() const;
-  [[nodiscard]] Rational numerator() const;
-  [[nodiscard]] Rational denominator() const;
+  [[nodiscard]] bool is_integer() const;       ///< whether the denominator is 1
+  [[nodiscard]] Rational numerator() const;    ///< in lowest terms, with the sign
+  [[nodiscard]] Rational denominator() const;  ///< in lowest terms; positive
   /// Bits of the larger of |numerator| and denominator.
   [[nodiscard]] std::size_t bits() const;
   /// The nearest double, ties to even; infinity if out of range.
@@ -88,14 +88,21 @@ class MINKSUM_API Rational {
   /// Error(kBadInput) if `digits` is negative.
   [[nodiscard]] std::string to_decimal(int digits) const;
 
+  /// The exact sum.
   friend MINKSUM_API Rational operator+(const Rational& a, const Rational& b);
+  /// The exact difference.
   friend MINKSUM_API Rational operator-(const Rational& a, const Rational& b);
+  /// The exact product.
   friend MINKSUM_API Rational operator*(const Rational& a, const Rational& b);
-  /// Throws Error(kBadInput) if b is 0.
+  /// The exact quotient. Throws Error(kBadInput) if b is 0.
   friend MINKSUM_API Rational operator/(const Rational& a, const Rational& b);
+  /// The number with the other sign.
   friend MINKSUM_API Rational operator-(const Rational& a);
+  /// Whether both are the same number.
   friend MINKSUM_API bool operator==(const Rational& a, const Rational& b);
+  /// By value: so `<`, `<=`, `>` and `>=` are exact, too.
   friend MINKSUM_API std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+  /// Writes what `to_string` gives.
   friend MINKSUM_API std::ostream& operator<<(std::ostream& out, const Rational& value);
 
  private:

@@ -20,8 +20,9 @@ namespace minksum {
 
 /// A point with exact coordinates.
 struct Point {
-  Rational x;
-  Rational y;
+  Rational x;  ///< the first coordinate
+  Rational y;  ///< the second coordinate
+  /// Whether both coordinates are the same numbers.
   friend bool operator==(const Point&, const Point&) = default;
 };
 
@@ -30,8 +31,9 @@ using Ring = std::vector<Point>;
 
 /// A polygon: the closed area inside `outer` less the open areas inside `holes`.
 struct Polygon {
-  Ring outer;
-  std::vector<Ring> holes = {};
+  Ring outer;                    ///< what bounds it from outside
+  std::vector<Ring> holes = {};  ///< in any order
+  /// Whether all vertices are equal, in the same order; not whether both are the same set.
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
@@ -42,40 +44,53 @@ struct Polygon {
 /// first of them (in the ring's order) is named.
 struct EdgeOrigin {
   Operand edge_operand = Operand::kFirst;  ///< whose edge it is; the vertex is the other's
-  std::uint32_t edge = 0;
-  std::uint32_t vertex = 0;
+  std::uint32_t edge = 0;                  ///< index of the edge's first vertex
+  std::uint32_t vertex = 0;                ///< index of the vertex that moved the edge
+  /// Whether both name the same edge and the same vertex.
   friend bool operator==(const EdgeOrigin&, const EdgeOrigin&) = default;
 };
 
 /// A half-open range of indices, to loop over.
 class IndexRange {
  public:
+  /// A forward iterator that gives the indices one by one.
   class Iterator {
    public:
-    using value_type = std::size_t;
-    using difference_type = std::ptrdiff_t;
+    using value_type = std::size_t;          ///< an index
+    using difference_type = std::ptrdiff_t;  ///< as the standard library asks for
     Iterator() = default;
+    /// At this index.
     explicit Iterator(std::size_t index) : index_(index) {}
+    /// The index that it is at.
     std::size_t operator*() const { return index_; }
+    /// Goes on to the next index.
     Iterator& operator++() {
       ++index_;
       return *this;
     }
+    /// Goes on to the next index, and gives the iterator as it was.
     Iterator operator++(int) {
       const Iterator before = *this;
       ++index_;
       return before;
     }
+    /// Whether both are at the same index.
     bool operator==(const Iterator&) const = default;
 
    private:
     std::size_t index_ = 0;
   };
+  /// From `first` to `last`, which excluded.
   IndexRange(std::size_t first, std::size_t last) : first_(first), last_(last) {}
+  /// At the first index.
   [[nodiscard]] Iterator begin() const { return Iterator(first_); }
+  /// Behind the last index.
   [[nodiscard]] Iterator end() const { return Iterator(last_); }
+  /// The first index, even if the range is empty.
   [[nodiscard]] std::size_t front() const { return first_; }
+  /// How many indices there are.
   [[nodiscard]] std::size_t size() const { return last_ - first_; }
+  /// Whether there are none.
   [[nodiscard]] bool empty() const { return first_ == last_; }
 
  private:
@@ -85,8 +100,9 @@ class IndexRange {
 
 /// A point whose coordinates are the doubles nearest to the exact ones.
 struct ApproximatePoint {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< nearest to the first coordinate
+  double y = 0;  ///< nearest to the second coordinate
+  /// Whether the doubles are equal. The exact points may differ.
   friend bool operator==(const ApproximatePoint&, const ApproximatePoint&) = default;
 };
 
@@ -137,12 +153,12 @@ class RingView;
 
 /// A region as flat arrays, as other libraries and file formats hold them (GeoArrow, Shapely).
 ///
-/// Ring r has the points [ring_offsets[r], ring_offsets[r + 1]), polygon p the rings
-/// [polygon_offsets[p], polygon_offsets[p + 1]), the outer one first. Both begin with 0.
+/// Ring r has the points from `ring_offsets[r]` to `ring_offsets[r + 1]`, which excluded. So
+/// polygon p has rings by `polygon_offsets`, the outer one first. Both arrays begin with 0.
 struct FlatRegion {
-  std::vector<double> coordinates;  ///< x and y of each point in turn
-  std::vector<std::int64_t> ring_offsets{0};
-  std::vector<std::int64_t> polygon_offsets{0};
+  std::vector<double> coordinates;               ///< x and y of each point in turn
+  std::vector<std::int64_t> ring_offsets{0};     ///< in points: one more than there are rings
+  std::vector<std::int64_t> polygon_offsets{0};  ///< in rings: one more than there are polygons
 };
 
 /// One coordinate as a region stores it: an exact number in compact form.
@@ -150,11 +166,11 @@ struct FlatRegion {
 /// Value = N / D · 2^exp2 · 10^exp10. With no denominator limbs, N is `payload` and D is 1;
 /// otherwise `payload` is the offset of N's limbs and then D's limbs in the region's pool.
 struct StoredCoordinate {
-  std::int64_t payload = 0;
-  std::int16_t exp2 = 0;
-  std::int16_t exp10 = 0;
-  std::uint16_t numerator_limbs = 0;  ///< top bit: negative; 0 limbs with a denominator = zero
-  std::uint16_t denominator_limbs = 0;
+  std::int64_t payload = 0;             ///< the integer N, or where its limbs are
+  std::int16_t exp2 = 0;                ///< the power of two
+  std::int16_t exp10 = 0;               ///< the power of ten
+  std::uint16_t numerator_limbs = 0;    ///< top bit: negative; 0 limbs with a denominator = zero
+  std::uint16_t denominator_limbs = 0;  ///< 0: N is `payload` itself
 };
 
 /// A set of polygons with holes, with exact coordinates: operand and result of every operation.
@@ -169,37 +185,43 @@ struct StoredCoordinate {
 class MINKSUM_API Region {
  public:
   Region() = default;
-  /// These throw Error(kLimitExceeded) as add_vertex does.
+  /// The polygon, vertex by vertex. Throws Error(kLimitExceeded) as `add_vertex` does.
   Region(const Polygon& polygon);  // NOLINT(google-explicit-constructor): the same set
+  /// These polygons, in this order. Throws Error(kLimitExceeded) as `add_vertex` does.
   explicit Region(std::span<const Polygon> polygons);
 
-  /// One polygon without holes. O(n). Throws as add_vertex does.
+  /// One polygon without holes, from x and y of each vertex. O(n). Throws as `add_vertex` does.
   [[nodiscard]] static Region from_points(std::span<const std::array<double, 2>> outer);
+  /// The same from integers.
   [[nodiscard]] static Region from_points(std::span<const std::array<std::int64_t, 2>> outer);
-  /// Polygons with holes from flat arrays: see FlatRegion. O(n). Throws as add_vertex does, and
+  /// Polygons with holes from flat arrays: see FlatRegion. O(n). Throws as `add_vertex` does, and
   /// Error(kBadInput) for an odd number of coordinates, and for offsets that do not begin with 0,
   /// run back, or do not end with the number of what they divide.
   [[nodiscard]] static Region from_flat(std::span<const double> coordinates,
                                         std::span<const std::int64_t> ring_offsets,
                                         std::span<const std::int64_t> polygon_offsets);
+  /// The same from the arrays that `flat` gives.
   [[nodiscard]] static Region from_flat(const FlatRegion& flat) {
     return from_flat(flat.coordinates, flat.ring_offsets, flat.polygon_offsets);
   }
 
   // -- Building. Numbers are taken exactly. --------------------------------------------------
-  // A ring needs a polygon to be in, a vertex a ring that was begun in this polygon: begin_ring and
-  // add_vertex throw Error(kBadInput) if there is none.
+  /// Removes all polygons.
   void clear();
   /// Starts a polygon; the next ring is its outer ring, further ones are holes.
   void begin_polygon();
+  /// Starts a ring of the polygon that was started last. Throws Error(kBadInput) if there is none.
   void begin_ring();
-  /// Throws Error(kLimitExceeded) for a coordinate whose numerator or denominator has more than 2
-  /// million bits.
+  /// Adds a vertex to the ring that was started last. Throws Error(kBadInput) if its polygon has no
+  /// ring yet, and so do the others of this name; Error(kLimitExceeded) for a coordinate whose
+  /// numerator or denominator has more than 2 million bits.
   void add_vertex(const Rational& x, const Rational& y);
-  /// Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless the mantissa is 0.
+  /// The same from decimals. Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless
+  /// the mantissa is 0.
   void add_vertex(Decimal x, Decimal y);
   /// Doubles mean exactly themselves. Throws Error(kBadInput) naming the vertex for NaN, infinity.
   void add_vertex(double x, double y);
+  /// The same from integers.
   void add_vertex(std::int64_t x, std::int64_t y);
   /// Any other two numbers, of one type or of two: integers of up to 64 bits, floats and doubles.
   template <detail::Plain X, detail::Plain Y>
@@ -218,14 +240,21 @@ class MINKSUM_API Region {
   }
 
   // -- Structure ----------------------------------------------------------------------------
+  /// Whether there is no vertex.
   [[nodiscard]] bool empty() const { return vertex_count() == 0; }
+  /// How many polygons there are.
   [[nodiscard]] std::size_t polygon_count() const { return arrays_.size<kPolygonStarts>(); }
+  /// How many rings there are, outer ones and holes.
   [[nodiscard]] std::size_t ring_count() const { return arrays_.size<kRingStarts>(); }
+  /// How many holes there are.
   [[nodiscard]] std::size_t hole_count() const { return ring_count() - polygon_count_with_rings(); }
+  /// How many vertices all rings have.
   [[nodiscard]] std::size_t vertex_count() const { return arrays_.size<kVertices>(); }
+  /// The indices of all polygons.
   [[nodiscard]] IndexRange polygons() const { return {0, polygon_count()}; }
   /// The rings of a polygon: the outer one first, then its holes.
   [[nodiscard]] IndexRange rings_of(std::size_t polygon) const;
+  /// The vertices of a ring. They count from 0 through the whole region, and so do rings.
   [[nodiscard]] IndexRange vertices_of(std::size_t ring) const;
   /// All rings, to loop over: `for (const RingView ring : region.rings())`. Valid while the region
   /// lives and is not changed.
@@ -234,12 +263,17 @@ class MINKSUM_API Region {
   void rings() const&& = delete;
 
   // -- Coordinates --------------------------------------------------------------------------
-  /// The double nearest to the exact coordinate (ties to even).
+  /// The double nearest to the exact x (ties to even).
   [[nodiscard]] double x(std::size_t vertex) const { return nearest(vertices()[vertex].x); }
+  /// The double nearest to the exact y (ties to even).
   [[nodiscard]] double y(std::size_t vertex) const { return nearest(vertices()[vertex].y); }
+  /// The exact x of a vertex.
   [[nodiscard]] Rational exact_x(std::size_t vertex) const { return exact(vertices()[vertex].x); }
+  /// The exact y of a vertex.
   [[nodiscard]] Rational exact_y(std::size_t vertex) const { return exact(vertices()[vertex].y); }
+  /// A vertex with its exact coordinates.
   [[nodiscard]] Point point(std::size_t vertex) const { return {exact_x(vertex), exact_y(vertex)}; }
+  /// A polygon with exact coordinates. O(n).
   [[nodiscard]] Polygon polygon(std::size_t index) const;
   /// As flat arrays, with the nearest doubles. O(n).
   [[nodiscard]] FlatRegion flat() const;
@@ -287,6 +321,7 @@ class MINKSUM_API Region {
 class MINKSUM_API RingView {
  public:
   RingView() = default;
+  /// The ring of this index. The region must outlive it.
   RingView(const Region& region, std::size_t index) : region_(&region), index_(index) {}
   RingView(const Region&& region, std::size_t index) = delete;
 
@@ -296,6 +331,7 @@ class MINKSUM_API RingView {
   [[nodiscard]] std::size_t polygon() const;
   /// Whether it is not the first ring of its polygon. O(log n).
   [[nodiscard]] bool is_hole() const;
+  /// How many vertices it has.
   [[nodiscard]] std::size_t size() const { return region_->vertices_of(index_).size(); }
   /// The nearest doubles: `for (const auto& [x, y] : ring.points())`.
   [[nodiscard]] auto points() const { return made<ApproximatePointOf>(); }

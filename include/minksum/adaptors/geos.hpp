@@ -20,7 +20,8 @@ namespace minksum::adaptors {
 
 /// Destroys a geometry of GEOS in its context, which must live longer.
 struct GeosDeleter {
-  GEOSContextHandle_t context = nullptr;
+  GEOSContextHandle_t context = nullptr;  ///< the context that made the geometry
+  /// Destroys it.
   void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
 };
 /// A geometry of GEOS with its owner. `release()` hands it over to GEOS.
