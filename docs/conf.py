@@ -25,6 +25,9 @@ nitpick_ignore_regex = [("c:identifier", r"u?int64_t|size_t"),
 
 smartquotes = False  # "1/3" in prose is what a program prints
 html_theme = "furo"
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
+pygments_dark_style = "github-dark"
 html_title = f"minksum {release}"
 html_show_sourcelink = html_show_copyright = html_copy_source = False
 toc_object_entries_show_parents = "hide"

@@ -16,7 +16,10 @@ log = logging.getLogger(__name__)
 INCLUDE = pathlib.Path(__file__).resolve().parent.parent / "include"
 # What names a type or a member without being marked as code.
 NAME = re.compile(r"Error\((k\w+)\)|\b[A-Z][a-z]+(?:[A-Z][a-z]+)+(?:::\w+)*|\b[A-Z]\w+::\w+"
-                  r"|(?<=see )[A-Z]\w+")
+                  r"|(?<=see )[A-Z]\w+|\b(?:minksum|MINKSUM)_\w+\b(?!\.h)"
+                  r"|\bk[A-Z][a-z]\w+|\b(?:\w+/)*\w+\.(?:hpp|md)\b")
+# Between words and markup that touch; what stands for it in reStructuredText depends on both.
+GAP = "\0"
 SCOPES = ["minksum", "minksum::io", "minksum::adaptors"]
 # Made from nothing, copied, moved, destroyed, deleted: the declaration of such a member says all.
 SPECIAL = r"~.*|{0}\(\).*|(operator=|{0})\((const )?{0} ?&&?\).*|.*= ?delete"
@@ -28,6 +31,7 @@ class Reference:
     def __init__(self, folder):
         self.compounds = {}
         self.names = {}  # qualified names, and their domains
+        self.enumerators = {}  # what only one enumeration has, and nothing for others
         for path in pathlib.Path(folder).glob("*.xml"):
             for compound in ElementTree.parse(path).getroot().iter("compounddef"):
                 self.compounds[compound.get("id")] = compound
@@ -56,14 +60,16 @@ class Reference:
                     found[node.get("id")] = node
         return sorted(((int(node.find("location").get("line")), node) for node in found.values()
                        if node.find("location").get("file") == file and is_public(node)),
-                      key=lambda entry: entry[0])
+                      key=lambda entry: (entry[0], entry[1].get("kind") == "typedef"))
 
     def add_names(self, node, domain):
         name = qualified(node)
         self.names.setdefault(name, domain)
         for value in node.findall("enumvalue"):
             inner = value.findtext("name")
-            self.names.setdefault(inner if domain == "c" else f"{name}::{inner}", domain)
+            full = inner if domain == "c" else f"{name}::{inner}"
+            self.names[full] = domain
+            self.enumerators[inner] = full if self.enumerators.get(inner, full) == full else ""
         if node.tag == "compounddef":
             for _, member in self.members(node):
                 self.add_names(member, domain)
@@ -81,6 +87,8 @@ class Reference:
                 if self.names[full] == "c":
                     return ("c", "type"), full.replace("::", ".")
                 return ("cpp", "any"), full
+        if self.enumerators.get(name):
+            return ("cpp", "any"), self.enumerators[name]
         first = name.removeprefix("minksum::").partition("::")[0]
         if "::" in name and any(f"{outer}::{first}" in self.names for outer in SCOPES):
             log.warning("there is no %s", name, location=location)
@@ -118,8 +126,18 @@ class Prose:
         return "".join(parts) + escape((text or "")[end:])
 
     def link(self, text, name):
+        if name.endswith((".hpp", ".md")):
+            return self.page(text)
         target = self.reference.find(name, self.scope, self.location)
-        return target and f"\\ :{':'.join(target[0])}:`{escape(text)} <{target[1]}>`\\ "
+        return target and f"{GAP}:{':'.join(target[0])}:`{escape(text)} <{target[1]}>`{GAP}"
+
+    def page(self, path):
+        """A link to the page of a header, or to another page."""
+        if path.endswith(".md"):
+            return f"{GAP}:doc:`{escape(path)} </{path.removesuffix('.md')}>`{GAP}"
+        found = [name for name in self.reference.headers if f"/{name}".endswith(f"/{path}")]
+        return found and (f"{GAP}:doc:`{escape(path)} </include/{found[0].removesuffix('.hpp')}>`"
+                          f"{GAP}")
 
     def inline(self, node):
         return self.words(node.text) + "".join(self.element(child) + self.words(child.tail)
@@ -128,10 +146,10 @@ class Prose:
     def element(self, node):
         text = "".join(node.itertext())
         if node.tag == "computeroutput":
-            return self.link(text, text) or f"\\ ``{text}``\\ "
+            return self.link(text, text) or f"{GAP}``{text}``{GAP}"
         if node.tag in ("emphasis", "bold"):
             mark = "*" if node.tag == "emphasis" else "**"
-            return f"\\ {mark}{escape(text)}{mark}\\ "
+            return f"{GAP}{mark}{escape(text)}{mark}{GAP}"
         if node.tag in ("ref", "ulink"):
             return self.inline(node)
         log.warning("docs/reference.py does not know <%s> of a comment", node.tag,
@@ -178,10 +196,12 @@ def escape(text):
 
 
 def paragraph(line):
+    """A block of one line; none if nothing is said."""
     line = " ".join(line.split())
-    if line.strip("\\ "):
-        # What would begin a list is a word here, and two colons are two colons.
-        yield [re.sub(r"^([-+]|\(?\w+[.)]) ", r"\\ \g<0>", re.sub("::$", r":\\:", line))]
+    line = re.sub(rf"(?<![^ ]){GAP}|{GAP}(?![^ ])", "", line).replace(GAP, r"\ ")
+    # What would begin a list is a word here, and two colons are two colons.
+    line = re.sub(r"^([-+]|\(?\w+[.)]) ", r"\\ \g<0>", re.sub("::$", r":\:", line))
+    return [[line]] if line else []
 
 
 class Page:
@@ -194,9 +214,10 @@ class Page:
         self.lines = []
         header = reference.headers[name]
         title = name.rpartition("/")[2]
-        lead = re.match(r"(// .*\n)*", text).group().replace("// ", "")
+        lead = " ".join(re.match(r"(// .*\n)*", text).group().replace("// ", "").split("\n"))
         self.add(0, [title, "=" * len(title), "", f"``#include <{name}>``", "",
-                     *([escape(lead), ""] if lead else self.text(header, ""))])
+                     *sum(paragraph(Prose(reference, "", (docname, 1)).words(lead)), []), "",
+                     *self.text(header, "")])
         # Comments that divide a header divide its page.
         self.dividers = [(number, found.group(1)) for number, line in
                          enumerate(text.split("\n"), 1)
@@ -210,7 +231,9 @@ class Page:
         namespace, done = "", set()
         for line, node in members:
             while self.dividers and self.dividers[0][0] < line:
-                self.add(depth, [f".. rubric:: {escape(self.dividers.pop(0)[1])}", ""])
+                title = escape(self.dividers.pop(0)[1])
+                self.add(depth, [f".. rubric:: {title}", ""] if depth else
+                         [title, "-" * len(title), ""])
             name = qualified(node)
             outer = name.rpartition("::")[0]
             if depth == 0 and self.domain == "cpp" and outer != namespace:

@@ -11,6 +11,7 @@
  *     itself. Exact results are read as text (minksum_write with MINKSUM_EXACT).
  *   - Geometries never change once they are made, but by the functions that add to them. Any number
  *     of threads may use one at the same time. No function keeps global state.
+ *
  * Complexity and sources are those of the C++ functions of the same names (minksum/minksum.hpp).
  */
 #ifndef MINKSUM_C_H

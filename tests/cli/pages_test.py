@@ -112,6 +112,27 @@ class Pipeline(Page, ProgramTest):
     page_name = "pipeline.md"
 
 
+class Reference(ProgramTest):
+    def test_cpp(self):
+        """The program prints the block below it; each public header is in a table."""
+        page = (SOURCE / "docs" / "reference.md").read_text()
+        code, expected = re.search(r"^```cpp\n(.*?)^```$\n\n^```text\n(.*?)^```$", page,
+                                   re.M | re.S).groups()
+        (self.folder / "app.cpp").write_text(code)
+        subprocess.run([*compiler(), "-std=c++20", f"-I{SOURCE / 'include'}", "app.cpp",
+                        *built("src/libminksum.a"), "-o", "app"], check=True, cwd=self.folder)
+        done = subprocess.run([self.folder / "app"], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout, expected)
+
+    def test_headers(self):
+        page = (SOURCE / "docs" / "reference.md").read_text()
+        headers = {path.relative_to(SOURCE).as_posix()
+                   for path in (SOURCE / "include").rglob("*.h*")}
+        listed = re.findall(r"^\| \[.*?\]\(\.\./(.*?)\)", page, re.M)
+        inner = {name for name in headers if "/detail/" in name or name.endswith("/export.h")}
+        self.assertEqual(sorted(listed), sorted(headers - inner))
+
+
 class Tutorial(Page, ProgramTest):
     page_name = "tutorial.md"
 
