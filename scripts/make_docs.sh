@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: make_docs.sh BUILD
-# Makes the site of all pages and of the reference: BUILD/docs/html/index.html. A public name without
-# documentation, a link that leads nowhere, and every other warning is a failure.
+# Makes the site of all pages and of the reference: BUILD/docs/html/index.html. A public name
+# without documentation, a link that leads nowhere, and every other warning is a failure.
 set -eu
 cd "$(dirname "$0")/.."
 mkdir -p "$1/docs"
