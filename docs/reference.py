@@ -178,6 +178,8 @@ class Prose:
                 yield [(mark if i == 0 else " " * len(mark)) + line if line else ""
                        for i, line in enumerate(lines[:-1])]
         else:
+            for space in node.iter("sp"):  # Doxygen's word for a blank in code
+                space.text = " "
             lines = "".join(node.itertext()).strip("\n").split("\n")
             yield [".. code-block:: text", "", *("   " + line for line in lines)]
 
