@@ -15,7 +15,7 @@ copyright = ""
 root_doc = "README"
 extensions = ["myst_parser", "reference"]  # reference.py beside this file
 include_patterns = ["*.md", "docs/*.md", "include/**/*.hpp", "include/*.h"]
-exclude_patterns = ["include/minksum/detail"]
+exclude_patterns = ["include/minksum/detail", "build*"]
 source_suffix = {".md": "markdown", ".hpp": "restructuredtext", ".h": "restructuredtext"}
 reference_xml = str(OUT / "xml")
 
