@@ -350,11 +350,11 @@ MINKSUM_API minksum_status minksum_inner_fit_polygon(
  * unless options say no. */
 typedef struct minksum_no_fit_table minksum_no_fit_table;
 /** Makes all sums. Parts are laid in 1, 2 or 4 directions (`turns`). */
-MINKSUM_API minksum_status minksum_no_fit_table_new(const minksum_geometry* const* parts,
+MINKSUM_API minksum_status minksum_no_fit_table_new(const minksum_geometry *const *parts,
                                                     size_t count, int turns,
-                                                    const minksum_options* options,
-                                                    minksum_no_fit_table** result,
-                                                    minksum_error* error);
+                                                    const minksum_options *options,
+                                                    minksum_no_fit_table **result,
+                                                    minksum_error *error);
 /** Frees a table. */
 MINKSUM_API void minksum_no_fit_table_free(minksum_no_fit_table *table);
 /** The no-fit polygon of two parts: part `fixed` turned by fixed_turn / turns of a full turn, and
