@@ -19,11 +19,14 @@ namespace minksum {
 [[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
                                          const Options& options = {});
 
-/// The operations on valid regions (see `validate`), regularized: closures of what has area.
+/// The union of valid regions (see `validate`), as the closure of what has area; and so the results
+/// of the operations below.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
                                        const Options& options = {});
+/// What lies in both regions.
 [[nodiscard]] MINKSUM_API Region intersect(const Region& a, const Region& b,
                                            const Options& options = {});
+/// What lies in `a` and not in `b`.
 [[nodiscard]] MINKSUM_API Region subtract(const Region& a, const Region& b,
                                           const Options& options = {});
 [[nodiscard]] MINKSUM_API Region symmetric_difference(const Region& a, const Region& b,

@@ -23,23 +23,24 @@ struct CheckOptions {
   std::uint64_t samples = 1000;
   /// Edges of the result near which points are tested; if it has more, that many of them, evenly.
   std::uint64_t edges = 10000;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< of the random points: the same seed tests the same points
   /// Above these the proof is not tried; `Options::limits` have no meaning here.
   Limits proof{std::uint64_t{1} << 20, std::uint64_t{1} << 23};
 };
 
 /// A point that is in one of result and sum, and further than `within` from the other.
 struct Disagreement {
-  Point at;
-  bool in_result = false;
+  Point at;                ///< the point
+  bool in_result = false;  ///< whether it is in the result; else it is in the sum
 };
 
 /// A difference of two sets: how much, and a point of its largest part.
 struct Difference {
-  double area = 0;  ///< about; 0 only if there is none
-  std::optional<Point> at;
+  double area = 0;          ///< about; 0 only if there is none
+  std::optional<Point> at;  ///< a point of the largest part; nothing if there is none
 };
 
+/// What the comparison with the whole sum found.
 enum class Proof {
   kHolds,     ///< the result is the sum, within what is allowed
   kRefuted,   ///< it is not
@@ -50,15 +51,16 @@ enum class Proof {
 struct SumCheck {
   std::vector<Fault> faults;  ///< why the result is not valid; none = it is
   std::uint64_t points = 0;   ///< points tested
-  std::uint64_t disagreements = 0;
+  std::uint64_t disagreements = 0;     ///< points that are in one of result and sum alone
   std::vector<Disagreement> examples;  ///< the first few of these
-  Proof proof = Proof::kNotTried;
+  Proof proof = Proof::kNotTried;      ///< what the second method says
   double result_area = 0;              ///< to a few units in the last place; so the next
   std::optional<double> sum_area;      ///< by the second method; nothing if it was not tried
   std::optional<Difference> missing;   ///< of the sum, not in the result (areas only)
   std::optional<Difference> surplus;   ///< of the result, not in the sum
-  bool thin_parts_differ = false;
+  bool thin_parts_differ = false;      ///< whether polylines or points are not those of the sum
 
+  /// Whether nothing speaks against the result.
   [[nodiscard]] bool ok() const {
     return faults.empty() && disagreements == 0 && proof != Proof::kRefuted;
   }

@@ -28,6 +28,7 @@ struct MINKSUM_API Turn {
   [[nodiscard]] bool same_as(const Turn& other) const {
     return quarters == other.quarters && tan_half == other.tan_half;
   }
+  /// The turn as an exact map, about the origin.
   [[nodiscard]] Affine map() const;
   /// The point (cos, sin) of the unit circle.
   [[nodiscard]] Point direction() const;
@@ -51,7 +52,7 @@ struct ConfigurationOptions {
 
 /// The configurations (x, y, turn) of one turn.
 struct Slice {
-  Turn turn;
+  Turn turn;  ///< of the robot
   /// Closure of the (x, y) at which the robot's interior meets an obstacle, or leaves the
   /// workspace. Outside of it, and on its boundary, the robot is free, or touches.
   Geometry obstacles;
@@ -97,7 +98,9 @@ class MINKSUM_API ConfigurationSpace {
   /// Whether the region's interior meets an obstacle (the outside of a workspace apart).
   [[nodiscard]] bool overlaps_obstacle(const Region& region) const;
 
+  /// The slice of one turn, with its free space if that is asked for.
   [[nodiscard]] Slice slice(const Turn& turn, bool with_free = false) const;
+  /// The same with memory that is reused.
   [[nodiscard]] Slice slice(const Turn& turn, bool with_free, Workspace& workspace) const;
 
   /// Slices of all turns on options.threads threads. `finish` is called for each by the thread that
@@ -107,6 +110,7 @@ class MINKSUM_API ConfigurationSpace {
   void for_each_slice(std::span<const Turn> turns, bool with_free,
                       const std::function<void(std::size_t, Slice&)>& finish,
                       const std::function<void(std::size_t, Slice&)>& visit) const;
+  /// The slices of all turns, in their order, as `for_each_slice` makes them. All are kept.
   [[nodiscard]] std::vector<Slice> slices(std::span<const Turn> turns,
                                           bool with_free = false) const;
 

@@ -16,9 +16,8 @@ struct Depth {
   /// overlaps it no more. Apart: B moved by it touches A. Where several are shortest, the
   /// lexicographically smallest.
   Point vector;
-  /// Its length squared, exactly, and its length.
-  Rational squared;
-  double distance = 0;
+  Rational squared;     ///< its length squared, exactly
+  double distance = 0;  ///< its length, as a double
   /// What is in contact then: an edge of one (kFirst is A), and a vertex of the other that lies on
   /// it, at an end perhaps; as indices of the vertices given. Of several pairs in contact along one
   /// line of the sum's boundary the first, A's edges before B's. Nothing where shapes had to be

@@ -34,16 +34,16 @@ struct Statistics {
   std::uint64_t segments_kept = 0;
   std::uint64_t crossings = 0;              ///< crossings found among the kept ones
   std::uint64_t loops = 0;                  ///< orientable loops
-  std::uint64_t rejected_by_nesting = 0;
-  std::uint64_t rejected_by_collision = 0;
+  std::uint64_t rejected_by_nesting = 0;    ///< loops that the nesting filter dropped
+  std::uint64_t rejected_by_collision = 0;  ///< loops that the collision filter dropped
   std::uint64_t grid_cells = 0;             ///< cells of the cover's grid; 0 = no cover
-  std::uint64_t covered_cells = 0;
+  std::uint64_t covered_cells = 0;          ///< cells that certainly lie inside the sum
 
   std::uint64_t coordinate_bits = 0;        ///< of both operands on their common integer grid
   Arithmetic arithmetic = Arithmetic::kAutomatic;  ///< the rung that was used
   std::uint64_t by_filter = 0;              ///< decisions that the floating-point filter took
-  std::uint64_t by_fixed_width = 0;
-  std::uint64_t by_arbitrary = 0;
+  std::uint64_t by_fixed_width = 0;         ///< decisions by integers of fixed width
+  std::uint64_t by_arbitrary = 0;           ///< decisions by numbers of any size
 
   double seconds = 0;                       ///< the whole call
   double stage_seconds[kSumStages] = {};    ///< indexed by Stage; 0 for sums without stages

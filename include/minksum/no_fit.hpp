@@ -33,14 +33,20 @@ namespace minksum {
                                                      const Options& options = {});
 
 /// How a placed part relates to a fixed one.
-enum class Contact { kFree, kTouching, kOverlapping };
+enum class Contact {
+  kFree,         ///< they are apart
+  kTouching,     ///< their boundaries meet, their insides do not
+  kOverlapping,  ///< their insides meet
+};
 
 /// A no-fit polygon to be asked many times. Copies share it; any number of threads may ask.
 class MINKSUM_API NoFitPolygon {
  public:
+  /// Computes the polygon as `no_fit_polygon` does, and throws as that does.
   NoFitPolygon(const Geometry& fixed, const Geometry& moving,
                const std::optional<Point>& reference = {}, const Options& options = {});
 
+  /// The polygon itself.
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }
   /// The relation at placement t of the reference point, exactly; O(log² n).
   [[nodiscard]] Contact contact(const Point& t) const;
@@ -54,8 +60,8 @@ class MINKSUM_API NoFitPolygon {
 /// A part of a table, turned counter-clockwise about its reference point by `turn` times 360
 /// degrees / NoFitTable::turns().
 struct TurnedPart {
-  std::size_t part = 0;
-  int turn = 0;
+  std::size_t part = 0;  ///< its index among the parts that the table was made of
+  int turn = 0;          ///< its direction
 };
 
 /// The no-fit polygons of all pairs of some parts, in all their directions: what
@@ -75,7 +81,7 @@ class MINKSUM_API NoFitTable {
   explicit NoFitTable(std::span<const Geometry> parts, int turns = 4, const Options& options = {});
 
   [[nodiscard]] std::size_t size() const;  ///< parts
-  [[nodiscard]] int turns() const;
+  [[nodiscard]] int turns() const;         ///< directions in which parts are laid
   /// The placements of the reference point of `moving` where it meets `fixed`, whose reference
   /// point is at the origin: as no_fit_polygon gives them for the parts turned and moved so. In
   /// canonical form, always; its origins speak of the parts as given where they are valid, else of

@@ -14,6 +14,7 @@ namespace minksum {
 /// - kOutside: B(r) ⊆ D ⊆ B(r + t);
 /// - kInside: B(r − t) ⊆ D ⊆ B(r);
 /// - kNearest: B(r − t) ⊆ D ⊆ B(r + t), with about 0.7 times as many vertices.
+///
 /// Verified for each vertex and each edge by squared distances, exactly.
 ///
 /// D is convex, has the square's symmetries and reaches to exactly r along both axes, so that a sum
@@ -48,8 +49,8 @@ enum class Cap {
 
 /// What an offset looks like.
 struct OffsetOptions {
-  Join join = Join::kRound;
-  Cap cap = Cap::kRound;
+  Join join = Join::kRound;  ///< at corners
+  Cap cap = Cap::kRound;     ///< at ends of polylines, and around points
   /// The farthest that a miter may reach from its vertex, in multiples of the distance; ≥ 1.
   Rational miter_limit = 2;
   /// How far the result may be off, see `offset`; |distance|/1000 if it is not set.
@@ -68,10 +69,12 @@ struct OffsetOptions {
 /// - Round joins and caps: the true offset is A ⊕ B(r), or A ⊖ B(r). The result is exactly A ⊕ D or
 ///   A ⊖ D for a polygon D (see `disc`). Both are monotone in D, so it lies between two offsets:
 ///
-///                 grown                                 shrunk (less what has no area)
-///     kOutside    from A ⊕ B(r) to A ⊕ B(r + t)         from A ⊖ B(r) to A ⊖ B(r − t)
-///     kInside     from A ⊕ B(r − t) to A ⊕ B(r)         from A ⊖ B(r + t) to A ⊖ B(r)
-///     kNearest    from A ⊕ B(r − t) to A ⊕ B(r + t)     from A ⊖ B(r + t) to A ⊖ B(r − t)
+///   ```
+///               grown                               shrunk (less what has no area)
+///   kOutside    from A ⊕ B(r) to A ⊕ B(r + t)       from A ⊖ B(r) to A ⊖ B(r − t)
+///   kInside     from A ⊕ B(r − t) to A ⊕ B(r)       from A ⊖ B(r + t) to A ⊖ B(r)
+///   kNearest    from A ⊕ B(r − t) to A ⊕ B(r + t)   from A ⊖ B(r + t) to A ⊖ B(r − t)
+///   ```
 ///
 ///   Grown, no point of the result or of the true offset is farther than t from the other. Shrunk,
 ///   that cannot be promised of any polygon D: a neck as wide as 2r is there or not.

@@ -40,6 +40,7 @@ class MINKSUM_API PreparedRegion {
 /// The same with an operand that is not prepared.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const PreparedRegion& q,
                                                const Options& options = {});
+/// The same with an operand that is not prepared.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const Region& q,
                                                const Options& options = {});
 
@@ -52,8 +53,10 @@ class MINKSUM_API PreparedRegion {
 /// or cancellation. On failure `result` is empty.
 MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                   const Options& options, Workspace& workspace, Region& result);
+/// The same with an operand that is not prepared.
 MINKSUM_API Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
                                   Workspace& workspace, Region& result);
+/// The same with an operand that is not prepared.
 MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
                                   Workspace& workspace, Region& result);
 

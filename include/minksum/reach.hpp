@@ -8,8 +8,8 @@ namespace minksum {
 
 /// A robot's place and turn, as they are asked for.
 struct Configuration {
-  Point at;
-  Rational degrees;
+  Point at;          ///< of the reference point
+  Rational degrees;  ///< counter-clockwise
 };
 
 /// A configuration space, and how finely it is searched.
@@ -23,17 +23,18 @@ struct ReachOptions : ConfigurationOptions {
 
 /// A robot's place and turn on a path.
 struct Waypoint {
-  Point at;
-  Turn turn;
+  Point at;   ///< of the reference point
+  Turn turn;  ///< of the robot
 };
 
+/// Whether there is a path, and which.
 struct Reach {
-  bool reachable = false;
+  bool reachable = false;  ///< whether there is one
   /// From start to goal, if reachable. From one waypoint to the next the robot moves straight
   /// without turning, or turns on the spot to the neighbouring slice, the shorter way round.
   std::vector<Waypoint> path;
-  std::size_t slices = 0;
-  std::size_t parts = 0;  ///< of free space, in all slices
+  std::size_t slices = 0;  ///< that were made
+  std::size_t parts = 0;   ///< of free space, in all slices
   /// How much the robot was grown (`certain`), in every direction at least.
   Rational margin;
 };

@@ -9,6 +9,7 @@
 
 namespace minksum {
 
+/// To which side a result may be off.
 enum class RoundingSide {
   kNearest,  ///< as close as can be
   kOutside,  ///< the result certainly contains the exact set, every point of it
@@ -19,7 +20,7 @@ enum class RoundingSide {
 
 /// What is rounded to.
 struct RoundOptions {
-  RoundingSide side = RoundingSide::kNearest;
+  RoundingSide side = RoundingSide::kNearest;  ///< to which side
   /// Digits after the point, 0 to 4096; without it, to doubles.
   std::optional<int> decimals = {};
 };
