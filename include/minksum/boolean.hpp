@@ -29,6 +29,7 @@ namespace minksum {
 /// What lies in `a` and not in `b`.
 [[nodiscard]] MINKSUM_API Region subtract(const Region& a, const Region& b,
                                           const Options& options = {});
+/// What lies in one of both regions alone.
 [[nodiscard]] MINKSUM_API Region symmetric_difference(const Region& a, const Region& b,
                                                       const Options& options = {});
 

@@ -81,7 +81,8 @@ class MINKSUM_API Error : public std::runtime_error {
 
 /// How a call without exceptions ended. `error` is there unless it went well.
 struct [[nodiscard]] Outcome {
-  std::optional<Error> error;
+  std::optional<Error> error;  ///< what an exception would have been
+  /// Whether it went well.
   [[nodiscard]] bool ok() const { return !error.has_value(); }
 };
 

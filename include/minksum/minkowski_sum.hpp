@@ -92,7 +92,7 @@ MINKSUM_API Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Op
 
 /// A sum, and what else its computation tells.
 struct DetailedSum {
-  Geometry sum;
+  Geometry sum;  ///< as minkowski_sum returns it; for regions, `sum.region`
   /// The tight places, if `Options::tight` asks for them: the closure of the points that P ⊕ Q has
   /// in its interior and P° ⊕ Q° has not. There P and x − Q touch and have no play, or play along a
   /// path only: single points, and polylines. Resolved (see Geometry), without area. They are those
@@ -109,10 +109,11 @@ enum class Detail {
 };
 
 /// P ⊕ Q as by minkowski_sum, which takes the same steps, and what is known of it. Regions must be
-/// valid, geometries need not be. Throws as above.
+/// valid. Throws as above.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
                                                    const Options& options = {},
                                                    Detail detail = Detail::kStatistics);
+/// The same for any two geometries, read by `options.fill`.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Geometry& p, const Geometry& q,
                                                    const Options& options = {},
                                                    Detail detail = Detail::kStatistics);

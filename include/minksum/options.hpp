@@ -61,11 +61,11 @@ inline constexpr int kSumStages = 7;
 
 /// How far an operation is.
 struct Progress {
-  Stage stage = Stage::kOperands;
-  /// Parts that are done, of how many: rows of a table, slices of a configuration space. Operations
-  /// that have no parts are one part.
+  Stage stage = Stage::kOperands;  ///< what is being done
+  /// Parts that are done: rows of a table, slices of a configuration space. Operations that have no
+  /// parts are one part.
   std::size_t done = 0;
-  std::size_t parts = 1;
+  std::size_t parts = 1;  ///< how many parts there are
 };
 
 /// What a caller decides about any operation. The defaults suit most callers.

@@ -71,18 +71,20 @@ struct RoundingReport {
 /// also if a coordinate or its rounded value is beyond the range of doubles; kCancelled.
 [[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& target = {},
                                        const Options& options = {});
+/// The same with thin parts.
 [[nodiscard]] MINKSUM_API Geometry round(const Geometry& geometry, const RoundOptions& target = {},
                                          const Options& options = {});
 
 /// A rounded set, and what rounding did to it.
 struct Rounded {
-  Geometry geometry;
-  RoundingReport report;
+  Geometry geometry;      ///< the rounded set; of a region, its region
+  RoundingReport report;  ///< what was done
 };
-/// The same, with the report.
+/// As `round`, with the report.
 [[nodiscard]] MINKSUM_API Rounded detailed_round(const Region& region,
                                                  const RoundOptions& target = {},
                                                  const Options& options = {});
+/// The same with thin parts.
 [[nodiscard]] MINKSUM_API Rounded detailed_round(const Geometry& geometry,
                                                  const RoundOptions& target = {},
                                                  const Options& options = {});

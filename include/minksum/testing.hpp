@@ -21,7 +21,7 @@ enum class Method {
 
 /// The options of a sum, and settings that users have no need for.
 struct SumSettings : Options {
-  Method method = Method::kReduced;
+  Method method = Method::kReduced;                ///< how the sum is computed
   Arithmetic arithmetic = Arithmetic::kAutomatic;  ///< kBadInput if the operands do not fit
   bool filter = true;                              ///< false: every decision by exact arithmetic
   bool cover = true;   ///< false: no cover; the whole arrangement is built
@@ -30,27 +30,35 @@ struct SumSettings : Options {
   bool small = true;   ///< false: by the stages even where operands are small
 };
 
-// The sums of minkowski_sum.hpp and prepared_region.hpp, computed as the settings say. Tight places
-// are found by Method::kReduced only: else Error(kBadInput).
+/// The sum of minkowski_sum.hpp, computed as the settings say. Throws as that.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const Region& q,
                                                const SumSettings& settings);
+/// The same for geometries.
 [[nodiscard]] MINKSUM_API Geometry minkowski_sum(const Geometry& p, const Geometry& q,
                                                  const SumSettings& settings);
+/// The same for prepared operands.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                                const SumSettings& settings);
+/// The same with memory that is reused, and no exception.
 MINKSUM_API Outcome minkowski_sum(const Region& p, const Region& q, const SumSettings& settings,
                                   Workspace& workspace, Region& result);
+/// The same for geometries.
 MINKSUM_API Outcome minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
                                   Workspace& workspace, Geometry& result);
+/// The same for prepared operands.
 MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                   const SumSettings& settings, Workspace& workspace,
                                   Region& result);
+/// The same with what is known of the sum. Method::kReduced alone finds tight places: with others
+/// they are an Error(kBadInput).
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
                                                    const SumSettings& settings,
                                                    Detail detail = Detail::kStatistics);
+/// The same for geometries.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Geometry& p, const Geometry& q,
                                                    const SumSettings& settings,
                                                    Detail detail = Detail::kStatistics);
+/// The same for prepared operands.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
                                                    const SumSettings& settings,
                                                    Detail detail = Detail::kStatistics);
