@@ -237,14 +237,19 @@ void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
   writer.text('(');
   bool first_ring = true;
   for (const std::size_t ring : region.rings_of(polygon)) {
-    writer.text(first_ring ? "(" : ", (");
+    if (!first_ring) writer.text(", ");
     first_ring = false;
     const IndexRange vertices = region.vertices_of(ring);
+    if (vertices.empty()) {
+      writer.text("EMPTY");
+      continue;
+    }
+    writer.text('(');
     for (const std::size_t vertex : vertices) {
       writer.point(region, vertex, ' ');
       writer.text(", ");
     }
-    if (!vertices.empty()) writer.point(region, vertices.front(), ' ');
+    writer.point(region, vertices.front(), ' ');
     writer.text(')');
   }
   writer.text(')');
@@ -266,6 +271,7 @@ void append_region(Writer& writer, const Region& region) {
 }
 
 void append_points(Writer& writer, std::span<const Point> points) {
+  if (points.empty()) return writer.text("EMPTY");
   writer.text('(');
   append_separated(writer, points, [&](const Point& point) { writer.point(point, ' '); });
   writer.text(')');

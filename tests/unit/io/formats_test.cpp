@@ -80,6 +80,17 @@ TEST(Wkt, IsWrittenInEveryStyle) {
   EXPECT_EQ(to_wkt(read(two)), two);
 }
 
+// A text of "()" would be no WKT at all.
+TEST(Wkt, WhatHasNoVerticesIsEmpty) {
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  EXPECT_EQ(to_wkt(region), "POLYGON (EMPTY)");
+  EXPECT_EQ(to_wkt(Geometry{{}, {{}}, {}}), "LINESTRING EMPTY");
+  EXPECT_EQ(to_wkt(Geometry{{}, {{}, {{0, 0}, {1, 1}}}, {}}),
+            "MULTILINESTRING (EMPTY, (0 0, 1 1))");
+}
+
 TEST(Wkt, DoublesOutOfRangeAreNotWritten) {
   const Region region = read("POLYGON ((0 0, 1e400 0, 0 1, 0 0))");
   EXPECT_THROW(static_cast<void>(to_wkt(region)), Error);
