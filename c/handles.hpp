@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -77,11 +78,17 @@ const auto& value_of(const Handle* handle) {
 
 /// Converts an enumerator of C to that of C++ at the same position.
 template <class To, class From>
-To as(From value, From last) {
-  require(static_cast<int>(value) >= 0 && value <= last, "an enumerator that does not exist");
-  return static_cast<To>(value);
+To as(const From& value, From last) {
+  // C may pass any integer. Reading one as an enumerator that does not exist is undefined.
+  int number = 0;
+  static_assert(sizeof(value) == sizeof(number));
+  std::memcpy(&number, &value, sizeof(number));
+  require(number >= 0 && number <= static_cast<int>(last), "an enumerator that does not exist");
+  return static_cast<To>(number);
 }
-inline RoundingSide as_side(minksum_side side) { return as<RoundingSide>(side, MINKSUM_INSIDE); }
+inline RoundingSide as_side(const minksum_side& side) {
+  return as<RoundingSide>(side, MINKSUM_INSIDE);
+}
 
 /// The options of C; null = the defaults.
 inline Options options_of(const minksum_options* given) {
