@@ -7,8 +7,6 @@
 namespace minksum::cli {
 namespace {
 
-constexpr int kMaxDecimals = 4096;  // the largest that RoundOptions::decimals takes
-
 const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
                                                     {"geojson", io::Format::kGeoJson},
                                                     {"svg", io::Format::kSvg},

@@ -86,13 +86,13 @@ struct Coordinates {
     kDecimal,  ///< decimals with `digits` digits after the point
   };
   Style style = Style::kDouble;  ///< as which numbers
-  int digits = 6;                ///< for kDecimal: digits after the point
+  int digits = 6;                ///< for kDecimal: digits after the point, 0 to kMaxDecimals
   /// Cancels writing: Error(kCancelled). What was written until then stays.
   std::optional<CancelToken> cancel = {};
 };
 
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,
-/// which is only read, and for a negative number of digits; kLimitExceeded for a coordinate beyond
+/// which is only read, and for a number of digits that is out of range; kLimitExceeded for a coordinate beyond
 /// the doubles that is to be written as one.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});

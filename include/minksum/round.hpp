@@ -18,10 +18,13 @@ enum class RoundingSide {
 /// "nearest", "outside", "inside".
 [[nodiscard]] MINKSUM_API const char* to_string(RoundingSide side);
 
+/// The most digits after the point to which coordinates are rounded, or with which they are written.
+inline constexpr int kMaxDecimals = 4096;
+
 /// What is rounded to.
 struct RoundOptions {
   RoundingSide side = RoundingSide::kNearest;  ///< to which side
-  /// Digits after the point, 0 to 4096; without it, to doubles.
+  /// Digits after the point, 0 to kMaxDecimals; without it, to doubles.
   std::optional<int> decimals = {};
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "minksum/round.hpp"
+
 namespace minksum::io {
 
 namespace {
@@ -62,6 +64,10 @@ std::optional<int> finite_decimal_digits(const Rational& value) {
 
 Writer::Writer(std::ostream& out, const Coordinates& style)
     : out_(out), style_(style), options_{.cancel = style.cancel}, cancellation_(options_) {
+  const bool has_digits = style.style == Coordinates::Style::kDecimal;
+  if (has_digits && (style.digits < 0 || style.digits > kMaxDecimals)) {
+    throw Error(ErrorCode::kBadInput, "digits after the point are not from 0 to 4096");
+  }
   buffer_.reserve(kChunk + 4096);
 }
 

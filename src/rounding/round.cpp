@@ -13,8 +13,6 @@
 namespace minksum {
 namespace {
 
-constexpr int kMaxDecimals = 4096;
-
 Target target_of(const RoundRequest& request) {
   if (request.decimals && (*request.decimals < 0 || *request.decimals > kMaxDecimals)) {
     throw Error(ErrorCode::kBadInput, "digits after the point are not from 0 to 4096");

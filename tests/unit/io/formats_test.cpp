@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "minksum/io.hpp"
+#include "minksum/round.hpp"
 #include "support/random.hpp"
 
 namespace minksum::io {
@@ -89,6 +90,13 @@ TEST(Wkt, WhatHasNoVerticesIsEmpty) {
   EXPECT_EQ(to_wkt(Geometry{{}, {{}}, {}}), "LINESTRING EMPTY");
   EXPECT_EQ(to_wkt(Geometry{{}, {{}, {{0, 0}, {1, 1}}}, {}}),
             "MULTILINESTRING (EMPTY, (0 0, 1 1))");
+}
+
+TEST(Wkt, SoManyDigitsAreNotWritten) {
+  for (const int digits : {-1, kMaxDecimals + 1}) {
+    EXPECT_THROW((void)to_wkt(unit_triangle(), {Style::kDecimal, digits, {}}), Error);
+  }
+  EXPECT_NO_THROW((void)to_wkt(unit_triangle(), {Style::kDecimal, kMaxDecimals, {}}));
 }
 
 TEST(Wkt, DoublesOutOfRangeAreNotWritten) {
