@@ -19,7 +19,7 @@ namespace minksum {
 class Cancellation {
  public:
   /// Units between two looks, which take a third of a millisecond in a loop that counts rightly.
-  static constexpr std::uint64_t kUnits = std::uint64_t{1} << 15;
+  static constexpr std::int64_t kUnits = std::int64_t{1} << 15;
 
   /// Makes one that nobody can cancel.
   Cancellation() = default;
@@ -32,12 +32,15 @@ class Cancellation {
 
   /// Counts work, and looks if enough has been done. Throws Error(kCancelled).
   void check(std::uint64_t units = 1) {
-    done_ += units;
-    if (done_ >= kUnits) look();
+    // It counts down: subtracting in memory and jumping on the sign takes two instructions.
+    left_ -= static_cast<std::int64_t>(units);
+    if (left_ < 0) [[unlikely]] {
+      look();
+    }
   }
-  /// Looks now. Throws Error(kCancelled).
-  void look() {
-    done_ = 0;
+  /// Looks now. Throws Error(kCancelled). Inlined, this would take registers from loops that count.
+  [[gnu::noinline, gnu::cold]] void look() {
+    left_ = kUnits;
     const bool cancelled = options_->cancel && options_->cancel->cancelled();
     if (cancelled || (options_->progress && !options_->progress({stage_}))) stop();
   }
@@ -47,7 +50,7 @@ class Cancellation {
     look();
   }
   [[nodiscard]] Stage stage() const { return stage_; }
-  /// Returns the token, for an operation that is part of this one.
+  /// Returns the options, for an operation that is part of this one.
   [[nodiscard]] const Options& options() const { return *options_; }
 
   /// Returns a comparison that counts its calls, for sorting lists that may be long.
@@ -58,15 +61,26 @@ class Cancellation {
       return less(a, b);
     };
   }
+  /// Calls work(step), which calls step() for each unit, at most so many times. If these are no
+  /// more than between two looks, they are counted beforehand, and step() does nothing.
+  template <class Work>
+  void counted(std::uint64_t units, Work work) {
+    if (units <= static_cast<std::uint64_t>(kUnits)) {
+      check(units);
+      work([] {});
+    } else {
+      work([this] { check(); });
+    }
+  }
 
  private:
   static inline const Options kNobody;
 
-  [[noreturn]] void stop() const {
+  [[noreturn, gnu::noinline, gnu::cold]] void stop() const {
     throw Error(ErrorCode::kCancelled, "cancelled", {}, to_string(stage_));
   }
 
-  std::uint64_t done_ = 0;
+  std::int64_t left_ = kUnits;  ///< until the next look
   const Options* options_ = &kNobody;
   Stage stage_ = Stage::kOperands;
 };

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "machine/cancellation.hpp"
@@ -48,16 +50,19 @@ template <class T>
 void make_room(std::vector<T>& list, std::size_t more, Cancellation& cancellation) {
   if (list.capacity() - list.size() < more) move_to_larger(list, more, cancellation);
 }
-/// Does what `push_back` does.
+/// Does what `push_back` does. Where there is room it asks nothing that `push_back` does not ask.
 template <class T>
-void append(std::vector<T>& list, const T& value, Cancellation& cancellation) {
-  make_room(list, 1, cancellation);
+[[gnu::always_inline]] inline void append(std::vector<T>& list, const T& value,
+                                          Cancellation& cancellation) {
+  if (list.size() == list.capacity()) [[unlikely]] {
+    move_to_larger(list, 1, cancellation);
+  }
   list.push_back(value);
 }
-/// Does what `resize` does. New elements get the given value, if there is one.
+/// Resizes piece by piece. Stays out of line, because short lists are resized more often.
 template <class T, class... Value>
-void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& cancellation,
-                      const Value&... value) {
+[[gnu::noinline]] void resize_long(std::vector<T>& list, std::size_t size,
+                                   Cancellation& cancellation, const Value&... value) {
   if (size > list.size()) make_room(list, size - list.size(), cancellation);
   while (list.size() + kPiece < size) {
     cancellation.check(kPiece);
@@ -65,12 +70,55 @@ void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& canc
   }
   list.resize(size, value...);
 }
+/// Does what `resize` does. New elements get the given value, if there is one.
+template <class T, class... Value>
+void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& cancellation,
+                      const Value&... value) {
+  if (size <= std::max(kPiece, list.capacity()) && size <= list.size() + kPiece) {
+    list.resize(size, value...);
+  } else {
+    resize_long(list, size, cancellation, value...);
+  }
+}
 /// Does what `assign` does.
 template <class T>
 void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
                       Cancellation& cancellation) {
+  if (size <= kPiece) return list.assign(size, value);
   list.clear();
   resize_in_pieces(list, size, cancellation, value);
+}
+
+/// Sorts by an order in which no two different elements are equal, so the result is that of any
+/// sort. A comparison must be cheap: a unit of work or two.
+template <class Iterator, class Less>
+void sort_in_pieces(Iterator first, Iterator last, Cancellation& cancellation, Less less) {
+  constexpr std::ptrdiff_t kAtOnce = 1 << 15;  // std::sort takes some five milliseconds for these
+  const auto log = [](std::ptrdiff_t n) { return std::bit_width(static_cast<std::size_t>(n)); };
+  // If so many partitions leave a long part, they are bad, and std::sort copes better.
+  for (int parts = 2 * log(last - first); last - first > kAtOnce; --parts) {
+    if (parts == 0) return std::sort(first, last, cancellation.counting(less));
+    const auto at = [&](std::ptrdiff_t i) { return first[i]; };
+    const auto a = at(0);
+    const auto b = at((last - first) / 2);
+    const auto c = at(last - first - 1);
+    const auto pivot =
+        std::max(std::min(a, b, less), std::min(std::max(a, b, less), c, less), less);
+    const Iterator middle = std::partition(first, last, [&](const auto& element) {
+      cancellation.check();
+      return less(element, pivot);
+    });
+    if (middle - first < last - middle) {
+      sort_in_pieces(first, middle, cancellation, less);
+      first = middle;
+    } else {
+      sort_in_pieces(middle, last, cancellation, less);
+      last = middle;
+    }
+  }
+  cancellation.check(static_cast<std::uint64_t>(last - first) *
+                     static_cast<std::uint64_t>(log(last - first)));
+  std::sort(first, last, less);
 }
 
 }  // namespace minksum
