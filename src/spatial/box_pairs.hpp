@@ -63,10 +63,11 @@ class BoxPairs {
     sort();
     cancellation.check(4 * scratch_.boxes.size());
     const std::size_t count = scratch_.boxes.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    const auto visit_pairs_of = [&](std::size_t i) {
       const BoxPairScratch::Box box = scratch_.in_order[i];
       const std::size_t end = scratch_.column_end[column(box.right)];
-      for (std::size_t j = i + 1; j < end; j += kLanes) {
+      std::size_t j = i + 1;
+      for (; j < end; j += kLanes) {
         const Lanes apart = (lanes(&scratch_.bottoms[j]) > box.top) |
                             (lanes(&scratch_.tops[j]) < box.bottom);
         for_each_clear(apart, [&](std::size_t lane) {
@@ -77,13 +78,21 @@ class BoxPairs {
           }
         });
       }
-      cancellation.check(1 + (end - std::min(i, end)) / kLanes);
+      return j - i;
+    };
+    for (std::size_t i = 0; i < count;) {
+      const std::size_t end = std::min(i + kCountedAtOnce, count);
+      std::size_t passed = 0;
+      for (; i < end; ++i) passed += visit_pairs_of(i);
+      // Some of the boxes that are passed overlap, and visiting them takes longer.
+      cancellation.check(kCountedAtOnce + passed / 2);
     }
   }
 
  private:
   static constexpr double kUnits = 0x1p15 - 4;
   static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kCountedAtOnce = 16;  ///< boxes: comparing one may take long
   static constexpr std::size_t kFew = 48;  ///< up to this count, comparing all costs less than
                                            ///< sorting
   /// Lanes are compared one by one, and -1 means true. The compilers that know 128-bit integers

@@ -18,9 +18,11 @@ namespace minksum {
 class FaultList {
  public:
   FaultList(const PreparedOperand& operand, std::size_t max_faults, std::vector<Fault>& faults)
-      : o_(operand), region_(*operand.region), max_faults_(max_faults), faults_(faults) {}
+      : o_(operand), region_(*operand.region), max_faults_(max_faults), faults_(faults) {
+    full_ = faults.size() >= max_faults;
+  }
 
-  [[nodiscard]] bool full() const { return faults_.size() >= max_faults_; }
+  [[nodiscard]] bool full() const { return full_; }
 
   void add_vertex(const char* message, SiteId v) {
     if (is_new(message, v)) add(message, vertex(v), {}, point(v));
@@ -51,6 +53,7 @@ class FaultList {
   }
   void add(const char* message, const Culprit& place, const Culprit& other, const Point& at) {
     faults_.push_back({message, place, other, at});
+    full_ = faults_.size() >= max_faults_;
   }
 
   [[nodiscard]] Point point(SiteId v) const { return region_.point(o_.vertex_source[v]); }
@@ -92,6 +95,7 @@ class FaultList {
   const Region& region_;
   std::size_t max_faults_;
   std::vector<Fault>& faults_;
+  bool full_ = false;
   std::set<std::tuple<std::string, SiteId, SiteId>> reported_;
 };
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "machine/make_room.hpp"
 #include "spatial/box_pairs.hpp"
 #include "spatial/uniform_grid.hpp"
 #include "validation/bin_edges.hpp"
@@ -35,13 +36,14 @@ class ContactFinder {
     grid_ = UniformGrid::over(extent.x, extent.y, side);
     bin_edges(o_, grid_, cancellation_, scratch_);
     const auto& begin = scratch_.cell_begin;
-    for (std::size_t cell = 0; cell + 1 < begin.size(); ++cell) {
-      const std::uint32_t count = begin[cell + 1] - begin[cell];
-      cancellation_.check();
-      if (count < 2) continue;
-      find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
-      if (list_.full()) return;
-    }
+    in_pieces(begin.size() - 1, cancellation_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t cell = first; cell < last; ++cell) {
+        const std::uint32_t count = begin[cell + 1] - begin[cell];
+        if (count < 2) continue;
+        if (list_.full()) return;
+        find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
+      }
+    });
   }
 
   /// Finds rings in the wrong place. Rings do not cross here, so any point of a ring that is not on
@@ -111,7 +113,7 @@ class ContactFinder {
         if (sorted && left(edges[j]) > reach) break;
         contact(edges[i], edges[j]);
       }
-      cancellation_.check(2 * (j - i));
+      cancellation_.check(4 * (j - i));
       if (list_.full()) return;
     }
   }
@@ -136,9 +138,7 @@ class ContactFinder {
   void contact(SiteId e, SiteId f) {
     const SiteId e1 = o_.sites.next[e];
     const SiteId f1 = o_.sites.next[f];
-    cancellation_.check(2);
     if (e == f || e1 == f || f1 == e || boxes_apart(e, f)) return;
-    cancellation_.check(4);
     const Sign fs = predicates_.orientation(e, e1, f);
     const Sign ft = predicates_.orientation(e, e1, f1);
     if (fs == ft && fs != kZero) return;
@@ -273,9 +273,9 @@ class ContactFinder {
         const std::size_t cell =
             static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
             static_cast<std::size_t>(i);
-        cancellation_.check();
-        for (std::uint32_t k = scratch_.cell_begin[cell]; k < scratch_.cell_begin[cell + 1]; ++k) {
-          cancellation_.check();
+        const std::uint32_t cell_end = scratch_.cell_begin[cell + 1];
+        cancellation_.check(1 + cell_end - scratch_.cell_begin[cell]);
+        for (std::uint32_t k = scratch_.cell_begin[cell]; k < cell_end; ++k) {
           const SiteId e = scratch_.in_cells[k];
           const double y0 = o_.sites.y[e];
           const double y1 = o_.sites.y[o_.sites.next[e]];

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "machine/make_room.hpp"
 #include "region/region_access.hpp"
 #include "validation/prepared_operand.hpp"
 #include "validation/rational_sites.hpp"
@@ -16,12 +17,12 @@ std::uint64_t magnitude(std::int64_t value) {
 }
 template <class Visit>
 void for_each_coordinate(const Region& region, Cancellation& cancellation, Visit visit) {
-  const std::size_t n = region.vertex_count();
-  for (std::size_t v = 0; v < n; ++v) {
-    cancellation.check();
-    visit(RegionAccess::x(region, v));
-    visit(RegionAccess::y(region, v));
-  }
+  in_pieces(region.vertex_count(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      visit(RegionAccess::x(region, v));
+      visit(RegionAccess::y(region, v));
+    }
+  });
 }
 
 /// The common scale, made of the smallest powers of two and ten in use, and the bits that it takes.
@@ -121,12 +122,13 @@ void load_grid(std::size_t n, const Scale& scale, At at, Cancellation& cancellat
   sites.resize(n);
   Vec<Number> low = at(0);
   Vec<Number> high = low;
-  for (std::size_t v = 0; v < n; ++v) {
-    cancellation.check();
-    sites[v] = at(v);
-    low = {std::min(low.x, sites[v].x), std::min(low.y, sites[v].y)};
-    high = {std::max(high.x, sites[v].x), std::max(high.y, sites[v].y)};
-  }
+  in_pieces(n, cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      sites[v] = at(v);
+      low = {std::min(low.x, sites[v].x), std::min(low.y, sites[v].y)};
+      high = {std::max(high.x, sites[v].x), std::max(high.y, sites[v].y)};
+    }
+  });
   for (auto& s : sites) s = {s.x - low.x, s.y - low.y};
   grid.offset = {low.x, low.y};
   grid.extent = {high.x - low.x, high.y - low.y};
