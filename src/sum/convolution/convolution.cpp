@@ -92,7 +92,12 @@ class Lister {
     if (c_.size + edges.size() > most_) {
       throw exceeded("Limits::max_segments", most_, "the convolution has", "segments");
     }
-    resize_in_pieces(c_.segments, c_.size + edges.size(), cancellation_);
+    const std::size_t size = c_.size + edges.size();
+    if (size <= c_.segments.capacity() && edges.size() <= kPiece) {
+      c_.segments.resize(size);
+    } else {
+      resize_in_pieces(c_.segments, size, cancellation_);
+    }
     for (std::size_t i = 0; i < edges.size(); ++i) c_.segments[c_.size + i] = {edges[i], v};
     c_.size += edges.size();
   }
@@ -142,7 +147,7 @@ void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t
   Lister lister(limits, many, cancellation, convolution);
   cancellation.check(2 * o.size());
   const auto append = [&](std::span<const SiteId> edges, SiteId v) {
-    cancellation.check(1 + edges.size() / 4);
+    cancellation.check(edges.size());
     lister.append(edges, v);
   };
   for (const int operand : {0, 1}) visit_runs(o, which, operand, scratch, append);

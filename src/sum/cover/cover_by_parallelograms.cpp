@@ -9,10 +9,15 @@ namespace {
 
 /// Sets columns [first, last] of a row.
 void set_run(std::uint64_t* row, std::int32_t first, std::int32_t last) {
-  for (std::int32_t i = first; i <= last; i = (i | 63) + 1) {
-    const std::int32_t end = std::min(last, i | 63);
-    row[i >> 6] |= ~std::uint64_t{0} >> (63 - (end - i)) << (i & 63);
+  if (first > last) return;
+  std::uint64_t* word = row + (first >> 6);
+  std::uint64_t* const last_word = row + (last >> 6);
+  std::uint64_t bits = ~std::uint64_t{0} << (first & 63);
+  for (; word < last_word; ++word) {
+    *word |= bits;
+    bits = ~std::uint64_t{0};
   }
+  *word |= bits & ~std::uint64_t{0} >> (63 - (last & 63));
 }
 
 /// The points between two parallel lines. At height y, these are the points with x from
@@ -63,6 +68,9 @@ class ParallelogramRasteriser {
     }
   }
 
+  void mark(const CellEdge& e, const std::vector<CellEdge>& others) {
+    for (const CellEdge& f : others) mark(e, f);
+  }
   /// Marks the cells that lie, with their margin, in e ⊕ f.
   void mark(const CellEdge& e, const CellEdge& f) {
     constexpr double kMargin = 4 * UniformGrid::kMargin;
@@ -114,11 +122,12 @@ void cover_by_parallelograms(const Operands& operands, Cancellation& cancellatio
   const std::int32_t side = std::max(cover.grid.columns, cover.grid.rows);
   const auto count = static_cast<std::size_t>(4 * std::sqrt(side));
   for (const int operand : {0, 1}) rasteriser.choose(operand, count, scratch.long_edges[operand]);
+  double rows = 0;
+  for (const CellEdge& f : scratch.long_edges[1]) rows += 1 + std::abs(f.d.y);
   for (const CellEdge& e : scratch.long_edges[0]) {
-    for (const CellEdge& f : scratch.long_edges[1]) {
-      cancellation.check(1 + static_cast<std::uint64_t>(std::abs(e.d.y) + std::abs(f.d.y)));
-      rasteriser.mark(e, f);
-    }
+    const double more = std::abs(e.d.y) * static_cast<double>(scratch.long_edges[1].size());
+    cancellation.check(static_cast<std::uint64_t>(rows + more));
+    rasteriser.mark(e, scratch.long_edges[1]);
   }
 }
 

@@ -40,10 +40,11 @@ class Divider {
     const std::size_t end = stack_.fill_up(reduced.size() + reflex_.size());
     const QuadCell root{kUnits / 2, kUnits / 2, kUnits / 2};
     std::int32_t winding = 0;
-    for (std::size_t i = 0; i < end; ++i) {
-      cancellation_.check();
-      winding += winding_step_along_ray(root, i, stack_);
-    }
+    in_pieces(end, cancellation_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        winding += winding_step_along_ray(root, i, stack_);
+      }
+    });
     if (side == 1) {
       std::fill(stack_.mask.begin(), stack_.mask.begin() + static_cast<std::ptrdiff_t>(end), 1);
       return add_leaf({0, 0, 1, 0}, 0, end, 1);
@@ -110,8 +111,8 @@ class Divider {
   void load(std::span<const Segment> segments, std::size_t first) {
     const auto& [x, y, dx, dy, next] = o_.sites;
     std::size_t i = first;
-    for (const auto& [e, v] : segments) {
-      cancellation_.check();
+    visit_in_pieces(segments, cancellation_, [&](const Segment& s) {
+      const auto [e, v] = s;
       const SiteId f = next[e];
       const float ax = rounded(x[e] + x[v]);
       const float ay = rounded(y[e] + y[v]);
@@ -124,7 +125,7 @@ class Divider {
       }
       stack_.id[i] = first == 0 ? static_cast<std::int32_t>(i) : -1;
       ++i;
-    }
+    });
   }
 
   /// Divides a cell that is `side` cells of the grid wide.
