@@ -1,6 +1,7 @@
 // Arranges convex operands. Their whole convolution is one ring, which is the sum's boundary.
 #include <array>
 
+#include "machine/make_room.hpp"
 #include "sum/arrangement/place_segments.hpp"
 
 namespace minksum {
@@ -19,8 +20,7 @@ void arrange_convex(const Operands& o, Cancellation& cancellation, Arrangement& 
     if (start == kNoSite) start = edge;
   }
   const auto count = static_cast<std::uint32_t>(o.by_direction.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    cancellation.check(2);
+  const auto add = [&](std::uint32_t i) {
     const SiteId edge = o.by_direction[i];
     const auto operand = static_cast<std::size_t>(o.operand_of(edge));
     const Segment segment{edge, at[1 - operand]};
@@ -29,7 +29,10 @@ void arrange_convex(const Operands& o, Cancellation& cancellation, Arrangement& 
                                  o.bounds.difference});
     arrangement.pieces.push_back({i, i + 1 == count ? 0 : i + 1, i});
     at[operand] = o.sites.next[edge];
-  }
+  };
+  in_pieces(count, cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) add(static_cast<std::uint32_t>(i));
+  });
 }
 
 }  // namespace minksum

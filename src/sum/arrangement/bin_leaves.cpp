@@ -20,17 +20,18 @@ void keep_listed(const Operands& o, const Convolution& convolution, const Cover&
   const bool exact_sums = o.bounds.difference == 0;
   DuplicateFinder duplicates(scratch.hash_table, kept, cancellation);
   kept.clear();
-  for (std::size_t s = 0; s < id_of.size(); ++s) {
-    cancellation.check();
-    if (id_of[s] == kUnlisted) continue;
-    append(kept, place_segment(o, convolution.segments[s]), cancellation);
-    kept.back().meets_cover = true;
-    id_of[s] = static_cast<KeptId>(kept.size() - 1);
-    if (exact_sums && duplicates.seen()) {
-      kept.pop_back();
-      id_of[s] = kUnlisted;
+  in_pieces(id_of.size(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      if (id_of[s] == kUnlisted) continue;
+      append(kept, place_segment(o, convolution.segments[s]), cancellation);
+      kept.back().meets_cover = true;
+      id_of[s] = static_cast<KeptId>(kept.size() - 1);
+      if (exact_sums && duplicates.seen()) {
+        kept.pop_back();
+        id_of[s] = kUnlisted;
+      }
     }
-  }
+  });
 }
 
 /// Returns the box of a segment's part near a leaf. It is in units of the leaf's side, from the

@@ -75,10 +75,8 @@ class Binner {
     const bool joins = lines_are_joined(o_, visible.size());
     if (joins || o_.bounds.difference != 0 || !list_shared_directions()) {
       kept_.reserve(visible.size());
-      for (const Segment& segment : visible) {
-        cancellation_.check();
-        kept_.push_back(place_segment(o_, segment));
-      }
+      visit_in_pieces(visible, cancellation_,
+                      [&](const Segment& segment) { kept_.push_back(place_segment(o_, segment)); });
     } else {
       place_once(visible);
     }
@@ -109,10 +107,8 @@ class Binner {
     std::partial_sum(place.begin(), place.end(), place.begin());
     auto& ordered = scratch_.bin.ordered;
     resize_in_pieces(ordered, segments.size(), cancellation_);
-    for (const Segment& s : segments) {
-      cancellation_.check();
-      ordered[place[site(s)]++] = s;
-    }
+    visit_in_pieces(segments, cancellation_,
+                    [&](const Segment& s) { ordered[place[site(s)]++] = s; });
     return ordered;
   }
 
@@ -140,11 +136,13 @@ class Binner {
   void place_once(std::span<const Segment> segments) {
     DuplicateFinder duplicates(scratch_.hash_table, kept_, cancellation_);
     const auto& shared = scratch_.bin.shared;
-    for (const Segment& segment : segments) {
-      cancellation_.check();
-      append(kept_, place_segment(o_, segment), cancellation_);
-      if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
-    }
+    in_pieces(segments.size(), cancellation_, [&](std::size_t begin, std::size_t end) {
+      make_room(kept_, end - begin, cancellation_);
+      for (const Segment& segment : segments.subspan(begin, end - begin)) {
+        kept_.push_back(place_segment(o_, segment));
+        if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
+      }
+    });
   }
 
   void append_members() {
@@ -152,6 +150,7 @@ class Binner {
     if (kept_.size() + join.members.size() > kMostNumbered) {
       throw Error(ErrorCode::kLimitExceeded, "more than 2^30 segments are left to arrange");
     }
+    if (join.joined.empty()) return;
     for (KeptId s = 0; s < scratch_.line_count; ++s) {
       cancellation_.check();
       if (kept_[s].joined == 0) continue;
@@ -168,6 +167,7 @@ class Binner {
   /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
   bool list_cells(KeptSegment& s, KeptId id) {
     const std::size_t before = items_.size();
+    std::uint64_t rows = 0;
     const CellLine line(s, grid_.inverse);
     grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
       std::uint64_t any_covered = 0;
@@ -180,10 +180,12 @@ class Binner {
           add_item(id, line, span, (first & ~63) + std::countr_zero(bits));
         }
       }
-      cancellation_.check(2 + static_cast<std::uint64_t>(span.right - span.left));
+      ++rows;
       s.meets_cover = s.meets_cover || any_covered != 0;
       return true;
     });
+    // At once: a grid has 4096 columns and rows at the most, so a segment is done in time.
+    cancellation_.check(1 + rows + (items_.size() - before));
     return items_.size() > before;
   }
   void add_item(KeptId id, const CellLine& line, const UniformGrid::RowSpan& span, std::int32_t i) {

@@ -55,12 +55,8 @@ class CrossingFinder {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
                 std::max(s.a.y, s.b.y));
     });
-    pairs.for_each(
-        [&](KeptId s, KeptId t) {
-          cancellation_.check(4);
-          meeter_.meet(std::min(s, t), std::max(s, t));
-        },
-        cancellation_);
+    pairs.for_each([&](KeptId s, KeptId t) { meeter_.meet(std::min(s, t), std::max(s, t)); },
+                   cancellation_);
   }
   void solve_cells() {
     std::uint32_t begin = 0;
@@ -107,8 +103,8 @@ class CrossingFinder {
 
   void all_pairs(Items items, const SegmentExtent& part) {
     meeter_.enter(part);
+    cancellation_.check(items.size() * items.size() / 4);
     for (std::size_t i = 1; i < items.size(); ++i) {
-      cancellation_.check(1 + i / 2);
       const std::uint64_t partner = items[i].box.partner();
       for (std::size_t j = 0; j < i; ++j) {
         if (items[j].box.overlaps(partner)) meeter_.meet(items[j].segment, items[i].segment);

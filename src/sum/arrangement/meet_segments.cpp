@@ -176,17 +176,13 @@ void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides&
     throw exceeded("Limits::max_crossings", most_crossings_, "the arrangement has", "crossings");
   }
   Cancellation& cancellation = predicates_.cancellation();
-  make_room(scratch_.parent, 1, cancellation);
-  make_room(scratch_.crossings, 1, cancellation);
-  make_room(scratch_.events, 2, cancellation);
-  scratch_.parent.push_back(point);
-  if (of_s.start == kPositive) {
-    scratch_.crossings.push_back({s, t, on_s.lambda, doubted(on_s.error)});
-  } else {
-    scratch_.crossings.push_back({t, s, on_t.lambda, doubted(on_t.error)});
-  }
-  scratch_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
-  scratch_.events.push_back({on_t.lambda, doubted(on_t.error), t, point});
+  append(scratch_.parent, point, cancellation);
+  append(scratch_.crossings,
+         of_s.start == kPositive ? Crossing{s, t, on_s.lambda, doubted(on_s.error)}
+                                 : Crossing{t, s, on_t.lambda, doubted(on_t.error)},
+         cancellation);
+  append(scratch_.events, {on_s.lambda, doubted(on_s.error), s, point}, cancellation);
+  append(scratch_.events, {on_t.lambda, doubted(on_t.error), t, point}, cancellation);
 }
 
 void SegmentMeeter::add_vertex_event(KeptId s, std::uint32_t point) {

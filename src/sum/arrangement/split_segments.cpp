@@ -26,10 +26,9 @@ class Splitter {
 
   void run() {
     group_events();
-    for (KeptId s = 0; s < scratch_.line_count; ++s) {
-      cancellation_.check(1 + 4 * events_of(s).size());
-      order_events(s);
-    }
+    in_pieces(scratch_.line_count, cancellation_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) order_events(static_cast<KeptId>(s));
+    });
     result_.nodes.clear();
     result_.pieces.clear();
     if (may_coincide_) {
@@ -63,10 +62,9 @@ class Splitter {
     std::uint32_t sum = 0;
     visit_in_pieces(begin, cancellation_, [&](std::uint32_t& count) { count = sum += count; });
     resize_in_pieces(scratch_.sorted_events, scratch_.events.size(), cancellation_);
-    for (const Event& event : scratch_.events) {
-      cancellation_.check();
+    visit_in_pieces(scratch_.events, cancellation_, [&](const Event& event) {
       scratch_.sorted_events[begin[event.segment + 1]++] = event;
-    }
+    });
     begin.pop_back();
   }
 
@@ -109,6 +107,7 @@ class Splitter {
   void order_events(KeptId s) {
     const std::span<Event> events = events_of(s);
     if (events.size() < 2) return;
+    cancellation_.check(4 * events.size());
     constexpr std::size_t kFew = 12;
     constexpr std::size_t kMany = 4096;
     const auto before = [](const Event& a, const Event& b) { return a.lambda < b.lambda; };
@@ -243,11 +242,7 @@ class Splitter {
 
   /// Adds a piece. One of several equal pieces is kept, and none of opposite ones.
   void add_piece(NodeId from, NodeId to, KeptId s) {
-    make_room(result_.pieces, 1, cancellation_);
-    if (!may_coincide_) {
-      result_.pieces.push_back({from, to, s});
-      return;
-    }
+    if (!may_coincide_) return append(result_.pieces, {from, to, s}, cancellation_);
     PieceId& list = scratch_.first_piece[std::min(from, to)];
     for (PieceId p = list; p != kNoPiece; p = scratch_.next_piece[p].next) {
       cancellation_.check();
@@ -260,16 +255,17 @@ class Splitter {
     }
     append(scratch_.next_piece, {list, false}, cancellation_);
     list = static_cast<PieceId>(result_.pieces.size());
-    result_.pieces.push_back({from, to, s});
+    append(result_.pieces, {from, to, s}, cancellation_);
   }
   void drop_cancelled() {
     if (!may_coincide_) return;
     auto& pieces = result_.pieces;
     std::size_t kept = 0;
-    for (PieceId p = 0; p < pieces.size(); ++p) {
-      cancellation_.check();
-      if (!scratch_.next_piece[p].cancelled) pieces[kept++] = pieces[p];
-    }
+    in_pieces(pieces.size(), cancellation_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        if (!scratch_.next_piece[p].cancelled) pieces[kept++] = pieces[p];
+      }
+    });
     pieces.resize(kept);
   }
 

@@ -313,13 +313,13 @@ void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& 
   for (std::size_t i = 0; i < ordered.size();) {
     const SiteId v = ordered[i].vertex;
     const std::size_t end = place[v];
-    const auto before = cancellation.counting([&](const Segment& a, const Segment& b) {
+    const auto before = [&](const Segment& a, const Segment& b) {
       const DirectionRank way_a = circle.way(scratch.ranges[v].from, o.rank[a.edge]);
       const DirectionRank way_b = circle.way(scratch.ranges[v].from, o.rank[b.edge]);
       return way_a != way_b ? way_a < way_b : a.edge < b.edge;
-    });
-    std::sort(ordered.begin() + static_cast<std::ptrdiff_t>(i),
-              ordered.begin() + static_cast<std::ptrdiff_t>(end), before);
+    };
+    sort_in_pieces(ordered.begin() + static_cast<std::ptrdiff_t>(i),
+                   ordered.begin() + static_cast<std::ptrdiff_t>(end), cancellation, before);
     i = end;
   }
 }
@@ -332,19 +332,20 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
   std::size_t count = 0;
   const CoveredBlocks covered(cover, scratch.blocks);
   // There is no branch on which segments are hidden, because that is hard to predict.
-  for (const Segment& segment : segments) {
-    cancellation.check();
+  visit_in_pieces(segments, cancellation, [&](const Segment& segment) {
     visible[count] = segment;
     count += covered.hides(sites[segment.edge], sites[segment.vertex]) ? 0U : 1U;
-  }
+  });
   visible.resize(count);
   // Many of these may be too long for blocks.
   if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
     const UncoveredCounts uncovered(cover, scratch.uncovered);
-    std::erase_if(visible, [&](const Segment& segment) {
-      cancellation.check();
-      return uncovered.hides(sites[segment.edge].box, point_box(sites[segment.vertex]));
+    count = 0;
+    visit_in_pieces(visible, cancellation, [&](const Segment& segment) {
+      if (uncovered.hides(sites[segment.edge].box, point_box(sites[segment.vertex]))) return;
+      visible[count++] = segment;
     });
+    visible.resize(count);
   }
   return visible;
 }

@@ -103,8 +103,9 @@ bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
 bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
   const BoxTree& tree = trees_.tree[o_.operand_of(begin)];
   const Vec<double> at{at_.x - o_.sites.x[other], at_.y - o_.sites.y[other]};
+  Cancellation& cancellation = predicates_.cancellation();
   const auto misses = [&](const BoxTree::Box& box) {
-    predicates_.cancellation().check();
+    cancellation.check(BoxTree::kLeafEdges);  // for the edges of a leaf, too
     return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
   };
   const auto above = [&](SiteId v) {
@@ -115,7 +116,6 @@ bool CollisionTest::passes_odd_times(SiteId other, SiteId begin, SiteId end) {
        e = tree.skip_edges(e, end, misses)) {
     const SiteId leaf_end = std::min(end, tree.last_edge(tree.leaf_of(e)));
     for (; e < leaf_end; ++e) {
-      predicates_.cancellation().check();
       const SiteId f = o_.sites.next[e];
       const double y0 = o_.sites.y[e];
       const double y1 = o_.sites.y[f];
@@ -139,8 +139,8 @@ bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::si
   }
   // Polygons are taken one by one, because filled holes may contain further polygons.
   bool inside = false;
+  predicates_.cancellation().check(last_ring - first_ring);
   for (std::size_t r = first_ring; r < last_ring; ++r) {
-    predicates_.cancellation().check();
     const OperandRing& ring = o_.rings[r];
     if (!ring.is_hole() && inside) return true;
     if (!outside_box(other, r)) inside ^= passes_odd_times(other, ring.begin, ring.end);

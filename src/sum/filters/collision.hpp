@@ -26,6 +26,15 @@ class BoxTree {
   [[nodiscard]] const Box& box(std::size_t level, std::size_t node) const {
     return boxes_[first_[level] + node];
   }
+  /// Pointers to the boxes of a tree that does not change: a loop may keep them in registers.
+  struct Boxes {
+    const Box* boxes;
+    const std::size_t* first;
+    [[nodiscard]] const Box& at(std::size_t level, std::size_t node) const {
+      return boxes[first[level] + node];
+    }
+  };
+  [[nodiscard]] Boxes boxes() const { return {boxes_.data(), first_.data()}; }
   /// Returns the first edge of a leaf, a node of level 0.
   [[nodiscard]] SiteId first_edge(std::size_t leaf) const {
     return begin_ + static_cast<SiteId>(leaf) * kLeafEdges;
@@ -38,11 +47,13 @@ class BoxTree {
   /// it are in boxes for which `skip(box)` holds. O(log n) for a long way.
   template <class Skip>
   [[nodiscard]] SiteId skip_edges(SiteId e, SiteId end, Skip skip) const {
+    const Boxes boxes = this->boxes();
+    const std::size_t levels = levels_;
     while (e < end) {
       std::size_t node = leaf_of(e);
-      if (!skip(box(0, node))) return e;
+      if (!skip(boxes.boxes[node])) return e;
       std::size_t level = 0;
-      while (node % 2 == 0 && level + 1 < levels_ && skip(box(level + 1, node / 2))) {
+      while (node % 2 == 0 && level + 1 < levels && skip(boxes.at(level + 1, node / 2))) {
         node /= 2;
         ++level;
       }
@@ -92,18 +103,20 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
                         Visit visit) {
   const auto& [p, q] = tree;
   const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
+  const BoxTree::Boxes of_p = p.boxes();
+  const BoxTree::Boxes of_q = q.boxes();
   stack.assign(1, {top(p), 0, top(q), 0});
   while (!stack.empty()) {
-    cancellation.check();
     const BoxPair pair = stack.back();
     stack.pop_back();
-    if (!may_meet(p.box(pair.level_p, pair.node_p), q.box(pair.level_q, pair.node_q), at, doubt)) {
-      continue;
-    }
+    const BoxTree::Box& box_p = of_p.at(pair.level_p, pair.node_p);
+    const BoxTree::Box& box_q = of_q.at(pair.level_q, pair.node_q);
+    if (!may_meet(box_p, box_q, at, doubt)) continue;
     if (pair.level_p == 0 && pair.level_q == 0) {
       if (visit(pair.node_p, pair.node_q)) return true;
       continue;
     }
+    cancellation.check(2);  // for the two pairs that are pushed
     const bool split_p = pair.level_p >= pair.level_q;
     const BoxTree& split = split_p ? p : q;
     const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machine/make_room.hpp"
+
 namespace minksum {
 namespace {
 
@@ -64,10 +66,9 @@ class LoopFilter {
   }
   NodeId smallest_node(std::size_t loop) {
     NodeId best = arrangement_.pieces[loops_.loop(loop)[0]].from;
-    for (const PieceId p : loops_.loop(loop)) {
-      predicates_.cancellation().check();
+    visit_in_pieces(loops_.loop(loop), predicates_.cancellation(), [&](PieceId p) {
       if (less(arrangement_.pieces[p].from, best)) best = arrangement_.pieces[p].from;
-    }
+    });
     return best;
   }
 

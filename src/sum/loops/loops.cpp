@@ -41,38 +41,43 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
   const auto& pieces = arrangement.pieces;
   auto& ends = scratch.ends;
   assign_in_pieces(ends, arrangement.nodes.size(), NodeEnds{}, cancellation);
-  for (PieceId p = 0; p < pieces.size(); ++p) {
-    cancellation.check();
-    NodeEnds& from = ends[pieces[p].from];
-    from.out = p;
-    ++from.degree;
-    ++ends[pieces[p].to].degree;
-  }
+  in_pieces(pieces.size(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      NodeEnds& from = ends[pieces[p].from];
+      from.out = static_cast<PieceId>(p);
+      ++from.degree;
+      ++ends[pieces[p].to].degree;
+    }
+  });
   resize_in_pieces(scratch.next, pieces.size(), cancellation);
   bool any_choice = false;
-  for (PieceId p = 0; p < pieces.size(); ++p) {
-    cancellation.check();
-    const NodeEnds& at = ends[pieces[p].to];
-    any_choice |= at.degree > kFew;
-    // The only piece to go on with may run back over this one.
-    const bool ahead = at.out != kNoPiece && !run_against(arrangement, p, at.out);
-    scratch.next[p] = ahead ? at.out : kNoPiece;
-  }
+  in_pieces(pieces.size(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const NodeEnds& at = ends[pieces[p].to];
+      any_choice |= at.degree > kFew;
+      // The only piece to go on with may run back over this one.
+      const bool ahead =
+          at.out != kNoPiece && !run_against(arrangement, static_cast<PieceId>(p), at.out);
+      scratch.next[p] = ahead ? at.out : kNoPiece;
+    }
+  });
   if (!any_choice) return;
   list_incidence(
       arrangement, circle, [&](PieceId, NodeId node) { return ends[node].degree > kFew; },
       cancellation, scratch.incidence);
-  for (NodeId node = 0; node < ends.size(); ++node) {
-    cancellation.check();
-    if (ends[node].degree <= kFew) continue;
+  const auto choose_at = [&](NodeId node) {
     const std::span<const Spoke> spokes = scratch.incidence.at(node);
-    cancellation.check(spokes.size());
     for (const Spoke& spoke : spokes) {
       if (!spoke.incoming()) continue;
-      cancellation.check(spokes.size());
+      cancellation.check(1 + spokes.size());
       scratch.next[spoke.piece()] = successor(spoke, spokes, circle);
     }
-  }
+  };
+  in_pieces(ends.size(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      if (ends[node].degree > kFew) choose_at(static_cast<NodeId>(node));
+    }
+  });
 }
 
 }  // namespace
@@ -88,26 +93,29 @@ void find_loops(const Operands& operands, const Arrangement& arrangement,
   // Successors are unique both ways, so chains are paths or cycles. Each piece is marked with the
   // first piece of the walk that came to it. A walk that ends at its own mark has gone round.
   assign_in_pieces(scratch.walk, n, kNoPiece, cancellation);
-  for (PieceId first = 0; first < n; ++first) {
-    cancellation.check();
-    PieceId p = first;
-    while (p != kNoPiece && scratch.walk[p] == kNoPiece) {
-      cancellation.check();
-      scratch.walk[p] = first;
-      p = scratch.next[p];
+  make_room(loops.pieces, n, cancellation);
+  cancellation.counted(3 * n, [&](auto step) {
+    for (PieceId first = 0; first < n; ++first) {
+      step();
+      PieceId p = first;
+      while (p != kNoPiece && scratch.walk[p] == kNoPiece) {
+        step();
+        scratch.walk[p] = first;
+        p = scratch.next[p];
+      }
+      if (p == kNoPiece || scratch.walk[p] != first) continue;
+      int rotation = 0;
+      const PieceId start = p;
+      do {
+        step();
+        loops.pieces.push_back(p);
+        rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
+        p = scratch.next[p];
+      } while (p != start);
+      loops.begin.push_back(static_cast<std::uint32_t>(loops.pieces.size()));
+      loops.positive.push_back(rotation > 0 ? 1 : 0);
     }
-    if (p == kNoPiece || scratch.walk[p] != first) continue;
-    int rotation = 0;
-    const PieceId start = p;
-    do {
-      cancellation.check();
-      append(loops.pieces, p, cancellation);
-      rotation += circle.wraps(circle.rank(p), circle.rank(scratch.next[p]));
-      p = scratch.next[p];
-    } while (p != start);
-    loops.begin.push_back(static_cast<std::uint32_t>(loops.pieces.size()));
-    loops.positive.push_back(rotation > 0 ? 1 : 0);
-  }
+  });
 }
 
 std::optional<std::string> check(const Loops& loops, const Arrangement& arrangement) {

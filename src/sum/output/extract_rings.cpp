@@ -152,10 +152,9 @@ class RingExtractor {
     const auto begin = boundary_.vertices.begin() + ring.begin;
     const auto end = boundary_.vertices.begin() + ring.end;
     auto smallest = begin;
-    for (auto v = begin + 1; v != end; ++v) {
-      cancellation_.check();
-      if (order_.compare(v->node, smallest->node) == kNegative) smallest = v;
-    }
+    visit_in_pieces(std::span(begin + 1, end), cancellation_, [&](const BoundaryVertex& v) {
+      if (order_.compare(v.node, smallest->node) == kNegative) smallest = begin + (&v - &*begin);
+    });
     std::rotate(begin, smallest, end);
   }
 

@@ -68,6 +68,17 @@ EdgeOrigin origin_of(const Operands& o, const Segment& segment) {
   return origin;
 }
 
+/// Stays out of line, because the loop that counts would take registers from this one.
+[[gnu::noinline]] void write_vertices(const Operands& operands, const Arrangement& arrangement,
+                                      std::span<const BoundaryVertex> vertices,
+                                      CoordinateWriter& writer, Region& region) {
+  for (const BoundaryVertex& v : vertices) {
+    const Vec<StoredCoordinate> at = writer.store(arrangement.nodes[v.node].point);
+    const Segment& made_by = arrangement.kept[arrangement.pieces[v.piece].segment].segment;
+    RegionAccess::add_vertex(region, at.x, at.y, origin_of(operands, made_by));
+  }
+}
+
 }  // namespace
 
 void write_region(const Operands& operands, const Arrangement& arrangement,
@@ -78,17 +89,19 @@ void write_region(const Operands& operands, const Arrangement& arrangement,
   const std::size_t vertices = boundary.vertices.size();
   const std::size_t rings = boundary.ring_order.size();
   RegionAccess::reserve(region, {vertices, vertices, rings, rings});
+  // It counts as many vertices at a time as it writes between two looks.
   const std::uint64_t work = 4 * operands.kernel->work();
+  const auto units = static_cast<std::uint64_t>(Cancellation::kUnits);
+  const auto step = static_cast<std::uint32_t>(std::max<std::uint64_t>(units / work, 1));
   for (std::uint32_t i = 0; i < boundary.ring_order.size(); ++i) {
     const BoundaryRing& ring = boundary.rings[boundary.ring_order[i]];
     if (ring.positive) region.begin_polygon();
     region.begin_ring();
-    for (std::uint32_t k = ring.begin; k < ring.end; ++k) {
-      cancellation.check(work);
-      const BoundaryVertex& v = boundary.vertices[k];
-      const Vec<StoredCoordinate> at = writer.store(arrangement.nodes[v.node].point);
-      const Segment& made_by = arrangement.kept[arrangement.pieces[v.piece].segment].segment;
-      RegionAccess::add_vertex(region, at.x, at.y, origin_of(operands, made_by));
+    for (std::uint32_t begin = ring.begin, end = begin; begin < ring.end; begin = end) {
+      end = begin + std::min(step, ring.end - begin);
+      cancellation.check(work * (end - begin));
+      write_vertices(operands, arrangement, {boundary.vertices.data() + begin, end - begin}, writer,
+                     region);
     }
   }
 }
