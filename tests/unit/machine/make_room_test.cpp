@@ -45,8 +45,8 @@ TEST(SortInPieces, SortsAsTheStandardLibraryDoes) {
 TEST(SortInPieces, LooksAtTheToken) {
   for (const char* kind : {"sorted", "shuffled", "equal"}) {
     std::vector<std::uint32_t> list = make(kind);
-    const std::optional<CancelToken> token = CancelToken::polling([] { return true; });
-    Cancellation cancellation(token);
+    const Options options{.cancel = CancelToken::polling([] { return true; })};
+    Cancellation cancellation(options);
     EXPECT_THROW(sort_in_pieces(list.begin(), list.end(), cancellation, std::less<>()), Error)
         << kind;
   }
