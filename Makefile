@@ -10,10 +10,10 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
 
 deps: ## install the Debian packages that are missing (as root), or name them
 	@scripts/install_packages.sh
@@ -59,6 +59,13 @@ asan: deps ## build and run every test under AddressSanitizer and UndefinedBehav
 docs: ## make the site of all pages and the reference: build/docs/html/index.html
 	@scripts/install_packages.sh packages-docs.txt
 	@scripts/make_docs.sh $(BUILD)
+
+test-aarch64: deps ## cross-build for 64-bit ARM, and run unit tests and equal bytes by emulation
+	@scripts/install_packages.sh packages-aarch64.txt
+	$(CMAKE) -S . -B $(BUILD)/aarch64 -DCMAKE_TOOLCHAIN_FILE=cmake/aarch64.cmake -DCMAKE_BUILD_TYPE=Release -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD)/aarch64 -j $(JOBS) --target unit_tests property_pairs minksum_program
+	qemu-aarch64 -L /usr/aarch64-linux-gnu $(BUILD)/aarch64/tests/property/property_pairs --gtest_brief=1 --gtest_filter='Bytes.*'
+	qemu-aarch64 -L /usr/aarch64-linux-gnu $(BUILD)/aarch64/tests/unit/unit_tests --gtest_brief=1
 
 clean: ## remove what was built
 	rm -rf $(BUILD) build-dev build-asan build-fuzz demo-output
