@@ -94,7 +94,9 @@ void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
 template <class Iterator, class Less>
 void sort_in_pieces(Iterator first, Iterator last, Cancellation& cancellation, Less less) {
   constexpr std::ptrdiff_t kAtOnce = 1 << 15;  // std::sort takes some five milliseconds for these
-  const auto log = [](std::ptrdiff_t n) { return std::bit_width(static_cast<std::size_t>(n)); };
+  const auto log = [](std::ptrdiff_t n) {
+    return static_cast<int>(std::bit_width(static_cast<std::size_t>(n)));
+  };
   // If so many partitions leave a long part, they are bad, and std::sort copes better.
   for (int parts = 2 * log(last - first); last - first > kAtOnce; --parts) {
     if (parts == 0) return std::sort(first, last, cancellation.counting(less));

@@ -24,7 +24,7 @@ std::vector<std::uint32_t> make(const std::string& kind) {
   if (kind == "shuffled") std::shuffle(list.begin(), list.end(), random);
   if (kind == "up and down") std::reverse(list.begin() + kMany / 2, list.end());
   if (kind == "few values") {
-    for (std::uint32_t& value : list) value = random() % 3;
+    for (std::uint32_t& value : list) value = static_cast<std::uint32_t>(random() % 3);
   }
   if (kind == "equal") std::fill(list.begin(), list.end(), 1);
   return list;
