@@ -221,6 +221,7 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
   return guarded(error, [&] {
     char*& result = result_at(text);
     if (length != nullptr) *length = 0;
+    // In the order of minksum_format, whose last value is named below.
     constexpr io::Format kFormats[] = {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
                                        io::Format::kSvg};
     const auto index = as<std::size_t>(format, MINKSUM_SVG);

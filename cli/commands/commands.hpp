@@ -1,4 +1,4 @@
-// Declares the subcommands and their arguments.
+// Declares exit codes, and the subcommands that have no header of their own, with their arguments.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// Lists the subcommands. To add one, write its file and put its function into both lists below.
+// Lists the subcommands. To add one, write its file, name it in CMakeLists.txt and put its function
+// into both lists below: see CONTRIBUTING.md.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Declares the options of `minksum sum`.
+// Declares the options of `minksum sum`, and --fill for all subcommands.
 #pragma once
 
 #include "commands/commands.hpp"

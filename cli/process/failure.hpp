@@ -1,4 +1,5 @@
-// Reports failures in one line: the file, the place in it, and the reason.
+// Reports failures in one line: the file, the place in it, and the reason. Reads operands, so that
+// failures of reading name the file.
 #pragma once
 
 #include <cstdint>
