@@ -96,7 +96,8 @@ class BoxPairs {
   static constexpr std::size_t kFew = 48;  ///< up to this count, comparing all costs less than
                                            ///< sorting
   /// Lanes are compared one by one, and -1 means true. The compilers that know 128-bit integers
-  /// know these types, too.
+  /// know these types, too. Lanes are counted from the low end of a word (`for_each_clear`), so the
+  /// machine must be little-endian.
   using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
   using Halves [[gnu::vector_size(2 * kLanes)]] = std::uint64_t;
 

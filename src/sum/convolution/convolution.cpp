@@ -32,7 +32,8 @@ bool has_holes(const Operands& o) {
 enum class Vertices { kConvex, kAll, kReflexBackwards };
 
 /// Returns [in, out) for vertices of the first operand, and (in, out] for those of the second. For
-/// two thin operands it returns [in, out], but (in, out) at ends.
+/// two thin operands it returns [in, out], but (in, out) at ends. `in_range` has the same rule for
+/// one edge.
 RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank out) {
   const bool first = o.operand_of(v) == 0;
   const bool thin = o.both_thin();
@@ -155,7 +156,8 @@ void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
-/// Whether the reduced or full convolution has the segment of this edge and this vertex.
+/// Whether the reduced or full convolution has the segment of this edge and this vertex. The rule
+/// is that of `range_at`.
 bool in_range(const Operands& o, SiteId v, SiteId edge) {
   const DirectionRank in = o.rank[o.previous[v]];
   const DirectionRank out = o.rank[v];

@@ -20,7 +20,8 @@ int choose_plain_side(std::uint64_t segments) {
   const double side = 0.6 * std::sqrt(static_cast<double>(segments));
   return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
 }
-/// Chooses the cells along the longer side of the first grid with a cover. Moving bitmaps of s
+/// Chooses the cells along the longer side of the first grid with a cover. `refine` doubles them,
+/// and `choose_division` chooses those of a divided grid. Moving bitmaps of s
 /// cells a side costs in proportion to s^3. The share of segments that stay visible is in
 /// proportion to 1 / s. The total cost is least where s^4 is in proportion to all segments.
 int choose_side(std::uint64_t segments, const SumSettings& options) {

@@ -96,6 +96,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
   BigRational exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (i == outermost) continue;
+    // The nesting filter: the outermost loop is skipped above.
     if (operands.connected && loops.positive[i] != 0) {
       filtered.state[i] = LoopState::kRejectedByNesting;
       ++filtered.rejected_by_nesting;
