@@ -92,8 +92,8 @@ struct Coordinates {
 };
 
 /// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,
-/// which is only read, and for a number of digits that is out of range; kLimitExceeded for a coordinate beyond
-/// the doubles that is to be written as one.
+/// which is only read, and for a number of digits that is out of range; kLimitExceeded for a
+/// coordinate beyond the doubles that is to be written as one.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});
 /// The region as WKT.
