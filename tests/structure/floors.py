@@ -17,8 +17,8 @@ import textwrap
 
 # Each entry has a room, its floor, and what it holds. Rooms on one floor do not include each other.
 ROOMS = [
-    ("src/machine", 0, "What depends on the machine: vector instructions, threads, memory that grows "
-                       "in pieces, the count of work that looks at cancel tokens."),
+    ("src/machine", 0, "Vector instructions, threads, memory that grows in pieces, the count of "
+                       "work that looks at cancel tokens."),
     ("src/exact", 1, "Exact numbers: integers of fixed and of any width, fractions, signs, every "
                      "formula of a predicate, and the ladder of number types that decides it."),
     ("src/region", 2, "The public values and what needs nothing else: rationals, regions, "
@@ -309,6 +309,8 @@ whose `unit` folder has the same rooms; `bench`; and `examples`.
 {rules}
 
 How a sum passes through `src/sum` is in [pipeline.md](pipeline.md).
+[CONTRIBUTING.md](../CONTRIBUTING.md) tells how to add a format, a subcommand or an operation, and
+which places depend on the machine.
 """
 
 
