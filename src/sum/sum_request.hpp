@@ -6,10 +6,15 @@
 namespace minksum {
 
 /// The settings of a sum, and where to put what is wanted beside the sum itself; null = not wanted.
+/// The stages see the settings alone. `Options::tight` is true if tight places have a place.
 struct SumRequest : SumSettings {
   SumRequest() = default;
-  explicit SumRequest(const Options& options) : SumSettings{options} {}
-  explicit SumRequest(const SumSettings& settings) : SumSettings(settings) {}
+  explicit SumRequest(const Options& options) : SumRequest(SumSettings{options}) {}
+  explicit SumRequest(const SumSettings& settings) : SumSettings(settings) { tight = false; }
+  void want_tight_places(Geometry& places) {
+    tight = true;
+    tight_places = &places;
+  }
 
   Statistics* statistics = nullptr;
   Trace* trace = nullptr;

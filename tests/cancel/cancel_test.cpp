@@ -62,7 +62,8 @@ TEST(Cancel, EveryOperationTellsItsProgressAndEndsWhereThatSaysStop) {
         EXPECT_LE(p.done, p.parts);
         return calls.fetch_add(1) + 1 < at;
       };
-      EXPECT_EQ(is_cancelled(hard, {.progress = progress}), calls >= at);
+      const bool ended = is_cancelled(hard, {.progress = progress});
+      EXPECT_EQ(ended, calls >= at);
     }
   }
 }

@@ -95,9 +95,9 @@ class House:
 
     def reached(self, name):
         """Returns each file that `name` includes in the end, with the include that leads to it."""
-        first = {}
-        for direct in self.includes.get(name, []):
-            stack = [direct]
+        first = {direct: direct for direct in self.includes.get(name, [])}
+        for direct in list(first):
+            stack = list(self.includes.get(direct, []))
             while stack:
                 file = stack.pop()
                 if file not in first:

@@ -97,7 +97,7 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
   slice.turn = turn;
   SumRequest request(part_of(options));
   Geometry tight;
-  if (with_free && state.options.tight.value_or(false)) request.tight_places = &tight;
+  if (with_free && state.options.tight.value_or(false)) request.want_tight_places(tight);
   Region mirrored = turned_mirror(state.robot, turn, options);
   const Outcome outcome = state.forbidden.has_thin_parts()
                               ? sum_of_geometries(state.forbidden, {std::move(mirrored), {}, {}},

@@ -161,6 +161,7 @@ class Sums final : public PartialSums {
     quiet_.statistics = nullptr;
     quiet_.trace = nullptr;
     quiet_.tight_places = nullptr;
+    quiet_.tight = false;
     if (options.statistics != nullptr) *options.statistics = Statistics{};
     if (options.trace != nullptr) *options.trace = Trace{};
   }
@@ -266,7 +267,7 @@ template <class Settings>
 SumRequest request_for(const Settings& settings, Detail detail, DetailedSum& result) {
   SumRequest request(settings);
   request.statistics = &result.statistics;
-  if (settings.tight.value_or(false)) request.tight_places = &result.tight;
+  if (settings.tight.value_or(false)) request.want_tight_places(result.tight);
   if (detail == Detail::kTrace) request.trace = &result.trace;
   return request;
 }

@@ -5,12 +5,12 @@
 namespace minksum {
 
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
-             const SumRequest& options, Predicates& predicates, ArrangementScratch& scratch,
+             const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
              Arrangement& arrangement) {
   bin_segments(operands, convolution, cover, options.limits, predicates.cancellation(), scratch,
                arrangement);
   find_crossings(cover, options, predicates, scratch, arrangement);
-  split_segments(operands, cover, options.tight_places != nullptr, predicates, scratch,
+  split_segments(operands, cover, options.tight.value_or(false), predicates, scratch,
                  arrangement);
 }
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "minksum/testing.hpp"
 #include "spatial/box_pairs.hpp"
 #include "sum/arrangement/cell_box.hpp"
 #include "sum/arrangement/visible_segments.hpp"
 #include "sum/convolution/convolution.hpp"
 #include "sum/cover/cover.hpp"
-#include "sum/sum_request.hpp"
 
 namespace minksum {
 
@@ -179,7 +179,7 @@ struct ArrangementScratch {
 /// Builds the arrangement.
 /// O(k · cells per segment + pairs within uncovered cells + c log c).
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
-             const SumRequest& options, Predicates& predicates, ArrangementScratch& scratch,
+             const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
              Arrangement& arrangement);
 
 /// Builds the arrangement by merging, if each operand is one convex ring. Then all edges in order

@@ -254,9 +254,9 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSet
   connect(cancellation, o);
 }
 
-void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumRequest& options,
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumSettings& options,
                       NarrowHoles narrow, Cancellation& cancellation, Operands& o) {
-  fill_holes(p, q, narrow, options.tight_places != nullptr, cancellation, o);
+  fill_holes(p, q, narrow, options.tight.value_or(false), cancellation, o);
   join_sites(p, q, options, cancellation, o);
   o.convex.clear();
   o.vertex_source.clear();

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "minksum/testing.hpp"
 #include "sum/operands/prepare_operand.hpp"
-#include "sum/sum_request.hpp"
 
 namespace minksum {
 
@@ -80,7 +80,7 @@ enum class NarrowHoles : std::uint8_t { kFill, kKeep };
 
 /// Fills `operands` from two operands without faults. O(n + m) for n and m sites, if neither
 /// operand's coordinates are wide.
-void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumRequest& options,
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumSettings& options,
                       NarrowHoles narrow, Cancellation& cancellation, Operands& operands);
 
 /// Returns what is wrong with `operands`, or nothing.

@@ -55,7 +55,7 @@ std::vector<std::unique_ptr<Operands>> on_all_rungs(const Region& p, const Regio
   std::vector<std::unique_ptr<Operands>> all;
   for (const Arithmetic rung : {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide,
                                 Arithmetic::kArbitrary}) {
-    SumRequest options;
+    SumSettings options;
     options.arithmetic = rung;
     all.push_back(std::make_unique<Operands>());
     prepare_operands(p, q, options, *all.back());

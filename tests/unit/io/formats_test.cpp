@@ -86,7 +86,9 @@ TEST(Wkt, WhatHasNoVerticesIsEmpty) {
   Region region;
   region.begin_polygon();
   region.begin_ring();
-  EXPECT_EQ(to_wkt(region), "POLYGON (EMPTY)");
+  region.begin_ring();
+  region.add_vertex(1, 2);
+  EXPECT_EQ(to_wkt(region), "POLYGON (EMPTY, (1 2, 1 2))");
   EXPECT_EQ(to_wkt(Geometry{{}, {{}}, {}}), "LINESTRING EMPTY");
   EXPECT_EQ(to_wkt(Geometry{{}, {{}, {{0, 0}, {1, 1}}}, {}}),
             "MULTILINESTRING (EMPTY, (0 0, 1 1))");

@@ -24,7 +24,7 @@ Region l_shape() { return make_polygon({{0, 0}, {9, 0}, {9, 3}, {3, 3}, {3, 13},
 
 /// Keeps the results of all stages of one sum.
 struct Stages {
-  SumRequest options;
+  SumSettings options;
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;

@@ -7,7 +7,7 @@
 
 namespace minksum::test {
 
-inline void prepare_operands(const Region& p, const Region& q, const SumRequest& options,
+inline void prepare_operands(const Region& p, const Region& q, const SumSettings& options,
                              Operands& operands) {
   Cancellation never;
   OperandScratch scratch;

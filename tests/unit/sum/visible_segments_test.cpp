@@ -22,7 +22,7 @@ using test::Random;
 
 /// Runs the stages up to the cover, from all segments and from a sample.
 struct Covered {
-  SumRequest options;
+  SumSettings options;
   Operands operands;
   ConvolutionScratch convolution_scratch;
   Convolution all;

@@ -78,7 +78,7 @@ Region comb(int teeth) {
 }
 
 TEST(JoinLines, KeepsTheUnionAndItsMembersCoverIt) {
-  const SumRequest options;
+  const SumSettings options;
   Operands o;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;
@@ -137,7 +137,7 @@ TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
       reduced_convolution(o, {}, never, scratch, convolution);
       ASSERT_GT(o.bits, 25);
       if (lines_are_joined(o, convolution.segments.size())) ++joined_sums;
-      SumRequest options;
+      SumSettings options;
       options.check = true;
       EXPECT_EQ(minkowski_sum(image_p, image_q, options),
                 resolve({transformed(sum, map), {}, {}}).region)
@@ -148,7 +148,7 @@ TEST(JoinLines, SumsOfLargeCoordinatesAreImagesOfThoseOfSmallOnes) {
 }
 
 TEST(JoinLines, LeavesSegmentsOfManyDirections) {
-  const SumRequest options;
+  const SumSettings options;
   Operands o;
   ConvolutionScratch convolution_scratch;
   Convolution convolution;

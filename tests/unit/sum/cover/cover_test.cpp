@@ -14,7 +14,7 @@ using test::Random;
 
 /// Runs the stages up to the cover.
 struct Covered {
-  SumRequest options;
+  SumSettings options;
   Cancellation never;
   Operands operands;
   ConvolutionScratch convolution_scratch;
@@ -145,7 +145,7 @@ TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
   Random random(4);
   const Region p = uneven_comb(random, 128);
   const Region q = mapped(uneven_comb(random, 128), 0, -1, 1, 0);
-  SumRequest options;
+  SumSettings options;
   Operands operands;
   test::prepare_operands(p, q, options, operands);
   CoverScratch scratch;

@@ -193,8 +193,7 @@ TEST(TightPlaces, PreparedOperandsAndReusedMemory) {
 
 /// Keeps the results of all stages of one sum, for the checker.
 struct Stages {
-  SumRequest options;
-  Geometry geometry;
+  SumSettings options;
   Operands operands;
   Arrangement arrangement;
   Loops loops;
@@ -203,7 +202,7 @@ struct Stages {
 
   Stages(const Region& p, const Region& q) {
     Cancellation never;
-    options.tight_places = &geometry;
+    options.tight = true;
     prepare_operands(p, q, options, operands);
     ConvolutionScratch convolution_scratch;
     Convolution convolution;
