@@ -173,11 +173,10 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   }
 
  private:
-  static void set(const BigRational& value, ExactCoordinate& out) {
-    const BigInteger numerator(boost::multiprecision::numerator(value));
-    out.negative = numerator < 0;
-    set_limbs(BigInteger(abs(numerator)), out.numerator);
-    set_limbs(BigInteger(boost::multiprecision::denominator(value)), out.denominator);
+  static void set(const Fraction& value, ExactCoordinate& out) {
+    out.negative = value.numerator() < 0;
+    set_limbs(BigInteger(abs(value.numerator())), out.numerator);
+    set_limbs(value.denominator(), out.denominator);
   }
   [[nodiscard]] Vec<double> scaled(const Vec<Fraction>& v) const {
     return {to_double(v.x, exponent_), to_double(v.y, exponent_)};

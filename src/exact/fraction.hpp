@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exact/big_integer.hpp"
+#include "exact/gcd.hpp"
 #include "exact/sign.hpp"
 
 namespace minksum {
@@ -22,7 +23,12 @@ class Fraction {
 
   [[nodiscard]] const BigInteger& numerator() const { return numerator_; }
   [[nodiscard]] const BigInteger& denominator() const { return denominator_; }
-  [[nodiscard]] BigRational reduced() const { return BigRational(numerator_, denominator_); }
+  /// Returns the same number in lowest terms.
+  [[nodiscard]] Fraction reduced() const {
+    const BigInteger common = greatest_common_divisor(numerator_, denominator_);
+    return common == 1 ? *this : Fraction(numerator_ / common, denominator_ / common);
+  }
+  [[nodiscard]] BigRational rational() const { return BigRational(numerator_, denominator_); }
 
   friend Fraction operator+(const Fraction& a, const Fraction& b) {
     return added(a, b.numerator_, b.denominator_);

@@ -127,7 +127,7 @@ class KernelOf : public ExactKernel {
     const Vec<Fraction> at = exact_point(node);
     const Vec<Fraction> a = big(start(s));
     const Vec<Fraction> d = big(direction(s.edge));
-    return (sign_of(d.x) != kZero ? (at.x - a.x) / d.x : (at.y - a.y) / d.y).reduced();
+    return (sign_of(d.x) != kZero ? (at.x - a.x) / d.x : (at.y - a.y) / d.y).rational();
   }
 
   void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
@@ -197,7 +197,7 @@ class KernelOf : public ExactKernel {
     const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
                                                big(direction(node.second.edge)));
     // The quotient is reduced, because its terms have the same denominators many times over.
-    const Fraction lambda((t.numerator / t.denominator).reduced());
+    const Fraction lambda = (t.numerator / t.denominator).reduced();
     return {at.x + d.x * lambda, at.y + d.y * lambda};
   }
   [[nodiscard]] Vec<Fraction> exact_probe_offset(const Probe& probe, const SumVertex& v) const {
