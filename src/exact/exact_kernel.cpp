@@ -133,13 +133,12 @@ class GridKernel final : public KernelOf<Rung> {
 /// Decides with rational coordinates, in the operands' own units.
 class RationalKernel final : public KernelOf<ArbitraryRung> {
  public:
-  void load(const std::vector<Vec<BigRational>>& sites, SiteId split, const Vec<BigRational>& first,
-            const Vec<BigRational>& second, std::size_t bits, int exponent) {
-    sites_.clear();
-    for (const Vec<BigRational>& site : sites) sites_.push_back(as<Fraction>(site));
+  void load(std::vector<Vec<Fraction>> sites, SiteId split, const Vec<Fraction>& first,
+            const Vec<Fraction>& second, std::size_t bits, int exponent) {
+    sites_ = std::move(sites);
     next_.clear();
     split_ = split;
-    origin_ = {as<Fraction>(first), as<Fraction>(second)};
+    origin_ = {first, second};
     work_ = work_of_decision(bits);
     exponent_ = exponent;
   }
@@ -207,12 +206,11 @@ void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const Gr
   }
 }
 
-void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
-                          const Vec<BigRational>& origin_first,
-                          const Vec<BigRational>& origin_second, std::size_t bits, int exponent,
-                          std::unique_ptr<ExactKernel>& old) {
-  reuse_or_make<RationalKernel>(old).load(sites, split, origin_first, origin_second, bits,
-                                          exponent);
+void make_rational_kernel(std::vector<Vec<Fraction>> sites, SiteId split,
+                          const Vec<Fraction>& origin_first, const Vec<Fraction>& origin_second,
+                          std::size_t bits, int exponent, std::unique_ptr<ExactKernel>& old) {
+  reuse_or_make<RationalKernel>(old).load(std::move(sites), split, origin_first, origin_second,
+                                          bits, exponent);
 }
 
 }  // namespace minksum

@@ -7,6 +7,7 @@
 
 #include "exact/big_integer.hpp"
 #include "exact/formulas.hpp"
+#include "exact/fraction.hpp"
 #include "exact/sign.hpp"
 #include "exact/sum_geometry.hpp"
 #include "exact/wide_int.hpp"
@@ -126,10 +127,10 @@ struct GridCoordinates {
 
 /// Any rational coordinates, in the operand's own units.
 struct RationalCoordinates {
-  std::vector<Vec<BigRational>> sites;
-  Vec<BigRational> low{};                      ///< the box's lower left corner
-  Vec<BigRational> extent{};
-  std::size_t bits = 0;                        ///< of the longest numerator or denominator
+  std::vector<Vec<Fraction>> sites;  ///< in lowest terms
+  Vec<Fraction> low{};               ///< the box's lower left corner
+  Vec<Fraction> extent{};
+  std::size_t bits = 0;  ///< of the longest numerator or denominator
 };
 
 /// Some of an operand's sites, in their order, to be multiplied by a factor.
@@ -148,9 +149,8 @@ void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const Gr
 /// Makes a kernel for any rational coordinates, none longer than `bits`. The other arguments say
 /// how coordinates are approximated: as (coordinate − origin of its operand) · 2^exponent. Sites
 /// below `split` belong to the first operand.
-void make_rational_kernel(std::vector<Vec<BigRational>> sites, SiteId split,
-                          const Vec<BigRational>& origin_first,
-                          const Vec<BigRational>& origin_second, std::size_t bits, int exponent,
-                          std::unique_ptr<ExactKernel>& old);
+void make_rational_kernel(std::vector<Vec<Fraction>> sites, SiteId split,
+                          const Vec<Fraction>& origin_first, const Vec<Fraction>& origin_second,
+                          std::size_t bits, int exponent, std::unique_ptr<ExactKernel>& old);
 
 }  // namespace minksum

@@ -17,6 +17,9 @@ class Fraction {
  public:
   Fraction() = default;
   explicit Fraction(std::int64_t value) : numerator_(value) {}
+  /// `denominator` must be positive.
+  Fraction(BigInteger numerator, BigInteger denominator)
+      : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
   explicit Fraction(const BigRational& value)
       : numerator_(boost::multiprecision::numerator(value)),
         denominator_(boost::multiprecision::denominator(value)) {}
@@ -47,11 +50,12 @@ class Fraction {
     }
     return result;
   }
+  friend bool operator<(const Fraction& a, const Fraction& b) {
+    return a.numerator_ * b.denominator_ < b.numerator_ * a.denominator_;
+  }
   friend Sign sign_of(const Fraction& value) { return static_cast<Sign>(value.numerator_.sign()); }
 
  private:
-  Fraction(BigInteger numerator, BigInteger denominator)
-      : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
   static Fraction added(const Fraction& a, const BigInteger& numerator,
                         const BigInteger& denominator) {
     if (a.denominator_ == denominator) return {a.numerator_ + numerator, denominator};
@@ -61,5 +65,11 @@ class Fraction {
   BigInteger numerator_ = 0;
   BigInteger denominator_ = 1;
 };
+
+/// Returns the double nearest to value · 2^exp2.
+inline double to_double(const Fraction& value, int exp2 = 0) {
+  return nearest_double(value.numerator() < 0, BigInt(abs(value.numerator())),
+                        BigInt(value.denominator()), exp2);
+}
 
 }  // namespace minksum

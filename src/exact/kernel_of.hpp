@@ -11,11 +11,6 @@ namespace minksum {
 
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
-/// Returns the double nearest to value · 2^exp2.
-inline double to_double(const Fraction& value, int exp2 = 0) {
-  return nearest_double(value.numerator() < 0, BigInt(abs(value.numerator())),
-                        BigInt(value.denominator()), exp2);
-}
 /// Returns a double with a relative error under 2^-51. Proof: let t be the magnitude, and limb k
 /// the highest that is not 0, so that t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at
 /// most. The last sum is rounded by 2^-53 t at most. So is the sum before the last, because it is

@@ -16,13 +16,13 @@ BigInteger power(int base, int exponent) {
 }
 
 /// Returns numerator / denominator · 2^exp2 · 10^exp10.
-BigRational scaled(BigInteger numerator, BigInteger denominator, int exp2, int exp10) {
+Fraction scaled(BigInteger numerator, BigInteger denominator, int exp2, int exp10) {
   (exp2 >= 0 ? numerator : denominator) *= power(2, std::abs(exp2));
   (exp10 >= 0 ? numerator : denominator) *= power(10, std::abs(exp10));
-  return BigRational(numerator, denominator);
+  return Fraction(std::move(numerator), std::move(denominator)).reduced();
 }
 
-BigRational as_rational(const Region& region, const StoredCoordinate& c) {
+Fraction as_rational(const Region& region, const StoredCoordinate& c) {
   BigInteger numerator(c.payload);
   BigInteger denominator(1);
   if (c.denominator_limbs != 0) {
@@ -43,7 +43,7 @@ BigInteger as_big(Int128 value) {
   const auto high = static_cast<std::int64_t>(value >> 64);
   return BigInteger((BigInteger(high) << 64) + low);
 }
-BigRational grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& grid) {
+Fraction grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& grid) {
   return scaled(BigInteger(as_big(integer) + as_big(offset)), BigInteger(grid.unit.divisor),
                 grid.unit.exp2, grid.unit.exp10);
 }
@@ -51,12 +51,8 @@ BigRational grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates
 std::size_t bit_width(const BigInteger& value) {
   return value == 0 ? 0 : mp::msb(BigInteger(abs(value))) + 1;
 }
-std::size_t numerator_bits(const BigRational& r) {
-  return bit_width(BigInteger(mp::numerator(r)));
-}
-std::size_t denominator_bits(const BigRational& r) {
-  return bit_width(BigInteger(mp::denominator(r)));
-}
+std::size_t numerator_bits(const Fraction& value) { return bit_width(value.numerator()); }
+std::size_t denominator_bits(const Fraction& value) { return bit_width(value.denominator()); }
 
 }  // namespace
 
@@ -74,18 +70,20 @@ void load_rationals(const Region& region, Cancellation& cancellation,
 void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals) {
   rationals.bits = 0;
   if (rationals.sites.empty()) return;
-  Vec<BigRational> low = rationals.sites[0];
-  Vec<BigRational> high = low;
+  Vec<Fraction> low = rationals.sites[0];
+  Vec<Fraction> high = low;
   for (const auto& s : rationals.sites) {
-    low = {std::min(low.x, s.x), std::min(low.y, s.y)};
-    high = {std::max(high.x, s.x), std::max(high.y, s.y)};
+    if (s.x < low.x) low.x = s.x;
+    if (s.y < low.y) low.y = s.y;
+    if (high.x < s.x) high.x = s.x;
+    if (high.y < s.y) high.y = s.y;
     cancellation.check(work_of_decision(rationals.bits));
-    for (const BigRational& c : {s.x, s.y}) {
-      rationals.bits = std::max({rationals.bits, numerator_bits(c), denominator_bits(c)});
+    for (const Fraction* const c : {&s.x, &s.y}) {
+      rationals.bits = std::max({rationals.bits, numerator_bits(*c), denominator_bits(*c)});
     }
   }
   rationals.low = low;
-  rationals.extent = {BigRational(high.x - low.x), BigRational(high.y - low.y)};
+  rationals.extent = {(high.x - low.x).reduced(), (high.y - low.y).reduced()};
 }
 
 RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const SiteId> sites,
@@ -110,13 +108,13 @@ RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const
   return result;
 }
 
-int rational_exponent(std::span<const Vec<BigRational>> extents) {
+int rational_exponent(std::span<const Vec<Fraction>> extents) {
   int log2_extent = std::numeric_limits<int>::min();
   for (const auto& extent : extents) {
-    for (const BigRational& side : {extent.x, extent.y}) {
-      if (side == 0) continue;
+    for (const Fraction* const side : {&extent.x, &extent.y}) {
+      if (sign_of(*side) == kZero) continue;
       const int log2_above =
-          static_cast<int>(numerator_bits(side)) - static_cast<int>(denominator_bits(side)) + 1;
+          static_cast<int>(numerator_bits(*side)) - static_cast<int>(denominator_bits(*side)) + 1;
       log2_extent = std::max(log2_extent, log2_above);
     }
   }

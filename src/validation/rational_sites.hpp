@@ -21,6 +21,6 @@ void measure_rationals(Cancellation& cancellation, RationalCoordinates& rational
                                                std::span<const SiteId> sites,
                                                Cancellation& cancellation);
 /// Returns the exponent of two that scales the larger of the extents to kRationalExtentBits bits.
-[[nodiscard]] int rational_exponent(std::span<const Vec<BigRational>> extents);
+[[nodiscard]] int rational_exponent(std::span<const Vec<Fraction>> extents);
 
 }  // namespace minksum

@@ -78,7 +78,7 @@ void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Cancella
                     Operands& o) {
   RationalCoordinates first = rationals_of(p, o.scratch.kept[0], cancellation);
   RationalCoordinates second = rationals_of(q, o.scratch.kept[1], cancellation);
-  const Vec<BigRational> extents[2] = {first.extent, second.extent};
+  const Vec<Fraction> extents[2] = {first.extent, second.extent};
   const int exponent = rational_exponent(extents);
   std::move(second.sites.begin(), second.sites.end(), std::back_inserter(first.sites));
   o.bits = std::max(first.bits, second.bits);
@@ -86,8 +86,7 @@ void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Cancella
                        o.kernel);
   o.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
   o.trace_unit = std::ldexp(1.0, -exponent);
-  o.trace_origin = {BigRational(first.low.x + second.low.x).convert_to<double>(),
-                    BigRational(first.low.y + second.low.y).convert_to<double>()};
+  o.trace_origin = {to_double(first.low.x + second.low.x), to_double(first.low.y + second.low.y)};
 }
 
 void measure_extent(Operands& o) {
