@@ -1,4 +1,4 @@
-// Union, intersection and difference, exactly.
+// Declares exact unions, intersections and differences.
 #pragma once
 
 #include <span>
@@ -9,31 +9,33 @@
 
 namespace minksum {
 
-// All of these throw Error(kLimitExceeded) for 2^30 vertices or more in all, for more than 2^28
-// places where edges cross, or ends of edges that lie on others (those that overlap on one line
-// joined first), and where a coordinate of the result has more than 2 million bits; and
-// Error(kCancelled).
+// All of these throw Error(kCancelled), and Error(kLimitExceeded) in three cases: the operands have
+// 2^30 vertices or more in all; there are more than 2^28 crossings of edges, or ends of edges on
+// other edges, after edges that overlap on one line are joined; a coordinate of the result has more
+// than 2 million bits.
 
-/// The union of resolved geometries (see Geometry), resolved. They may overlap in any way.
-/// O((n + c) log n) for n vertices in all and c places where edges meet, and so for the others.
+/// Returns the union of resolved geometries, resolved (see Geometry). They may overlap in any way.
+/// This and the functions below take O((n + c) log n) for n vertices in all and c places where
+/// edges meet.
 [[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
                                          const Options& options = {});
 
-/// The union of valid regions (see `validate`), as the closure of what has area; and so the results
-/// of the operations below.
+/// Returns the union of valid regions (see `validate`). Here and below, the result is valid and
+/// canonical (see Region). It is the closure of what has area, so it has no thin parts. Whether
+/// the operands are valid is not checked.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
                                        const Options& options = {});
-/// What lies in both regions.
+/// Returns what lies in both regions.
 [[nodiscard]] MINKSUM_API Region intersect(const Region& a, const Region& b,
                                            const Options& options = {});
-/// What lies in `a` and not in `b`.
+/// Returns what lies in `a` and not in `b`.
 [[nodiscard]] MINKSUM_API Region subtract(const Region& a, const Region& b,
                                           const Options& options = {});
-/// What lies in one of both regions alone.
+/// Returns what lies in exactly one of the two regions.
 [[nodiscard]] MINKSUM_API Region symmetric_difference(const Region& a, const Region& b,
                                                       const Options& options = {});
 
-/// Whether a ⊆ b.
+/// Tells whether a ⊆ b. Both are valid regions.
 [[nodiscard]] MINKSUM_API bool contains(const Region& b, const Region& a,
                                         const Options& options = {});
 

@@ -1,4 +1,4 @@
-// Stopping a running computation.
+// Declares the token that stops a running computation.
 #pragma once
 
 #include <atomic>
@@ -10,26 +10,27 @@
 
 namespace minksum {
 
-/// Asks a running computation to stop; may be used from any thread. Copies share one state.
+/// Asks a running computation to stop. Any thread may use it, and copies share one state.
 ///
-/// What takes a token looks at it at least every 50 milliseconds of processor time, and then ends
-/// with Error(kCancelled); docs/guarantees.md names the exceptions.
+/// An operation that has a token looks at it at least every 50 milliseconds of processor time. Once
+/// the token is cancelled, the operation ends with Error(kCancelled). docs/guarantees.md names the
+/// exceptions.
 class MINKSUM_API CancelToken {
  public:
   CancelToken() : state_(std::make_shared<State>()) {}
-  /// A token that asks `stop` whenever it is looked at, until that says true once: for hosts that
-  /// must be asked, such as the interpreter of another language. It is called by the threads that
-  /// compute; by several at a time where an operation has several. What it throws ends the
-  /// operation and is thrown on.
+  /// Returns a token that asks `stop` whenever an operation looks at the token, until `stop`
+  /// returns true once. It serves hosts that must be asked, such as the interpreter of another
+  /// language. The computing threads call `stop`, several at a time if an operation has several.
+  /// What `stop` throws ends the operation and is passed on.
   [[nodiscard]] static CancelToken polling(std::function<bool()> stop) {
     CancelToken token;
     token.state_->stop = std::move(stop);
     return token;
   }
 
-  /// Asks to stop. That cannot be taken back.
+  /// Asks the computation to stop. The request cannot be taken back.
   void cancel() const { state_->cancelled.store(true, std::memory_order_relaxed); }
-  /// Whether somebody asked to stop. Asks the function of `polling`.
+  /// Tells whether somebody asked to stop. This calls the function of `polling`.
   [[nodiscard]] bool cancelled() const {
     if (state_->cancelled.load(std::memory_order_relaxed)) return true;
     if (!state_->stop || !state_->stop()) return false;
@@ -40,7 +41,7 @@ class MINKSUM_API CancelToken {
  private:
   struct State {
     std::atomic<bool> cancelled{false};
-    std::function<bool()> stop;  ///< never changed once there are several threads
+    std::function<bool()> stop;  ///< not changed once there are several threads
   };
   std::shared_ptr<State> state_;
 };

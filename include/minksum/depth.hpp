@@ -1,4 +1,4 @@
-// Penetration depth, separation distance, time of impact: how two regions stand to each other.
+// Declares how two regions stand to each other: penetration depth, distance and time of impact.
 #pragma once
 
 #include <optional>
@@ -8,36 +8,40 @@
 
 namespace minksum {
 
-/// How A and B stand to each other, and the shortest way to change that.
+/// Tells how A and B stand to each other, and the shortest move that changes that. Lengths are in
+/// the unit of the coordinates.
 struct Depth {
   /// Whether their interiors meet.
   bool overlapping = false;
-  /// The shortest vector, (0, 0) if they just touch. Overlapping: B moved by it touches A and
-  /// overlaps it no more. Apart: B moved by it touches A. Where several are shortest, the
-  /// lexicographically smallest.
+  /// The shortest move of B after which B touches A and does not overlap it; (0, 0) if they only
+  /// touch already. If several moves are shortest, it is the lexicographically smallest one.
   Point vector;
-  Rational squared;     ///< its length squared, exactly
-  double distance = 0;  ///< its length, as a double
-  /// What is in contact then: an edge of one (kFirst is A), and a vertex of the other that lies on
-  /// it, at an end perhaps; as indices of the vertices given. Of several pairs in contact along one
-  /// line of the sum's boundary the first, A's edges before B's. Nothing where shapes had to be
-  /// resolved first, or the contact is a tight place.
+  Rational squared;     ///< the square of its length, exactly
+  double distance = 0;  ///< its length
+  /// What is in contact after the move: an edge of one region (kFirst is A), and a vertex of the
+  /// other that lies on it, perhaps at its end. Both are indices of vertices as given. If several
+  /// pairs are in contact along one line of the sum's boundary, the first is named, A's edges
+  /// before B's. It is empty if a shape had to be resolved first, or if the contact is a tight
+  /// place.
   std::optional<EdgeOrigin> contact;
 };
 
-/// The penetration depth of two overlapping regions, or the distance of two that are apart; nothing
-/// if one is empty. Regions may be non-convex, with holes, in several parts. Exact.
+/// Returns the penetration depth of two overlapping regions, or the distance of two that are apart.
+/// Returns nothing if one has no area. The shapes are read by `options.fill`, and their thin parts
+/// are dropped. They may have holes and several parts, and need not be convex. The result is exact.
 ///
-/// B + t overlaps A if and only if t is in A° ⊕ (−B)°, so that the answer is the vector from the
-/// origin to the nearest point of that set's boundary (Cameron, Culley 1986), tight places
-/// included. The time is that of minkowski_sum, and O(n log n) for the n edges of sum and operands.
+/// B + t overlaps A if and only if t is in A° ⊕ (−B)°. So the answer is the vector from the origin
+/// to the nearest point of that set's boundary, tight places included (Cameron, Culley 1986). The
+/// time is that of minkowski_sum, and O(n log n) for the n edges of sum and operands. Throws as
+/// minkowski_sum of geometries does.
 [[nodiscard]] MINKSUM_API std::optional<Depth> penetration_depth(const Geometry& a,
                                                                  const Geometry& b,
                                                                  const Options& options = {});
 
-/// When B moves along `direction`: the smallest factor f ≥ 0 for which B + f·direction touches or
-/// overlaps A; nothing if it never does. 0 if they touch or overlap already. `direction` must not
-/// be (0, 0): Error(kBadInput).
+/// Returns when B meets A if B moves along `direction`: the smallest factor f ≥ 0 for which B + f ·
+/// direction touches or overlaps A. It is 0 if they meet already. Returns nothing if they never
+/// meet. Shapes, complexity and errors are as above. A `direction` of (0, 0) is an
+/// Error(kBadInput).
 [[nodiscard]] MINKSUM_API std::optional<Rational> time_of_impact(const Geometry& a,
                                                                  const Geometry& b,
                                                                  const Point& direction,

@@ -1,4 +1,4 @@
-// Errors of the library: typed, and each names what caused it.
+// Declares the errors of the library. Each has a code and names what caused it.
 #pragma once
 
 #include <cstddef>
@@ -14,47 +14,49 @@
 
 namespace minksum {
 
-/// What kind of failure an Error reports. The program's exit codes follow these.
+/// Says which kind of failure an Error reports. Each code has an exit code of the program.
 enum class ErrorCode {
   kBadInput,       ///< an operand is not a valid region, or a number is not finite
-  kLimitExceeded,  ///< a stated limit (see Limits) would be exceeded
-  kCancelled,      ///< the caller's cancel token or progress callback said stop
+  kLimitExceeded,  ///< a limit (see ExceededLimit) would be exceeded, or memory ran out
+  kCancelled,      ///< the caller's cancel token or progress callback asked to stop
   kInternal,       ///< an invariant of the library broke; Error::stage names the place
 };
 
-/// Which operand of a binary operation.
+/// Names one operand of an operation that has two.
 enum class Operand : unsigned char {
-  kFirst = 0,   ///< P of a sum P ⊕ Q
-  kSecond = 1,  ///< Q
+  kFirst = 0,   ///< P of a sum P ⊕ Q, A of A ⊖ B
+  kSecond = 1,  ///< Q of a sum P ⊕ Q, B of A ⊖ B
 };
 
-/// The place in an operand that an error is about. Indices count from 0; `kNone` = not known.
+/// The place in an operand that an error is about. Indices count from 0, and `kNone` means that an
+/// index is not known.
 struct Culprit {
-  /// An index that is not known.
+  /// The value of an index that is not known.
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  /// 0 = first, 1 = second, -1 = not about an operand. Functions of more than two say what 2,
-  /// 3, ... are: a workspace, a start, a goal. Where shapes are given as a list, it is
-  /// the index there.
+  /// The operand: 0 = first, 1 = second, -1 = the error is about no operand. Where shapes are given
+  /// as a list, it is the index in the list. Functions of more than two shapes say what 2, 3, ...
+  /// mean.
   int operand = -1;
   std::size_t polygon = kNone;  ///< index of the polygon in its region
   std::size_t ring = kNone;     ///< index of the ring in its polygon: 0 = outer, 1.. = holes
   std::size_t vertex = kNone;   ///< index of the vertex in its ring
 };
 
-/// A limit that was passed and that the caller can do something about.
+/// The limit that was exceeded, where the caller can do something about it.
 struct ExceededLimit {
-  /// Its name in this interface, such as "Limits::max_segments". Also "memory"; "doubles" for a
-  /// coordinate that is to be written as a double and is beyond their range (adaptors: "floats" and
-  /// "integers", too); and "pictures" for one that is to be drawn.
+  /// Its name in this interface, such as "Limits::max_segments", or "memory". It is "doubles" if a
+  /// coordinate is beyond the range of doubles but has to be one. In adaptors there are also
+  /// "floats" and "integers". "pictures" stands for a coordinate that is too large to be drawn.
   std::string_view name;
-  std::uint64_t value = 0;  ///< what was allowed; 0 if that is no count
+  std::uint64_t value = 0;  ///< what was allowed; 0 if the limit is not a count
 };
 
-/// What the library throws, but for std::bad_alloc where memory runs out; io::ReadError is one too.
+/// The exception that every function of the library throws, besides std::bad_alloc where memory
+/// runs out. io::ReadError is derived from it.
 class MINKSUM_API Error : public std::runtime_error {
  public:
-  /// What went wrong, in words and as what the functions below give.
+  /// Makes an error from its message and from what the functions below return.
   Error(ErrorCode code, const std::string& message, Culprit culprit = {}, std::string stage = {},
         const std::optional<ExceededLimit>& limit = {})
       : std::runtime_error(message),
@@ -63,13 +65,15 @@ class MINKSUM_API Error : public std::runtime_error {
         stage_(std::move(stage)),
         limit_(limit) {}
 
-  /// What kind of failure it is.
+  /// Returns the kind of failure.
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
-  /// The place in an operand that caused it, as far as one did.
+  /// Returns the place in an operand that caused the error. What is unknown is Culprit::kNone or
+  /// -1.
   [[nodiscard]] const Culprit& culprit() const noexcept { return culprit_; }
-  /// The limit, for kLimitExceeded; nothing where the caller can do nothing about it.
+  /// Returns the limit of a kLimitExceeded, or nothing if the caller can do nothing about it.
   [[nodiscard]] const std::optional<ExceededLimit>& limit() const noexcept { return limit_; }
-  /// The pipeline stage, for internal errors; empty otherwise.
+  /// Returns where in the library a kInternal arose, such as "operands", and the stage that was
+  /// stopped for a kCancelled; empty otherwise.
   [[nodiscard]] const std::string& stage() const noexcept { return stage_; }
 
  private:
@@ -79,15 +83,16 @@ class MINKSUM_API Error : public std::runtime_error {
   std::optional<ExceededLimit> limit_;
 };
 
-/// How a call without exceptions ended. `error` is there unless it went well.
+/// Tells how a call that does not throw ended. It has an error unless the call succeeded.
 struct [[nodiscard]] Outcome {
-  std::optional<Error> error;  ///< what an exception would have been
-  /// Whether it went well.
+  std::optional<Error> error;  ///< the error that another call would throw
+  /// Tells whether the call succeeded.
   [[nodiscard]] bool ok() const { return !error.has_value(); }
 };
 
-/// Runs `operation` and says how it ended, instead of an exception: an Error as it was thrown, and
-/// kLimitExceeded where memory ran out. Every operation of the library can be called so:
+/// Runs `operation` and returns its Outcome instead of throwing. An Error is returned as it was
+/// thrown, and std::bad_alloc becomes kLimitExceeded with the limit "memory". Other exceptions
+/// pass. Every operation of the library can be called so:
 ///
 ///     Geometry grown;
 ///     const Outcome outcome = attempt([&] { grown = offset(plate, 1); });

@@ -1,4 +1,4 @@
-// Sets of points of any dimension: areas, polylines and points together.
+// Declares sets of points of any dimension: areas, polylines and points together.
 #pragma once
 
 #include <utility>
@@ -8,34 +8,38 @@
 
 namespace minksum {
 
-/// A path along its vertices, two or more; closed if the last one repeats the first.
+/// A path along two or more vertices. It is closed if the last vertex repeats the first.
 using Polyline = std::vector<Point>;
 
-/// The union of polygons, polylines and points: what an operand may be, and a sum of such.
+/// The union of polygons, polylines and points: the operand and the result of most operations.
 ///
-/// As such it promises nothing: rings may cross themselves and one another. Results of operations
-/// are *resolved*: `region` is valid and canonical (see Region); polylines and points are outside
-/// of it, but for ends of polylines on its boundary; polylines are simple and meet only at their
-/// ends, of which no two could be joined without making a branch; each starts at its
-/// lexicographically smaller end (a closed one at its smallest vertex, then towards the smaller
-/// neighbour); no vertex is in the middle of a straight run; polylines and points are sorted. So
-/// equal sets compare equal.
+/// A Geometry as such promises nothing: rings may cross themselves and each other. Results of
+/// operations are *resolved*, which means:
+/// - `region` is valid and canonical (see Region).
+/// - Polylines and points lie outside of `region`. Only ends of polylines may lie on its boundary.
+/// - Polylines are simple and meet only at their ends. Two of them are joined unless that makes a
+///   branch. No vertex lies in the middle of a straight run.
+/// - An open polyline starts at its lexicographically smaller end. A closed one starts at its
+///   smallest vertex and goes on to that vertex's smaller neighbour.
+/// - Polylines and points are sorted.
+///
+/// Equal sets that are resolved therefore compare equal.
 struct Geometry {
-  Region region;                    ///< what has area
-  std::vector<Polyline> polylines;  ///< what has length alone
-  std::vector<Point> points;        ///< what has neither
+  Region region;                    ///< the parts that have area
+  std::vector<Polyline> polylines;  ///< the parts that have length, but no area
+  std::vector<Point> points;        ///< the parts that have neither
 
   Geometry() = default;
-  /// An area alone converts by itself.
+  /// Makes a geometry from a region and thin parts. A region alone converts implicitly.
   // NOLINTNEXTLINE(google-explicit-constructor)
   Geometry(Region area, std::vector<Polyline> lines = {}, std::vector<Point> alone = {})
       : region(std::move(area)), polylines(std::move(lines)), points(std::move(alone)) {}
 
-  /// Whether there is nothing at all.
+  /// Tells whether the geometry is the empty set.
   [[nodiscard]] bool empty() const { return region.empty() && !has_thin_parts(); }
-  /// Whether there is anything without area.
+  /// Tells whether there are polylines or points.
   [[nodiscard]] bool has_thin_parts() const { return !polylines.empty() || !points.empty(); }
-  /// Whether all parts are equal as stored. Equal sets are, if both are resolved.
+  /// Tells whether all parts are equal as stored. That holds for equal sets if both are resolved.
   friend bool operator==(const Geometry&, const Geometry&) = default;
 };
 

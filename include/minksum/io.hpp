@@ -1,4 +1,4 @@
-// Reading and writing regions and geometries as text. Target minksum::io.
+// Declares reading and writing of regions and geometries as text. The CMake target is minksum::io.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,25 @@
 
 namespace minksum::io {
 
-/// The text formats; docs/formats.md describes them.
+/// Names a text format. docs/formats.md describes all of them.
 enum class Format {
   kWkt,      ///< Well-Known Text of the Open Geospatial Consortium
   kGeoJson,  ///< RFC 7946
-  kPoly,     ///< `.poly`: chains of points, and which are holes
-  kDat,      ///< `.dat`: CGAL's plain polygons; is only read
-  kSvg,      ///< a picture; is only written
+  kPoly,     ///< `.poly`: chains of points, and which of them are holes
+  kDat,      ///< `.dat`: CGAL's plain polygons, which are only read
+  kSvg,      ///< a picture, which is only written
 };
 
-/// A fault in a text, with its place. Lines and columns count from 1; 0 = not known.
+/// An error in a text, with its place. Lines and columns count from 1; 0 means not known.
 class MINKSUM_API ReadError : public Error {
  public:
-  /// As Error, with a line and a column.
+  /// Makes an Error that has a line and a column.
   ReadError(ErrorCode code, const std::string& message, std::size_t line, std::size_t column,
             const std::optional<ExceededLimit>& limit = {})
       : Error(code, message, {}, {}, limit), line_(line), column_(column) {}
-  /// The line of the text; from 1.
+  /// Returns the line of the text, from 1.
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
-  /// The column in that line; from 1.
+  /// Returns the column in that line, from 1.
   [[nodiscard]] std::size_t column() const noexcept { return column_; }
 
  private:
@@ -40,75 +40,82 @@ class MINKSUM_API ReadError : public Error {
   std::size_t column_;
 };
 
-/// Limits on what is read; exceeding one is a ReadError(kLimitExceeded) that names it. A token that
-/// is cancelled makes an Error(kCancelled).
+/// Limits on what is read. Exceeding one is a ReadError(kLimitExceeded) that names it. A token that
+/// is cancelled leads to Error(kCancelled).
 struct ReadLimits {
-  std::size_t max_bytes = std::size_t{1} << 30;     ///< of the text
-  std::size_t max_vertices = std::size_t{1} << 30;  ///< of rings and polylines, and points
-  int max_depth = 32;                               ///< nesting of parentheses, brackets and braces
+  std::size_t max_bytes = std::size_t{1} << 30;     ///< size of the text
+  std::size_t max_vertices = std::size_t{1} << 30;  ///< vertices of rings and polylines, and points
+  int max_depth = 32;                               ///< depth of parentheses, brackets and braces
   std::optional<CancelToken> cancel = {};           ///< stops reading
 };
 
-/// The format that the text seems to be in, by its first characters; WKT if it says nothing.
+/// Returns the format in which the text seems to be, by its first characters, or else WKT.
 [[nodiscard]] MINKSUM_API Format detect_format(std::string_view text);
 
-/// Reads areas, polylines and points: WKT, GeoJSON, `.poly` or `.dat`, told by content.
+/// Returns the areas, polylines and points of a text. The text is WKT, GeoJSON, `.poly` or `.dat`,
+/// which its content tells.
 ///
-/// Numbers are read exactly. Only the form of the text is checked: rings may cross themselves and
-/// each other, and may have one vertex or two; `resolve` says what they mean. In `.dat`, rings of
-/// fewer than three vertices are looked for only if the text makes no sense without them.
+/// Numbers are read exactly. Only the form of the text is checked. Rings may cross themselves and
+/// each other, and may have one vertex or two; `resolve` tells what they mean. In `.dat`, rings of
+/// fewer than three vertices are expected only if the text makes no sense without them. O(n) for n
+/// characters. Throws ReadError: kBadInput with line and column; kLimitExceeded. Throws
+/// Error(kCancelled).
 [[nodiscard]] MINKSUM_API Geometry read_geometry(std::string_view text,
                                                  const ReadLimits& limits = {});
-/// Reads a file, or standard input for "-". Messages do not name the file: the caller knows it.
+/// Returns the same from a file, or from standard input for "-". A file that cannot be read is a
+/// ReadError(kBadInput) without a line. Messages do not name the file, which the caller knows.
 [[nodiscard]] MINKSUM_API Geometry read_geometry_file(const std::string& path,
                                                       const ReadLimits& limits = {});
 
-/// Reads a region: as above, but polylines and points, and rings of fewer than three vertices, are
-/// errors.
+/// Returns the region of a text, which is read as above. Polylines, points and rings of fewer than
+/// three vertices are errors.
 [[nodiscard]] MINKSUM_API Region read(std::string_view text, const ReadLimits& limits = {});
-/// Reads a region from a file, or from standard input for "-".
+/// Returns the region of a file, or of standard input for "-". Throws as above.
 [[nodiscard]] MINKSUM_API Region read_file(const std::string& path, const ReadLimits& limits = {});
 
-/// The text of a file, or of standard input for "-".
+/// Returns the text of a file, or of standard input for "-". Throws as read_geometry_file does.
 [[nodiscard]] MINKSUM_API std::string load_text(const std::string& path,
                                                 const ReadLimits& limits = {});
-/// The `properties` of a text that is one GeoJSON Feature or a FeatureCollection of one, as they
-/// are written there ("null" if it has none); nothing if it is anything else. Throws ReadError.
+/// Returns the `properties` of a text that is one GeoJSON Feature, or a FeatureCollection of one,
+/// as they are written there ("null" if it has none). Returns nothing for any other text. Throws as
+/// read_geometry does.
 [[nodiscard]] MINKSUM_API std::optional<std::string> feature_properties(
     std::string_view text, const ReadLimits& limits = {});
 
-/// How coordinates are written.
+/// Says how coordinates are written.
 struct Coordinates {
-  /// As which numbers they are written.
+  /// Says as which numbers coordinates are written.
   enum class Style {
     kDouble,   ///< the nearest doubles, in the fewest digits that are read as these doubles
-    kExact,    ///< integers and fractions, "1/3"; in GeoJSON finite decimals where they are
+    kExact,    ///< integers and fractions such as "1/3"; GeoJSON has finite decimals where it can
     kDecimal,  ///< decimals with `digits` digits after the point
   };
-  Style style = Style::kDouble;  ///< as which numbers
-  int digits = 6;                ///< for kDecimal: digits after the point, 0 to kMaxDecimals
-  /// Cancels writing: Error(kCancelled). What was written until then stays.
+  Style style = Style::kDouble;  ///< the kind of numbers
+  int digits = 6;                ///< digits after the point for kDecimal, 0 to kMaxDecimals
+  /// Stops writing by Error(kCancelled). What was written before stays.
   std::optional<CancelToken> cancel = {};
 };
 
-/// Writes WKT, GeoJSON, `.poly` or a plain SVG of the region. Throws Error: kBadInput for `.dat`,
-/// which is only read, and for a number of digits that is out of range; kLimitExceeded for a
-/// coordinate beyond the doubles that is to be written as one.
+/// Writes a region as WKT, GeoJSON, `.poly` or a plain SVG. O(n) for n vertices. Throws Error:
+/// kBadInput for `.dat`, which is only read, and for a number of digits that is out of range;
+/// kLimitExceeded for a coordinate beyond the range of doubles that has to be written as one;
+/// kCancelled.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});
-/// The region as WKT.
+/// Returns the region as WKT. This and all functions below throw as `write` does.
 [[nodiscard]] MINKSUM_API std::string to_wkt(const Region& region, const Coordinates& style = {});
-/// The same with thin parts: a collection if there are several kinds of parts. What is written with
+/// Writes a geometry. Several kinds of parts become a collection. A geometry that is written with
 /// exact coordinates and read again is equal. `.poly` has no form for thin parts: Error(kBadInput).
 MINKSUM_API void write(std::ostream& out, const Geometry& geometry, Format format,
                        const Coordinates& style = {});
-/// The geometry as WKT.
+/// Returns the geometry as WKT.
 [[nodiscard]] MINKSUM_API std::string to_wkt(const Geometry& geometry,
                                              const Coordinates& style = {});
-/// A GeoJSON geometry object. Numbers that are no finite decimals are strings ("1/3").
+/// Returns the region as a GeoJSON geometry object. With exact coordinates, numbers that are not
+/// finite decimals are strings ("1/3").
 [[nodiscard]] MINKSUM_API std::string to_geojson(const Region& region,
                                                  const Coordinates& style = {});
-/// The same with thin parts.
+/// Returns the same for a geometry with thin parts.
 [[nodiscard]] MINKSUM_API std::string to_geojson(const Geometry& geometry,
                                                  const Coordinates& style = {});
 
@@ -116,9 +123,9 @@ MINKSUM_API void write(std::ostream& out, const Geometry& geometry, Format forma
 
 namespace minksum {
 
-/// WKT with the nearest doubles. Throws as io::write does.
+/// Writes WKT with the nearest doubles. Throws as io::write does.
 MINKSUM_API std::ostream& operator<<(std::ostream& out, const Region& region);
-/// The same with thin parts.
+/// Writes the same for a geometry with thin parts.
 MINKSUM_API std::ostream& operator<<(std::ostream& out, const Geometry& geometry);
 
 }  // namespace minksum

@@ -1,4 +1,4 @@
-// Where points lie with respect to a set, asked many times.
+// Declares point location: where points lie with respect to a set that is asked many times.
 #pragma once
 
 #include <memory>
@@ -9,26 +9,26 @@
 
 namespace minksum {
 
-/// Where a point lies.
+/// Says where a point lies with respect to a set.
 enum class Location {
-  kOutside,   ///< it is not of the set
-  kBoundary,  ///< on the boundary of the area, on a polyline, or on a single point
-  kInside,    ///< in the inside of the area
+  kOutside,   ///< the point is not in the set
+  kBoundary,  ///< the point is on the boundary of the area, on a polyline, or on a single point
+  kInside,    ///< the point is in the interior of the area
 };
 
-/// A resolved geometry, prepared for point location. Copies share it; any number of
-/// threads may ask.
+/// A resolved geometry (see Geometry) that is prepared for point location. Copies share one state,
+/// and any number of threads may ask.
 ///
-/// A segment tree over the heights of vertices: each edge is kept, in order from left to right, at
-/// the O(log n) nodes whose range of heights it spans (Preparata, Shamos 1985, section 2.2).
-/// O(n log n) time and memory to build.
+/// It is a segment tree over the heights of vertices. Each edge is kept at the O(log n) nodes whose
+/// range of heights it spans, in the order from left to right. Source: Preparata, Shamos,
+/// "Computational Geometry", 1985, section 2.2.
 class MINKSUM_API PointLocator {
  public:
-  /// Throws Error(kCancelled).
+  /// Prepares a geometry, which must be resolved. O(n log n) time and memory for n vertices. Throws
+  /// Error(kCancelled).
   explicit PointLocator(const Geometry& geometry, const Options& options = {});
 
-  /// Exactly where the point is: in the inside of the area, on its boundary or on a thin part, or
-  /// elsewhere. O(log² n).
+  /// Returns exactly where the point lies. O(log² n).
   [[nodiscard]] Location locate(const Point& point) const;
 
   struct State;

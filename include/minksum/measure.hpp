@@ -1,4 +1,4 @@
-// Measures of a region.
+// Declares measures of a region. Areas are in squares of the unit of the coordinates.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,20 @@ struct Box {
   Point max;  ///< the upper right corner
 };
 
-// Options: `cancel` and `progress`. Error(kCancelled) is all that is thrown.
+// Of the options, these functions use `cancel` and `progress`. They throw only Error(kCancelled).
 
-/// The exact area: outer rings count positive, holes negative, whatever their orientation. O(n).
+/// Returns the exact area. Outer rings count positive and holes negative, in any orientation. O(n).
 [[nodiscard]] MINKSUM_API Rational area(const Region& region, const Options& options = {});
-/// The same as a double, correct to a few units in the last place unless it cancels; much faster.
+/// Returns the area as a double, much faster. It is correct to a few units in the last place,
+/// unless outer rings and holes nearly cancel. O(n).
 [[nodiscard]] MINKSUM_API double approximate_area(const Region& region,
                                                   const Options& options = {});
-/// The bounding box; nothing for an empty region. O(n).
+/// Returns the exact bounding box, or nothing for an empty region. O(n).
 [[nodiscard]] MINKSUM_API std::optional<Box> bounding_box(const Region& region,
                                                           const Options& options = {});
-/// How many bits the coordinates need once scaled to integers by their least common denominator
-/// and moved to the origin. An indication of which arithmetic a sum takes: that is picked on a grid
-/// which both operands share, and which may be finer (docs/pipeline.md). O(n).
+/// Returns how many bits the coordinates need after two steps: they are scaled to integers by their
+/// least common denominator, and moved to the origin. This hints at the number type of a sum, which
+/// depends on the grid that both operands share. That grid may be finer (docs/pipeline.md). O(n).
 [[nodiscard]] MINKSUM_API std::size_t coordinate_bits(const Region& region,
                                                       const Options& options = {});
 

@@ -1,4 +1,4 @@
-// The Minkowski sum of two regions: the one call that everything else is built on.
+// Declares the Minkowski sum, the call on which everything else is built.
 #pragma once
 
 #include <cstdint>
@@ -13,43 +13,45 @@
 
 namespace minksum {
 
-/// Which number type exact decisions use once the floating-point filter has passed.
+/// Says which number type decides what the floating-point filter cannot tell. Types are named by
+/// the coordinates that they hold on the integer grid of both operands.
 enum class Arithmetic {
-  kAutomatic,  ///< the narrowest that holds the operands
-  kNarrow,     ///< coordinates up to 30 bits
-  kMedium,     ///< up to 61 bits
-  kWide,       ///< up to 125 bits
+  kAutomatic,  ///< the narrowest type that holds the operands
+  kNarrow,     ///< coordinates of up to 30 bits
+  kMedium,     ///< coordinates of up to 61 bits
+  kWide,       ///< coordinates of up to 125 bits
   kArbitrary,  ///< rationals of any size
 };
 
-/// What the computation of a sum did.
+/// Tells what the computation of a sum did. Times are in seconds.
 struct Statistics {
-  /// Whether operands were so small that one walk found the sum's boundary. Then there were no
-  /// stages: crossings, loops, cells and decisions are not counted, but are 0.
+  /// Whether both operands were small, so that one walk found the sum's boundary. There were no
+  /// stages then, and the counts of crossings, loops, cells and decisions are 0.
   bool small = false;
-  std::uint64_t convolution_segments = 0;   ///< segments of the (reduced, signed, full) convolution
-  /// What the arrangement is made of: segments that touch an uncovered cell, but for such as are
-  /// seen to equal another; where several on one line were joined, the line and those
-  /// that it takes.
+  std::uint64_t convolution_segments = 0;   ///< segments of the convolution that the method uses
+  /// Segments of which the arrangement is made: those that touch an uncovered cell, without those
+  /// that are seen to equal another one. Where several segments on one line were joined, both the
+  /// line and these segments count.
   std::uint64_t segments_kept = 0;
-  std::uint64_t crossings = 0;              ///< crossings found among the kept ones
-  std::uint64_t loops = 0;                  ///< orientable loops
+  std::uint64_t crossings = 0;              ///< crossings found among the kept segments
+  std::uint64_t loops = 0;                  ///< orientable loops, before any filter
   std::uint64_t rejected_by_nesting = 0;    ///< loops that the nesting filter dropped
   std::uint64_t rejected_by_collision = 0;  ///< loops that the collision filter dropped
-  std::uint64_t grid_cells = 0;             ///< cells of the cover's grid; 0 = no cover
+  std::uint64_t grid_cells = 0;             ///< cells of the cover's grid; 0 = there is no cover
   std::uint64_t covered_cells = 0;          ///< cells that certainly lie inside the sum
 
-  std::uint64_t coordinate_bits = 0;        ///< of both operands on their common integer grid
+  std::uint64_t coordinate_bits = 0;        ///< bits of coordinates on the operands' common grid
   Arithmetic arithmetic = Arithmetic::kAutomatic;  ///< the rung that was used
-  std::uint64_t by_filter = 0;              ///< decisions that the floating-point filter took
+  std::uint64_t by_filter = 0;              ///< decisions by the floating-point filter
   std::uint64_t by_fixed_width = 0;         ///< decisions by integers of fixed width
   std::uint64_t by_arbitrary = 0;           ///< decisions by numbers of any size
 
-  double seconds = 0;                       ///< the whole call
-  double stage_seconds[kSumStages] = {};    ///< indexed by Stage; 0 for sums without stages
+  double seconds = 0;                       ///< time of the whole call
+  double stage_seconds[kSumStages] = {};    ///< time of each Stage; 0 for sums without stages
 };
 
-/// Memory that is kept from call to call. One thread at a time may use a workspace.
+/// Keeps memory from call to call, so that later sums allocate less. One thread at a time may use a
+/// workspace. After a call that failed, it works as before.
 class MINKSUM_API Workspace {
  public:
   Workspace();
@@ -63,57 +65,65 @@ class MINKSUM_API Workspace {
   std::unique_ptr<State> state_;
 };
 
-/// P ⊕ Q = { p + q | p ∈ P, q ∈ Q }, exactly.
+/// Returns P ⊕ Q = { p + q | p ∈ P, q ∈ Q }, exactly.
 ///
-/// P and Q are valid polygons with holes or multipolygons (see `validate`); an empty operand gives
-/// an empty sum. The result is a valid, canonical region (see Region) with an origin for each edge.
-/// Safe to call from many threads at once. Time O((n + m) log (n + m) + k + c log c), memory
-/// O(n + m + k + c), for operands of n and m vertices, k listed segments of the reduced convolution
-/// (see Limits) and c crossings outside the cover.
-/// Throws Error: kBadInput (names ring and vertex), kLimitExceeded, kCancelled, kInternal.
-/// Paper: E. Behar, J.-M. Lien, "Fast and Robust 2D Minkowski Sum Using Reduced Convolution",
-/// IROS 2011, section IV; docs/pipeline.md says where we differ.
+/// P and Q are valid regions (see `validate`): polygons with holes, in one part or in several. An
+/// empty operand gives an empty sum. The result is valid and canonical (see Region), and has an
+/// origin for each edge. Many threads may call this at once.
+///
+/// Let the operands have n and m vertices, the reduced convolution k listed segments (see Limits),
+/// and let c crossings lie outside the cover. Then the time is O((n + m) log (n + m) + k + c log
+/// c), and the memory O(n + m + k + c).
+///
+/// Throws Error: kBadInput for an operand that is not valid, whose culprit has operand, polygon,
+/// ring and vertex; kLimitExceeded (see Limits); kCancelled; kInternal.
+///
+/// Paper: E. Behar, J.-M. Lien, "Fast and Robust 2D Minkowski Sum Using Reduced Convolution", IROS
+/// 2011, section IV. docs/pipeline.md says where this library differs.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const Region& q,
                                                const Options& options = {});
 
-/// The same into a result that is reused, with memory that is reused, and no exception for bad
-/// input, limits or cancellation. On failure `result` is empty.
+/// Computes the same into `result`, reuses its memory and that of `workspace`, and returns errors
+/// instead of throwing them. On failure `result` is empty. `result` may be an operand.
 MINKSUM_API Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                                   Workspace& workspace, Region& result);
 
-/// The sum of any two geometries: rings of any kind, read by `options.fill`, polylines and points.
-/// It is the set P ⊕ Q, resolved (see Geometry): closed, with thin parts where both operands are
-/// thin. Throws as above.
+/// Returns the sum of any two geometries: rings of any kind, read by `options.fill`, polylines and
+/// points. The result is P ⊕ Q, resolved (see Geometry) and closed. It has thin parts only where
+/// both operands are thin. It has origins only if both operands are valid and have no thin parts.
+/// Throws as above. A ring that is not valid is an error only by FillRule::kStrict.
 [[nodiscard]] MINKSUM_API Geometry minkowski_sum(const Geometry& p, const Geometry& q,
                                                  const Options& options = {});
-/// The same with memory that is reused, and no exception; as above.
+/// Computes the same into `result` with memory that is reused, and returns errors, as above.
 MINKSUM_API Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
                                   Workspace& workspace, Geometry& result);
 
 /// A sum, and what else its computation tells.
 struct DetailedSum {
-  Geometry sum;  ///< as minkowski_sum returns it; for regions, `sum.region`
-  /// The tight places, if `Options::tight` asks for them: the closure of the points that P ⊕ Q has
-  /// in its interior and P° ⊕ Q° has not. There P and x − Q touch and have no play, or play along a
-  /// path only: single points, and polylines. Resolved (see Geometry), without area. They are those
-  /// of both areas, less what the sum's thin operands cover.
+  Geometry sum;  ///< as minkowski_sum returns it; the sum of regions is `sum.region`
+  /// The tight places, if `Options::tight` asks for them: points and polylines, resolved (see
+  /// Geometry). They are the closure of the points in the interior of P ⊕ Q that are not in
+  /// P° ⊕ Q°. There P and x − Q touch and have no play, or have play along a path only. Only the
+  /// operands' areas count as P and Q here. Places that a sum with a thin operand covers are left
+  /// out.
   Geometry tight;
-  Statistics statistics;  ///< of the sum of both areas
-  Trace trace;            ///< if it was asked for
+  Statistics statistics;  ///< what the computation of the sum of both areas did
+  Trace trace;            ///< what its stages made, if Detail::kTrace asks for it
 };
 
-/// What a DetailedSum has beside sum, tight places and statistics.
+/// Says what a DetailedSum has besides the sum, the tight places and the statistics.
 enum class Detail {
   kStatistics,  ///< nothing more
-  kTrace,       ///< the trace of the sum of both areas, by the stages even where these are small
+  kTrace,       ///< the trace of the sum of both areas; small operands take the stages, too
 };
 
-/// P ⊕ Q as by minkowski_sum, which takes the same steps, and what is known of it. Regions must be
-/// valid. Throws as above.
+/// Returns P ⊕ Q with statistics, and with tight places and a trace if these are asked for. The
+/// computation takes the same steps as minkowski_sum. Regions must be valid. Complexity and errors
+/// are those of minkowski_sum.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
                                                    const Options& options = {},
                                                    Detail detail = Detail::kStatistics);
-/// The same for any two geometries, read by `options.fill`.
+/// Returns the same for any two geometries, which are read by `options.fill`.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Geometry& p, const Geometry& q,
                                                    const Options& options = {},
                                                    Detail detail = Detail::kStatistics);

@@ -1,5 +1,5 @@
-// minksum: exact Minkowski sums of planar regions. Includes the whole public interface but for
-// reading and writing text (io.hpp), which is a library of its own.
+// Includes the whole public interface of minksum, a library for exact Minkowski sums of planar
+// sets, apart from io.hpp, testing.hpp and the adaptors.
 #pragma once
 
 #include "minksum/boolean.hpp"

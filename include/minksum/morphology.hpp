@@ -1,4 +1,5 @@
-// Mathematical morphology: dilation, erosion, opening and closing by a structuring element.
+// Declares mathematical morphology: dilation, erosion, opening and closing by a structuring
+// element. Complexity is that of the sums and differences of which each of them is made.
 #pragma once
 
 #include "minksum/export.h"
@@ -6,27 +7,32 @@
 
 namespace minksum {
 
-/// A ⊕ B = { a + b | a ∈ A, b ∈ B }: minkowski_sum by another name.
+/// Returns the dilation A ⊕ B = { a + b | a ∈ A, b ∈ B }. This is minkowski_sum by another name.
 [[nodiscard]] MINKSUM_API Geometry dilate(const Geometry& a, const Geometry& b,
                                           const Options& options = {});
 
-/// A ⊖ B = { x | x + B ⊆ A }: where B can be put inside A. B may have holes and thin parts, and
-/// need not contain the origin; A's thin parts are dropped.
+/// Returns the erosion A ⊖ B = { x | x + B ⊆ A }: where B can be put inside A. Both are read by
+/// `options.fill`. B may have holes and thin parts, and need not contain the origin. A's thin parts
+/// are dropped.
 ///
-/// It is the complement of A's complement ⊕ −B, computed in a frame around A that is wide enough,
-/// so that islands of a disconnected complement come out too. Exact, as minkowski_sum is. The
-/// result is regularized, unless `options.tight` is true: then it has the points and polylines
-/// where the element fits without play.
-/// Throws Error(kBadInput) if B is empty (the erosion would be the whole plane), or has thin parts
-/// while `options.tight` is true.
+/// The erosion is the complement of the sum of A's complement and −B. It is computed, exactly, in a
+/// frame around A that is wide enough to keep the islands of a disconnected complement. The result
+/// has no thin parts, unless `options.tight` is true. Then it has the points and polylines at which
+/// the element fits without play.
+///
+/// Throws Error: kBadInput with culprit operand 1 if B is empty (the erosion would be the whole
+/// plane), or if it has thin parts while `options.tight` is true; whatever minkowski_sum and
+/// `subtract` throw.
 [[nodiscard]] MINKSUM_API Geometry erode(const Geometry& a, const Geometry& b,
                                          const Options& options = {});
 
-/// A ∘ B = (A ⊖ B) ⊕ B: the union of all translates of B inside A. Idempotent; contained in A.
+/// Returns the opening A ∘ B = (A ⊖ B) ⊕ B: the union of all translates of B inside A. It lies
+/// inside A, and opening it again changes nothing. Throws as `erode` does.
 [[nodiscard]] MINKSUM_API Geometry open(const Geometry& a, const Geometry& b,
                                         const Options& options = {});
 
-/// A • B = (A ⊕ B) ⊖ B: what no translate of −B outside A's sum can reach. Idempotent; contains A.
+/// Returns the closing A • B = (A ⊕ B) ⊖ B: what no translate of −B outside A's sum can reach. It
+/// contains A, and closing it again changes nothing. Throws as `erode` does.
 [[nodiscard]] MINKSUM_API Geometry close(const Geometry& a, const Geometry& b,
                                          const Options& options = {});
 

@@ -1,4 +1,5 @@
-// Offsets: a set grown or shrunk by a distance, with round, mitred, square or bevelled corners.
+// Declares offsets: sets grown or shrunk by a distance, with round, mitred, square or bevelled
+// joins.
 #pragma once
 
 #include <optional>
@@ -9,65 +10,68 @@
 
 namespace minksum {
 
-/// A polygon that stands for the disc of this radius around the origin. With r for the radius, t
-/// for the tolerance and B(s) for the disc of radius s:
-/// - kOutside: B(r) ⊆ D ⊆ B(r + t);
-/// - kInside: B(r − t) ⊆ D ⊆ B(r);
+/// Returns a convex polygon D that stands for the disc of this radius around the origin. Radius and
+/// tolerance are lengths in the unit of the coordinates. With radius r, tolerance t and the disc
+/// B(s) of radius s:
+/// - kOutside: B(r) ⊆ D ⊆ B(r + t).
+/// - kInside: B(r − t) ⊆ D ⊆ B(r).
 /// - kNearest: B(r − t) ⊆ D ⊆ B(r + t), with about 0.7 times as many vertices.
 ///
-/// Verified for each vertex and each edge by squared distances, exactly.
+/// Exact tests of squared distances verify this for each vertex and each edge.
 ///
-/// D is convex, has the square's symmetries and reaches to exactly r along both axes, so that a sum
-/// with it moves axis-parallel edges by exactly r. Its other coordinates are multiples of the
-/// largest power of ten ≤ t/64. It has at most 2 % and six more vertices than it would need without
-/// all this: about 2.2·√(r/t) for one side. A tolerance of more than r/2 is taken for r/2.
+/// D has the square's symmetries and reaches to exactly r along both axes. So a sum with D moves
+/// axis-parallel edges by exactly r. The other coordinates of D are multiples of the largest power
+/// of ten ≤ t/64. D has at most 2 % and six vertices more than it needs without these properties:
+/// about 2.2·√(r/t) for one side. A tolerance of more than r/2 is taken as r/2.
 ///
-/// Throws Error: kBadInput if radius or tolerance is not positive; kLimitExceeded for more than
-/// 2^20 vertices.
+/// O(√(r/t)). Throws Error: kBadInput if radius or tolerance is not positive; kLimitExceeded for
+/// more than 2^20 vertices.
 [[nodiscard]] MINKSUM_API Region disc(const Rational& radius, const Rational& tolerance,
                                       RoundingSide side = RoundingSide::kNearest);
 
-/// What an offset has at corners that it moves apart: an outward one at convex vertices, an inward
-/// one at reflex ones, one of a polyline at each bend's outer side.
+/// Says which shape an offset has at corners that it moves apart. These are convex vertices of an
+/// outward offset, reflex vertices of an inward one, and a polyline's bends on their outer side.
 enum class Join {
   kRound,   ///< an arc around the vertex
-  kMiter,   ///< both moved edges up to where they meet; beyond the miter limit as kSquare
-  kSquare,  ///< cut at right angles to the bisector, at the distance from the vertex
-  kBevel,   ///< cut from the end of one moved edge to that of the other
+  kMiter,   ///< both moved edges up to where they meet; as kSquare beyond the miter limit
+  kSquare,  ///< a cut at right angles to the bisector, at the distance from the vertex
+  kBevel,   ///< a cut from the end of one moved edge to that of the other
 };
-/// "round", "miter", "square", "bevel".
+/// Returns the join's name: "round", "miter", "square" or "bevel".
 [[nodiscard]] MINKSUM_API const char* to_string(Join join);
 
-/// What an offset has at both ends of a polyline that is not closed, and around points.
+/// Says which shape an offset has at both ends of an open polyline, and around points.
 enum class Cap {
   kRound,   ///< a semicircle; a disc around a point
-  kButt,    ///< nothing: it ends where the polyline ends; points vanish
+  kButt,    ///< nothing: it ends where the polyline ends, and points vanish
   kSquare,  ///< it goes on by the distance; an axis-parallel square around a point
 };
-/// "round", "butt", "square".
+/// Returns the cap's name: "round", "butt" or "square".
 [[nodiscard]] MINKSUM_API const char* to_string(Cap cap);
 
-/// What an offset looks like.
+/// Says what an offset looks like.
 struct OffsetOptions {
-  Join join = Join::kRound;  ///< at corners
-  Cap cap = Cap::kRound;     ///< at ends of polylines, and around points
-  /// The farthest that a miter may reach from its vertex, in multiples of the distance; ≥ 1.
+  Join join = Join::kRound;  ///< the shape at corners
+  Cap cap = Cap::kRound;     ///< the shape at ends of polylines and around points
+  /// The largest distance of a miter from its vertex, divided by the offset's distance; at least 1.
   Rational miter_limit = 2;
-  /// How far the result may be off, see `offset`; |distance|/1000 if it is not set.
+  /// How far the result may deviate, see `offset`. If it is not set, it is |distance|/1000.
   std::optional<Rational> tolerance = {};
-  /// For round joins and caps: kOutside contains the true offset, kInside is contained in it.
+  /// The side of round joins and caps. The result contains the true offset by kOutside, and is
+  /// contained in it by kInside.
   RoundingSide side = RoundingSide::kNearest;
 };
 
-/// A grown by `distance` if that is positive, shrunk if it is negative; 0 is `resolve`. A may have
-/// holes, several parts, rings of any kind, polylines and points. The result is resolved. Polylines
-/// and points grow on all sides; shrinking drops them, as it does with all that has no area in the
-/// result.
+/// Returns A grown by `distance` if that is positive, shrunk if it is negative, and resolved if it
+/// is 0. A is read by `options.fill`: it may have holes, several parts, rings of any kind,
+/// polylines and points. The result is resolved. Polylines and points grow on all sides. Shrinking
+/// drops them, and also what has no area in the result. Lengths are in the unit of the coordinates.
 ///
-/// With r = |distance|, t the tolerance, and B(s) the disc of radius s:
+/// Let r = |distance|, t the tolerance, and B(s) the disc of radius s.
 ///
-/// - Round joins and caps: the true offset is A ⊕ B(r), or A ⊖ B(r). The result is exactly A ⊕ D or
-///   A ⊖ D for a polygon D (see `disc`). Both are monotone in D, so it lies between two offsets:
+/// - Round joins and caps: the true offset is A ⊕ B(r) or A ⊖ B(r). The result is exactly A ⊕ D or
+///   A ⊖ D for a polygon D (see `disc`). Both are monotone in D, so the result lies between two
+///   offsets:
 ///
 ///   ```
 ///               grown                               shrunk (less what has no area)
@@ -76,23 +80,23 @@ struct OffsetOptions {
 ///   kNearest    from A ⊕ B(r − t) to A ⊕ B(r + t)   from A ⊖ B(r + t) to A ⊖ B(r − t)
 ///   ```
 ///
-///   Grown, no point of the result or of the true offset is farther than t from the other. Shrunk,
-///   that cannot be promised of any polygon D: a neck as wide as 2r is there or not.
+///   If A is grown, no point of the result or of the true offset is farther than t from the other.
+///   No polygon D can promise that for a shrunk A: a neck as wide as 2r stays or disappears.
 ///
-/// - Other joins or caps: the true result is A and a strip beside each edge and a piece at each
-///   corner and end, or A without these. Here all of them have their corners within t of where they
-///   belong (normals are irrational). Which corners have pieces and whether miters are within their
-///   limit is decided exactly. Grown, no point of the result or of the true one is farther than t
-///   from the other; shrunk, so it is with what is taken away. A side other than kNearest is an
-///   Error(kBadInput). Polylines are taken as they are given, bends, crossings and all; one that is
-///   closed has no caps.
+/// - Other joins or caps: the true result is A with a strip beside each edge and a piece at each
+///   corner and end, or A without these. In the result, all their corners are within t of the true
+///   ones, as normals are irrational. Which corners have pieces, and whether miters are within
+///   their limit, is decided exactly. If A is grown, no point of the result or of the true one is
+///   farther than t from the other. If A is shrunk, that holds for what is taken away. Polylines
+///   are taken as given, with bends and crossings, and closed ones have no caps.
 ///
 /// Axis-parallel edges move by exactly r.
 ///
-/// Time: that of minkowski_sum with D, or of `resolve` for the outlines of all pieces. Throws
-/// Error: kBadInput (a tolerance that is not positive, a miter limit below 1, what kStrict finds),
-/// kLimitExceeded (also for a tolerance below 10^-10 of the distance times the miter limit
-/// squared), kCancelled.
+/// The time is that of minkowski_sum with D, or that of `resolve` for the outlines of all pieces.
+/// Throws Error: kBadInput for a tolerance that is not positive, a miter limit below 1, or a side
+/// other than kNearest without round joins and caps; kBadInput with culprit operand 0 by kStrict;
+/// kLimitExceeded, also for a tolerance below 10^-10 of the distance times the miter limit squared;
+/// kCancelled.
 [[nodiscard]] MINKSUM_API Geometry offset(const Geometry& a, const Rational& distance,
                                           const OffsetOptions& shape = {},
                                           const Options& options = {});

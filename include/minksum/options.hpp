@@ -1,4 +1,4 @@
-// What a caller decides about an operation: the same type for all of them.
+// Declares what a caller decides about an operation. All operations share this type.
 #pragma once
 
 #include <cstddef>
@@ -13,34 +13,35 @@ namespace minksum {
 
 class Workspace;
 
-/// Which points a set of rings encloses, told by their winding number w: how often all rings
-/// together go counter-clockwise around the point.
+/// Says which points a set of rings encloses. Most rules use the winding number w of a point: how
+/// often all rings together go counter-clockwise around the point. Clockwise turns count negative.
 enum class FillRule {
-  /// Each polygon is what its outer ring encloses or passes through, less what its holes enclose.
-  /// The set is the union of all polygons. So a hole only ever takes away, and valid polygons (see
-  /// `validate`) mean what OGC says. A ring encloses the points around which it winds, whatever its
-  /// direction. A hole does not take away its own ring: where two holes share an edge, that edge
+  /// The union of all polygons, where each polygon is the area of its outer ring without its holes.
+  /// Valid polygons (see `validate`) thus mean what the OGC says, and a hole only takes area away.
+  /// A ring encloses the points around which it winds, in either direction. An outer ring itself
+  /// belongs to its polygon. A hole does not take away its own ring: an edge that two holes share
   /// stays as a polyline. Single points that holes leave between them do not stay.
   kAutomatic,
   kEvenOdd,   ///< w is odd
-  kNonZero,   ///< w is not 0; rings directed as they are given, and so for the next two
+  kNonZero,   ///< w is not 0; rings keep their given directions, here and below
   kPositive,  ///< w > 0
   kNegative,  ///< w < 0
-  kStrict,    ///< polygons must be valid: else Error(kBadInput) that names the fault's place
+  kStrict,    ///< polygons must be valid, else Error(kBadInput) with the first fault's place
 };
-/// "automatic", "evenodd", "nonzero", "positive", "negative", "strict".
+/// Returns the rule's name: "automatic", "evenodd", "nonzero", "positive", "negative" or "strict".
 [[nodiscard]] MINKSUM_API const char* to_string(FillRule rule);
 
-/// Limits whose excess is an Error(kLimitExceeded), not a crash. All methods but the signed one
-/// take no more than 2^30 of either, whatever is set.
+/// Limits on one sum. Exceeding one is an Error(kLimitExceeded) that names the limit. Apart from
+/// Method::kSigned, no method takes more than 2^30 of either, whatever is set.
 struct Limits {
-  /// Convolution segments that are listed: all of them, or, if there are very many, those that may
-  /// touch an uncovered cell. Segments that are only counted are not limited.
+  /// Convolution segments that are listed. All segments are listed, unless there are very many:
+  /// then only those are listed that may touch an uncovered cell. Segments that are only counted
+  /// are not limited.
   std::uint64_t max_segments = std::uint64_t{1} << 28;
-  std::uint64_t max_crossings = std::uint64_t{1} << 28;  ///< crossings found
+  std::uint64_t max_crossings = std::uint64_t{1} << 28;  ///< crossings that are found
 };
 
-/// What an operation is doing. The first seven are the stages of a sum, in order.
+/// Says what an operation is doing. The first seven are the stages of a sum, in their order.
 enum class Stage {
   kOperands,     ///< operands are read, validated and put on their common grid
   kConvolution,  ///< the segments of the reduced convolution are listed
@@ -49,45 +50,46 @@ enum class Stage {
   kLoops,        ///< orientable loops are extracted
   kFilters,      ///< false loops are rejected
   kOutput,       ///< the result is written
-  kOverlay,      ///< fill rules and boolean operations
+  kOverlay,      ///< fill rules and boolean operations are computed
   kRounding,     ///< exact numbers become doubles or decimals
   kChecking,     ///< a result is verified
-  kSearch,       ///< paths, distances and contacts are searched
+  kSearch,       ///< paths, distances and contacts are searched for
 };
-/// How many of the stages belong to a sum.
+/// The number of stages that belong to a sum.
 inline constexpr int kSumStages = 7;
-/// "operands", "convolution", ...
+/// Returns the stage's name: "operands", "convolution", and so on.
 [[nodiscard]] MINKSUM_API const char* to_string(Stage stage);
 
-/// How far an operation is.
+/// Tells how far an operation is.
 struct Progress {
-  Stage stage = Stage::kOperands;  ///< what is being done
-  /// Parts that are done: rows of a table, slices of a configuration space. Operations that have no
-  /// parts are one part.
+  Stage stage = Stage::kOperands;  ///< what the operation is doing
+  /// Parts that are done: rows of a table, or slices of a configuration space. Every other
+  /// operation is one part.
   std::size_t done = 0;
   std::size_t parts = 1;  ///< how many parts there are
 };
 
-/// What a caller decides about any operation. The defaults suit most callers.
+/// What a caller decides about any operation. The defaults suit most callers, and none of these
+/// changes the exact result but `fill`, `regularize` and `tight`.
 struct Options {
-  Limits limits = {};                      ///< of each sum that is computed
+  Limits limits = {};                      ///< limits on each sum that is computed
   std::optional<CancelToken> cancel = {};  ///< stops the operation
-  /// Called when a stage begins and every few milliseconds; returning false stops the operation
-  /// as `cancel` does. Several threads may call it at a time where an operation has several. What
-  /// it throws ends the operation and is thrown on.
+  /// Called when a stage begins and every few milliseconds. Returning false stops the operation as
+  /// `cancel` does. Several threads may call it at a time if an operation uses several. What it
+  /// throws ends the operation and is passed on.
   std::function<bool(const Progress&)> progress = {};
-  /// How many threads an operation on many parts may use: tables of no-fit polygons and slices of
-  /// configuration spaces. 0 = one for each core.
+  /// How many threads an operation on many parts may use; 0 = one for each core. Such operations
+  /// are tables of no-fit polygons and slices of configuration spaces.
   int threads = 1;
-  FillRule fill = FillRule::kAutomatic;  ///< how operands are read
-  /// Whether the operands' thin parts are dropped: polylines, points, and what rings enclose
-  /// without area. Operations that only look at areas drop them in any case.
+  FillRule fill = FillRule::kAutomatic;  ///< which points the operands' rings enclose
+  /// Whether the operands' thin parts are dropped: polylines, points, and parts of rings without
+  /// area. Operations that only use areas always drop them.
   bool regularize = false;
-  /// Whether the result keeps its tight places: points and polylines that a moving set reaches
-  /// without play. Without a value no-fit and inner-fit polygons keep them, and nothing else does.
+  /// Whether the result keeps its tight places: points and polylines at which a moving set fits
+  /// without play. If this is not set, only no-fit and inner-fit polygons keep them.
   std::optional<bool> tight = {};
-  /// Memory that is kept from call to call; one thread at a time may use it. Null: memory is
-  /// allocated in each call.
+  /// Memory that is kept from call to call. One thread at a time may use it. If it is null, each
+  /// call allocates its own.
   Workspace* memory = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// An operand made ready once, to be summed with many others.
+// Declares an operand that is made ready once and then added to many others.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace minksum {
 
-/// A valid operand with all that is independent of the other one done: validated, cleaned, on its
-/// integer grid, its edge directions sorted.
+/// A valid operand for which everything that does not depend on the other operand is done: it is
+/// validated, cleaned and put on its integer grid, and its edge directions are sorted.
 ///
-/// Worth its while where one shape meets several others: nesting parts, a robot among obstacles.
-/// Immutable: any number of threads may use one at the same time. Copies share one state.
+/// Preparing pays where one shape meets several others: nesting parts, or a robot among obstacles.
+/// Any number of threads may use one at the same time, as it never changes. Copies share one state.
 class MINKSUM_API PreparedRegion {
  public:
-  /// Throws Error(kBadInput) naming polygon, ring and vertex if `region` is no valid operand (see
-  /// `validate`), Error(kLimitExceeded) as `validate` does, and Error(kCancelled). An empty region
-  /// is valid. O(n log n) for n vertices, plus close pairs of edges.
+  /// Prepares a region. An empty region is valid. O(n log n + k) for n vertices and k close pairs
+  /// of edges. Throws Error: kBadInput if `region` is not valid (see `validate`), whose culprit has
+  /// polygon, ring and vertex, but no operand; kLimitExceeded as `validate` does; kCancelled.
   explicit PreparedRegion(Region region, const Options& options = {});
 
-  /// The operand as it was given.
+  /// Returns the operand as it was given.
   [[nodiscard]] const Region& region() const;
 
   struct State;
@@ -32,31 +32,32 @@ class MINKSUM_API PreparedRegion {
   std::shared_ptr<const State> state_;
 };
 
-/// P ⊕ Q, the same region as from the operands themselves. The operands' stage is down to copying
-/// and merging sorted lists, O(n + m); the rest is as for `minkowski_sum` of regions.
+/// Returns P ⊕ Q, the same region as from the operands themselves. The stage of the operands takes
+/// O(n + m): it only copies and merges sorted lists. The rest is as in `minkowski_sum` of regions.
+/// Throws Error: kLimitExceeded, kCancelled, kInternal.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                                const Options& options = {});
 
-/// The same with an operand that is not prepared.
+/// Returns the same with an operand that is not prepared. Throws as for two regions.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const PreparedRegion& q,
                                                const Options& options = {});
-/// The same with an operand that is not prepared.
+/// Returns the same with an operand that is not prepared. Throws as for two regions.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const Region& q,
                                                const Options& options = {});
 
-/// The same, and what is known of the sum.
+/// Returns the same with statistics, tight places and trace, as `detailed_sum` of regions does.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
                                                    const Options& options = {},
                                                    Detail detail = Detail::kStatistics);
 
-/// The same into a result that is reused, with memory that is reused, and no exception for limits
-/// or cancellation. On failure `result` is empty.
+/// Computes the same into `result`, reuses its memory and that of `workspace`, and returns errors
+/// instead of throwing them. On failure `result` is empty.
 MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                   const Options& options, Workspace& workspace, Region& result);
-/// The same with an operand that is not prepared.
+/// Computes the same with an operand that is not prepared.
 MINKSUM_API Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
                                   Workspace& workspace, Region& result);
-/// The same with an operand that is not prepared.
+/// Computes the same with an operand that is not prepared.
 MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
                                   Workspace& workspace, Region& result);
 

@@ -1,4 +1,4 @@
-// Regions: what goes into a Minkowski sum, and what comes out.
+// Declares regions: what goes into a Minkowski sum, and what comes out.
 #pragma once
 
 #include <array>
@@ -22,75 +22,75 @@ namespace minksum {
 struct Point {
   Rational x;  ///< the first coordinate
   Rational y;  ///< the second coordinate
-  /// Whether both coordinates are the same numbers.
+  /// Tells whether both points have the same coordinates.
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// A closed ring; the first vertex is not repeated at the end. Its orientation has no meaning.
+/// A closed ring. Its last vertex does not repeat the first, and its orientation has no meaning.
 using Ring = std::vector<Point>;
 
 /// A polygon: the closed area inside `outer` less the open areas inside `holes`.
 struct Polygon {
-  Ring outer;                    ///< what bounds it from outside
-  std::vector<Ring> holes = {};  ///< in any order
-  /// Whether all vertices are equal, in the same order; not whether both are the same set.
+  Ring outer;                    ///< the ring that bounds the polygon from outside
+  std::vector<Ring> holes = {};  ///< the rings that bound it from inside, in any order
+  /// Tells whether all vertices are equal and in the same order, not whether both are the same set.
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// What made an edge of a sum: edge `edge` of one operand, moved by vertex `vertex` of the other.
+/// Names what made an edge of a sum: an edge of one operand, moved by a vertex of the other.
 ///
-/// Both are vertex indices of the operands as they were given (`Region::vertices_of`); an edge has
-/// the index of its first vertex. Where an operand has several edges in one straight line, the
-/// first of them (in the ring's order) is named.
+/// Both are given by vertex indices of the operands as they were given (see Region::vertices_of).
+/// The index of an edge is that of its first vertex. Where several edges of an operand lie in one
+/// straight line, the first of them in the ring's order is named.
 struct EdgeOrigin {
-  Operand edge_operand = Operand::kFirst;  ///< whose edge it is; the vertex is the other's
+  Operand edge_operand = Operand::kFirst;  ///< the operand with the edge; the other has the vertex
   std::uint32_t edge = 0;                  ///< index of the edge's first vertex
   std::uint32_t vertex = 0;                ///< index of the vertex that moved the edge
-  /// Whether both name the same edge and the same vertex.
+  /// Tells whether both name the same edge and the same vertex.
   friend bool operator==(const EdgeOrigin&, const EdgeOrigin&) = default;
 };
 
-/// A half-open range of indices, to loop over.
+/// A half-open range of indices to loop over.
 class IndexRange {
  public:
-  /// A forward iterator that gives the indices one by one.
+  /// A forward iterator over the indices.
   class Iterator {
    public:
-    using value_type = std::size_t;          ///< an index
-    using difference_type = std::ptrdiff_t;  ///< as the standard library asks for
+    using value_type = std::size_t;          ///< the type of an index
+    using difference_type = std::ptrdiff_t;  ///< a type that the standard library needs
     Iterator() = default;
-    /// At this index.
+    /// Makes an iterator at this index.
     explicit Iterator(std::size_t index) : index_(index) {}
-    /// The index that it is at.
+    /// Returns the index at which the iterator is.
     std::size_t operator*() const { return index_; }
-    /// Goes on to the next index.
+    /// Moves to the next index.
     Iterator& operator++() {
       ++index_;
       return *this;
     }
-    /// Goes on to the next index, and gives the iterator as it was.
+    /// Moves to the next index. Returns the iterator as it was before.
     Iterator operator++(int) {
       const Iterator before = *this;
       ++index_;
       return before;
     }
-    /// Whether both are at the same index.
+    /// Tells whether both are at the same index.
     bool operator==(const Iterator&) const = default;
 
    private:
     std::size_t index_ = 0;
   };
-  /// From `first` to `last`, which excluded.
+  /// Makes the range from `first` to `last`, without `last`.
   IndexRange(std::size_t first, std::size_t last) : first_(first), last_(last) {}
-  /// At the first index.
+  /// Returns an iterator at the first index.
   [[nodiscard]] Iterator begin() const { return Iterator(first_); }
-  /// Behind the last index.
+  /// Returns an iterator behind the last index.
   [[nodiscard]] Iterator end() const { return Iterator(last_); }
-  /// The first index, even if the range is empty.
+  /// Returns the first index. An empty range has one, too.
   [[nodiscard]] std::size_t front() const { return first_; }
-  /// How many indices there are.
+  /// Returns the number of indices.
   [[nodiscard]] std::size_t size() const { return last_ - first_; }
-  /// Whether there are none.
+  /// Tells whether there are no indices.
   [[nodiscard]] bool empty() const { return first_ == last_; }
 
  private:
@@ -100,14 +100,14 @@ class IndexRange {
 
 /// A point whose coordinates are the doubles nearest to the exact ones.
 struct ApproximatePoint {
-  double x = 0;  ///< nearest to the first coordinate
-  double y = 0;  ///< nearest to the second coordinate
-  /// Whether the doubles are equal. The exact points may differ.
+  double x = 0;  ///< the double nearest to the first coordinate
+  double y = 0;  ///< the double nearest to the second coordinate
+  /// Tells whether the doubles are equal. The exact points may differ.
   friend bool operator==(const ApproximatePoint&, const ApproximatePoint&) = default;
 };
 
 namespace detail {
-/// What `make` gives for each index of a half-open range, to loop over.
+/// A range of what `make` returns for each index of a half-open range, to loop over.
 template <class Make>
 class MadeRange {
  public:
@@ -139,7 +139,7 @@ class MadeRange {
   [[nodiscard]] Iterator end() const { return {make_, last_}; }
   [[nodiscard]] std::size_t size() const { return last_ - first_; }
   [[nodiscard]] bool empty() const { return first_ == last_; }
-  /// `i` must be below the size.
+  /// Returns element `i`, which must be below the size.
   [[nodiscard]] auto operator[](std::size_t i) const { return make_(first_ + i); }
 
  private:
@@ -151,56 +151,63 @@ class MadeRange {
 
 class RingView;
 
-/// A region as flat arrays, as other libraries and file formats hold them (GeoArrow, Shapely).
+/// A region as flat arrays, as other libraries and file formats have them (GeoArrow, Shapely).
 ///
-/// Ring r has the points from `ring_offsets[r]` to `ring_offsets[r + 1]`, which excluded. So
-/// polygon p has rings by `polygon_offsets`, the outer one first. Both arrays begin with 0.
+/// Ring r has the points from `ring_offsets[r]` up to, but without, `ring_offsets[r + 1]`. In the
+/// same way polygon p has the rings from `polygon_offsets[p]` on, the outer ring first. Both arrays
+/// begin with 0.
 struct FlatRegion {
   std::vector<double> coordinates;               ///< x and y of each point in turn
-  std::vector<std::int64_t> ring_offsets{0};     ///< in points: one more than there are rings
-  std::vector<std::int64_t> polygon_offsets{0};  ///< in rings: one more than there are polygons
+  std::vector<std::int64_t> ring_offsets{0};     ///< indices of points, one more than rings
+  std::vector<std::int64_t> polygon_offsets{0};  ///< indices of rings, one more than polygons
 };
 
 /// One coordinate as a region stores it: an exact number in compact form.
 ///
-/// Value = N / D · 2^exp2 · 10^exp10. With no denominator limbs, N is `payload` and D is 1;
-/// otherwise `payload` is the offset of N's limbs and then D's limbs in the region's pool.
+/// Its value is N / D · 2^exp2 · 10^exp10. Without denominator limbs, N is `payload` and D is 1.
+/// Otherwise `payload` is the offset of N's limbs in the region's pool, and D's limbs follow.
 struct StoredCoordinate {
-  std::int64_t payload = 0;             ///< the integer N, or where its limbs are
+  std::int64_t payload = 0;             ///< the integer N, or the offset of its limbs
   std::int16_t exp2 = 0;                ///< the power of two
   std::int16_t exp10 = 0;               ///< the power of ten
   std::uint16_t numerator_limbs = 0;    ///< top bit: negative; 0 limbs with a denominator = zero
-  std::uint16_t denominator_limbs = 0;  ///< 0: N is `payload` itself
+  std::uint16_t denominator_limbs = 0;  ///< 0 = N is `payload` itself
 };
 
-/// A set of polygons with holes, with exact coordinates: operand and result of every operation.
+/// A set of polygons with holes and exact coordinates: operand and result of most operations.
 ///
-/// Flat and compact: vertices lie ring after ring, rings polygon after polygon (outer ring first).
-/// A Region as such promises nothing about validity: see `validate` (validity.hpp). Results of
-/// operations are valid and in canonical form: outer rings counter-clockwise, holes clockwise, each
-/// ring starts at its lexicographically smallest vertex, no vertex lies in the middle of a straight
-/// edge, rings and polygons are ordered by their first vertices; so equal sets compare equal.
+/// The vertices lie ring after ring, and the rings polygon after polygon, the outer ring first. A
+/// Region as such promises nothing about validity (see `validate`). Results of operations are valid
+/// and in canonical form, which means:
+/// - Outer rings run counter-clockwise, and holes clockwise.
+/// - Each ring starts at its lexicographically smallest vertex.
+/// - No vertex lies in the middle of a straight edge.
+/// - Rings and polygons are ordered by their first vertices.
 ///
-/// Copying takes O(1): copies share their memory until one of them is changed.
+/// Equal sets in this form therefore compare equal. Copying takes O(1): copies share their memory
+/// until one of them is changed. Indices that functions take must be in range, which is not
+/// checked.
 class MINKSUM_API Region {
  public:
   Region() = default;
-  /// The polygon, vertex by vertex. Throws Error(kLimitExceeded) as `add_vertex` does.
+  /// Makes the region of one polygon, vertex by vertex. O(n). Throws as `add_vertex` does.
   Region(const Polygon& polygon);  // NOLINT(google-explicit-constructor): the same set
-  /// These polygons, in this order. Throws Error(kLimitExceeded) as `add_vertex` does.
+  /// Makes the region of these polygons, in this order. O(n). Throws as `add_vertex` does.
   explicit Region(std::span<const Polygon> polygons);
 
-  /// One polygon without holes, from x and y of each vertex. O(n). Throws as `add_vertex` does.
+  /// Returns the region of one polygon without holes, from x and y of each vertex. The first vertex
+  /// is not repeated. O(n). Throws as `add_vertex` does.
   [[nodiscard]] static Region from_points(std::span<const std::array<double, 2>> outer);
-  /// The same from integers.
+  /// Returns the same from integers.
   [[nodiscard]] static Region from_points(std::span<const std::array<std::int64_t, 2>> outer);
-  /// Polygons with holes from flat arrays: see FlatRegion. O(n). Throws as `add_vertex` does, and
-  /// Error(kBadInput) for an odd number of coordinates, and for offsets that do not begin with 0,
-  /// run back, or do not end with the number of what they divide.
+  /// Returns the region of polygons with holes from the arrays of a FlatRegion. O(n). Throws as
+  /// `add_vertex` does. Throws Error(kBadInput) for an odd number of coordinates. Throws the same
+  /// for offsets that do not begin with 0, that decrease, or that do not end with the number of
+  /// points or rings.
   [[nodiscard]] static Region from_flat(std::span<const double> coordinates,
                                         std::span<const std::int64_t> ring_offsets,
                                         std::span<const std::int64_t> polygon_offsets);
-  /// The same from the arrays that `flat` gives.
+  /// Returns the same from the arrays that `flat` returns.
   [[nodiscard]] static Region from_flat(const FlatRegion& flat) {
     return from_flat(flat.coordinates, flat.ring_offsets, flat.polygon_offsets);
   }
@@ -208,22 +215,25 @@ class MINKSUM_API Region {
   // -- Building. Numbers are taken exactly. --------------------------------------------------
   /// Removes all polygons.
   void clear();
-  /// Starts a polygon; the next ring is its outer ring, further ones are holes.
+  /// Starts a polygon. The next ring is its outer ring, and further rings are its holes.
   void begin_polygon();
-  /// Starts a ring of the polygon that was started last. Throws Error(kBadInput) if there is none.
+  /// Starts a ring of the last polygon. Throws Error(kBadInput) if there is no polygon.
   void begin_ring();
-  /// Adds a vertex to the ring that was started last. Throws Error(kBadInput) if its polygon has no
-  /// ring yet, and so do the others of this name; Error(kLimitExceeded) for a coordinate whose
-  /// numerator or denominator has more than 2 million bits.
+  /// Adds a vertex to the last ring of the last polygon, in O(1) on average. This and the other
+  /// functions of this name throw Error(kBadInput) if that polygon has no ring yet. Throws
+  /// Error(kLimitExceeded) for a coordinate whose numerator or denominator has more than 2 million
+  /// bits.
   void add_vertex(const Rational& x, const Rational& y);
-  /// The same from decimals. Throws Error(kLimitExceeded) for an exponent beyond ±500,000, unless
-  /// the mantissa is 0.
+  /// Adds the same from decimals. Throws Error(kLimitExceeded) for an exponent beyond ±500,000,
+  /// unless the mantissa is 0.
   void add_vertex(Decimal x, Decimal y);
-  /// Doubles mean exactly themselves. Throws Error(kBadInput) naming the vertex for NaN, infinity.
+  /// Adds the same from doubles, which mean exactly themselves. For NaN and infinity, throws
+  /// Error(kBadInput) whose culprit is the new vertex with its polygon and ring.
   void add_vertex(double x, double y);
-  /// The same from integers.
+  /// Adds the same from integers.
   void add_vertex(std::int64_t x, std::int64_t y);
-  /// Any other two numbers, of one type or of two: integers of up to 64 bits, floats and doubles.
+  /// Adds the same from any other two numbers, of one type or of two: integers of up to 64 bits,
+  /// floats and doubles.
   template <detail::Plain X, detail::Plain Y>
   void add_vertex(X x, Y y) {
     if constexpr (std::signed_integral<X> && std::signed_integral<Y>) {
@@ -233,62 +243,63 @@ class MINKSUM_API Region {
     } else {
       const auto near_x = static_cast<double>(x);
       const auto near_y = static_cast<double>(y);
-      // What is not finite is an error that names the vertex.
+      // For numbers that are not finite, this throws an error that names the vertex.
       if (!std::isfinite(near_x) || !std::isfinite(near_y)) return add_vertex(near_x, near_y);
       add_vertex(Rational(x), Rational(y));
     }
   }
 
   // -- Structure ----------------------------------------------------------------------------
-  /// Whether there is no vertex.
+  /// Tells whether there is no vertex.
   [[nodiscard]] bool empty() const { return vertex_count() == 0; }
-  /// How many polygons there are.
+  /// Returns the number of polygons.
   [[nodiscard]] std::size_t polygon_count() const { return arrays_.size<kPolygonStarts>(); }
-  /// How many rings there are, outer ones and holes.
+  /// Returns the number of rings, outer ones and holes.
   [[nodiscard]] std::size_t ring_count() const { return arrays_.size<kRingStarts>(); }
-  /// How many holes there are.
+  /// Returns the number of holes.
   [[nodiscard]] std::size_t hole_count() const { return ring_count() - polygon_count_with_rings(); }
-  /// How many vertices all rings have.
+  /// Returns the number of vertices of all rings.
   [[nodiscard]] std::size_t vertex_count() const { return arrays_.size<kVertices>(); }
-  /// The indices of all polygons.
+  /// Returns the indices of all polygons.
   [[nodiscard]] IndexRange polygons() const { return {0, polygon_count()}; }
-  /// The rings of a polygon: the outer one first, then its holes.
+  /// Returns the indices of a polygon's rings: the outer one first, then its holes. Rings count
+  /// from 0 through the whole region.
   [[nodiscard]] IndexRange rings_of(std::size_t polygon) const;
-  /// The vertices of a ring. They count from 0 through the whole region, and so do rings.
+  /// Returns the indices of a ring's vertices. Vertices count from 0 through the whole region.
   [[nodiscard]] IndexRange vertices_of(std::size_t ring) const;
-  /// All rings, to loop over: `for (const RingView ring : region.rings())`. Valid while the region
-  /// lives and is not changed.
+  /// Returns all rings to loop over: `for (const RingView ring : region.rings())`. The range is
+  /// valid while the region lives and is not changed.
   [[nodiscard]] auto rings() const&;
-  /// Not of a region that ends with the expression: give it a name first.
+  /// Refuses a region that ends with the expression: give it a name first.
   void rings() const&& = delete;
 
   // -- Coordinates --------------------------------------------------------------------------
-  /// The double nearest to the exact x (ties to even).
+  /// Returns the double nearest to the exact x, ties to even; an infinity beyond their range.
   [[nodiscard]] double x(std::size_t vertex) const { return nearest(vertices()[vertex].x); }
-  /// The double nearest to the exact y (ties to even).
+  /// Returns the double nearest to the exact y, ties to even; an infinity beyond their range.
   [[nodiscard]] double y(std::size_t vertex) const { return nearest(vertices()[vertex].y); }
-  /// The exact x of a vertex.
+  /// Returns the exact x of a vertex.
   [[nodiscard]] Rational exact_x(std::size_t vertex) const { return exact(vertices()[vertex].x); }
-  /// The exact y of a vertex.
+  /// Returns the exact y of a vertex.
   [[nodiscard]] Rational exact_y(std::size_t vertex) const { return exact(vertices()[vertex].y); }
-  /// A vertex with its exact coordinates.
+  /// Returns a vertex with its exact coordinates.
   [[nodiscard]] Point point(std::size_t vertex) const { return {exact_x(vertex), exact_y(vertex)}; }
-  /// A polygon with exact coordinates. O(n).
+  /// Returns a polygon with exact coordinates. O(n).
   [[nodiscard]] Polygon polygon(std::size_t index) const;
-  /// As flat arrays, with the nearest doubles. O(n).
+  /// Returns the region as flat arrays, with the nearest doubles. O(n).
   [[nodiscard]] FlatRegion flat() const;
 
   // -- Provenance ---------------------------------------------------------------------------
-  /// Whether every edge knows what made it (true for results of minkowski_sum).
+  /// Tells whether the region has vertices, and an origin for each edge, as sums of regions have.
   [[nodiscard]] bool has_origins() const {
     return !empty() && arrays_.size<kOrigins>() == vertex_count();
   }
-  /// What made the edge that starts at this vertex.
+  /// Returns what made the edge that starts at this vertex. The region must have origins.
   [[nodiscard]] const EdgeOrigin& origin(std::size_t vertex) const {
     return arrays_.at<kOrigins>(vertex);
   }
 
-  /// Equal as stored: the same rings in the same order with exactly equal vertices.
+  /// Tells whether both have the same rings in the same order, with exactly equal vertices. O(n).
   friend MINKSUM_API bool operator==(const Region& a, const Region& b);
 
  private:
@@ -302,8 +313,8 @@ class MINKSUM_API Region {
   enum Array : std::size_t {
     kVertices,
     kOrigins,
-    kRingStarts,     ///< by ring: its first vertex
-    kPolygonStarts,  ///< by polygon: its first ring
+    kRingStarts,     ///< by ring: the index of its first vertex
+    kPolygonStarts,  ///< by polygon: the index of its first ring
     kLimbs,
   };
   [[nodiscard]] std::size_t polygon_count_with_rings() const;
@@ -317,25 +328,25 @@ class MINKSUM_API Region {
   Arrays arrays_;
 };
 
-/// A ring of a region. Valid while the region lives and is not changed.
+/// A ring of a region. It is valid while the region lives and is not changed.
 class MINKSUM_API RingView {
  public:
   RingView() = default;
-  /// The ring of this index. The region must outlive it.
+  /// Makes a view of the ring with this index. The region must outlive the view.
   RingView(const Region& region, std::size_t index) : region_(&region), index_(index) {}
   RingView(const Region&& region, std::size_t index) = delete;
 
-  /// As in Region::vertices_of.
+  /// Returns the ring's index, which Region::vertices_of takes.
   [[nodiscard]] std::size_t index() const { return index_; }
-  /// The index of the polygon that it belongs to. O(log n).
+  /// Returns the index of the polygon to which the ring belongs. O(log n).
   [[nodiscard]] std::size_t polygon() const;
-  /// Whether it is not the first ring of its polygon. O(log n).
+  /// Tells whether the ring is a hole, and so not the first ring of its polygon. O(log n).
   [[nodiscard]] bool is_hole() const;
-  /// How many vertices it has.
+  /// Returns the number of vertices.
   [[nodiscard]] std::size_t size() const { return region_->vertices_of(index_).size(); }
-  /// The nearest doubles: `for (const auto& [x, y] : ring.points())`.
+  /// Returns the vertices as the nearest doubles: `for (const auto& [x, y] : ring.points())`.
   [[nodiscard]] auto points() const { return made<ApproximatePointOf>(); }
-  /// The same with exact coordinates.
+  /// Returns the vertices with exact coordinates.
   [[nodiscard]] auto exact_points() const { return made<ExactPointOf>(); }
 
  private:

@@ -1,4 +1,4 @@
-// From rings of any kind to the set of points that they mean.
+// Declares how rings of any kind become the set of points that they mean.
 #pragma once
 
 #include "minksum/export.h"
@@ -7,14 +7,17 @@
 
 namespace minksum {
 
-/// The set of points that a geometry means, in resolved form (see Geometry), exactly.
+/// Returns the set of points that a geometry means by `options.fill`, exactly and in resolved form
+/// (see Geometry). Rings may cross themselves and each other.
 ///
-/// Its area is the closure of the points that the fill rule says. A ring's own points belong to the
-/// set (by kAutomatic, what holes take away excepted), so spikes, antennas and rings that collapse
+/// The area is the closure of the points that the fill rule encloses. A ring's own points belong to
+/// the set, except those that holes take away by kAutomatic. So spikes and rings that collapse
 /// become polylines or points where no area holds them. Where rings cross, vertices are rational
-/// points. If `options.regularize` is set, what has no area is dropped. O((n + c) log n) for n
-/// vertices and c places where edges meet. Throws Error: kBadInput (kStrict), with `operand` as its
-/// culprit's, kLimitExceeded, kCancelled.
+/// points. `options.regularize` drops everything that has no area.
+///
+/// O((n + c) log n) for n vertices and c places where edges meet. Throws Error: kBadInput by
+/// kStrict for a ring that is not valid, whose culprit has `operand`, polygon, ring and vertex;
+/// kLimitExceeded as the functions of boolean.hpp do; kCancelled.
 [[nodiscard]] MINKSUM_API Geometry resolve(const Geometry& geometry, const Options& options = {},
                                            int operand = -1);
 

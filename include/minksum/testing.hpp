@@ -1,4 +1,4 @@
-// How a sum is computed: for tests, comparisons and pictures. Results never depend on it.
+// Declares settings of how a sum is computed, for tests and comparisons. No result depends on them.
 #pragma once
 
 #include "minksum/export.h"
@@ -7,58 +7,62 @@
 
 namespace minksum {
 
-/// How the sum is computed. All three give the same region.
+/// Says by which method a sum is computed. All three give the same region.
 enum class Method {
-  /// Reduced convolution, cover, orientable loops (Behar and Lien, IROS 2011). The fast one.
+  /// Reduced convolution, cover and orientable loops (Behar and Lien, IROS 2011), which is fast.
   kReduced,
-  /// Signed convolution and winding numbers (Guibas, Ramshaw, Stolfi 1983), on code of its own:
-  /// an independent check. Meant for small and middling operands.
+  /// Signed convolution and winding numbers (Guibas, Ramshaw, Stolfi 1983). As it has code of its
+  /// own, it is an independent check. It is meant for operands of small and middle size.
   kSigned,
-  /// The full convolution of Wein (ESA 2006), reflex vertices included, no cover. Slow; for the
-  /// comparisons of the paper.
+  /// The full convolution of Wein (ESA 2006), with reflex vertices and without a cover. It is slow,
+  /// and serves the comparisons of the paper.
   kFull,
 };
 
-/// The options of a sum, and settings that users have no need for.
+/// The options of a sum, and settings that users do not need.
 struct SumSettings : Options {
-  Method method = Method::kReduced;                ///< how the sum is computed
-  Arithmetic arithmetic = Arithmetic::kAutomatic;  ///< kBadInput if the operands do not fit
-  bool filter = true;                              ///< false: every decision by exact arithmetic
-  bool cover = true;   ///< false: no cover; the whole arrangement is built
-  int grid = 0;        ///< cells along the longer side of the cover's grid; 0 = chosen
-  bool check = false;  ///< runs each stage's checker on its result; slow
-  bool small = true;   ///< false: by the stages even where operands are small
+  Method method = Method::kReduced;                ///< the method that computes the sum
+  /// the number type; kBadInput if it is too short
+  Arithmetic arithmetic = Arithmetic::kAutomatic;
+  bool filter = true;  ///< false = exact arithmetic takes every decision
+  bool cover = true;   ///< false = the whole arrangement is built, without a cover
+  int grid = 0;        ///< cells along the longer side of the cover's grid; 0 = the library chooses
+  bool check = false;  ///< true = each stage's checker tests its result, which is slow
+  bool small = true;   ///< false = small operands take the stages, too
 };
 
-/// The sum of minkowski_sum.hpp, computed as the settings say. Throws as that.
+/// Returns the sum of two valid regions, computed as the settings say. Complexity and errors are
+/// those of minkowski_sum in minkowski_sum.hpp. Throws Error(kBadInput) if the operands do not fit
+/// `arithmetic`.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const Region& q,
                                                const SumSettings& settings);
-/// The same for geometries.
+/// Returns the same for geometries.
 [[nodiscard]] MINKSUM_API Geometry minkowski_sum(const Geometry& p, const Geometry& q,
                                                  const SumSettings& settings);
-/// The same for prepared operands.
+/// Returns the same for prepared operands.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                                const SumSettings& settings);
-/// The same with memory that is reused, and no exception.
+/// Computes the same for regions with memory that is reused, and returns errors. On failure
+/// `result` is empty.
 MINKSUM_API Outcome minkowski_sum(const Region& p, const Region& q, const SumSettings& settings,
                                   Workspace& workspace, Region& result);
-/// The same for geometries.
+/// Computes the same for geometries.
 MINKSUM_API Outcome minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
                                   Workspace& workspace, Geometry& result);
-/// The same for prepared operands.
+/// Computes the same for prepared operands.
 MINKSUM_API Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                                   const SumSettings& settings, Workspace& workspace,
                                   Region& result);
-/// The same with what is known of the sum. Method::kReduced alone finds tight places: with others
-/// they are an Error(kBadInput).
+/// Returns the same for regions with statistics, tight places and trace. Only Method::kReduced
+/// finds tight places: asking for them with another method is an Error(kBadInput).
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
                                                    const SumSettings& settings,
                                                    Detail detail = Detail::kStatistics);
-/// The same for geometries.
+/// Returns the same for geometries.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Geometry& p, const Geometry& q,
                                                    const SumSettings& settings,
                                                    Detail detail = Detail::kStatistics);
-/// The same for prepared operands.
+/// Returns the same for prepared operands.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
                                                    const SumSettings& settings,
                                                    Detail detail = Detail::kStatistics);

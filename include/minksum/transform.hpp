@@ -1,4 +1,4 @@
-// Moving, turning, mirroring and scaling, exactly.
+// Declares exact moves, turns, mirror images and scalings.
 #pragma once
 
 #include "minksum/export.h"
@@ -7,40 +7,41 @@
 
 namespace minksum {
 
-/// (x, y) ↦ (xx·x + xy·y + dx, yx·x + yy·y + dy).
+/// The affine map (x, y) ↦ (xx·x + xy·y + dx, yx·x + yy·y + dy).
 struct MINKSUM_API Affine {
-  Rational xx = 1;  ///< of x in the new x
-  Rational xy;      ///< of y in the new x
-  Rational dx;      ///< is added to the new x
-  Rational yx;      ///< of x in the new y
-  Rational yy = 1;  ///< of y in the new y
-  Rational dy;      ///< is added to the new y
+  Rational xx = 1;  ///< factor of x in the new x
+  Rational xy;      ///< factor of y in the new x
+  Rational dx;      ///< summand of the new x
+  Rational yx;      ///< factor of x in the new y
+  Rational yy = 1;  ///< factor of y in the new y
+  Rational dy;      ///< summand of the new y
 
-  /// A move by (dx, dy).
+  /// Returns the move by (dx, dy).
   [[nodiscard]] static Affine translation(const Rational& dx, const Rational& dy);
-  /// All lengths times `factor`, away from the origin.
+  /// Returns the map that multiplies both coordinates by `factor`.
   [[nodiscard]] static Affine scaling(const Rational& factor);
-  /// Counter-clockwise, by the angle whose half has the tangent `half`: an exact turn by
-  /// 2·atan(half), with cosine (1 − half²)/(1 + half²) and sine 2·half/(1 + half²).
+  /// Returns the counter-clockwise rotation about the origin by 2·atan(half). It is exact: its
+  /// cosine is (1 − half²)/(1 + half²), and its sine is 2·half/(1 + half²).
   [[nodiscard]] static Affine rotation(const Rational& half);
-  /// Counter-clockwise, `turns` times 90 degrees.
+  /// Returns the counter-clockwise rotation about the origin by `turns` times 90 degrees.
   [[nodiscard]] static Affine quarter_turns(int turns);
-  /// First `first`, then this.
+  /// Returns the map that applies `first`, and then this map.
   [[nodiscard]] Affine after(const Affine& first) const;
-  /// The image of a point.
+  /// Returns the image of a point.
   [[nodiscard]] Point operator()(const Point& point) const;
 };
 
-/// The geometry's image. Rings and paths keep their order of vertices; the form is not canonical
-/// any more, and origins are not kept. O(n). Throws Error(kCancelled).
+/// Returns the image of any geometry. Rings and polylines keep their order of vertices. So the
+/// image need not be in canonical form, and its edges have no origins. O(n). Throws Error:
+/// kCancelled; kLimitExceeded as Region::add_vertex does.
 [[nodiscard]] MINKSUM_API Geometry transform(const Geometry& geometry, const Affine& map,
                                              const Options& options = {});
-/// The region's image. As above.
+/// Returns the image of a region, as above.
 [[nodiscard]] MINKSUM_API Region transform(const Region& region, const Affine& map,
                                            const Options& options = {});
-/// The point mirror { −p | p ∈ geometry }. Throws Error(kCancelled).
+/// Returns the point mirror { −p | p ∈ geometry }. Complexity and errors are those of `transform`.
 [[nodiscard]] MINKSUM_API Geometry reflect(const Geometry& geometry, const Options& options = {});
-/// The point mirror of a region. As above.
+/// Returns the point mirror of a region, as above.
 [[nodiscard]] MINKSUM_API Region reflect(const Region& region, const Options& options = {});
 
 }  // namespace minksum

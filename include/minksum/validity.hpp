@@ -1,4 +1,4 @@
-// Is a region a valid operand, and if not, where not?
+// Declares the test that tells whether a region is a valid operand, and if not, where it is not.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,35 @@
 
 namespace minksum {
 
-/// One fault of a region. `Culprit::operand` is -1 in both places.
+/// One fault of a region. `Culprit::operand` is -1 in `place` and in `other`.
 struct Fault {
-  std::string message;  ///< what is wrong, in words: "edges cross"
-  /// The vertex that is wrong, or the first vertex of an edge that is.
+  std::string message;  ///< what is wrong, such as "edges cross"
+  /// The vertex that is wrong, or the first vertex of the edge that is wrong.
   Culprit place;
-  /// The vertex or edge that it meets; unknown (`Culprit::kNone`) where nothing is met.
+  /// The vertex or edge that `place` meets; `Culprit::kNone` where nothing is met.
   Culprit other;
-  /// Exactly where: the crossing of two edges, the first point that two edges share, or the vertex.
-  /// Nothing for a ring without vertices.
+  /// The exact location: the crossing of two edges, the first point that two edges share, or the
+  /// vertex. It is empty for a ring without vertices.
   std::optional<Point> at;
 };
-/// What is wrong and where: "edges cross at (5, 1/2)"; "near (0.3, 7.1)" if the exact numbers are
-/// long.
+/// Returns what is wrong and where: "edges cross at (5, 1/2)". If the exact numbers are long, it
+/// ends with rounded ones: "near (0.3, 7.1)".
 [[nodiscard]] MINKSUM_API std::string to_string(const Fault& fault);
 
-/// All reasons why `region` is no valid operand, at most `max_faults` of them; none = valid. Every
-/// two edges that cross or overlap are a fault of their own.
+/// Returns the reasons why `region` is not a valid operand, at most `max_faults` of them. There is
+/// none if the region is valid. Each pair of edges that cross or overlap is a fault of its own.
 ///
-/// Valid are the polygons and multipolygons that OGC calls valid: rings of three or more vertices
-/// not all in one line, each a simple closed curve; no two rings cross or share a piece of an edge
-/// (touching at points is fine); holes inside their outer ring and not inside each other; polygons
-/// with disjoint interiors. Orientation, repeated vertices and vertices in the middle of straight
-/// edges do not matter. Wider than OGC: rings of one polygon may touch at several points.
+/// Valid are the polygons and multipolygons that the OGC calls valid:
+/// - Each ring is a simple closed curve of three or more vertices that do not lie in one line.
+/// - No two rings cross or share a piece of an edge. Rings may touch at points.
+/// - Holes lie inside their outer ring, and not inside each other.
+/// - Polygons have disjoint interiors.
+///
+/// Orientation, repeated vertices, and vertices in the middle of straight edges do not matter. One
+/// rule is wider than the OGC's: rings of one polygon may touch at several points.
+///
 /// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more
-/// than 2^30 vertices, or somewhat fewer if edges are long; Error(kCancelled).
+/// than 2^30 vertices, or for somewhat fewer if edges are long. Throws Error(kCancelled).
 [[nodiscard]] MINKSUM_API std::vector<Fault> validate(const Region& region,
                                                       std::size_t max_faults = 100,
                                                       const Options& options = {});

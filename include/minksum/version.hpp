@@ -1,4 +1,4 @@
-// The version of the library.
+// Declares the version of the library.
 #pragma once
 
 #define MINKSUM_VERSION_MAJOR 0  ///< the first number of the version

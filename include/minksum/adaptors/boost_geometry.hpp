@@ -1,5 +1,5 @@
-// Regions from and to polygons and multipolygons of Boost.Geometry. This header is optional: it
-// includes Boost.Geometry, which the library itself does not need at run time.
+// Converts regions from and to polygons and multipolygons of Boost.Geometry. This header is
+// optional: it includes Boost.Geometry, which the library itself does not need at run time.
 #pragma once
 
 #include <boost/geometry/core/access.hpp>
@@ -77,7 +77,7 @@ void add_boost_polygon(const Polygon& polygon, Region& region) {
   }
 }
 
-/// `ring` may be a reference or what stands for one.
+/// Fills `ring`, which may be a reference or a proxy.
 template <class RingOrProxy>
 void set_boost_ring(const Region& region, const Culprit& place, RingOrProxy&& ring) {
   using Ring = std::remove_reference_t<RingOrProxy>;
@@ -113,16 +113,17 @@ void set_boost_polygon(const Region& region, std::size_t index, Polygon& polygon
 }
 }  // namespace detail
 
-/// The region of a polygon or multipolygon of Boost.Geometry, ring by ring and vertex by vertex.
+/// Returns the region of a polygon or multipolygon of Boost.Geometry, ring by ring and vertex by
+/// vertex.
 ///
 /// Coordinates are taken exactly. They are integers of up to 64 bits, float, double, or numbers
 /// that convert to Rational (see NumberTraits). Rings may be closed or open: a last point that
-/// repeats the first is left out. Orientation stays as it is, as it has no meaning in a Region.
+/// repeats the first is left out. Rings keep their orientation, which has no meaning in a Region.
 /// Rings and polygons without points are left out. Nothing else is checked: ask `validate`, or let
 /// the operations refuse or resolve what is not valid.
 ///
-/// O(n) for n points. Throws Error: kBadInput for NaN and infinity, which names polygon (of those
-/// with points), ring and vertex; kBadInput for a polygon with holes and an empty outer ring.
+/// O(n) for n points. Throws Error(kBadInput): for NaN and infinity, with polygon (among those with
+/// points), ring and vertex; for a polygon with holes and an empty outer ring.
 template <class BoostGeometry>
 [[nodiscard]] Region from_boost(const BoostGeometry& geometry) {
   detail::require_plane<BoostGeometry>();
@@ -137,22 +138,23 @@ template <class BoostGeometry>
   return region;
 }
 
-/// A region as a polygon or multipolygon of Boost.Geometry: `to_boost<MultiPolygon>(region)`.
+/// Returns a region as a polygon or multipolygon of Boost.Geometry:
+/// `to_boost<MultiPolygon>(region)`.
 ///
 /// Rings are closed and directed as the type wants them (`closure`, `point_order`), holes against
 /// their outer ring. Rings and polygons without vertices are left out. So
-/// `boost::geometry::is_valid` accepts what a valid region gives, unless rings of one polygon touch
-/// at several points, which is valid here. Of a ring that crosses itself, the turn at its smallest
-/// vertex counts as its direction.
+/// `boost::geometry::is_valid` accepts what a valid region gives, with one exception: here, rings
+/// of one polygon may touch at several points. The direction of a ring that crosses itself is that
+/// of the turn at its smallest vertex.
 ///
-/// Doubles and floats are the nearest ones. Rounding may make rings cross: call `round` (round.hpp)
-/// first, which keeps them valid. Integers are never rounded: what is not an integer is an error.
-/// Other types are constructed from a Rational (see NumberTraits).
+/// Doubles and floats are the nearest ones. Rounding may make rings cross, so call `round`
+/// (round.hpp) first, which keeps them valid. Integers are never rounded: a coordinate that is not
+/// an integer is an error. Other types are constructed from a Rational (see NumberTraits).
 ///
-/// O(n) for n vertices. Throws Error: kBadInput that names polygon, ring and vertex of a coordinate
-/// that is not an integer, where the type has integers; kBadInput for two or more polygons, where
-/// the type is a polygon; kBadInput for a polygon with holes and an empty outer ring;
-/// kLimitExceeded for a coordinate beyond the range of its type.
+/// O(n) for n vertices. Throws Error: kBadInput for a coordinate that is not an integer where the
+/// type has integers, with polygon, ring and vertex; kBadInput for two or more polygons where the
+/// type is a polygon, and for a polygon with holes and an empty outer ring; kLimitExceeded for a
+/// coordinate beyond the range of its type, with polygon, ring and vertex.
 template <class BoostGeometry>
 [[nodiscard]] BoostGeometry to_boost(const Region& region) {
   detail::require_plane<BoostGeometry>();

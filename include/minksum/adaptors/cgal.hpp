@@ -1,7 +1,7 @@
-// Regions from and to the polygons of CGAL: Polygon_2 and Polygon_with_holes_2 of any kernel. This
-// header is optional: it is only for programs that have CGAL themselves. Large parts of CGAL are
-// GPL, and then so is a program that includes them. The library minksum neither contains CGAL nor
-// links it.
+// Converts regions from and to the polygons of CGAL: Polygon_2 and Polygon_with_holes_2 of any
+// kernel. This header is optional: it is only for programs that have CGAL themselves. Large parts
+// of CGAL are GPL, and then so is a program that includes them. The library minksum neither
+// contains CGAL nor links it.
 #pragma once
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -31,7 +31,7 @@ namespace minksum::adaptors {
 
 namespace detail {
 
-/// The exact number inside of a lazy one; itself for others.
+/// Returns the exact number inside a lazy one, and any other number as it is.
 template <class Number>
 decltype(auto) inside(const Number& number) {
   if constexpr (requires { number.exact(); }) {
@@ -43,7 +43,7 @@ decltype(auto) inside(const Number& number) {
 template <class Number>
 using Inside = std::remove_cvref_t<decltype(inside(std::declval<const Number&>()))>;
 
-/// An integer of any library in decimal digits.
+/// Returns an integer of any library in decimal digits.
 template <class Integer>
 std::string digits_of(const Integer& integer) {
   // GMP's own classes print to streams by a library that a program need not have.
@@ -56,7 +56,7 @@ std::string digits_of(const Integer& integer) {
   }
 }
 
-/// The integer that digits say. They may be more than Rational::parse takes.
+/// Returns the integer of a text, which may have more digits than Rational::parse takes.
 inline Rational integer_of(std::string_view digits) {
   const bool negative = digits.starts_with('-');
   if (negative) digits.remove_prefix(1);
@@ -74,7 +74,7 @@ inline Rational integer_of(std::string_view digits) {
   return negative ? -value : value;
 }
 
-/// The part of a fraction of CGAL: an integer, of whatever library.
+/// Converts a part of CGAL's fraction that is an integer of any library.
 template <class Part>
 Rational from_part(const Part& part) {
   using Category = typename CGAL::Algebraic_structure_traits<Part>::Algebraic_category;
@@ -82,7 +82,7 @@ Rational from_part(const Part& part) {
                 "coordinates must be of a plain type, or fractions of integers");
   return integer_of(digits_of(part));
 }
-/// Or a number of 16-bit digits with a power of 2^16. It would print no more than a double.
+/// Converts one that has 16-bit digits and a power of 2^16. It would print no more than a double.
 inline Rational from_part(const CGAL::MP_Float& part) {
   const Rational base(65536);
   Rational value;
@@ -105,7 +105,8 @@ Rational from_fraction(const Exact& number) {
   return from_part(numerator) / from_part(denominator);
 }
 
-/// Digit by digit, as number types agree on nothing but arithmetic with small integers.
+/// Converts an integer a few digits at a time. Number types agree on nothing but arithmetic with
+/// small integers.
 template <class Exact>
 Exact to_integer(const Rational& value) {
   constexpr std::size_t kPart = 9;
@@ -142,7 +143,7 @@ Rational from_cgal_number(const Number& number) {
   if constexpr (kIsPlainNumber<Number>) {
     return number;
   } else {
-    // The bounds of most lazy numbers are one double, and then the exact one need not be made.
+    // Both bounds of most lazy numbers are one double, and then the exact number need not be made.
     const auto [low, high] = CGAL::to_interval(number);
     if (low == high && std::isfinite(low)) return low;
     return from_fraction(inside(number));
@@ -188,7 +189,7 @@ void add_cgal_polygon(const CGAL::Polygon_with_holes_2<Kernel, Container>& polyg
   }
 }
 
-/// The parts that differ by type: Polygon_2 and Polygon_with_holes_2.
+/// Tells what differs between Polygon_2 and Polygon_with_holes_2.
 template <class Type>
 struct CgalPolygon {
   static constexpr bool kKnown = false;
@@ -252,17 +253,17 @@ Polygon make_cgal_polygon(const Region& region, std::size_t index) {
 
 }  // namespace detail
 
-/// The region of a polygon of CGAL, or of a range of polygons (a vector, a list), ring by ring and
-/// vertex by vertex. They are Polygon_2 or Polygon_with_holes_2 of any kernel.
+/// Returns the region of a polygon of CGAL, or of a range of polygons (a vector, a list), ring by
+/// ring and vertex by vertex. They are Polygon_2 or Polygon_with_holes_2 of any kernel.
 ///
-/// Coordinates are taken exactly: doubles, floats and integers as they are; of lazy numbers, as in
-/// EPECK, the exact ones; of others, the fractions. Numbers with roots are refused by the compiler.
-/// A last point that repeats the first is left out. Orientation stays as it is, as it has no
+/// Coordinates are taken exactly: doubles, floats and integers as they are, lazy numbers (as in
+/// EPECK) by their exact value, and others as fractions. The compiler refuses numbers with roots. A
+/// last point that repeats the first is left out. Rings keep their orientation, which has no
 /// meaning in a Region. An empty Polygon_2 and empty holes are left out. Nothing else is checked:
 /// ask `validate`, or let the operations refuse or resolve what is not valid.
 ///
-/// O(n) for n points. Throws Error(kBadInput): for NaN and infinity, which names polygon, ring and
-/// vertex; for a Polygon_with_holes_2 without an outer boundary, which is unbounded to CGAL.
+/// O(n) for n points. Throws Error(kBadInput): for NaN and infinity, with polygon, ring and vertex;
+/// for a Polygon_with_holes_2 without an outer boundary, which is unbounded in CGAL.
 template <class CgalGeometry>
 [[nodiscard]] Region from_cgal(const CgalGeometry& geometry) {
   Region region;
@@ -274,21 +275,22 @@ template <class CgalGeometry>
   return region;
 }
 
-/// A region as polygons of CGAL:
+/// Returns a region as polygons of CGAL:
 /// `to_cgal<std::vector<CGAL::Polygon_with_holes_2<Kernel>>>(region)`. The type is a container of
-/// polygons, or one polygon where the region has no more.
+/// polygons, or one polygon if the region has no more.
 ///
-/// Kernels with exact fractions, such as EPECK, get the exact numbers. Those with doubles or floats
-/// get the nearest; rounding may make rings cross, so call `round` (round.hpp) first, which keeps
-/// them valid. Integers are never rounded: what is not an integer is an error. Outer rings become
-/// counter-clockwise and holes clockwise, as CGAL wants them. The first point is not repeated.
-/// Rings and polygons without vertices are left out. Of a ring that crosses itself, the turn at its
-/// smallest vertex counts as its direction.
+/// Kernels with exact fractions, such as EPECK, get the exact numbers. Kernels with doubles or
+/// floats get the nearest ones. Rounding may make rings cross, so call `round` (round.hpp) first,
+/// which keeps them valid. Integers are never rounded: a coordinate that is not an integer is an
+/// error. Outer rings become counter-clockwise and holes clockwise, as CGAL wants them. The first
+/// point is not repeated. Rings and polygons without vertices are left out. The direction of a ring
+/// that crosses itself is that of the turn at its smallest vertex.
 ///
-/// O(n) for n vertices; a number of d digits that is no double takes O(d²). Throws Error: kBadInput
-/// where the region does not fit the type: two or more polygons for one, a hole for a Polygon_2, no
-/// polygon for a Polygon_with_holes_2 (empty, that is the whole plane), a number that is not an
-/// integer; it names the polygon. kLimitExceeded for a coordinate beyond the range of its type.
+/// O(n) for n vertices. A number of d digits that is not a double takes O(d²). Throws
+/// Error(kBadInput) with the polygon if the region does not fit the type: two or more polygons for
+/// one, a hole for a Polygon_2, a number that is not an integer. No polygon does not fit a
+/// Polygon_with_holes_2 either, as an empty one is the whole plane. Throws Error(kLimitExceeded)
+/// for a coordinate beyond the range of its type.
 template <class CgalGeometry>
 [[nodiscard]] CgalGeometry to_cgal(const Region& region) {
   if constexpr (detail::CgalPolygon<CgalGeometry>::kKnown) {

@@ -1,5 +1,6 @@
-// Regions from and to the paths of Clipper2: Paths64, PathsD, and every other vector of vectors of
-// points with members x and y. This header is optional and does not include Clipper2: include both.
+// Converts regions from and to the paths of Clipper2: Paths64, PathsD, and every other vector of
+// vectors of points with members x and y. This header is optional and does not include Clipper2:
+// include both.
 #pragma once
 
 #include <cstddef>
@@ -27,18 +28,18 @@ inline void require_scale(const Rational& scale) {
 }
 }  // namespace detail
 
-/// The region that paths mean by a fill rule, valid and canonical (see Region). All numbers are
-/// taken exactly, and crossings become rational points.
+/// Returns the region that paths mean by a fill rule, valid and canonical (see Region). All numbers
+/// are taken exactly, and crossings become rational points.
 ///
-/// Each path is closed: it may repeat its first point at the end or not. Its direction counts as
-/// the rule says. Paths without area, and empty ones, add nothing. Clipper's Z is not read. Where
-/// `scale` is given, a point of the paths is that of the region times `scale`, so coordinates are
-/// divided by it; it is that of `to_clipper`.
+/// Each path is closed, whether it repeats its first point at the end or not. Its direction counts
+/// as the rule says. Paths without area add nothing, and Clipper's Z is not read. `scale` is that
+/// of `to_clipper`: points of the paths are points of the region times `scale`, so coordinates are
+/// divided by it.
 ///
-/// O((n + c) log n) for n points and c places where edges meet, as `resolve`. Throws Error:
-/// kBadInput for NaN and infinity, where Culprit::polygon is the index of the path; for a scale
-/// that is not positive; and for kAutomatic and kStrict, as paths do not tell what is a hole.
-/// Whatever else `resolve` throws.
+/// O((n + c) log n) for n points and c places where edges meet, as `resolve`. Throws
+/// Error(kBadInput) for NaN and infinity, with the index of the path as Culprit::polygon; for a
+/// scale that is not positive; for kAutomatic and kStrict, as paths do not tell what is a hole.
+/// Otherwise throws as `resolve` does.
 template <class Paths>
 [[nodiscard]] Region from_clipper(const Paths& paths, FillRule fill, const Rational& scale = 1) {
   if (fill == FillRule::kAutomatic || fill == FillRule::kStrict) {
@@ -73,22 +74,23 @@ template <class Paths>
   return resolve(region, options).region;
 }
 
-/// The rings of a region as paths: `to_clipper<Clipper2Lib::Paths64>(region)`. Coordinates are
-/// multiplied by `scale`, exactly, before they are converted.
+/// Returns the rings of a region as paths: `to_clipper<Clipper2Lib::Paths64>(region)`. Coordinates
+/// are multiplied by `scale`, exactly, before they are converted.
 ///
-/// Integers are never rounded: if a coordinate times `scale` is not an integer, this throws. Choose
-/// a scale that makes all of them integers, or call `round` (round.hpp) first: what it rounds to k
-/// decimals is whole by the scale 10^k, and it stays valid. Doubles and floats are the nearest
-/// ones; they are exact if `round` made the region without decimals and there is no scale.
+/// Integers are never rounded: it is an error if a coordinate times `scale` is not an integer.
+/// Choose a scale that makes all of them integers, or call `round` (round.hpp) first. What `round`
+/// gives with k decimals becomes integers by the scale 10^k and stays valid. Doubles and floats are
+/// the nearest ones. They are exact if `round` made the region without decimals and there is no
+/// scale.
 ///
-/// Outer rings become counter-clockwise, holes clockwise, whatever they were, and the first point
-/// is not repeated. So for a valid region kEvenOdd, kNonZero and kPositive all mean that region.
-/// Nothing else is checked: of a region that is not valid, the paths mean what the rule makes of
-/// them. A ring without vertices becomes no path.
+/// Outer rings become counter-clockwise and holes clockwise, and the first point is not repeated.
+/// So for a valid region kEvenOdd, kNonZero and kPositive all mean that region. Nothing else is
+/// checked: paths of a region that is not valid mean what the rule makes of them. A ring without
+/// vertices gives no path.
 ///
-/// O(n) for n vertices. Throws Error: kBadInput that names polygon, ring and vertex of a coordinate
-/// that is not an integer, or for a scale that is not positive; kLimitExceeded that names them for
-/// one beyond the range of its type. Clipper2 itself takes integers up to a quarter of that range.
+/// O(n) for n vertices. Throws Error: kBadInput for a scale that is not positive; kBadInput for a
+/// coordinate that is not an integer, and kLimitExceeded for one beyond the range of its type, both
+/// with polygon, ring and vertex. Clipper2 itself takes integers up to a quarter of that range.
 template <class Paths>
 [[nodiscard]] Paths to_clipper(const Region& region, const Rational& scale = 1) {
   using Number = detail::PathNumber<Paths>;

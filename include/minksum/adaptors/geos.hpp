@@ -1,5 +1,6 @@
-// Geometries from and to GEOS, by its C interface. This header is optional: it is only for programs
-// that have GEOS (LGPL) themselves. The library minksum neither contains GEOS nor links it.
+// Converts geometries from and to GEOS by its C interface. This header is optional: it is only for
+// programs that have GEOS (LGPL) themselves. The library minksum neither contains GEOS nor links
+// it.
 #pragma once
 
 #include <geos_c.h>
@@ -21,10 +22,10 @@ namespace minksum::adaptors {
 /// Destroys a geometry of GEOS in its context, which must live longer.
 struct GeosDeleter {
   GEOSContextHandle_t context = nullptr;  ///< the context that made the geometry
-  /// Destroys it.
+  /// Destroys the geometry.
   void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
 };
-/// A geometry of GEOS with its owner. `release()` hands it over to GEOS.
+/// A geometry of GEOS and its owner. `release()` hands it over to GEOS.
 using GeosGeometry = std::unique_ptr<GEOSGeometry, GeosDeleter>;
 
 namespace detail {
@@ -105,7 +106,7 @@ class GeosReader {
       to_.points.push_back(exact(point, "point", to_.points.size(), Culprit::kNone));
     }
   }
-  /// Rational does not know where a number is from.
+  /// Adds the place to an error, as Rational does not know from where a number comes.
   static Point exact(const GeosPoint& point, const char* kind, std::size_t index,
                      std::size_t vertex) {
     try {
@@ -136,7 +137,7 @@ class GeosReader {
   Geometry to_;
 };
 
-/// Makes geometries; what it has made is destroyed if an error comes in between.
+/// Makes geometries, and destroys them if an error follows.
 class GeosWriter {
  public:
   explicit GeosWriter(GEOSContextHandle_t context) : context_(context) {}
@@ -171,7 +172,7 @@ class GeosWriter {
     if (geometry == nullptr) reject("GEOS refuses a geometry; its context has the message");
     return {geometry, GeosDeleter{context_}};
   }
-  /// To be given to a geometry at once, which owns it then.
+  /// Returns points that the caller gives to a geometry at once. That geometry owns them then.
   [[nodiscard]] GEOSCoordSequence* sequence(const std::vector<GeosPoint>& points) const {
     std::unique_ptr<GEOSCoordSequence, GeosSequenceDeleter> made(
         GEOSCoordSeq_create_r(context_, static_cast<unsigned>(points.size()), 2), {context_});
@@ -240,35 +241,37 @@ class GeosWriter {
 
 }  // namespace detail
 
-/// The geometry of a point, a line, a polygon, several of these, or a collection, vertex by vertex.
+/// Returns the geometry of a point, a line, a polygon, several of these, or a collection, vertex by
+/// vertex.
 ///
-/// Doubles are taken exactly; Z and M are not read. Rings of polygons lose the closing point and
-/// keep their orientation. Closed lines (LinearRing too) keep it. Collections may be nested; what
-/// they hold is one set, their union. Empty parts and empty holes are left out. Nothing else is
-/// checked: ask `validate`, or let the operations refuse or resolve what is not valid. The geometry
-/// of GEOS stays its owner's.
+/// Doubles are taken exactly, and Z and M are not read. Rings of polygons lose the closing point
+/// and keep their orientation. Closed lines, also a LinearRing, keep the closing point. Collections
+/// may be nested, and mean the union of what they hold. Empty parts and empty holes are left out.
+/// Nothing else is checked: ask `validate`, or let the operations refuse or resolve what is not
+/// valid. The geometry of GEOS still belongs to its owner.
 ///
-/// O(n) for n points. Throws Error(kBadInput): for NaN and infinity, which names polygon (of those
-/// with points), ring and vertex; for a polygon with holes and an empty outer ring; for a null
-/// pointer; for curves and other types that are not named here.
+/// O(n) for n points. Throws Error(kBadInput): for NaN and infinity, with polygon (among those with
+/// points), ring and vertex; for a polygon with holes and an empty outer ring; for a null pointer;
+/// for curves and other types that are not named here.
 [[nodiscard]] inline Geometry from_geos(GEOSContextHandle_t context, const GEOSGeometry* geometry) {
   detail::GeosReader reader(context);
   reader.read(geometry);
   return reader.take();
 }
 
-/// A geometry in GEOS: POLYGON or MULTIPOLYGON, LINESTRING or MULTILINESTRING, POINT or MULTIPOINT,
-/// or a GEOMETRYCOLLECTION of these where there are several kinds. Nothing is POLYGON EMPTY.
+/// Returns a geometry in GEOS: POLYGON or MULTIPOLYGON, LINESTRING or MULTILINESTRING, POINT or
+/// MULTIPOINT, or a GEOMETRYCOLLECTION of these if there are several kinds. An empty geometry is
+/// POLYGON EMPTY.
 ///
-/// Coordinates are the nearest doubles. Rounding may make rings cross: call `round` (round.hpp)
-/// first, which keeps them valid. Rings are closed; outer ones become counter-clockwise and holes
+/// Coordinates are the nearest doubles. Rounding may make rings cross, so call `round` (round.hpp)
+/// first, which keeps them valid. Rings are closed, outer ones counter-clockwise and holes
 /// clockwise. Rings and polygons without vertices are left out. A valid region gives a polygon that
-/// is valid to GEOS, unless rings of one polygon touch at several points, which is valid here.
+/// is valid in GEOS, with one exception: here, rings of one polygon may touch at several points.
 ///
 /// O(n) for n vertices. The context must live longer than the result. Throws Error: kBadInput for a
-/// ring of fewer than three vertices, which names polygon and ring, for a polyline of fewer than
-/// two, and where GEOS refuses (its context has the message); kLimitExceeded for a coordinate
-/// beyond the range of doubles.
+/// ring of fewer than three vertices, with polygon and ring; kBadInput for a polyline of fewer than
+/// two vertices, and where GEOS refuses, whose context then has the message; kLimitExceeded for a
+/// coordinate beyond the range of doubles.
 [[nodiscard]] inline GeosGeometry to_geos(GEOSContextHandle_t context, const Geometry& geometry) {
   return detail::GeosWriter(context).write(geometry);
 }

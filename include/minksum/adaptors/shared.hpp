@@ -1,5 +1,5 @@
-// What the adaptors share: numbers of other libraries, rings, and places for errors. It includes no
-// other library. Users include the adaptor of their library, not this.
+// Holds what the adaptors share: numbers of other libraries, rings, and places for errors. It
+// includes no other library. Users include the adaptor of their library instead.
 #pragma once
 
 #include <charconv>
@@ -21,17 +21,18 @@
 
 namespace minksum::adaptors {
 
-/// How the numbers of another library become exact numbers, and back. A user may specialise this
-/// for a number type of his own. Integers up to 64 bits, float and double do not need it.
+/// Says how numbers of another library become exact numbers, and back. Users may specialise it for
+/// a number type of their own. Integers of up to 64 bits, float and double do not need it.
 template <class Number>
 struct NumberTraits {
-  /// The same number. Throws Error if it is not finite.
+  /// Returns the same number. Throws Error(kBadInput) if it is not finite.
   static Rational to_rational(const Number& number) {
     static_assert(std::convertible_to<const Number&, Rational>,
                   "coordinates of this type have no exact conversion: specialise NumberTraits");
     return number;
   }
-  /// The same number, or the nearest if the type cannot hold it and its users expect that.
+  /// Returns the same number. A specialisation may return the nearest one if the type cannot hold
+  /// the number and its users expect that.
   static Number from_rational(const Rational& value) {
     static_assert(std::constructible_from<Number, const Rational&>,
                   "Rational does not convert to this type: specialise NumberTraits");
@@ -41,7 +42,7 @@ struct NumberTraits {
 
 namespace detail {
 
-// A long double, and an integer of more than 64 bits, would be cut short in silence.
+// Others are refused: a long double, and an integer of more than 64 bits, would silently lose bits.
 template <class Number>
 inline constexpr bool kIsPlainNumber = std::is_same_v<Number, float> ||
                                        std::is_same_v<Number, double> ||
@@ -81,7 +82,7 @@ void add_ring(Region& region, Iterator first, Iterator last, const X& x_of, cons
   throw Error(ErrorCode::kBadInput, message, place);
 }
 
-/// For messages: "polygon 0, ring 1, vertex 2".
+/// Returns a place as messages have it: "polygon 0, ring 1, vertex 2".
 inline std::string to_string(const Culprit& place) {
   std::string text;
   const auto append = [&text](const char* what, std::size_t index) {
@@ -106,7 +107,7 @@ inline double nearest_double(const Rational& value, const Culprit& place) {
   return nearest;
 }
 
-/// Rounded once, not first to a double and then to a float.
+/// Returns the nearest float. Rounding first to a double and then to a float would round twice.
 inline float nearest_float(const Rational& value, const Culprit& place) {
   const double near = nearest_double(value, place);
   const auto nearest = static_cast<float>(near);
@@ -136,8 +137,9 @@ Integer exact_integer(const Rational& value, const Culprit& place) {
   return integer;
 }
 
-/// Doubles and floats: the nearest. Integers: the same number, or Error(kBadInput). Others: what
-/// NumberTraits says. Throws Error(kLimitExceeded) beyond the range of a type.
+/// Converts a number to the nearest double or float, to the same integer, or as NumberTraits says.
+/// Throws Error: kBadInput for a number that is not an integer, where the type has integers;
+/// kLimitExceeded beyond the range of a type.
 template <class Number>
 Number from_rational(const Rational& value, const Culprit& place) {
   if constexpr (std::is_same_v<Number, double>) {
@@ -152,9 +154,9 @@ Number from_rational(const Rational& value, const Culprit& place) {
   }
 }
 
-/// Lexicographically, exactly.
+/// Compares two vertices lexicographically and exactly.
 inline bool comes_before(const Region& region, std::size_t a, std::size_t b) {
-  // Rounding keeps the order, so that exact numbers are made only where doubles are equal.
+  // Rounding keeps the order, so exact numbers are made only where doubles are equal.
   if (region.x(a) != region.x(b)) return region.x(a) < region.x(b);
   const Rational ax = region.exact_x(a);
   const Rational bx = region.exact_x(b);
@@ -163,8 +165,8 @@ inline bool comes_before(const Region& region, std::size_t a, std::size_t b) {
   return region.exact_y(a) < region.exact_y(b);
 }
 
-/// Which way a ring goes around: 1 = counter-clockwise, -1 = clockwise, 0 = it has no turn at its
-/// smallest vertex. That vertex tells the direction of every simple ring. O(n).
+/// Returns the direction of a ring: 1 = counter-clockwise, -1 = clockwise, 0 = there is no turn at
+/// its smallest vertex. That vertex tells the direction of every simple ring. O(n).
 inline int direction(const Region& region, std::size_t ring) {
   const IndexRange vertices = region.vertices_of(ring);
   const std::size_t n = vertices.size();
@@ -174,7 +176,7 @@ inline int direction(const Region& region, std::size_t ring) {
     if (comes_before(region, vertices.front() + i, vertices.front() + smallest)) smallest = i;
   }
   const Point at = region.point(vertices.front() + smallest);
-  // The nearest vertex that differs, `step` by `step` along the ring.
+  // This finds the nearest vertex that differs, `step` by `step` along the ring.
   const auto neighbour = [&](std::size_t step) {
     std::size_t i = smallest;
     Point found = at;
@@ -190,7 +192,7 @@ inline int direction(const Region& region, std::size_t ring) {
   return turn.sign();
 }
 
-/// The vertices of a ring from its first one on, in the direction that is asked for: 1 =
+/// Returns the vertices of a ring from its first one on, in the `wanted` direction: 1 =
 /// counter-clockwise, -1 = clockwise. A ring without a direction stays as it is.
 inline std::vector<std::size_t> directed(const Region& region, std::size_t ring, int wanted) {
   const IndexRange vertices = region.vertices_of(ring);
@@ -203,8 +205,8 @@ inline std::vector<std::size_t> directed(const Region& region, std::size_t ring,
   return order;
 }
 
-/// Calls `use(x, y)` for the vertices of a ring, as Numbers, in the direction that is asked for.
-/// They are multiplied by `scale`, if there is one, before they are converted.
+/// Calls `use(x, y)` for the vertices of a ring, as Numbers and in the `wanted` direction.
+/// Coordinates are multiplied by `scale`, unless it is null, before they are converted.
 template <class Number, class Use>
 void for_each_vertex(const Region& region, Culprit place, int wanted, const Rational* scale,
                      const Use& use) {
@@ -228,7 +230,7 @@ void for_each_vertex(const Region& region, Culprit place, int wanted, const Rati
   }
 }
 
-/// The place of a ring.
+/// Returns the place of a ring.
 inline Culprit place_of(std::size_t polygon, std::size_t ring) {
   Culprit place;
   place.polygon = polygon;
@@ -236,7 +238,7 @@ inline Culprit place_of(std::size_t polygon, std::size_t ring) {
   return place;
 }
 
-/// The polygons that have vertices.
+/// Returns the polygons that have vertices.
 inline std::vector<std::size_t> polygons_of(const Region& region) {
   std::vector<std::size_t> found;
   for (const std::size_t polygon : region.polygons()) {
@@ -249,7 +251,7 @@ inline std::vector<std::size_t> polygons_of(const Region& region) {
   return found;
 }
 
-/// The one polygon with vertices, or nothing. Throws Error(kBadInput) that names the second.
+/// Returns the only polygon with vertices, or nothing. Throws Error(kBadInput) with the second one.
 inline std::optional<std::size_t> only_polygon(const Region& region, const char* type) {
   const std::vector<std::size_t> polygons = polygons_of(region);
   if (polygons.empty()) return std::nullopt;
@@ -261,15 +263,15 @@ inline std::optional<std::size_t> only_polygon(const Region& region, const char*
   return polygons[0];
 }
 
-/// Throws Error(kBadInput) for a polygon that has holes, and an outer ring without points.
+/// Throws Error(kBadInput) for a polygon that has holes and an outer ring without points.
 [[noreturn]] inline void reject_holes_alone(std::size_t polygon) {
   reject(
       "a polygon has holes, but its outer ring has no points: polygon " + std::to_string(polygon),
       place_of(polygon, 0));
 }
 
-/// The rings of a polygon that have vertices, the outer one first. Throws Error(kBadInput) if that
-/// one has none.
+/// Returns the rings of a polygon that have vertices, the outer one first. Throws Error(kBadInput)
+/// if the outer ring has none.
 inline std::vector<Culprit> rings_of(const Region& region, std::size_t polygon) {
   std::vector<Culprit> rings;
   std::size_t index = 0;

@@ -1,4 +1,4 @@
-// The memory of regions; no part of the interface.
+// Holds the memory of regions. This is no part of the interface.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace minksum::detail {
 
-/// Growing arrays of plain values in one block of memory, which copies share until one of them is
-/// changed. Different threads may use different copies.
+/// Growing arrays of plain values in one block of memory. Copies share the block until one of them
+/// is changed. Different threads may use different copies.
 template <class... Values>
 class SharedArrays {
  public:
   static constexpr std::size_t kArrays = sizeof...(Values);
-  /// By array.
+  /// One number for each array.
   using Counts = std::array<std::size_t, kArrays>;
   template <std::size_t kArray>
   using Value = std::tuple_element_t<kArray, std::tuple<Values...>>;
@@ -36,7 +36,7 @@ class SharedArrays {
     std::swap(block_, copy.block_);
     return *this;
   }
-  /// Nothing is left of what is moved, even if it is moved to itself.
+  /// Leaves `from` empty, even if it is moved to itself.
   SharedArrays& operator=(SharedArrays&& from) noexcept {
     SharedArrays taken(std::move(from));
     if (&from != this) std::swap(block_, taken.block_);
@@ -57,12 +57,13 @@ class SharedArrays {
     return data<kArray>()[index];
   }
 
-  /// For a change of a value, if no copy shares it.
+  /// Returns a value to be changed, of which no copy may share the block.
   template <std::size_t kArray>
   [[nodiscard]] Value<kArray>& unshared(std::size_t index) {
     return data<kArray>()[index];
   }
-  /// For changes of values, shared or not. Valid until the next call of what changes a size.
+  /// Returns values to be changed, and first copies the block if it is shared. The span is valid
+  /// until the next call that changes a size.
   template <std::size_t kArray>
   [[nodiscard]] std::span<Value<kArray>> change() {
     if (block_ != nullptr && !is_only_owner()) reallocate(block_->sizes);
@@ -84,14 +85,14 @@ class SharedArrays {
     std::copy(values.begin(), values.end(), data<kArray>() + count);
     block_->sizes[kArray] = count + values.size();
   }
-  /// New values are to be set.
+  /// Changes a size. The caller sets new values.
   template <std::size_t kArray>
   void resize(std::size_t count) {
     if (count == size<kArray>()) return;
     make_room<kArray>(count);
     block_->sizes[kArray] = count;
   }
-  /// Makes exactly the room that is missing.
+  /// Makes room for exactly so many values, or for those that are there if they are more.
   void reserve(const Counts& counts) {
     Counts room = counts;
     bool enough = block_ != nullptr && is_only_owner();
@@ -101,7 +102,7 @@ class SharedArrays {
     }
     if (!enough) reallocate(room);
   }
-  /// Memory that is not shared is kept.
+  /// Removes all values. The memory is kept unless it is shared.
   void clear() {
     if (block_ == nullptr) return;
     if (is_only_owner()) {
@@ -123,7 +124,7 @@ class SharedArrays {
   static_assert(((alignof(Values) <= alignof(Block)) && ...));
   static_assert(alignof(Block) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-  /// One array follows the other.
+  /// Returns where an array begins: the arrays follow each other.
   [[nodiscard]] static constexpr std::size_t bytes_before(std::size_t array, const Counts& room) {
     constexpr std::size_t kAligned = alignof(Block);
     std::size_t bytes = sizeof(Block);
@@ -159,8 +160,8 @@ class SharedArrays {
     Counts room{};
     if (block_ != nullptr) room = changeable ? block_->capacities : block_->sizes;
     if (count > room[array]) {
-      // In proportion to all that has to be copied: so a short array beside a long one may grow by
-      // one value at a time.
+      // Every array grows in proportion to the whole block, which has to be copied. Otherwise a
+      // short array beside a long one might grow by one value at a time.
       constexpr std::size_t kLeast = 4;
       const std::size_t share = bytes_before(kArrays, room) / 8 / kBytes[array];
       room[array] = std::max({count, 2 * room[array], share, kLeast});

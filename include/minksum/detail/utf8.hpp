@@ -1,4 +1,4 @@
-// What a character is in UTF-8; no part of the interface.
+// Recognizes characters in UTF-8. This is no part of the interface.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,9 @@
 
 namespace minksum::detail {
 
-/// How many bytes the well-formed character has that the text begins with; 0 if it begins with none
-/// (Unicode, table 3-7: no overlong forms, no surrogates, nothing above U+10FFFF).
+/// Returns the length in bytes of the well-formed character with which the text begins; 0 if there
+/// is none. Overlong forms, surrogates and codes above U+10FFFF are not well-formed (Unicode, table
+/// 3-7).
 [[nodiscard]] constexpr std::size_t utf8_length(std::string_view text) {
   const auto byte = [text](std::size_t i) -> unsigned {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;

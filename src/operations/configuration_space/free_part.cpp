@@ -14,18 +14,18 @@ Point along(const Point& a, const Point& b, const Rational& t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
 }
 
-/// A segment's line in doubles: on which side points are, where rounding leaves no doubt.
+/// A segment's line in doubles. It tells on which side points are, where rounding leaves no doubt.
 ///
-/// With M the largest coordinate and R the largest difference, coordinates are off by 2^-53·M,
-/// differences by less than 2^-51·M, as R ≤ 2M, and the determinant by less than 4·R·2^-51·M and
-/// its own roundings, 2^-51·R²: together less than 2^-47·M·R.
+/// Let M be the largest coordinate and R the largest difference. Coordinates are off by 2^-53·M,
+/// and differences by less than 2^-51·M, as R ≤ 2M. The determinant is off by less than
+/// 4·R·2^-51·M, and by its own roundings of 2^-51·R². Together these are less than 2^-47·M·R.
 class Line {
  public:
   Line(double ax, double ay, double bx, double by, double magnitude)
       : x_(ax), y_(ay), dx_(bx - ax), dy_(by - ay),
         magnitude_(std::max({magnitude, std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)})) {
   }
-  /// 1 left, -1 right, 0 not known.
+  /// Returns 1 = left, -1 = right, 0 = not known.
   [[nodiscard]] int side(double x, double y) const {
     const double vx = x - x_;
     const double vy = y - y_;
@@ -139,8 +139,8 @@ std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* 
       *crosses = other.side(ends.ax, ends.ay) * other.side(ends.bx, ends.by) < 0;
       if (*crosses) return found;
     }
-    // Of an edge that has one end off the line, the other end is the only hit, if it is at an end
-    // of the segment: no need for long numbers.
+    // If one end of an edge is off the line, the other end is the only possible hit. Where it is an
+    // end of the segment, no long numbers are needed.
     if ((from == 0) != (to == 0)) {
       const std::uint32_t v = from == 0 ? edge : end;
       if (is_at(v, a, ends.ax, ends.ay)) {
@@ -165,7 +165,7 @@ std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* 
 bool FreePart::meets(const Point& a, const Point& b, Location open_side,
                      Cancellation& cancellation) const {
   if (a == b) return locate(a) == open_side;
-  // Between two hits the segment is inside or outside; hits themselves are on the boundary.
+  // Between two hits the segment is wholly inside or outside. Hits are on the boundary.
   const Rational half(1, 2);
   Rational last;
   const auto found_up_to = [&](const Rational& t) {
@@ -175,7 +175,7 @@ bool FreePart::meets(const Point& a, const Point& b, Location open_side,
     last = t;
     return is_there;
   };
-  // An edge that is crossed has the inside on one of its sides, the outside on the other.
+  // A crossed edge has the inside on one of its sides and the outside on the other.
   bool crosses = false;
   const std::vector<Hit> found = hits(a, b, &crosses, cancellation);
   if (crosses) return true;
@@ -185,7 +185,7 @@ bool FreePart::meets(const Point& a, const Point& b, Location open_side,
   return found_up_to(Rational(1));
 }
 
-/// Whether a point is on the side of a ring that is not free: outside of the outer one, in a hole.
+/// Tells whether a point is on the side of a ring that is not free: outside of it, or in a hole.
 bool FreePart::is_beyond(std::uint32_t ring, const Point& point, const Options& options) const {
   const Polygon alone{Ring(points_.begin() + ring_begin_[ring],
                            points_.begin() + ring_begin_[ring + 1]), {}};
@@ -250,7 +250,7 @@ std::vector<Point> FreePart::walk(const Point& a, const Point& b,
   while (i < found.size()) {
     const Hit& hit = found[i];
     cancellation.check(64 * work_of_product(hit.t.bits()));
-    std::size_t after = i;  // the next hit that is farther on
+    std::size_t after = i;  // the next hit that lies farther on
     while (after < found.size() && found[after].t == hit.t) ++after;
     const Rational end = after < found.size() ? found[after].t : Rational(1);
     const Point middle = along(a, b, (hit.t + end) * half);
@@ -258,8 +258,8 @@ std::vector<Point> FreePart::walk(const Point& a, const Point& b,
       i = after;
       continue;
     }
-    // The ring by which the segment leaves, and where it meets that for the last time: from there
-    // on it is on that ring's free side, so that each ring is gone around once at most.
+    // This finds the ring by which the segment leaves, and the last hit with it. From there on the
+    // segment is on the ring's free side, so each ring is gone around once at most.
     while (i < after && !is_beyond(ring_of_[found[i].edge], middle, cancellation.options())) {
       ++i;
     }
@@ -312,7 +312,7 @@ std::vector<Point> FreePart::shortened(const std::vector<Point>& path,
 std::vector<Point> FreePart::way(const Point& a, const Point& b, Cancellation& cancellation) const {
   if (a == b) return {a};
   std::vector<Point> path = walk(a, b, cancellation);
-  // Once from each end: a corner that is skipped from one side may be in the way of the other.
+  // Each end is the start once: a corner skipped from one side may be in the way of the other.
   for (int i = 0; i < 2; ++i) {
     path = shortened(path, cancellation);
     std::reverse(path.begin(), path.end());

@@ -1,4 +1,5 @@
-// A part of free space: one polygon, asked where points and segments lie, and for ways within it.
+// Declares a part of free space: one polygon that tells where points and segments lie, and finds
+// ways within it.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace minksum {
 
-/// A box of doubles that surely contains points with these coordinates rounded.
+/// A box of doubles that certainly contains the points whose rounded coordinates it is made from.
 struct LooseBox {
   double min_x, min_y, max_x, max_y;
   static LooseBox around(double ax, double ay, double bx, double by);
@@ -36,29 +37,30 @@ class FreePart {
     return locate(point) != Location::kOutside;
   }
 
-  /// Whether some point of the closed segment is inside (kInside), or outside (kOutside). O(n) and
-  /// what log n it takes for its hits.
+  /// Tells whether some point of the closed segment is inside (kInside) or outside (kOutside).
+  /// O(n), and O(log² n) for each hit.
   [[nodiscard]] bool meets(const Point& a, const Point& b, Location open_side,
                            Cancellation& cancellation) const;
-  /// Whether the closed segment is in the closed polygon.
+  /// Tells whether the closed segment lies in the closed polygon.
   [[nodiscard]] bool sees(const Point& a, const Point& b, Cancellation& cancellation) const {
     return !meets(a, b, Location::kOutside, cancellation);
   }
 
-  /// A path in the closed polygon between two of its points, both included: straight, and around
-  /// what is in the way along its boundary; then shortened where corners see each other.
+  /// Returns a path in the closed polygon between two of its points, which are included. It goes
+  /// straight and, along the boundary, around what is in the way. Then it is shortened where
+  /// corners see each other.
   [[nodiscard]] std::vector<Point> way(const Point& a, const Point& b,
                                        Cancellation& cancellation) const;
 
  private:
-  /// Where a segment from a to b meets an edge: a + t(b − a), on the edge that starts at `edge`.
+  /// A point a + t(b − a) at which a segment from a to b meets the edge that starts at `edge`.
   struct Hit {
     Rational t;
     std::uint32_t edge;
   };
-  /// All of them, by t; where an edge runs along the segment, both ends of what they share. If
-  /// `crosses` is given, it is set, and the list is left as it is then, as soon as an edge is found
-  /// that certainly crosses the segment at a point inside of both.
+  /// Returns all hits by t. An edge that runs along the segment has two: the ends of what both
+  /// share. If `crosses` is given, it is set as soon as an edge certainly crosses the segment at a
+  /// point inside both. The list is incomplete then.
   [[nodiscard]] std::vector<Hit> hits(const Point& a, const Point& b, bool* crosses,
                                       Cancellation& cancellation) const;
   void add_hits(std::uint32_t edge, const Point& a, const Point& d, std::vector<Hit>& found) const;
@@ -76,17 +78,18 @@ class FreePart {
   Region region_;
   PointLocator locator_;
   std::vector<Point> points_;
-  std::vector<double> x_;  ///< the points' nearest doubles
+  std::vector<double> x_;  ///< x of the points, as the nearest doubles
   std::vector<double> y_;
   double magnitude_ = 0;
   std::vector<LooseBox> edge_boxes_;
-  std::vector<std::uint32_t> ring_begin_;  ///< and one more: the end
-  std::vector<std::uint32_t> ring_of_;     ///< by vertex
+  std::vector<std::uint32_t> ring_begin_;  ///< by ring: its first vertex; at last the end
+  std::vector<std::uint32_t> ring_of_;     ///< by vertex: its ring
   LooseBox box_{};
 };
 
-/// A point strictly inside of a region with area; exact, and as far from the boundary as a look at
-/// a few of them tells, near a way from `from` to `to`. Coordinates are short where there is room.
+/// Returns a point strictly inside a region that has area, exactly. It is taken near a way from
+/// `from` to `to`, as far from the boundary as a look at a few candidates tells. Coordinates are
+/// short where there is room.
 [[nodiscard]] Point point_within(const Region& region, const Point& from, const Point& to,
                                  const Options& options);
 

@@ -1,4 +1,4 @@
-// A point inside of a region, well away from its boundary.
+// Finds a point inside a region, well away from its boundary.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,7 +8,7 @@
 namespace minksum {
 namespace {
 
-constexpr int kGrid = 24;  ///< points to look at, along each axis
+constexpr int kGrid = 24;  ///< points to look at along each axis
 
 struct Edge {
   double ax, ay, bx, by;
@@ -45,7 +45,7 @@ double squared_distance(const Edge& edge, double x, double y) {
   return px * px + py * py;
 }
 
-/// About how far inside a point is; 0 outside.
+/// Returns about how far inside a point is, and 0 outside.
 double clearance(const std::vector<Edge>& edges, double x, double y) {
   bool inside = false;
   double nearest = HUGE_VAL;
@@ -58,14 +58,14 @@ double clearance(const std::vector<Edge>& edges, double x, double y) {
   return inside ? std::sqrt(nearest) : 0;
 }
 
-/// A candidate, and what speaks against it: smaller is better.
+/// A candidate, and its cost: smaller is better.
 struct Candidate {
   double cost;
   double x, y;
 };
 
-/// Points of a grid in the box that seem to be inside, with few bits, the best first. Far from the
-/// boundary is good, up to a part of the box; so is a short way.
+/// Returns points of a grid in the box that seem to be inside, with few bits, the best first. It is
+/// good to be far from the boundary, up to a part of the box, and to be on a short way.
 std::vector<Candidate> candidates(const Region& region, const Point& from, const Point& to,
                                   const Options& options) {
   Cancellation cancellation(options, Stage::kSearch);
@@ -78,7 +78,7 @@ std::vector<Candidate> candidates(const Region& region, const Point& from, const
   const double size = std::max(width, height);
   if (!(size > 0) || !std::isfinite(size)) return found;
   const std::vector<Edge> edges = edges_of(region, cancellation);
-  // A power of two that is fine enough for the shorter side; underflow makes it 0.
+  // The step is a power of two that is fine enough for the shorter side. Underflow makes it 0.
   const double step = std::ldexp(1.0, std::ilogb(std::min(width, height) / kGrid) - 3);
   if (!(step > 0)) return found;
   const auto cost = [&](double x, double y, double room) {
@@ -101,8 +101,8 @@ std::vector<Candidate> candidates(const Region& region, const Point& from, const
   return found;
 }
 
-/// A height that no vertex of a polygon has, in the middle of the largest gap between heights of its
-/// vertices. A level line there crosses it: it is connected.
+/// Returns a height that no vertex of a polygon has: the middle of the largest gap between heights
+/// of its vertices. A level line there crosses the polygon, which is connected.
 Rational height_between(const Region& region, std::size_t polygon, Cancellation& cancellation) {
   std::vector<Rational> heights;
   for (const std::size_t ring : region.rings_of(polygon)) {
@@ -121,7 +121,7 @@ Rational height_between(const Region& region, std::size_t polygon, Cancellation&
   return (heights[best] + heights[best - 1]) * Rational(1, 2);
 }
 
-/// In the first polygon, between two edges that a level line crosses away from all its vertices.
+/// Returns a point of the first polygon, in the middle between two edges that a level line crosses.
 Point exact_point(const Region& region, const Options& options) {
   Cancellation cancellation(options, Stage::kSearch);
   const std::size_t polygon = region.polygons().front();

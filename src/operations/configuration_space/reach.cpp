@@ -1,5 +1,4 @@
-// The graph of free parts of neighbouring slices, a path through it, and the moves
-// within its parts.
+// Searches a path through the graph of free parts of neighbouring slices.
 #include "minksum/reach.hpp"
 
 #include <algorithm>
@@ -20,20 +19,20 @@ bool before(const Turn& a, const Turn& b) {
   return a.quarters != b.quarters ? a.quarters < b.quarters : a.tan_half < b.tan_half;
 }
 
-/// All slices' turns, counter-clockwise from 0, none twice.
+/// Returns the turns of all slices, counter-clockwise from 0, none twice.
 std::vector<Turn> turns_of(const Turn& from, const Turn& to, const ReachOptions& setting) {
   std::vector<Turn> turns{from, to};
   const std::vector<Turn> even = full_turn(setting.angles, setting.tolerance);
   turns.insert(turns.end(), even.begin(), even.end());
-  // Of equal ones an end's comes first, and stays.
+  // Among equal turns an end's comes first, and stays.
   std::stable_sort(turns.begin(), turns.end(), before);
   const auto same = [](const Turn& a, const Turn& b) { return a.same_as(b); };
   turns.erase(std::unique(turns.begin(), turns.end(), same), turns.end());
   return turns;
 }
 
-/// The tangent of half the angle from one turn to another, counter-clockwise; nothing
-/// for half a turn.
+/// Returns the tangent of half the angle from one turn counter-clockwise to another, or nothing for
+/// half a turn.
 std::optional<Rational> half_step(const Turn& from, const Turn& to) {
   const Point a = from.direction();
   const Point b = to.direction();
@@ -42,9 +41,9 @@ std::optional<Rational> half_step(const Turn& from, const Turn& to) {
   return cross(a, b) / below;
 }
 
-/// How much a robot of this reach is to be grown, see `reach`.
+/// Returns by how much a robot of this radius must be grown, see `reach`.
 Rational margin_of(const std::vector<Turn>& turns, const Rational& reach, double off) {
-  // A degree is less than 0.01746, and tan x < 1.001 x up to a degree.
+  // A degree is less than 0.01746 radians, and tan x < 1.001 x for x up to a degree.
   Rational largest(off * 0.0176);
   for (std::size_t i = 0; i < turns.size() && turns.size() > 1; ++i) {
     const auto half = half_step(turns[i], turns[(i + 1) % turns.size()]);
@@ -57,8 +56,8 @@ Rational margin_of(const std::vector<Turn>& turns, const Rational& reach, double
   return reach * largest;
 }
 
-/// An octagon that contains the disc: a corner is cut along a line that is 17/12 > √2 radii away,
-/// in the sum of coordinates.
+/// Returns an octagon that contains the disc. It cuts each corner of a square along a line |x| +
+/// |y| = 17/12 r, which is more than √2 r.
 Region octagon(const Rational& radius) {
   const Rational& r = radius;
   const Rational s = radius * Rational(5, 12);
@@ -70,7 +69,7 @@ Region octagon(const Rational& radius) {
 struct FreeParts {
   Turn turn;
   std::vector<FreePart> parts;
-  std::vector<Point> samples;  ///< one strictly inside of each
+  std::vector<Point> samples;  ///< a point strictly inside each part
 };
 
 FreeParts parts_of(const Slice& slice, const Options& options) {
@@ -95,7 +94,7 @@ double length_of(const std::vector<Point>& way) {
   return length;
 }
 
-/// Search and path in the parts of all slices.
+/// Searches the parts of all slices, and makes the path.
 class Planner {
  public:
   Planner(std::vector<FreeParts> slices, const Configuration& from, const Configuration& to,
@@ -121,9 +120,9 @@ class Planner {
     throw Error(ErrorCode::kInternal, "a turn has no slice", {}, "reach");
   }
 
-  /// The path; empty if there is none.
+  /// Returns the path; empty if there is none.
   std::vector<Waypoint> find(std::size_t first, std::size_t last) {
-    // It is there, even with no play.
+    // The robot is there already, even if it has no play.
     if (first == last && from_.at == to_.at) return {{from_.at, slices_[first].turn}};
     for (std::size_t p = 0; p < slices_[first].parts.size(); ++p) {
       if (slices_[first].parts[p].contains(from_.at)) {
@@ -143,18 +142,18 @@ class Planner {
   }
 
  private:
-  /// How a part may be entered: from another one by a turn, or at the start. `slice` is kNone for
-  /// the last step, to the goal.
+  /// A way to enter a part: from another part by a turn, or at the start. `slice` is kNone for the
+  /// last step, which leads to the goal.
   struct Step {
-    /// Of the way up to the turn, and of the turn; a lower bound while that is not known.
+    /// The cost of the way up to the turn and of the turn; a lower bound unless the way is known.
     double cost;
-    std::size_t parent;  ///< in done_
+    std::size_t parent;  ///< index of the step before, in done_
     std::size_t slice;
     std::size_t part;
-    bool known;               ///< whether the way is
-    Point at;                 ///< where it turns
-    std::vector<Point> way;   ///< in the parent's part, to `at`
-    std::size_t number = 0;   ///< of equal costs the first offered is taken
+    bool known;               ///< whether the way is known
+    Point at;                 ///< where the robot turns
+    std::vector<Point> way;   ///< the way in the parent's part, to `at`
+    std::size_t number = 0;   ///< the order of offers: the first of equal costs is taken
   };
   static bool later(const Step& a, const Step& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.number > b.number;
@@ -169,8 +168,8 @@ class Planner {
     std::push_heap(open_.begin(), open_.end(), later);
   }
 
-  /// Looks whether and where the robot can turn. If it has to go somewhere for that, the step is
-  /// offered again with its cost; false then, and if it cannot.
+  /// Finds out whether and where the robot can turn. Returns false if it cannot, or if it must
+  /// first go somewhere. In that case the step is offered again with its cost.
   bool make_known(Step& step) {
     const Step& from = done_[step.parent];
     const FreePart& here = part(from);
@@ -211,7 +210,7 @@ class Planner {
     }
   }
 
-  /// Whether the insides meet.
+  /// Tells whether the interiors meet.
   [[nodiscard]] bool joined(const Step& a, const Step& b) const {
     const FreePart& first = part(a);
     const FreePart& second = part(b);
@@ -233,7 +232,7 @@ class Planner {
     }
     return path;
   }
-  /// Moves within a part, each of which is once more seen to be there.
+  /// Appends moves within a part, after one more test that each of them lies there.
   void append(const FreePart& within, const std::vector<Point>& way, std::vector<Waypoint>& path) {
     const Turn turn = path.back().turn;
     for (std::size_t i = 1; i < way.size(); ++i) {
@@ -256,7 +255,7 @@ class Planner {
   std::size_t offered_ = 0;
 };
 
-/// Throws if the robot is not free at one of both ends (3 or 4).
+/// Throws if the robot is not free at an end (operand 3 or 4).
 void require_free(const ConfigurationSpace& space, const Configuration& end, const Turn& turn,
                   const ReachOptions& setting, const Options& options, int operand) {
   const Region placed =

@@ -1,4 +1,4 @@
-// Configuration-space obstacles and free space, one slice a turn.
+// Makes configuration-space obstacles and free space, slice by slice.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,11 +19,11 @@ namespace minksum {
 struct ConfigurationSpace::State {
   ConfigurationOptions setting;
   Options options;
-  Region robot;           ///< its reference point at the origin
+  Region robot;           ///< with its reference point at the origin
   Rational radius;
   Geometry obstacles;
   Region workspace;
-  Geometry forbidden;                 ///< obstacles, and what is outside of the workspace
+  Geometry forbidden;                 ///< obstacles, and the outside of the workspace
   PreparedRegion prepared{Region()};  ///< the area of `forbidden`
 };
 
@@ -35,7 +35,7 @@ namespace {
   throw Error(ErrorCode::kBadInput, what, culprit);
 }
 
-/// A rational that is not below the largest distance from the origin.
+/// Returns an upper bound on the distances from the origin.
 Rational radius_of(const Region& robot, const Options& options) {
   Cancellation cancellation(options, Stage::kSearch);
   Rational squared;
@@ -78,7 +78,7 @@ Box widened(const Box& box, const Rational& by) {
   return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
 }
 
-/// −R(turn).
+/// Returns −R(turn).
 Region turned_mirror(const Region& robot, const Turn& turn, const Options& options) {
   return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()), options);
 }
@@ -88,7 +88,7 @@ Region as_region(const Box& box) {
       {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
 }
 
-/// `shared` is for these obstacles, or null.
+/// Makes one slice. `shared` is for these obstacles, or null.
 Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, const Turn& turn,
                  const SharedRaster* shared, bool with_free, const Options& options,
                  Workspace& workspace) {
@@ -122,13 +122,13 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
   State state;
   state.setting = setting;
   state.options = options;
-  state.options.memory = nullptr;  // slices may be made by many threads
+  state.options.memory = nullptr;  // many threads may make slices
   const Point& reference = setting.reference;
   state.robot = transform(resolve_area(robot, 0, options).region,
                           Affine::translation(-reference.x, -reference.y), options);
   if (state.robot.empty()) refuse("a robot needs an area", 0);
   state.obstacles = resolve(obstacles, options, 1);
-  // minkowski_sum finds those between areas only, and none may be missing.
+  // minkowski_sum finds only tight places between areas, and none may be missing.
   if (options.tight.value_or(false) && state.obstacles.has_thin_parts()) {
     refuse("places without play among obstacles with thin parts are not known", 1);
   }
@@ -144,8 +144,9 @@ void ConfigurationSpace::set_up(State state) {
   state.radius = radius_of(state.robot, options);
   state.forbidden = state.obstacles;
   if (state.setting.workspace) {
-    // A robot inside the workspace has its reference point in the boundary, and one that has it
-    // there is within twice the radius of the box: the frame's outer side is never seen.
+    // If the robot is inside the workspace, its reference point is in the boundary. A robot with
+    // its reference point there lies in the box widened by twice the radius. So the frame's outer
+    // side is never seen.
     boundary_ = widened(*bounding_box(state.workspace, options), state.radius);
     const Region frame = as_region(widened(boundary_, state.radius * Rational(2)));
     const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, options), {}, {}}};
@@ -211,7 +212,7 @@ void ConfigurationSpace::for_each_slice(
     std::span<const Turn> turns, bool with_free,
     const std::function<void(std::size_t, Slice&)>& finish,
     const std::function<void(std::size_t, Slice&)>& visit) const {
-  // For few slices it would take longer than it saves.
+  // For fewer slices, sharing would take longer than it saves.
   constexpr std::size_t kManySlices = 8;
   std::optional<SharedRaster> shared;
   if (turns.size() >= kManySlices && !state_->forbidden.region.empty() &&

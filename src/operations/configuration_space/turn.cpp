@@ -1,4 +1,4 @@
-// Angles to rational points of the unit circle.
+// Turns angles into rational points of the unit circle.
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -9,10 +9,10 @@ namespace minksum {
 namespace {
 
 constexpr double kMostDegrees = 1e6;
-/// More than doubles below lose: they hold up to 90 degrees, each step of which is below 2e-14.
+/// Exceeds the rounding errors below: doubles up to 90 have steps below 2e-14.
 constexpr double kRounding = 1e-12;
 
-/// The fraction with the smallest denominator in [low, high], 0 ≤ low < high; up to rounding.
+/// Returns the fraction of smallest denominator in [low, high], 0 ≤ low < high, up to rounding.
 std::pair<std::int64_t, std::int64_t> simplest_between(double low, double high) {
   const double whole = std::floor(low);
   const auto integer = static_cast<std::int64_t>(whole);
@@ -24,9 +24,9 @@ std::pair<std::int64_t, std::int64_t> simplest_between(double low, double high) 
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
-/// A rest of more than 0 and less than 90 degrees.
+/// Sets the turn for a rest of more than 0 and less than 90 degrees.
 void approximate(double rest, double tolerance, Turn& turn) {
-  // Rounding may put the fraction a hair beyond the ends: then a little closer.
+  // Rounding may put the fraction just beyond the ends. Then a closer one is tried.
   for (double within = tolerance - kRounding; within > tolerance / 16; within /= 2) {
     const double low = rest > within ? std::tan(radians(rest - within) / 2) : 0;
     const double high = std::tan(radians(rest + within) / 2);
@@ -75,7 +75,7 @@ Turn nearest_turn(const Rational& degrees, double tolerance) {
 
 std::vector<Turn> full_turn(std::size_t n, double tolerance) {
   if (n == 0) throw Error(ErrorCode::kBadInput, "a full turn needs at least one angle");
-  // So that a number by mistake ends with an error, not without memory: each turn makes a slice.
+  // Each turn makes a slice. By this limit a mistaken number does not exhaust memory.
   constexpr std::size_t kMostTurns = 1'000'000;
   if (n > kMostTurns) {
     throw Error(ErrorCode::kLimitExceeded, "a full turn in more than 1000000 steps");

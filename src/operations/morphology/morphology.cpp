@@ -43,18 +43,18 @@ Ring corners(const Box& box) {
   return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
 }
 
-/// A box that is `by` wider on all sides.
+/// Returns a box that is `by` wider on all sides.
 Box widened(const Box& box, const Rational& by) {
   return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
 }
 
-/// All of it, for operands in resolved form.
+/// Returns the erosion of resolved operands.
 Geometry eroded(const Region& a, const Geometry& b, const Options& options) {
   Geometry result;
   if (a.empty()) return result;
-  // x + B ⊆ A puts x into A's box moved by −b for any b of B, so within B's size of A's box moved
-  // by one of them. The frame reaches beyond that by its size again, so that all is enclosed in
-  // complement ⊕ −B.
+  // x + B ⊆ A puts x into A's box moved by −b, for every b of B. So x is within B's size of A's box
+  // moved by one −b. The frame reaches beyond that by B's size again, so complement ⊕ −B encloses
+  // all such x.
   const Box size = box_of(b, options);
   const Rational reach = size.max.x - size.min.x + size.max.y - size.min.y + Rational(1);
   const Box box = *bounding_box(a, options);
@@ -72,7 +72,7 @@ Geometry eroded(const Region& a, const Geometry& b, const Options& options) {
   return result;
 }
 
-/// B, if there can be an erosion by it.
+/// Returns B, resolved. Throws if there is no erosion by B.
 Geometry usable_element(const Geometry& b, const Options& options) {
   Geometry element = resolve(b, options, 1);
   Culprit second;

@@ -9,7 +9,7 @@
 namespace minksum {
 namespace {
 
-/// The reference point of a shape as it was given.
+/// Returns the reference point of a shape as it was given.
 Point reference_of(const Geometry& moving, const std::optional<Point>& reference) {
   if (reference) return *reference;
   if (!moving.region.empty()) return moving.region.point(0);
@@ -18,12 +18,12 @@ Point reference_of(const Geometry& moving, const std::optional<Point>& reference
   throw Error(ErrorCode::kBadInput, "a part without area has no reference point", second);
 }
 
-/// Moved by `by`; the form stays canonical.
+/// Returns the geometry moved by `by`. A canonical form stays canonical.
 Geometry moved(const Geometry& geometry, const Point& by, const Options& options) {
   return transform(geometry, Affine::translation(by.x, by.y), options);
 }
 
-/// The options of a sum or an erosion of resolved shapes.
+/// Returns the options of a sum or an erosion of resolved shapes.
 Options with_tight_places(const Options& options) {
   Options part = part_of(options);
   part.tight = options.tight.value_or(true);

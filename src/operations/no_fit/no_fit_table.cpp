@@ -1,4 +1,4 @@
-// All pairs of a nesting problem: each sum once, the others as its images.
+// Computes the no-fit polygons of all pairs of parts: each sum once, and the others as its images.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -19,8 +19,8 @@
 namespace minksum {
 
 struct NoFitTable::State {
-  /// Row i holds the pairs of i with i, i + 1, ..., and for each of them a sum for each turn of the
-  /// second part; of i with itself, turns up to half a full one.
+  /// Row i has the pairs of i with i, i + 1, ..., and a sum for each turn of the second part. The
+  /// pair of i with itself has turns of up to half a full one.
   std::vector<std::vector<Geometry>> rows;
   int turns = 4;
 
@@ -37,7 +37,7 @@ struct NoFitTable::State {
 
 namespace {
 
-/// By the stages. `options` are those of one sum.
+/// Computes one sum by the stages. `options` are those of one sum.
 Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving, const Options& options,
              bool with_tight, Workspace& workspace) {
   Geometry result;
@@ -51,9 +51,9 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving, const Op
   return result;
 }
 
-/// How many threads are worth their start.
+/// Returns how many threads are worth starting.
 int worthwhile_threads(std::span<const Geometry> parts, int turns, int threads) {
-  // Sums take a time that grows with the square of their operands' vertices: together these are a
+  // The time of a sum grows with the square of its operands' vertices. So much work takes a
   // fraction of a millisecond.
   constexpr std::uint64_t kForOne = 60'000;
   std::uint64_t vertices = 0;
@@ -66,7 +66,7 @@ int worthwhile_threads(std::span<const Geometry> parts, int turns, int threads) 
 /// The units of work (see Cancellation) of a sum of two small parts, which looks at no token.
 constexpr std::uint64_t kWorkOfSmallSum = 1 << 12;
 
-/// A thread's. The workspace is made where it is needed.
+/// The memory of one thread. The workspace is made where it is needed.
 struct Memory {
   SmallScratch small;
   std::optional<Workspace> workspace;
@@ -109,7 +109,7 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, int turns, const Options
       const int wanted = j == i ? state.turns_with_itself() : turns;
       for (int turn = 0; turn < wanted; ++turn) {
         cancellation.check(kWorkOfSmallSum);
-        // Its point mirror is itself, turned by half a full turn.
+        // The part's point mirror is the part turned by half a full turn.
         const auto mirror = static_cast<std::size_t>(turn + half) % parts[j].directions();
         row.push_back(sum(parts[i], parts[j], mirror, progress.options(), with_tight, memory));
       }
@@ -135,7 +135,7 @@ Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving, const Options& opti
       throw Error(ErrorCode::kBadInput, "there is no such turn");
     }
   }
-  // A ⊕ −R(t) B, turned as A is; and it is −R(t) (B ⊕ −R(−t) A).
+  // The polygon is A ⊕ −R(t) B, turned as A is. It equals −R(t) (B ⊕ −R(−t) A).
   const int quarter = 4 / turns;
   int quarters = fixed.turn * quarter;
   int turn = (moving.turn - fixed.turn + turns) % turns;

@@ -15,7 +15,7 @@ namespace {
   throw Error(ErrorCode::kBadInput, what, culprit);
 }
 
-/// Whether a ring's orientation has no meaning.
+/// Tells whether a ring's orientation has no meaning.
 bool is_by_role(FillRule fill) { return fill == FillRule::kAutomatic || fill == FillRule::kStrict; }
 
 }  // namespace
@@ -45,7 +45,7 @@ bool TablePart::read_small_part() {
 }
 
 Region TablePart::covered() const {
-  // Resolving takes as long as some sums: what is valid already goes without.
+  // Resolving takes as long as some sums, so valid regions skip it.
   const bool valid = !small_.empty() ||
                      (is_by_role(options_->fill) && validate(given_->region, 1, *options_).empty());
   const Region area =

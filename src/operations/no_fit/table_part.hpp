@@ -1,4 +1,4 @@
-// A part of a table of no-fit polygons, ready to be summed in each of its directions.
+// Declares a part of a table of no-fit polygons, ready to be summed in each of its directions.
 #pragma once
 
 #include <array>
@@ -13,20 +13,21 @@
 
 namespace minksum {
 
-/// A part in each direction, its reference point at the origin. Any number of threads may ask.
+/// A part in each direction, with its reference point at the origin. Any number of threads may ask.
 class TablePart {
  public:
-  /// `given` and `options` must live as long. Throws Error(kBadInput) with the part's index if it
-  /// has no area or is no valid operand.
+  /// Reads a part. `given` and `options` must live as long as this object. Throws Error(kBadInput)
+  /// with the part's index if it has no area or is not a valid operand.
   TablePart(const Geometry& given, std::size_t index, int turns, const Options& options);
 
-  /// As many as the table's turns; of one turn, there is the point mirror as well.
+  /// Returns how many directions there are: the table's turns, or 2 for one turn, with the point
+  /// mirror.
   [[nodiscard]] std::size_t directions() const { return directions_; }
-  /// Null if the part is not small.
+  /// Returns null if the part is not small.
   [[nodiscard]] const SmallOperand* small(std::size_t direction) const {
     return small_.empty() ? nullptr : &small_[direction];
   }
-  /// A small part is prepared when it is asked for: hardly ever.
+  /// Returns the prepared part. A small one is prepared only when this is called, which is rare.
   [[nodiscard]] const PreparedRegion& prepared(std::size_t direction) const;
 
  private:
@@ -34,7 +35,7 @@ class TablePart {
     std::once_flag once;
     std::optional<PreparedRegion> region;
   };
-  /// What is made when it is asked for.
+  /// Things that are made when they are asked for.
   struct Prepared {
     std::once_flag once;
     Region covered;
@@ -42,7 +43,7 @@ class TablePart {
   };
   [[nodiscard]] int quarters(std::size_t direction) const;
   [[nodiscard]] bool read_small_part();
-  /// What the part covers, its reference point at the origin.
+  /// Returns the area of the part, with its reference point at the origin.
   [[nodiscard]] Region covered() const;
 
   const Geometry* given_;

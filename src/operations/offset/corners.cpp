@@ -9,7 +9,7 @@
 namespace minksum {
 namespace {
 
-/// Whether a ≥ b·√c, for c ≥ 0.
+/// Tells whether a ≥ b·√c, for c ≥ 0.
 bool at_least(const Rational& a, const Rational& b, const Rational& c) {
   if (a.sign() >= 0 && b.sign() <= 0) return true;
   if (a.sign() <= 0 && b.sign() >= 0) return a.sign() == 0 && (b.sign() == 0 || c.sign() == 0);
@@ -19,7 +19,7 @@ bool at_least(const Rational& a, const Rational& b, const Rational& c) {
 
 /// The angle θ by which the path turns left from one edge to the next, from 0 to 180 degrees.
 struct Bend {
-  Rational sine;  // these two times `length`
+  Rational sine;  // these two are multiplied by `length`
   Rational cosine;
   Rational squared;  // length²
 
@@ -28,7 +28,7 @@ struct Bend {
         cosine(dot(first.along, second.along)),
         squared(first.squared * second.squared) {}
 
-  /// tan θ/2 = sin θ/(1 + cos θ), and tan θ/4, as doubles.
+  /// Returns tan θ/2 = sin θ/(1 + cos θ). `quarter` returns tan θ/4.
   [[nodiscard]] double half() const {
     const double s = sine.to_double(), c = cosine.to_double(), l = std::sqrt(squared.to_double());
     return c >= 0 ? s / (l + c) : (l - c) / s;
@@ -38,7 +38,7 @@ struct Bend {
     if (c < 0) return 1 / (s / (l - c) + std::hypot(1, s / (l - c)));
     return s / (l + c) / (1 + std::hypot(1, s / (l + c)));
   }
-  /// How tan θ/2 stands to p/q, for q > 0: the sign of sin θ·q − (1 + cos θ)·p.
+  /// Compare tan θ/2 with p/q, for q > 0, by the sign of sin θ·q − (1 + cos θ)·p.
   [[nodiscard]] bool half_at_least(const Rational& p, const Rational& q) const {
     return at_least(sine * q - cosine * p, p, squared);
   }
@@ -49,7 +49,8 @@ struct Bend {
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorCode::kInternal, what, {}, "offset"); }
 
-/// Directions below the x-axis come first, then those above it.
+/// Tells whether a direction comes second in the order of angles: those below the x-axis come
+/// first.
 bool is_above(const Point& a) { return a.y.sign() > 0 || (a.y.sign() == 0 && a.x.sign() > 0); }
 
 bool has_lower_angle(const Point& a, const Point& b) {
@@ -57,7 +58,7 @@ bool has_lower_angle(const Point& a, const Point& b) {
   return cross(a, b).sign() > 0;
 }
 
-/// Whether there is no right turn from vector to vector.
+/// Tells whether no vector is a right turn from the one before it.
 bool turns_left(const std::vector<Point>& vectors) {
   for (std::size_t i = 0; i + 1 < vectors.size(); ++i) {
     if (cross(vectors[i], vectors[i + 1]).sign() < 0) return false;
@@ -65,7 +66,7 @@ bool turns_left(const std::vector<Point>& vectors) {
   return true;
 }
 
-/// Doubles hold the squares of vectors that are neither longer nor shorter than this.
+/// Doubles hold the squares of vectors whose lengths lie between these two.
 constexpr double kLong = 0x1p200;
 constexpr double kShort = 0x1p-200;
 
@@ -88,7 +89,7 @@ Corners::Corners(const Rational& distance, const Rational& tolerance, const Offs
                 "the tolerance is below 10^-10 of the distance times the miter limit squared");
   }
   if (join_ != Join::kRound && cap_ != Cap::kRound) return;
-  // Its vertices are on the circle, as the ends of `outwards` are: so an edge from such an end to
+  // Its vertices are on the circle, as the ends of `outwards` are. So an edge from such an end to
   // the next vertex is no farther from the circle than other edges are.
   const Region circle = disc(distance, tolerance * Rational(7, 8), RoundingSide::kInside);
   for (const std::size_t v : circle.vertices_of(0)) disc_.push_back(circle.point(v));
@@ -121,15 +122,15 @@ OffsetEdge Corners::edge(Point along) const {
   const Point right{edge.along.y, -edge.along.x};
   const Rational rest = dot(m, m) + distance_ * distance_ - Rational(4) * squared_step_;
   const Rational along_normal = (distance_ + distance_) * dot(m, right);
-  // m is beside the edge, so that the strip to there goes counter-clockwise.
+  // m is on the edge's right side, so the strip up to it goes counter-clockwise.
   if (dot(m, right).sign() <= 0 || !at_least(along_normal, rest, edge.squared)) {
     fail("a normal is not within the tolerance");
   }
   return edge;
 }
 
-/// `outwards` and so much of its length forwards, on the grid; but exactly on the lines of those
-/// edges among `on` that are axis-parallel.
+/// Returns `outwards` plus `tangent` times its length along the edge, on the grid. On the lines of
+/// those edges among `on` that are axis-parallel, it lies exactly.
 Point Corners::beyond(const Point& outwards, double tangent,
                       std::initializer_list<const Point*> on) const {
   const Rational t(tangent);
@@ -138,7 +139,7 @@ Point Corners::beyond(const Point& outwards, double tangent,
                grid_.at((exact.y / grid_.step()).to_double())};
   const Point error = minus(result, exact);
   if (dot(error, error) > squared_step_) fail("a corner is not within the tolerance");
-  // On such a line the true corner's coordinate is known exactly, so that errors do not grow.
+  // On such a line the true corner's coordinate is known exactly, so errors do not grow.
   for (const Point* const line : on) {
     if (line->x.sign() == 0) result.y = line->y;
     if (line->y.sign() == 0) result.x = line->x;
@@ -146,7 +147,7 @@ Point Corners::beyond(const Point& outwards, double tangent,
   return result;
 }
 
-/// The vector to where both moved edges meet: along the first by d·tan θ/2.
+/// Returns the vector to where both moved edges meet: by d·tan θ/2 along the first.
 std::vector<Point> Corners::miter(const OffsetEdge& first, const OffsetEdge& second) const {
   const Bend turn(first, second);
   const double tangent = turn.half();
@@ -158,8 +159,8 @@ std::vector<Point> Corners::miter(const OffsetEdge& first, const OffsetEdge& sec
   return {beyond(first.outwards, tangent, {&first.outwards, &second.outwards})};
 }
 
-/// Along the first edge by d·tan θ/4, and as much back along the second: there the cut at right
-/// angles to the bisector meets them.
+/// Returns vectors by d·tan θ/4 along the first edge, and by as much back along the second. There
+/// the cut at right angles to the bisector meets both.
 std::vector<Point> Corners::square(const OffsetEdge& first, const OffsetEdge& second) const {
   const Bend turn(first, second);
   const double tangent = turn.quarter();
@@ -176,7 +177,7 @@ std::vector<Point> Corners::square(const OffsetEdge& first, const OffsetEdge& se
           beyond(second.outwards, -tangent, {&second.outwards})};
 }
 
-/// The disc's vertices strictly between two directions.
+/// Returns the disc's vertices strictly between two directions.
 std::vector<Point> Corners::arc(const Point& from, const Point& to) const {
   std::vector<Point> result;
   const auto begin = std::upper_bound(disc_.begin(), disc_.end(), from, has_lower_angle);
@@ -194,7 +195,7 @@ CornerOutline Corners::between(const OffsetEdge& first, const OffsetEdge& second
   const Point& end = second.outwards;
   const int side = cross(first.along, second.along).sign();
   const bool forwards = dot(first.along, second.along).sign() > 0;
-  // By rounding, normals of nearly parallel edges may turn the other way: the strips overlap then.
+  // By rounding, normals of nearly parallel edges may turn the other way. The strips overlap then.
   std::vector<Point> bevel =
       cross(begin, end).sign() >= 0 ? std::vector{begin, end} : std::vector{begin, Point{}, end};
   if (side < 0 || (side == 0 && forwards)) {

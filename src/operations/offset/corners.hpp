@@ -1,4 +1,4 @@
-// What an offset has beside edges and at corners, as vectors from the vertices.
+// Declares what an offset has beside edges and at corners, as vectors from the vertices.
 #pragma once
 
 #include <initializer_list>
@@ -10,45 +10,45 @@
 
 namespace minksum {
 
-/// A directed edge; its outer side is on its right.
+/// A directed edge. Its outer side is its right side.
 struct OffsetEdge {
   Point along;       ///< its direction; the length has no meaning
-  Rational squared;  ///< that length, squared
-  Point outwards;    ///< at right angles to the right, as long as the distance; see Corners
+  Rational squared;  ///< the square of that length
+  Point outwards;    ///< the normal to its right, as long as the distance; see Corners
 };
 
 /// The outline of the offset at a vertex, from the first edge's side to the second's.
 ///
-/// As seen from the vertex, each vector is to the left of the one before it or in line with it, or
-/// one of the two is (0, 0): so the triangles between the vertex and two successive vectors go
+/// Seen from the vertex, each vector is to the left of the one before it, or in line with it. Else
+/// one of the two is (0, 0). So the triangles between the vertex and two successive vectors go
 /// counter-clockwise or have no area.
 struct CornerOutline {
   std::vector<Point> full;  ///< from the first edge's `outwards` to the second's
-  /// The same without these two, if what is left starts and ends on the moved edges' lines; the
-  /// edges' outlines then go there directly.
+  /// The same without these two, if the rest starts and ends on the lines of the moved edges. Then
+  /// the outlines of the edges go there directly.
   std::vector<Point> direct;
 };
 
 /// Makes corners for one distance d.
 ///
-/// Let h be the grid's step, l the miter limit; h·l is at most a 64th of the tolerance. Vectors are
-/// chosen in doubles and then verified exactly: `outwards` to be within 2h of the normal of length
-/// d, a corner's vectors to be within 2h of what follows from an edge's `outwards`. That is within
-/// 3h·l of what follows from the normal, so that all vectors are within 5h·l of where they belong:
-/// less than a 12th of the tolerance.
+/// Let h be the grid's step and l the miter limit. h·l is at most a 64th of the tolerance. Vectors
+/// are chosen in doubles and then verified exactly: `outwards` is within 2h of the normal of length
+/// d, and a corner's vectors are within 2h of what follows from an edge's `outwards`. That is
+/// within 3h·l of what follows from the normal. So all vectors are within 5h·l of the true ones,
+/// which is less than a 12th of the tolerance.
 class Corners {
  public:
-  /// With the shape's join, miter limit and cap. Throws Error(kLimitExceeded) if the tolerance is
+  /// Takes the shape's join, miter limit and cap. Throws Error(kLimitExceeded) if the tolerance is
   /// too small to choose in doubles.
   Corners(const Rational& distance, const Rational& tolerance, const OffsetOptions& shape);
 
-  /// The edge in the direction of `along`, which is not (0, 0).
+  /// Returns the edge in the direction of `along`, which is not (0, 0).
   [[nodiscard]] OffsetEdge edge(Point along) const;
 
   [[nodiscard]] CornerOutline at_vertex(const OffsetEdge& first, const OffsetEdge& second) const {
     return between(first, second, join_);
   }
-  /// At the end of a polyline: `second` goes straight back.
+  /// Returns the outline at the end of a polyline, where `second` goes straight back.
   [[nodiscard]] CornerOutline at_end(const OffsetEdge& first, const OffsetEdge& second) const;
 
  private:
@@ -63,12 +63,12 @@ class Corners {
   Rational distance_;
   Join join_;
   Cap cap_;
-  Rational least_cosine_;  ///< of the angle by which a mitred corner turns
+  Rational least_cosine_;  ///< cosine of the largest angle by which a mitred corner turns
   DecimalGrid grid_;
   Rational epsilon_;       ///< h/d
   Rational squared_step_;  ///< h²
   double distance_in_steps_;
-  std::vector<Point> disc_;  ///< by angle, from −180 degrees; empty if nothing is round
+  std::vector<Point> disc_;  ///< vertices by angle from −180 degrees; empty if nothing is round
 };
 
 }  // namespace minksum

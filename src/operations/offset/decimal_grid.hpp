@@ -1,4 +1,4 @@
-// Multiples of a power of ten: coordinates with few digits.
+// Makes multiples of a power of ten, which are coordinates with few digits.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,11 @@ namespace minksum {
 
 class DecimalGrid {
  public:
-  /// The step is the largest power of ten that is not above `bound`, which is positive.
+  /// Returns the grid whose step is the largest power of ten up to `bound`, which is positive.
   static DecimalGrid below(const Rational& bound) {
     const auto bits = [](const Rational& integer) { return static_cast<double>(integer.bits()); };
-    // Its logarithm to base 10, at most 1 too large, and at most 1 too small.
+    // This logarithm is at most 1 too large and at most 1 too small, so the first exponent is not
+    // too low.
     const double log2 = bits(bound.numerator()) - bits(bound.denominator());
     DecimalGrid grid(static_cast<int>(std::floor((log2 + 1) * 0.30103)) + 1);
     while (bound < grid.step_) grid = DecimalGrid(grid.exponent_ - 1);
@@ -20,7 +21,7 @@ class DecimalGrid {
   }
 
   [[nodiscard]] const Rational& step() const { return step_; }
-  /// So many steps, to the nearest; the double must be below 2^63.
+  /// Returns the nearest multiple of the step to so many steps. The double must be below 2^63.
   [[nodiscard]] Rational at(double steps) const {
     return Rational(Decimal{static_cast<std::int64_t>(std::llround(steps)), exponent_});
   }

@@ -1,4 +1,4 @@
-// Polygons for discs.
+// Makes polygons for discs.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,11 +14,11 @@ namespace {
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kMaxEdgesOfQuarter = 1 << 18;
 
-/// The angle whose cosine is 1 − gap/whole: acos without loss for small ones.
+/// Returns the angle whose cosine is 1 − gap/whole. Unlike acos, it loses nothing for small angles.
 double angle_of(double gap, double whole) { return 2 * std::asin(std::sqrt(gap / (2 * whole))); }
 
-/// The vertices of a quarter, from the one after the x-axis (or on it) to the one before the
-/// y-axis. Angles are chosen in doubles; what comes out is verified.
+/// The vertices of a quarter, from the one after the x-axis, or on it, to the one before the
+/// y-axis. Angles are chosen in doubles, and the result is verified.
 class Quarter {
  public:
   Quarter(const Rational& radius, const Rational& tolerance, RoundingSide side)
@@ -37,16 +37,16 @@ class Quarter {
   [[nodiscard]] const std::vector<Point>& vertices() const { return vertices_; }
 
  private:
-  /// In steps of the grid: rounding moves vertices by less than one, and so edges. All vertices but
-  /// those beside the axes are placed one step within the outer circle, and all edges keep one step
-  /// from the inner one; that leaves at least 62 of 64 steps of the tolerance.
+  /// Computes in steps of the grid. Rounding moves vertices, and so edges, by less than one step.
+  /// All vertices except those beside the axes are placed one step within the outer circle, and all
+  /// edges keep one step from the inner one. That leaves at least 62 of 64 steps of the tolerance.
   void place(bool inside) {
     const auto steps = [this](const Rational& length) {
       return (length / grid_.step()).to_double();
     };
     const double circle = steps(outer_) - 1;
-    // Half of an edge, seen from the middle: one that touches the inner circle, and one that is cut
-    // at right angles by an axis, at exactly the radius.
+    // These are angles of half an edge, seen from the centre: `half` of an edge that touches the
+    // inner circle, `first` of one that an axis cuts at right angles, at exactly the radius.
     const double half = angle_of(steps(outer_ - inner_) - 2, circle);
     const double first = inside ? 0 : angle_of(steps(outer_ - radius_) - 1, circle);
     const double edges = std::ceil((kRightAngle - 2 * first) / (2 * half));
@@ -66,11 +66,11 @@ class Quarter {
     for (std::size_t i = 0; 2 * i < count; ++i) {
       vertices_[count - i] = {vertices_[i].y, vertices_[i].x};
     }
-    if (inside) vertices_.pop_back();  // it is the first of the next quarter
+    if (inside) vertices_.pop_back();  // the next quarter begins with it
   }
 
-  /// The quarter goes left around the origin within its quadrant, so that D is star-shaped; all
-  /// vertices are within the outer circle, and all edges' lines outside of the inner one.
+  /// Verifies the quarter. It goes left around the origin within its quadrant, so D is star-shaped.
+  /// All vertices are within the outer circle, and all edges' lines outside of the inner one.
   void verify() const {
     const Rational inner = inner_ * inner_;
     const Rational outer = outer_ * outer_;
@@ -104,7 +104,7 @@ Region disc(const Rational& radius, const Rational& tolerance, RoundingSide side
   Region result;
   result.begin_polygon();
   result.begin_ring();
-  // In canonical form: from the lowest of the leftmost vertices.
+  // The canonical form starts at the lowest of the leftmost vertices.
   for (const int turns : {2, 3, 0, 1}) {
     for (const auto& [x, y] : quarter.vertices()) {
       const Rational& along = turns % 2 == 0 ? x : y;

@@ -30,7 +30,7 @@ void require_sense(const OffsetOptions& shape) {
   }
 }
 
-/// A larger disc leaves less when a set shrinks.
+/// Returns the side of the disc for a set that shrinks: a larger disc leaves less of the set.
 RoundingSide swapped(RoundingSide side) {
   switch (side) {
     case RoundingSide::kOutside:
@@ -43,7 +43,7 @@ RoundingSide swapped(RoundingSide side) {
   return RoundingSide::kNearest;
 }
 
-/// One offset: by `radius` outwards or inwards.
+/// Computes one offset, by `radius` outwards or inwards.
 class Offset {
  public:
   Offset(const Rational& distance, const OffsetOptions& shape, const Options& options)
@@ -59,7 +59,7 @@ class Offset {
     reading.fill = options_.fill;
     reading.regularize = inwards_ || options_.regularize;
     if (all_round(shape_)) {
-      // The disc is read as A is, and its ring is counter-clockwise.
+      // The disc is read by the same rule as A, and its ring is counter-clockwise.
       const bool reads_disc = options_.fill != FillRule::kNegative;
       return reads_disc ? round(a, options_.fill)
                         : round(resolve(a, reading, 0), FillRule::kAutomatic);
@@ -118,7 +118,7 @@ class Offset {
     if (path.empty()) return;
     if (path.size() == 1) return add_point(path[0], cancellation, outlines);
     std::vector<Point> back(path.rbegin(), path.rend());
-    // One there and one back, if it is closed; else one there and back.
+    // A closed polyline has one path there and one back. An open one has one path there and back.
     if (path.front() == path.back()) {
       for (std::vector<Point>* const way : {&path, &back}) {
         way->pop_back();

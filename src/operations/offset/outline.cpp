@@ -42,8 +42,8 @@ class Outline {
     return direct_[corner] ? corners_[corner].direct : corners_[corner].full;
   }
 
-  /// Edges that are shorter than the grid's step may have ends that come to lie in the wrong order
-  /// if they go to corners directly; between the edge's own `outwards` on both sides they cannot.
+  /// The ends of an edge that is shorter than the grid's step may come to lie in the wrong order if
+  /// they go to corners directly. Between the edge's own `outwards` on both sides they cannot.
   void make_strips() {
     const std::size_t n = path_.size();
     std::vector<std::size_t> left;
@@ -61,7 +61,7 @@ class Outline {
     }
   }
 
-  /// Whether the strip of this edge is two triangles that go counter-clockwise, cut either way.
+  /// Tells whether the strip of this edge is two counter-clockwise triangles, cut either way.
   [[nodiscard]] bool goes_left(std::size_t edge) const {
     const std::size_t next = (edge + 1) % path_.size();
     cancellation_.check(16 * work_of(path_[edge]));
@@ -69,7 +69,7 @@ class Outline {
     const Point& to = outline(next).front();
     if (from == to && from == edges_[edge].outwards) return true;
     const Point along = minus(path_[next], path_[edge]);
-    const Point end = plus(along, to);  // all as seen from the edge's first vertex
+    const Point end = plus(along, to);  // as all vectors, seen from the edge's first vertex
     const Point outside = minus(end, from);
     return (cross(from, along).sign() >= 0 && cross(outside, minus(along, from)).sign() >= 0) ||
            (cross(from, end).sign() >= 0 && cross(end, along).sign() >= 0);

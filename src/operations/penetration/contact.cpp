@@ -7,7 +7,7 @@
 namespace minksum {
 namespace {
 
-/// Vertices of a region, moved, on lines in one direction.
+/// The moved vertices of a region, sorted by the parallel lines on which they lie.
 class Lines {
  public:
   Lines(const Region& region, const Point& shift, const Point& along, Cancellation& cancellation)
@@ -31,7 +31,7 @@ class Lines {
     return along_.x * at.x + along_.y * at.y;
   }
 
-  /// The first vertex on an edge that is parallel to the lines.
+  /// Returns the first vertex on an edge that is parallel to the lines.
   [[nodiscard]] std::optional<std::size_t> first_on(const Point& from, const Point& to,
                                                     Cancellation& cancellation) const {
     const Rational line = line_of(from);
@@ -49,7 +49,7 @@ class Lines {
 
  private:
   struct Entry {
-    double about;  ///< the line, to the nearest double: equal lines have equal ones
+    double about;  ///< the line as the nearest double; equal lines have equal ones
     std::size_t vertex;
     Rational line;
   };

@@ -19,7 +19,7 @@ namespace {
 
 struct Shape {
   Geometry geometry;
-  bool as_given = false;  ///< its vertices are those that the caller knows
+  bool as_given = false;  ///< whether its vertices are those that the caller knows
 };
 
 Shape read(const Geometry& geometry, const Options& options, int operand) {
@@ -77,7 +77,7 @@ std::vector<Edge> edges_of(const Obstacle& obstacle, Cancellation& cancellation)
   return edges;
 }
 
-/// The point of an edge that is nearest to the origin.
+/// Returns the point of an edge that is nearest to the origin.
 Point nearest_point(const Edge& edge) {
   const Point d = minus(edge.b, edge.a);
   const Rational along = -dot(edge.a, d);
@@ -88,7 +88,8 @@ Point nearest_point(const Edge& edge) {
   return {edge.a.x + d.x * t, edge.a.y + d.y * t};
 }
 
-/// No more than the distance of the origin from the edge: that from its box, rounded down amply.
+/// Returns a lower bound on an edge's distance from the origin: that of its box, amply rounded
+/// down.
 double distance_at_least(const Edge& edge) {
   const auto gap = [](const Rational& from, const Rational& to) {
     if (from.sign() * to.sign() <= 0) return 0.0;
@@ -122,7 +123,7 @@ Nearest nearest_of(const std::vector<Edge>& edges, Cancellation& cancellation) {
         !best || squared < best->squared ||
         (squared == best->squared &&
          (point.x < best->point.x || (point.x == best->point.x && point.y < best->point.y)));
-    // Of two that meet in the same point, one of which is known what is in contact there.
+    // Of edges with the same nearest point, only one that is not tight tells what is in contact.
     const bool says_more = best && point == best->point && best->edge->tight && !edges[i].tight;
     if (better || says_more) best = Nearest{point, std::move(squared), &edges[i]};
   }
@@ -163,7 +164,8 @@ std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b, con
   if (PointLocator(around->sum, options).locate({Rational(0), Rational(0)}) != Location::kOutside) {
     return Rational(0);
   }
-  // The first point of the sum on the ray is on an edge: crossed, or ended at if they are parallel.
+  // The ray's first point in the sum lies on an edge. The ray crosses that edge, or meets its end
+  // if both are parallel.
   const Rational whole = dot(direction, direction);
   std::optional<Rational> first;
   const auto offer = [&first](const Rational& factor) {

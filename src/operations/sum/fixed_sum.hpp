@@ -1,5 +1,5 @@
-// Sums of prepared regions for who knows more of them: that the other operand is valid, as images
-// of a valid one are, or that it takes the stages.
+// Declares sums of prepared regions for callers that know more about the operands: that the other
+// one is valid, as images of a valid one are, or that the sum takes the stages.
 #pragma once
 
 #include "minksum/prepared_region.hpp"
@@ -8,20 +8,20 @@
 
 namespace minksum {
 
-/// minkowski_sum(fixed, valid). `shared`, if it is not null, is for sums of `fixed`.
+/// Computes minkowski_sum(fixed, valid). `shared` is for sums of `fixed`, or null.
 Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
                       const SumRequest& options, Workspace& workspace, Region& result);
 
-/// minkowski_sum(p, q) of geometries, with what is asked for beside the sum.
+/// Computes minkowski_sum(p, q) of geometries, and what is asked for besides the sum.
 Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
                           Workspace& workspace, Geometry& result);
 
-/// minkowski_sum(p, q) by the stages, for operands whose sum `sum_small` has left to them.
+/// Computes minkowski_sum(p, q) by the stages, for operands whose sum `sum_small` has left to them.
 Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
                       Workspace& workspace, Region& result);
 
-/// What sums of `fixed` with others like `typical`, which is valid and not empty, can share; see
-/// `share_raster`.
+/// Returns what sums of `fixed` with others like `typical` can share, see `share_raster`. `typical`
+/// is valid and not empty.
 [[nodiscard]] std::optional<SharedRaster> share_raster(const PreparedRegion& fixed,
                                                        const Region& typical, double widest,
                                                        const SumRequest& options);

@@ -15,7 +15,7 @@
 namespace minksum {
 namespace {
 
-/// A resolved geometry stays resolved: all orders are the same after a move.
+/// Returns the moved geometry. A resolved one stays resolved, as all orders stay the same.
 Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancellation) {
   Geometry result;
   const Region& region = geometry.region;
@@ -44,7 +44,8 @@ Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancella
   return result;
 }
 
-/// A polyline as walks without repeated or straight vertices, each ending where it turns back.
+/// Appends a polyline as walks without repeated or straight vertices. Each walk ends where the
+/// polyline turns back.
 void append_walks(const Polyline& given, Cancellation& cancellation, std::vector<Polyline>& walks) {
   Polyline walk;
   for (const Point& to : given) {
@@ -68,7 +69,7 @@ void append_walks(const Polyline& given, Cancellation& cancellation, std::vector
   if (walk.size() > 1) walks.push_back(std::move(walk));
 }
 
-/// Whether polylines have vertices that others have not.
+/// Tells whether polylines have vertices that the given ones lack.
 bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given,
                       Cancellation& cancellation) {
   std::vector<Point> known;
@@ -86,7 +87,7 @@ bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<
   return false;
 }
 
-/// An operand as given, or as resolved.
+/// An operand as it was given, or resolved.
 class Reader {
  public:
   Reader(int operand, const Geometry& given, const SumRequest& options, PartialSums& partial)
@@ -95,7 +96,7 @@ class Reader {
   [[nodiscard]] const Geometry& geometry() const { return *geometry_; }
   [[nodiscard]] bool is_as_given() const { return as_given_; }
 
-  /// Valid polygons without thin parts are used as given, unless a rule says what they mean.
+  /// Uses valid polygons without thin parts as they are given, unless a rule says what they mean.
   void read() {
     const bool by_rule =
         options_.fill != FillRule::kAutomatic && options_.fill != FillRule::kStrict;
@@ -104,11 +105,11 @@ class Reader {
     }
     resolve();
   }
-  /// Polylines need not be cut where they cross: each crossing has a denominator of its own, and
-  /// all sums would have their product. The geometry is the same set then, but not resolved.
+  /// Keeps polylines whole where they cross. Each crossing has a denominator of its own, and all
+  /// sums would have the product of these. The geometry is the same set then, but not resolved.
   void leave_crossings() {
     if (as_given_ || given_.polylines.empty()) return;
-    // What runs along an area is none of the thin parts, whose sums would take tight places.
+    // A polyline along an area is part of that area. As a thin part it would remove tight places.
     if (options_.tight_places != nullptr) return;
     if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
     if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
@@ -141,7 +142,7 @@ class Reader {
   Geometry resolved_;
 };
 
-/// All sums of parts but that of both regions.
+/// Makes all sums of parts except that of both regions.
 class ThinSums {
  public:
   ThinSums(const Geometry& p, const Geometry& q, const SumRequest& options, PartialSums& partial,
@@ -160,7 +161,7 @@ class ThinSums {
       partial_.add_polylines(of(0).polylines, of(1).polylines, loose);
       sums_.push_back(resolve(loose, part_of(options_)));
     }
-    // Two points meet once: with the second operand's points everything of the first is moved.
+    // Sums of two points are made once: they are left out in the second call.
     move({of(0).region, of(0).polylines, of(0).points}, of(1).points);
     move({of(1).region, of(1).polylines, {}}, of(0).points);
   }
@@ -189,12 +190,12 @@ class ThinSums {
   std::vector<Geometry>& sums_;
 };
 
-/// What the sum's thin operands cover is no tight place any more.
+/// Removes tight places that the sums of thin operands cover.
 void uncover(const Geometry& sum, const Options& options, Geometry& tight) {
   if (!tight.has_thin_parts()) return;
   const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
   Geometry left = unite(both, options);
-  // Where paths were apart because the sum's thin part met them, they go on now.
+  // Paths were cut where the sum's thin part met them. They are joined now.
   tight = resolve({{}, std::move(left.polylines), std::move(left.points)}, part_of(options));
 }
 
@@ -214,7 +215,7 @@ void sum_geometries(const Geometry& p, const Geometry& q, const SumRequest& opti
   Reader second(1, q, options, partial);
   first.read();
   second.read();
-  // Moved by a point, a region is a result as it is: in canonical form.
+  // A region that is moved by a point is a result, so it must be in canonical form.
   if (!second.geometry().points.empty()) first.resolve();
   if (!first.geometry().points.empty()) second.resolve();
   if (second.geometry().points.empty()) first.leave_crossings();

@@ -1,4 +1,4 @@
-// The public sums, on top of the pipeline.
+// Implements the public sums on top of the pipeline.
 #include "minksum/minkowski_sum.hpp"
 
 #include <array>
@@ -45,7 +45,7 @@ void require_method_for_tight(const SumRequest& request) {
   }
 }
 
-/// An operand that stays as it is while the result is written: it is copied first if it is that.
+/// Keeps an operand as it is while the result is written. An operand that is the result is copied.
 template <class Set>
 class Kept {
  public:
@@ -61,17 +61,17 @@ class Kept {
   const Set* operand_;
 };
 
-/// Whether nothing is asked for that the stages alone give.
+/// Tells whether nothing is asked for that only the stages can give.
 bool may_be_small(const SumRequest& r) {
   return r.small && r.method == Method::kReduced && r.arithmetic == Arithmetic::kAutomatic &&
          r.filter && r.cover && r.grid == 0 && !r.check && r.trace == nullptr &&
          r.tight_places == nullptr && allow_small(r.limits);
 }
 
-/// Null if it is none.
+/// Returns null if the operand is not small.
 const SmallOperand* small_of(const CallerOperand& given, SmallOperand& memory) {
   if (given.small != nullptr) return given.small;
-  if (given.operand != nullptr) return nullptr;  // it was looked for when that was made
+  if (given.operand != nullptr) return nullptr;  // its preparation has already looked for that
   return read_small(given.region, SmallHoles::kNone, memory) ? &memory : nullptr;
 }
 
@@ -116,7 +116,7 @@ void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& optio
   }
 }
 
-/// The caller's memory, or some for one call.
+/// The caller's memory, or memory for one call.
 class Memory {
  public:
   explicit Memory(const Options& options)
@@ -137,7 +137,7 @@ Region run(const CallerOperand& p, const CallerOperand& q, const SumRequest& opt
   return result;
 }
 
-/// `work` and how it ended; on failure the result is empty.
+/// Runs `work` and returns how it ended. On failure the result is empty.
 template <class Work, class Set>
 Outcome attempt_or_clear(Work work, Set& result) {
   Outcome outcome = attempt(work);
@@ -149,7 +149,7 @@ Outcome attempt_sum(const CallerOperand& p, const CallerOperand& q, const SumReq
   return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
 }
 
-/// The sums that a sum of geometries is made of.
+/// Computes the sums of which a sum of geometries is made.
 class Sums final : public PartialSums {
  public:
   Sums(const SumRequest& options, Workspace::State& state)
@@ -188,7 +188,7 @@ class Sums final : public PartialSums {
       signed_convolution_sum(area.region, polylines, quiet_, sum);
     } else if (operand == 0) {
       run(area, walk(0, polylines), quiet_, state_, sum);
-    } else {  // what is prepared only now takes the place of this operand, not of the other
+    } else {  // what is prepared now takes this operand's memory, not the other's
       run(walk(0, polylines), area, quiet_, state_, sum);
     }
     forget_origins(sum);
@@ -205,7 +205,7 @@ class Sums final : public PartialSums {
                        sum.polylines);
   }
   Cancellation& cancellation() override { return cancellation_; }
-  /// What the statistics lack: the time around the sum of regions.
+  /// Adds what the statistics lack: the time outside of the sum of regions.
   void count_time() const {
     if (options_.statistics == nullptr) return;
     Statistics& statistics = *options_.statistics;
@@ -217,7 +217,7 @@ class Sums final : public PartialSums {
   static double seconds(Clock::duration time) {
     return std::chrono::duration<double>(time).count();
   }
-  /// What is small is prepared where it is summed with what is not.
+  /// Small operands are prepared only for sums with operands that are not small.
   [[nodiscard]] CallerOperand taken(std::size_t i) const {
     if (is_small_[i]) return {*regions_[i], nullptr, &small_[i]};
     return {*regions_[i], &state_.prepared[i]};
@@ -230,7 +230,7 @@ class Sums final : public PartialSums {
   }
 
   const SumRequest& options_;
-  SumRequest quiet_;  ///< for the sums that are not to be told of
+  SumRequest quiet_;  ///< for the sums without statistics, trace and tight places
   Cancellation cancellation_;
   Workspace::State& state_;
   Clock::time_point begin_;
@@ -262,7 +262,7 @@ CallerOperand given(const PreparedRegion& region) {
 }
 CallerOperand given(const Region& region) { return {region}; }
 
-/// The request for a DetailedSum.
+/// Returns the request that fills a DetailedSum.
 template <class Settings>
 SumRequest request_for(const Settings& settings, Detail detail, DetailedSum& result) {
   SumRequest request(settings);
@@ -393,7 +393,7 @@ DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
   return detailed(p, q, settings, detail);
 }
 
-// -- For who knows more of the operands ----------------------------------------------------------
+// -- For callers that know more about the operands -----------------------------------------------
 Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
                           Workspace& workspace, Geometry& result) {
   return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
@@ -429,7 +429,7 @@ std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Regi
     convolve(w, options, cancellation);
     return share_raster(w.operands, widest, options, cancellation, w.cover_scratch, w.convolution);
   } catch (const Error& error) {
-    // With narrow holes there may be more than the limits allow; each sum tells for itself.
+    // Narrow holes may lead beyond the limits. Then each sum tells for itself.
     if (error.code() != ErrorCode::kLimitExceeded) throw;
     return std::nullopt;
   }
