@@ -86,7 +86,9 @@ struct Options {
   /// area. Operations that only use areas always drop them.
   bool regularize = false;
   /// Whether the result keeps its tight places: points and polylines at which a moving set fits
-  /// without play. If this is not set, only no-fit and inner-fit polygons keep them.
+  /// without play. If this is not set, only no-fit and inner-fit polygons keep them. The tight
+  /// places of a sum are not part of the sum: `detailed_sum` returns them, and `minkowski_sum` does
+  /// not look at this member.
   std::optional<bool> tight = {};
   /// Memory that is kept from call to call. One thread at a time may use it. If it is null, each
   /// call allocates its own.

@@ -22,7 +22,7 @@ enum class Method {
 /// The options of a sum, and settings that users do not need.
 struct SumSettings : Options {
   Method method = Method::kReduced;                ///< the method that computes the sum
-  /// the number type; kBadInput if it is too short
+  /// the narrowest number type that may decide; a wider one is used where operands need it
   Arithmetic arithmetic = Arithmetic::kAutomatic;
   bool filter = true;  ///< false = exact arithmetic takes every decision
   bool cover = true;   ///< false = the whole arrangement is built, without a cover
@@ -32,8 +32,8 @@ struct SumSettings : Options {
 };
 
 /// Returns the sum of two valid regions, computed as the settings say. Complexity and errors are
-/// those of minkowski_sum in minkowski_sum.hpp. Throws Error(kBadInput) if the operands do not fit
-/// `arithmetic`.
+/// those of minkowski_sum in minkowski_sum.hpp. Only the pairs of operands that are listed here have
+/// forms with settings: all others see the Options alone.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const Region& q,
                                                const SumSettings& settings);
 /// Returns the same for geometries.

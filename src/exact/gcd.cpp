@@ -18,7 +18,7 @@ namespace mp = boost::multiprecision;
 using Words = std::vector<std::uint32_t>;
 
 constexpr unsigned kWordBits = 32;
-// Up to this, reading and writing words takes longer than it saves.
+// Numbers of up to two limbs stay with Boost, which has a way of its own for them.
 constexpr std::size_t kFewBytes = 16;
 
 void trim(Words& words) {

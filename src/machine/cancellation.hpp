@@ -85,8 +85,9 @@ class Cancellation {
   Stage stage_ = Stage::kOperands;
 };
 
-/// The options of an operation that is part of another one: where that looks at the caller, and its
-/// limits. How operands are read was settled by then.
+/// Returns the options of an operation that is part of another one: its limits, memory, token and
+/// progress callback. The options that say how operands are read keep their defaults, because the
+/// whole operation has read the operands before.
 [[nodiscard]] inline Options part_of(const Options& options) {
   Options part;
   part.limits = options.limits;
