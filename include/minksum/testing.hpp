@@ -32,8 +32,8 @@ struct SumSettings : Options {
 };
 
 /// Returns the sum of two valid regions, computed as the settings say. Complexity and errors are
-/// those of minkowski_sum in minkowski_sum.hpp. Only the pairs of operands that are listed here have
-/// forms with settings: all others see the Options alone.
+/// those of minkowski_sum in minkowski_sum.hpp. Only the pairs of operands that are listed here
+/// have forms with settings: all others see the Options alone.
 [[nodiscard]] MINKSUM_API Region minkowski_sum(const Region& p, const Region& q,
                                                const SumSettings& settings);
 /// Returns the same for geometries.

@@ -8,8 +8,8 @@ namespace minksum {
 /// The greatest common divisor of |a| and |b|; 0 if both are 0.
 ///
 /// Boost's function passes over the whole numbers for every few bits. Here the leading bits decide
-/// some thirty steps of Euclid's algorithm, and one pass applies them all: Lehmer's method, with the
-/// condition of Knuth 1997, section 4.5.2, algorithm L. O(n²) for n words.
+/// many steps of Euclid's algorithm, and one pass applies them all. That is Lehmer's method, with
+/// the condition of Knuth 1997, section 4.5.2, algorithm L. O(n²) for n words.
 [[nodiscard]] BigInt greatest_common_divisor(const BigInt& a, const BigInt& b);
 [[nodiscard]] BigInteger greatest_common_divisor(const BigInteger& a, const BigInteger& b);
 
