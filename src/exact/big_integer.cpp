@@ -3,49 +3,178 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <iterator>
 #include <limits>
-
-#include "exact/wide_int.hpp"
+#include <memory>
+#include <new>
+#include <sstream>
+#include <utility>
 
 namespace minksum {
 
 namespace mp = boost::multiprecision;
 
-std::size_t bit_length(const BigInt& value) {
-  if (value.is_zero()) return 0;
-  const auto& backend = value.backend();
-  const mp::limb_type top = backend.limbs()[backend.size() - 1];
-  constexpr auto kLimbBits = static_cast<std::size_t>(std::numeric_limits<mp::limb_type>::digits);
-  return kLimbBits * backend.size() - static_cast<std::size_t>(std::countl_zero(top));
-}
+struct BoostInteger {
+  // Without expression templates, so results of arithmetic have the type that the formulas name.
+  using Number = mp::number<mp::cpp_int_backend<>, mp::et_off>;
+  static_assert(sizeof(Number) <= sizeof(BigInteger) && alignof(Number) <= alignof(BigInteger));
+  static_assert(sizeof(mp::limb_type) == sizeof(std::uint64_t));
 
-BigInt power_of_ten(unsigned exponent) { return mp::pow(BigInt(10), exponent); }
-
-BigInt from_limbs(std::span<const std::uint64_t> limbs) {
-  BigInt value;
-  if (limbs.empty()) return value;
-  if constexpr (sizeof(mp::limb_type) == sizeof(std::uint64_t)) {
-    auto& backend = value.backend();
-    const auto size = static_cast<unsigned>(limbs.size());
-    backend.resize(size, size);
-    std::memcpy(backend.limbs(), limbs.data(), limbs.size_bytes());
-    backend.normalize();
-  } else {
-    mp::import_bits(value, limbs.begin(), limbs.end(), 64, false);
+  static Number& of(BigInteger& value) {
+    return *std::launder(reinterpret_cast<Number*>(value.storage_));
   }
-  return value;
+  static const Number& of(const BigInteger& value) {
+    return *std::launder(reinterpret_cast<const Number*>(value.storage_));
+  }
+  template <class... Arguments>
+  static void make(BigInteger& value, Arguments&&... arguments) {
+    ::new (static_cast<void*>(value.storage_)) Number(std::forward<Arguments>(arguments)...);
+  }
+  static BigInteger made(Number number) {
+    BigInteger value;
+    of(value) = std::move(number);
+    return value;
+  }
+};
+
+namespace {
+
+auto& number(BigInteger& value) { return BoostInteger::of(value); }
+const auto& number(const BigInteger& value) { return BoostInteger::of(value); }
+constexpr auto made = BoostInteger::made;
+
+}  // namespace
+
+BigInteger::BigInteger(Int128 value) { BoostInteger::make(*this, value); }
+BigInteger::BigInteger(std::span<const std::uint64_t> limbs, bool negative) {
+  BoostInteger::make(*this);
+  if (limbs.empty()) return;
+  auto& backend = number(*this).backend();
+  const auto size = static_cast<unsigned>(limbs.size());
+  backend.resize(size, size);
+  std::memcpy(backend.limbs(), limbs.data(), limbs.size_bytes());
+  backend.normalize();
+  if (negative) backend.negate();
+}
+BigInteger::BigInteger(std::string_view digits) {
+  // Leading zeros are dropped, because Boost takes them as a mark of octal.
+  const std::size_t first = digits.find_first_not_of('0');
+  const bool is_zero = first == std::string_view::npos;
+  BoostInteger::make(*this, is_zero ? std::string("0") : std::string(digits.substr(first)));
+}
+BigInteger::BigInteger(const BigInteger& other) { BoostInteger::make(*this, number(other)); }
+BigInteger::BigInteger(BigInteger&& other) noexcept {
+  BoostInteger::make(*this, std::move(number(other)));
+}
+BigInteger& BigInteger::operator=(const BigInteger& other) {
+  number(*this) = number(other);
+  return *this;
+}
+BigInteger& BigInteger::operator=(BigInteger&& other) noexcept {
+  number(*this) = std::move(number(other));
+  return *this;
+}
+BigInteger::~BigInteger() { std::destroy_at(&number(*this)); }
+
+int BigInteger::sign() const { return number(*this).sign(); }
+std::size_t BigInteger::limb_count() const { return number(*this).backend().size(); }
+std::uint64_t BigInteger::limb(std::size_t i) const { return number(*this).backend().limbs()[i]; }
+BigInteger::operator std::int64_t() const {
+  return static_cast<std::int64_t>(sign() < 0 ? 0 - limb(0) : limb(0));
+}
+std::string BigInteger::to_string() const {
+  // Boost's way takes far longer.
+  if (bit_length(*this) < 64) return std::to_string(static_cast<std::int64_t>(*this));
+  std::ostringstream out;
+  out << number(*this);
+  return std::move(out).str();
 }
 
-std::size_t append_limbs(const BigInt& value, std::vector<std::uint64_t>& limbs) {
+BigInteger& BigInteger::operator+=(const BigInteger& other) {
+  number(*this) += number(other);
+  return *this;
+}
+BigInteger& BigInteger::operator-=(const BigInteger& other) {
+  number(*this) -= number(other);
+  return *this;
+}
+BigInteger& BigInteger::operator<<=(std::int64_t bits) {
+  number(*this) <<= bits;
+  return *this;
+}
+BigInteger operator>>(const BigInteger& a, std::int64_t bits) { return made(number(a) >> bits); }
+BigInteger operator+(const BigInteger& a, const BigInteger& b) {
+  return made(number(a) + number(b));
+}
+BigInteger operator-(const BigInteger& a, const BigInteger& b) {
+  return made(number(a) - number(b));
+}
+BigInteger operator*(const BigInteger& a, const BigInteger& b) {
+  return made(number(a) * number(b));
+}
+BigInteger operator/(const BigInteger& a, const BigInteger& b) {
+  return made(number(a) / number(b));
+}
+BigInteger operator%(const BigInteger& a, const BigInteger& b) {
+  return made(number(a) % number(b));
+}
+BigInteger operator-(BigInteger a) {
+  number(a).backend().negate();
+  return a;
+}
+bool operator==(const BigInteger& a, const BigInteger& b) { return number(a) == number(b); }
+std::strong_ordering operator<=>(const BigInteger& a, const BigInteger& b) {
+  return number(a).compare(number(b)) <=> 0;
+}
+
+std::int64_t trailing_zeros(const BigInteger& value) {
+  std::size_t limb = 0;
+  while (value.limb(limb) == 0) ++limb;
+  return static_cast<std::int64_t>(64 * limb) + std::countr_zero(value.limb(limb));
+}
+
+std::size_t bit_length(const BigInteger& value) {
+  const std::size_t count = value.limb_count();
+  return 64 * count - static_cast<std::size_t>(std::countl_zero(value.limb(count - 1)));
+}
+
+BigInteger power(int base, int exponent) {
+  return made(mp::pow(BoostInteger::Number(base), static_cast<unsigned>(exponent)));
+}
+
+void scale(BigInteger& numerator, BigInteger& denominator, int exp2, int exp10) {
+  if (exp10 != 0) (exp10 > 0 ? numerator : denominator) *= power(10, std::abs(exp10));
+  (exp2 > 0 ? numerator : denominator) <<= std::abs(exp2);
+}
+
+Uint128 short_magnitude(const BigInteger& value) {
+  return value.limb_count() == 1 ? value.limb(0) : Uint128{value.limb(1)} << 64 | value.limb(0);
+}
+
+std::size_t append_limbs(const BigInteger& value, std::vector<std::uint64_t>& limbs) {
   if (value.is_zero()) return 0;
-  const std::size_t before = limbs.size();
-  mp::export_bits(value, std::back_inserter(limbs), 64, false);
-  while (limbs.size() > before && limbs.back() == 0) limbs.pop_back();
-  return limbs.size() - before;
+  const auto* first = number(value).backend().limbs();
+  limbs.insert(limbs.end(), first, first + value.limb_count());
+  return value.limb_count();
+}
+
+Division divided(const BigInteger& value, const BigInteger& divisor) {
+  Division result;
+  mp::divide_qr(number(value), number(divisor), number(result.quotient), number(result.rest));
+  return result;
+}
+
+Division divided_to_nearest(const BigInteger& value, const BigInteger& divisor) {
+  Division result = divided(value, divisor);
+  const auto to_half = (abs(result.rest) << 1) <=> divisor;
+  if (to_half > 0 || (to_half == 0 && result.quotient.is_odd())) {
+    result.quotient += value.sign();
+    result.rest -= value.sign() * divisor;
+  }
+  return result;
 }
 
 namespace {
@@ -71,15 +200,6 @@ double round_to_double(std::uint64_t bits, bool sticky, std::int64_t exponent) {
   return std::ldexp(static_cast<double>(kept), static_cast<int>(last_place));
 }
 
-// The value must have at most 128 bits.
-Uint128 as_short(const BigInt& value) {
-  constexpr int kLimbBits = std::numeric_limits<mp::limb_type>::digits;
-  const auto& backend = value.backend();
-  Uint128 result = 0;
-  for (unsigned i = backend.size(); i-- > 0;) result = (result << kLimbBits) | backend.limbs()[i];
-  return result;
-}
-
 int width_of(Uint128 value) {
   const auto high = static_cast<std::uint64_t>(value >> 64);
   return high != 0 ? 128 - std::countl_zero(high)
@@ -97,7 +217,7 @@ double nearest_to_short(Uint128 numerator, Uint128 denominator, std::int64_t exp
 
 }  // namespace
 
-double nearest_double(bool negative, const BigInt& numerator, const BigInt& denominator,
+double nearest_double(const BigInteger& numerator, const BigInteger& denominator,
                       std::int64_t exp2) {
   if (numerator.is_zero()) return 0;
   const auto excess = static_cast<std::int64_t>(bit_length(numerator)) -
@@ -105,25 +225,22 @@ double nearest_double(bool negative, const BigInt& numerator, const BigInt& deno
   if (excess + exp2 < -1100) return 0;
   double magnitude = std::numeric_limits<double>::infinity();
   if (excess + exp2 <= 1100 && bit_length(numerator) <= 128 && bit_length(denominator) <= 64) {
-    magnitude = nearest_to_short(as_short(numerator), as_short(denominator), exp2);
+    magnitude = nearest_to_short(short_magnitude(numerator), short_magnitude(denominator), exp2);
   } else if (excess + exp2 <= 1100) {
     // numerator · 2^shift / denominator lies in (2^62, 2^64), so the quotient has enough bits and
     // fits one limb.
     const std::int64_t shift = 63 - excess;
-    BigInt quotient;
-    BigInt remainder;
-    if (shift >= 0) {
-      const BigInt scaled = numerator << static_cast<unsigned long long>(shift);
-      mp::divide_qr(scaled, denominator, quotient, remainder);
-    } else {
-      const BigInt scaled = denominator << static_cast<unsigned long long>(-shift);
-      mp::divide_qr(numerator, scaled, quotient, remainder);
-    }
-    magnitude =
-        round_to_double(static_cast<std::uint64_t>(quotient), !remainder.is_zero(), exp2 - shift);
+    const Division division = shift >= 0 ? divided(numerator << shift, denominator)
+                                         : divided(numerator, denominator << -shift);
+    magnitude = round_to_double(division.quotient.limb(0), !division.rest.is_zero(), exp2 - shift);
   }
   if (magnitude == 0) return 0;
-  return negative ? -magnitude : magnitude;
+  return numerator.sign() < 0 ? -magnitude : magnitude;
+}
+
+double to_double(const BigInteger& value) {
+  if (bit_length(value) < 64) return static_cast<double>(static_cast<std::int64_t>(value));
+  return nearest_double(value, 1);
 }
 
 }  // namespace minksum

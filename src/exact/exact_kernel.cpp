@@ -16,10 +16,9 @@ void set_limbs(const WideInt<N>& magnitude, std::vector<std::uint64_t>& out) {
   for (std::size_t i = 0; i < count; ++i) out.push_back(magnitude.limb(i));
 }
 
-void set_limbs(const BigInteger& magnitude, std::vector<std::uint64_t>& out) {
+void set_limbs(const BigInteger& value, std::vector<std::uint64_t>& out) {
   out.clear();
-  if (magnitude == 0) return;
-  boost::multiprecision::export_bits(magnitude, std::back_inserter(out), 64, false);
+  append_limbs(value, out);
 }
 
 /// Decides with integer coordinates on a common grid.
@@ -174,7 +173,7 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
  private:
   static void set(const Fraction& value, ExactCoordinate& out) {
     out.negative = value.numerator() < 0;
-    set_limbs(BigInteger(abs(value.numerator())), out.numerator);
+    set_limbs(value.numerator(), out.numerator);
     set_limbs(value.denominator(), out.denominator);
   }
   [[nodiscard]] Vec<double> scaled(const Vec<Fraction>& v) const {

@@ -77,8 +77,7 @@ class ExactKernel {
                                            Axis axis) const = 0;
 
   /// Returns the exact position of a node along a segment that contains the node.
-  [[nodiscard]] virtual BigRational exact_parameter(const Segment& s,
-                                                    const NodePoint& node) const = 0;
+  [[nodiscard]] virtual Fraction exact_parameter(const Segment& s, const NodePoint& node) const = 0;
 
   // -- Coordinates --------------------------------------------------------------------------
   /// Sets `out` to the exact coordinates of a node, in the operands' own units.

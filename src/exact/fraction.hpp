@@ -1,12 +1,9 @@
-// Defines a rational number whose arithmetic does not look for lowest terms.
+// Declares a rational number whose arithmetic does not look for lowest terms.
 #pragma once
 
-#include <cstdint>
 #include <utility>
 
 #include "exact/big_integer.hpp"
-#include "exact/gcd.hpp"
-#include "exact/sign.hpp"
 
 namespace minksum {
 
@@ -16,60 +13,31 @@ namespace minksum {
 class Fraction {
  public:
   Fraction() = default;
-  explicit Fraction(std::int64_t value) : numerator_(value) {}
+  explicit Fraction(BigInteger value) : numerator_(std::move(value)) {}
   /// `denominator` must be positive.
   Fraction(BigInteger numerator, BigInteger denominator)
       : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
-  explicit Fraction(const BigRational& value)
-      : numerator_(boost::multiprecision::numerator(value)),
-        denominator_(boost::multiprecision::denominator(value)) {}
 
   [[nodiscard]] const BigInteger& numerator() const { return numerator_; }
   [[nodiscard]] const BigInteger& denominator() const { return denominator_; }
   /// Returns the same number in lowest terms.
-  [[nodiscard]] Fraction reduced() const {
-    const BigInteger common = greatest_common_divisor(numerator_, denominator_);
-    return common == 1 ? *this : Fraction(numerator_ / common, denominator_ / common);
-  }
-  [[nodiscard]] BigRational rational() const { return BigRational(numerator_, denominator_); }
+  [[nodiscard]] Fraction reduced() const;
 
-  friend Fraction operator+(const Fraction& a, const Fraction& b) {
-    return added(a, b.numerator_, b.denominator_);
-  }
-  friend Fraction operator-(const Fraction& a, const Fraction& b) {
-    return added(a, -b.numerator_, b.denominator_);
-  }
-  friend Fraction operator*(const Fraction& a, const Fraction& b) {
-    return {a.numerator_ * b.numerator_, a.denominator_ * b.denominator_};
-  }
-  friend Fraction operator/(const Fraction& a, const Fraction& b) {
-    Fraction result{a.numerator_ * b.denominator_, a.denominator_ * b.numerator_};
-    if (b.numerator_ < 0) {
-      result.numerator_ = -result.numerator_;
-      result.denominator_ = -result.denominator_;
-    }
-    return result;
-  }
-  friend bool operator<(const Fraction& a, const Fraction& b) {
-    return a.numerator_ * b.denominator_ < b.numerator_ * a.denominator_;
-  }
-  friend Sign sign_of(const Fraction& value) { return static_cast<Sign>(value.numerator_.sign()); }
+  friend Fraction operator+(const Fraction& a, const Fraction& b);
+  friend Fraction operator-(const Fraction& a, const Fraction& b);
+  friend Fraction operator*(const Fraction& a, const Fraction& b);
+  friend Fraction operator/(const Fraction& a, const Fraction& b);
+  friend bool operator<(const Fraction& a, const Fraction& b);
+  friend Sign sign_of(const Fraction& value) { return sign_of(value.numerator_); }
 
  private:
-  static Fraction added(const Fraction& a, const BigInteger& numerator,
-                        const BigInteger& denominator) {
-    if (a.denominator_ == denominator) return {a.numerator_ + numerator, denominator};
-    return {a.numerator_ * denominator + numerator * a.denominator_, a.denominator_ * denominator};
-  }
-
-  BigInteger numerator_ = 0;
+  BigInteger numerator_;
   BigInteger denominator_ = 1;
 };
 
 /// Returns the double nearest to value · 2^exp2.
 inline double to_double(const Fraction& value, int exp2 = 0) {
-  return nearest_double(value.numerator() < 0, BigInt(abs(value.numerator())),
-                        BigInt(value.denominator()), exp2);
+  return nearest_double(value.numerator(), value.denominator(), exp2);
 }
 
 }  // namespace minksum

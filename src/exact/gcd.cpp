@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -12,32 +11,33 @@
 namespace minksum {
 namespace {
 
-namespace mp = boost::multiprecision;
-
 /// The words of a number, the lowest first, none of the highest 0.
 using Words = std::vector<std::uint32_t>;
 
 constexpr unsigned kWordBits = 32;
-// Numbers of up to two limbs stay with Boost, which has a way of its own for them.
-constexpr std::size_t kFewBytes = 16;
 
 void trim(Words& words) {
   while (!words.empty() && words.back() == 0) words.pop_back();
 }
 
-template <class Number>
-Words words_of(const Number& value) {
+Words words_of(const BigInteger& value) {
   Words words;
-  mp::export_bits(value, std::back_inserter(words), kWordBits, false);
+  std::vector<std::uint64_t> limbs;
+  append_limbs(value, limbs);
+  for (const std::uint64_t limb : limbs) {
+    words.push_back(static_cast<std::uint32_t>(limb));
+    words.push_back(static_cast<std::uint32_t>(limb >> kWordBits));
+  }
   trim(words);
   return words;
 }
 
-template <class Number>
-Number value_of(const Words& words) {
-  Number value;
-  if (!words.empty()) mp::import_bits(value, words.begin(), words.end(), kWordBits, false);
-  return value;
+BigInteger value_of(const Words& words) {
+  std::vector<std::uint64_t> limbs((words.size() + 1) / 2);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    limbs[i / 2] |= std::uint64_t{words[i]} << (i % 2 * kWordBits);
+  }
+  return BigInteger(limbs);
 }
 
 bool is_less(const Words& a, const Words& b) {
@@ -107,20 +107,46 @@ std::uint64_t short_value(const Words& words) {
   return value;
 }
 
-template <class Number>
-bool is_short(const Number& value) {
-  return value.backend().size() * sizeof(*value.backend().limbs()) <= kFewBytes;
+bool is_short(const BigInteger& value) { return value.limb_count() <= 2; }
+
+int zeros(Uint128 value) {
+  const auto low = static_cast<std::uint64_t>(value);
+  return low != 0 ? std::countr_zero(low)
+                  : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
 }
 
-template <class Number>
-Number common_divisor(const Number& a, const Number& b) {
-  if (is_short(a) || is_short(b)) return mp::gcd(a, b);
-  Words x = words_of(Number(mp::abs(a)));
-  Words y = words_of(Number(mp::abs(b)));
+/// Neither number may be 0.
+BigInteger short_divisor(Uint128 a, Uint128 b) {
+  const int twos = std::min(zeros(a), zeros(b));
+  a >>= zeros(a);
+  b >>= zeros(b);
+  while (a != b) {
+    if (((a | b) >> 64) == 0) {
+      a = std::gcd(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b));
+      break;
+    }
+    if (a < b) std::swap(a, b);
+    a -= b;
+    a >>= zeros(a);
+  }
+  const std::uint64_t limbs[] = {static_cast<std::uint64_t>(a),
+                                 static_cast<std::uint64_t>(a >> 64)};
+  return BigInteger(limbs) << twos;
+}
+
+}  // namespace
+
+BigInteger greatest_common_divisor(const BigInteger& a, const BigInteger& b) {
+  if (a.is_zero() || b.is_zero()) return abs(a.is_zero() ? b : a);
+  if (is_short(a) && is_short(b)) return short_divisor(short_magnitude(a), short_magnitude(b));
+  if (is_short(a)) return greatest_common_divisor(a, b % a);
+  if (is_short(b)) return greatest_common_divisor(a % b, b);
+  Words x = words_of(a);
+  Words y = words_of(b);
   if (x.size() < y.size()) std::swap(x, y);
   while (x.size() > 2) {
-    if (y.empty()) return value_of<Number>(x);
-    const int top = std::bit_width(x.back());
+    if (y.empty()) return value_of(x);
+    const auto top = static_cast<int>(std::bit_width(x.back()));
     const bool comparable = y.size() + 1 >= x.size() && is_less(y, x);
     const Steps steps =
         comparable ? steps_of(leading_bits(x, x.size(), top), leading_bits(y, x.size(), top))
@@ -128,18 +154,11 @@ Number common_divisor(const Number& a, const Number& b) {
     if (steps.ab != 0) {
       apply(steps, x, y);
     } else {
-      Words rest = words_of(Number(value_of<Number>(x) % value_of<Number>(y)));
+      Words rest = words_of(value_of(x) % value_of(y));
       x = std::exchange(y, std::move(rest));
     }
   }
-  return Number(std::gcd(short_value(x), short_value(y)));
-}
-
-}  // namespace
-
-BigInt greatest_common_divisor(const BigInt& a, const BigInt& b) { return common_divisor(a, b); }
-BigInteger greatest_common_divisor(const BigInteger& a, const BigInteger& b) {
-  return common_divisor(a, b);
+  return std::gcd(short_value(x), short_value(y));
 }
 
 }  // namespace minksum

@@ -10,7 +10,10 @@ namespace minksum {
 /// Boost's function passes over the whole numbers for every few bits. Here the leading bits decide
 /// many steps of Euclid's algorithm, and one pass applies them all. That is Lehmer's method, with
 /// the condition of Knuth 1997, section 4.5.2, algorithm L. O(n²) for n words.
-[[nodiscard]] BigInt greatest_common_divisor(const BigInt& a, const BigInt& b);
 [[nodiscard]] BigInteger greatest_common_divisor(const BigInteger& a, const BigInteger& b);
+/// The least common multiple of positive integers.
+[[nodiscard]] inline BigInteger least_common_multiple(const BigInteger& a, const BigInteger& b) {
+  return a == b ? a : a / greatest_common_divisor(a, b) * b;
+}
 
 }  // namespace minksum

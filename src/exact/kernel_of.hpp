@@ -26,14 +26,6 @@ double to_double(const WideInt<N>& value) {
   return value.negative() ? -sum : sum;
 }
 
-inline Fraction to_fraction(std::int64_t value) { return Fraction(value); }
-inline Fraction to_fraction(Int128 value) {
-  const auto low = static_cast<std::uint64_t>(value);
-  const auto high = static_cast<std::int64_t>(value >> 64);
-  return Fraction(BigRational(BigInteger((BigInteger(high) << 64) + low)));
-}
-inline Fraction to_fraction(const Fraction& value) { return value; }
-
 /// Implements the formulas over one rung. Subclasses store the coordinates and give them out, which
 /// differs between rungs.
 template <class Rung>
@@ -118,11 +110,11 @@ class KernelOf : public ExactKernel {
     return sign_of(along(probe_offset(probe, v), axis));
   }
 
-  BigRational exact_parameter(const Segment& s, const NodePoint& node) const override {
+  Fraction exact_parameter(const Segment& s, const NodePoint& node) const override {
     const Vec<Fraction> at = exact_point(node);
     const Vec<Fraction> a = big(start(s));
     const Vec<Fraction> d = big(direction(s.edge));
-    return (sign_of(d.x) != kZero ? (at.x - a.x) / d.x : (at.y - a.y) / d.y).rational();
+    return (sign_of(d.x) != kZero ? (at.x - a.x) / d.x : (at.y - a.y) / d.y).reduced();
   }
 
   void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
@@ -184,7 +176,7 @@ class KernelOf : public ExactKernel {
     return {at.x * denominator + numerator * d.x, at.y * denominator + numerator * d.y,
             denominator};
   }
-  static Vec<Fraction> big(const Vec<Coord>& v) { return {to_fraction(v.x), to_fraction(v.y)}; }
+  static Vec<Fraction> big(const Vec<Coord>& v) { return as<Fraction>(v); }
   [[nodiscard]] Vec<Fraction> exact_point(const NodePoint& node) const {
     const Vec<Fraction> at = big(position(node.vertex_or_start()));
     if (!node.is_crossing) return at;
@@ -198,8 +190,7 @@ class KernelOf : public ExactKernel {
   [[nodiscard]] Vec<Fraction> exact_probe_offset(const Probe& probe, const SumVertex& v) const {
     const Vec<Fraction> offset = big(minus(start(probe.segment), position(v)));
     const Vec<Fraction> d = big(direction(probe.segment.edge));
-    const Fraction exact(*probe.exact);
-    return {offset.x + d.x * exact, offset.y + d.y * exact};
+    return {offset.x + d.x * *probe.exact, offset.y + d.y * *probe.exact};
   }
   /// Returns (probe − v) · 2^shift.
   [[nodiscard]] Vec<ProbeNumber> probe_offset(const Probe& probe, const SumVertex& v) const {

@@ -185,7 +185,7 @@ class Predicates {
   /// Returns the probe's coordinates, off by at most `bounds().position` (+ difference) each.
   [[nodiscard]] Vec<double> position(const Probe& probe) const {
     const double lambda = probe.exact != nullptr
-                              ? probe.exact->convert_to<double>()
+                              ? to_double(*probe.exact)
                               : std::ldexp(static_cast<double>(probe.numerator), -probe.shift);
     const Vec<double> a = start(probe.segment);
     const Vec<double> d = direction(probe.segment.edge);

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "exact/big_integer.hpp"
+#include "exact/fraction.hpp"
 
 namespace minksum {
 
@@ -61,7 +61,7 @@ struct Probe {
   Segment segment;
   std::int64_t numerator;  ///< 0 < numerator < 2^shift
   int shift;               ///< at most kMaxShift
-  const BigRational* exact = nullptr;  ///< used instead where kMaxShift bits are too few
+  const Fraction* exact = nullptr;  ///< used instead where kMaxShift bits are too few
 };
 
 }  // namespace minksum

@@ -6,6 +6,8 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 
 namespace minksum {
 
@@ -19,6 +21,9 @@ inline int bit_width(Int128 value) {
   return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
 }
+
+/// Returns a bound on the bits of 10^exponent.
+constexpr int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
 
 /// A two's complement integer of little-endian limbs, which wraps like the built-in unsigned types.
 /// The users of the class prove that values stay within 64·N − 1 bits (see exact/bit_budget.hpp).
@@ -47,6 +52,7 @@ class WideInt {
   }
 
   [[nodiscard]] constexpr std::uint64_t limb(std::size_t i) const { return limbs_[i]; }
+  [[nodiscard]] constexpr std::span<const std::uint64_t> limbs() const { return limbs_; }
   [[nodiscard]] constexpr bool negative() const { return (limbs_[N - 1] >> 63) != 0; }
 
   friend constexpr WideInt operator+(const WideInt& a, const WideInt& b) {
@@ -100,5 +106,32 @@ class WideInt {
  private:
   std::array<std::uint64_t, N> limbs_;
 };
+
+/// Returns n / d rounded down, for n >= 0, d > 0 and n / d < 2^62. It is a step of a long division:
+/// Knuth 1997, section 4.3.1, algorithm D.
+template <std::size_t N>
+constexpr std::int64_t short_quotient(const WideInt<N>& n, const WideInt<N>& d) {
+  std::size_t top = N;
+  while (d.limb(--top) == 0) {
+  }
+  // The highest limb of the divisor gets its highest bit, so the guess is at most 2 too large.
+  const WideInt<N + 1> factor(Int128{1} << std::countl_zero(d.limb(top)));
+  const WideInt<N + 1> rest = WideInt<N + 1>(n) * factor;
+  const WideInt<N + 1> divisor = WideInt<N + 1>(d) * factor;
+  const Uint128 high = static_cast<Uint128>(rest.limb(top + 1)) << 64 | rest.limb(top);
+  auto quotient = static_cast<std::int64_t>(high / divisor.limb(top));
+  while (WideInt<N + 1>(quotient) * divisor > rest) --quotient;
+  return quotient;
+}
+
+/// Returns the same value in a type at least as wide; without a copy where the type is the same.
+template <class To, class From>
+[[nodiscard]] constexpr decltype(auto) widen(const From& value) {
+  if constexpr (std::is_same_v<To, From>) {
+    return (value);
+  } else {
+    return static_cast<To>(value);
+  }
+}
 
 }  // namespace minksum

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/big_integer.hpp"
+#include "exact/formulas.hpp"
 #include "exact/gcd.hpp"
 #include "exact/wide_int.hpp"
 #include "overlay/exact_points.hpp"
@@ -64,31 +65,10 @@ constexpr bool kFits = kMagnitudeBits<typename Rung::Length> >= Rung::kBits + 1 
                        kMagnitudeBits<typename Rung::AreaSum> >= 2 * Rung::kBits + 1 + 32;
 static_assert(kFits<NarrowRung> && kFits<MediumRung> && kFits<WideRung>);
 
-template <class To, class From>
-To widen(const From& value) {
-  if constexpr (std::is_same_v<To, From>) {
-    return value;
-  } else {
-    return static_cast<To>(value);
-  }
-}
-
-template <std::size_t N>
-BigInt to_big(const WideInt<N>& value) {
-  const WideInt<N> magnitude = value.magnitude();
-  std::uint64_t limbs[N];
-  for (std::size_t i = 0; i < N; ++i) limbs[i] = magnitude.limb(i);
-  const BigInt result = from_limbs(limbs);
-  return value.negative() ? BigInt(-result) : result;
-}
-inline BigInt to_big(Int128 value) { return to_big(WideInt<2>(value)); }
-inline BigInt to_big(std::int64_t value) { return BigInt(value); }
-inline BigInt to_big(const BigInteger& value) { return BigInt(value); }
-
 /// Relates the rung's own coordinates to the given ones: given = (own + offset)·2^exp2·10^exp10.
 struct Frame {
-  BigInt offset_x = 0;
-  BigInt offset_y = 0;
+  BigInteger offset_x = 0;
+  BigInteger offset_y = 0;
   int exp2 = 0;
   int exp10 = 0;
   /// Scales approximations, so that they neither overflow nor underflow needlessly.
@@ -175,7 +155,7 @@ class ExactPointsOf final : public ExactPoints {
 
   [[nodiscard]] Line line(const Ends& ends) const override {
     const Coefficients l = line_of(ends);
-    Line line{BigInteger(to_big(l.a)), BigInteger(to_big(l.b)), BigInteger(to_big(l.c))};
+    Line line{BigInteger(l.a), BigInteger(l.b), BigInteger(l.c)};
     // a and b are not both 0.
     const BigInteger divisor =
         greatest_common_divisor(greatest_common_divisor(line[0], line[1]), line[2]);
@@ -192,17 +172,14 @@ class ExactPointsOf final : public ExactPoints {
       }
     }
     const Homogeneous p = homogeneous(place);
-    const BigInt w = to_big(p.w);
-    const auto nearest = [&](const BigInt& n) {
-      return nearest_double(n.sign() < 0, boost::multiprecision::abs(n), w,
-                            frame_.approximate_exp2);
-    };
-    return {nearest(to_big(p.x)), nearest(to_big(p.y))};
+    const BigInteger w(p.w);
+    return {nearest_double(BigInteger(p.x), w, frame_.approximate_exp2),
+            nearest_double(BigInteger(p.y), w, frame_.approximate_exp2)};
   }
   [[nodiscard]] Point exact(const ExactLocation& place) const override {
     const Homogeneous p = homogeneous(place);
-    const BigInt w = to_big(p.w);
-    return {given(to_big(p.x), w, frame_.offset_x), given(to_big(p.y), w, frame_.offset_y)};
+    const BigInteger w(p.w);
+    return {given(BigInteger(p.x), w, frame_.offset_x), given(BigInteger(p.y), w, frame_.offset_y)};
   }
 
  private:
@@ -215,10 +192,6 @@ class ExactPointsOf final : public ExactPoints {
     Volume x;
     Volume y;
     Area w;
-  };
-  struct Quotient {
-    BigInteger numerator;
-    BigInteger denominator;
   };
 
   template <class Value>
@@ -269,28 +242,26 @@ class ExactPointsOf final : public ExactPoints {
   }
   /// Returns the sum of the sides' cross products from `begin` to `end`. Halves are added, so that
   /// denominators of like size are multiplied.
-  [[nodiscard]] Quotient doubled_area(std::span<const PointId> ring, std::size_t begin,
-                                      std::size_t end) const {
+  [[nodiscard]] Quotient<BigInteger> doubled_area(std::span<const PointId> ring, std::size_t begin,
+                                                  std::size_t end) const {
     if (end - begin <= 1) {
-      if (begin == end) return {BigInteger(0), BigInteger(1)};
+      if (begin == end) return {0, 1};
       const PointId p = ring[begin];
       const PointId q = ring[end == ring.size() ? 0 : end];
-      return {BigInteger(line_of({p, q}).c), BigInteger(weights_[p] * weights_[q])};
+      return {line_of({p, q}).c, weights_[p] * weights_[q]};
     }
     const std::size_t middle = begin + (end - begin) / 2;
-    const Quotient a = doubled_area(ring, begin, middle);
-    const Quotient b = doubled_area(ring, middle, end);
+    const auto a = doubled_area(ring, begin, middle);
+    const auto b = doubled_area(ring, middle, end);
     if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
     return {a.numerator * b.denominator + b.numerator * a.denominator,
             a.denominator * b.denominator};
   }
-  [[nodiscard]] Rational given(BigInt numerator, BigInt denominator, const BigInt& offset) const {
+  [[nodiscard]] Rational given(BigInteger numerator, BigInteger denominator,
+                               const BigInteger& offset) const {
     numerator += offset * denominator;
-    if (frame_.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(frame_.exp10));
-    if (frame_.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-frame_.exp10));
-    if (frame_.exp2 > 0) numerator <<= static_cast<unsigned>(frame_.exp2);
-    if (frame_.exp2 < 0) denominator <<= static_cast<unsigned>(-frame_.exp2);
-    return RationalAccess::make(std::move(numerator), std::move(denominator));
+    return RationalAccess::make(std::move(numerator), std::move(denominator), frame_.exp2,
+                                frame_.exp10);
   }
 
   std::vector<Own> points_;

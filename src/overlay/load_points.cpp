@@ -20,9 +20,6 @@ void for_each_coordinate(std::span<const Source> sources, Cancellation& cancella
   }
 }
 
-/// Returns a bound on the bits of 10^exponent.
-int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
-
 /// Finds the smallest powers of two and ten in use. Returns false if the integers on that grid have
 /// so many bits that their differences do not fit the widest rung.
 bool find_grid(std::span<const Source> sources, Cancellation& cancellation, Frame& frame) {
@@ -86,8 +83,8 @@ std::unique_ptr<ExactPoints> load_grid(std::span<const Source> sources, Cancella
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   for (GridPoint& p : points) p = {p.x - low.x, p.y - low.y};
-  frame.offset_x = to_big(low.x);
-  frame.offset_y = to_big(low.y);
+  frame.offset_x = low.x;
+  frame.offset_y = low.y;
   const int bits = std::max(bit_width(high.x - low.x), bit_width(high.y - low.y));
   if (bits <= NarrowRung::kBits) return make<NarrowRung>(points, std::move(frame));
   if (bits <= MediumRung::kBits) return make<MediumRung>(points, std::move(frame));
@@ -112,14 +109,13 @@ LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& can
     cancellation.check(work_of(p));
     measure(p.x);
     measure(p.y);
-    const auto part = [](const BigInt& value) { return BigInteger(value); };
-    const BigInteger dx = part(RationalAccess::denominator(p.x));
-    const BigInteger dy = part(RationalAccess::denominator(p.y));
-    const BigInteger w = dx == dy ? dx : BigInteger(lcm(dx, dy));
-    points.push_back({BigInteger(part(RationalAccess::numerator(p.x)) * (w / dx)),
-                      BigInteger(part(RationalAccess::numerator(p.y)) * (w / dy))});
-    bits = std::max({bits, bit_length(BigInt(w)), p.x.bits(), p.y.bits()});
-    weights.push_back(w);
+    const BigInteger& dx = RationalAccess::denominator(p.x);
+    const BigInteger& dy = RationalAccess::denominator(p.y);
+    BigInteger w = least_common_multiple(dx, dy);
+    points.push_back(
+        {RationalAccess::numerator(p.x) * (w / dx), RationalAccess::numerator(p.y) * (w / dy)});
+    bits = std::max({bits, bit_length(w), p.x.bits(), p.y.bits()});
+    weights.push_back(std::move(w));
   }
   // The largest coordinate is about 2^100. So a product of three is far from overflow.
   Frame frame;

@@ -42,11 +42,8 @@ class Denominators {
       add(region, RegionAccess::y(region, v));
     }
   }
-  [[nodiscard]] BigInt finite() const {
-    return boost::multiprecision::pow(BigInt(5), static_cast<unsigned>(fives_))
-           << static_cast<unsigned>(twos_);
-  }
-  [[nodiscard]] BigInt least_common(Cancellation& cancellation) {
+  [[nodiscard]] BigInteger finite() const { return power(5, fives_) << twos_; }
+  [[nodiscard]] BigInteger least_common(Cancellation& cancellation) {
     return least_common_multiple(finite(), std::move(others_), cancellation);
   }
 
@@ -67,20 +64,20 @@ class Denominators {
 
   int twos_ = 0;
   int fives_ = 0;
-  std::vector<BigInt> others_;
+  std::vector<BigInteger> others_;
 };
 
 }  // namespace
 
 // Takes one value after the other. The common divisor of two long numbers takes time quadratic in
 // their length. That of a long and a short number takes hardly more than a division.
-BigInt least_common_multiple(BigInt common, std::vector<BigInt> values,
-                             Cancellation& cancellation) {
+BigInteger least_common_multiple(BigInteger common, std::vector<BigInteger> values,
+                                 Cancellation& cancellation) {
   std::sort(values.begin(), values.end(), cancellation.counting(std::less<>()));
   values.erase(std::unique(values.begin(), values.end()), values.end());
-  for (const BigInt& value : values) {
+  for (const BigInteger& value : values) {
     cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
-    const BigInt rest = divided(common, value, cancellation).rest;
+    const BigInteger rest = divided(common, value, cancellation).rest;
     common *= value / greatest_common_divisor(rest, value);
   }
   return common;
@@ -110,20 +107,15 @@ bool find_common_scale(const Region& region, Cancellation& cancellation, CommonS
     if (!place(RegionAccess::x(region, v), point.x)) return false;
     if (!place(RegionAccess::y(region, v), point.y)) return false;
   }
-  const auto power_of_two = [](int exponent) {
-    const BigInt power = BigInt(1) << static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
-    return exponent < 0 ? RationalAccess::make_reduced(1, power)
-                        : RationalAccess::make_reduced(power, 1);
-  };
-  scale.unit = Rational(Decimal{1, tens}) * power_of_two(twos);
+  scale.unit = RationalAccess::make(1, 1, twos, tens);
   return true;
 }
 
-BigInt finite_denominator(const Region& region, Cancellation& cancellation) {
+BigInteger finite_denominator(const Region& region, Cancellation& cancellation) {
   return Denominators(region, cancellation).finite();
 }
 
-BigInt least_common_denominator(const Region& region, Cancellation& cancellation) {
+BigInteger least_common_denominator(const Region& region, Cancellation& cancellation) {
   return Denominators(region, cancellation).least_common(cancellation);
 }
 

@@ -27,11 +27,12 @@ struct CommonScale {
 bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale);
 
 /// Returns the least common multiple of positive integers.
-BigInt least_common_multiple(BigInt common, std::vector<BigInt> values, Cancellation& cancellation);
+BigInteger least_common_multiple(BigInteger common, std::vector<BigInteger> values,
+                                 Cancellation& cancellation);
 /// Returns the smallest positive integer whose product with each coordinate that is a double or a
 /// finite decimal is an integer.
-BigInt finite_denominator(const Region& region, Cancellation& cancellation);
+BigInteger finite_denominator(const Region& region, Cancellation& cancellation);
 /// Returns the smallest such integer for all coordinates.
-BigInt least_common_denominator(const Region& region, Cancellation& cancellation);
+BigInteger least_common_denominator(const Region& region, Cancellation& cancellation);
 
 }  // namespace minksum

@@ -11,12 +11,10 @@
 namespace minksum {
 namespace {
 
-namespace mp = boost::multiprecision;
-
 using Indices = std::vector<std::uint32_t>;
 
 // Uses a balanced tree, so that both operands of most products are about equally long.
-BigInt product_of(const std::vector<BigInt>& values, std::size_t first, std::size_t last) {
+BigInteger product_of(const std::vector<BigInteger>& values, std::size_t first, std::size_t last) {
   if (first == last) return 1;
   if (last - first == 1) return values[first];
   const std::size_t middle = first + (last - first) / 2;
@@ -31,22 +29,19 @@ Indices without(const Indices& all, const Indices& others) {
 
 }  // namespace
 
-Division divided(const BigInt& value, const BigInt& divisor, Cancellation& cancellation) {
+Division divided(const BigInteger& value, const BigInteger& divisor, Cancellation& cancellation) {
   constexpr std::size_t kLimbBits = 64;
   const std::size_t step = bit_length(divisor) / kLimbBits;
   std::vector<std::uint64_t> limbs;
+  if (step < 2 || append_limbs(value, limbs) < 3 * step) return divided(abs(value), divisor);
   Division result;
-  if (step < 2 || append_limbs(value, limbs) < 3 * step) {
-    mp::divide_qr(BigInt(mp::abs(value)), divisor, result.quotient, result.rest);
-    return result;
-  }
   std::vector<std::uint64_t> quotient;
   for (std::size_t end = limbs.size(); end > 0;) {
     const std::size_t begin = end > step ? end - step : 0;
     cancellation.check(4 * work_of_product(kLimbBits * step));
-    BigInt piece = result.rest << (kLimbBits * (end - begin));
-    piece += from_limbs(std::span(limbs).subspan(begin, end - begin));
-    mp::divide_qr(piece, divisor, result.quotient, result.rest);
+    result.rest <<= static_cast<std::int64_t>(kLimbBits * (end - begin));
+    result.rest += BigInteger(std::span(limbs).subspan(begin, end - begin));
+    result = divided(result.rest, divisor);
     // The quotient takes no more limbs than those just divided, and replaces them.
     quotient.clear();
     append_limbs(result.quotient, quotient);
@@ -54,22 +49,23 @@ Division divided(const BigInt& value, const BigInt& divisor, Cancellation& cance
     std::ranges::copy(quotient, limbs.begin() + static_cast<std::ptrdiff_t>(begin));
     end = begin;
   }
-  result.quotient = from_limbs(limbs);
+  result.quotient = BigInteger(limbs);
   return result;
 }
 
-FractionSum::FractionSum(std::vector<BigInt> factors, Cancellation& cancellation)
+FractionSum::FractionSum(std::vector<BigInteger> factors, Cancellation& cancellation)
     : cancellation_(cancellation), factors_(std::move(factors)) {
   std::ranges::sort(factors_, cancellation.counting(std::less<>()));
   factors_.erase(std::unique(factors_.begin(), factors_.end()), factors_.end());
 }
 
-std::uint32_t FractionSum::index_of(const BigInt& factor) const {
+std::uint32_t FractionSum::index_of(const BigInteger& factor) const {
   const auto found = std::ranges::lower_bound(factors_, factor);
   return static_cast<std::uint32_t>(2 * (found - factors_.begin()));
 }
 
-FractionSum::Term FractionSum::term(BigInt numerator, const BigInt& a, const BigInt& b) const {
+FractionSum::Term FractionSum::term(BigInteger numerator, const BigInteger& a,
+                                    const BigInteger& b) const {
   Term result{std::move(numerator), a * b, {}};
   if (a != 1) result.factors.push_back(index_of(a));
   if (b != 1) result.factors.push_back(index_of(b) + (a == b ? 1 : 0));
@@ -77,22 +73,22 @@ FractionSum::Term FractionSum::term(BigInt numerator, const BigInt& a, const Big
   return result;
 }
 
-BigInt FractionSum::product(const Indices& factors) const {
-  std::vector<BigInt> values;
+BigInteger FractionSum::product(const Indices& factors) const {
+  std::vector<BigInteger> values;
   for (const std::uint32_t factor : factors) values.push_back(factors_[factor / 2]);
   return product_of(values, 0, values.size());
 }
 
 // Multiplies the kept factors, because a long division takes longer.
-BigInt FractionSum::rest(const Term& term, const Indices& kept) const {
+BigInteger FractionSum::rest(const Term& term, const Indices& kept) const {
   return kept.size() == term.factors.size() ? term.denominator : product(kept);
 }
 
 FractionSum::Term FractionSum::sum(const Term& a, const Term& b) const {
   const auto bits = std::max(bit_length(a.denominator), bit_length(b.denominator));
   cancellation_.check(4 * work_of_product(bits));
-  const BigInt only_a = rest(a, without(a.factors, b.factors));
-  const BigInt only_b = rest(b, without(b.factors, a.factors));
+  const BigInteger only_a = rest(a, without(a.factors, b.factors));
+  const BigInteger only_b = rest(b, without(b.factors, a.factors));
   Term result{a.numerator * only_b + b.numerator * only_a, a.denominator * only_b, {}};
   std::ranges::set_union(a.factors, b.factors, std::back_inserter(result.factors));
   return result;
@@ -111,16 +107,16 @@ FractionSum::Term FractionSum::sum(const std::vector<Term>& terms) const {
 }
 
 Rational FractionSum::half(Term term) const {
-  std::vector<BigInt> factors{2};
+  std::vector<BigInteger> factors{2};
   for (const std::uint32_t factor : term.factors) factors.push_back(factors_[factor / 2]);
   if (term.numerator.is_zero()) return {};
   // After each step, the numerator is coprime to this factor and to all before it. In the end, it
   // is coprime to their product.
-  for (BigInt& factor : factors) {
+  for (BigInteger& factor : factors) {
     const std::size_t bits = bit_length(factor);
     cancellation_.check(8 * work_of_product(bits) +
                         (bit_length(term.numerator) / 64) * (bits / 64 + 1));
-    const BigInt common =
+    const BigInteger common =
         greatest_common_divisor(divided(term.numerator, factor, cancellation_).rest, factor);
     if (common == 1) continue;
     term.numerator /= common;

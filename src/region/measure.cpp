@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/gcd.hpp"
 #include "machine/cancellation.hpp"
 #include "region/common_scale.hpp"
 #include "region/fraction_sum.hpp"
@@ -15,40 +16,23 @@ namespace minksum {
 
 namespace {
 
-__extension__ using Int128 = __int128;
-__extension__ using Uint128 = unsigned __int128;
-
-// Sums 128-bit terms, low and high halves apart, so that nothing overflows.
-class WideSum {
- public:
-  void add(Int128 term) {
-    low_ += static_cast<std::uint64_t>(term);
-    high_ += static_cast<std::int64_t>(term >> 64);
-  }
-  [[nodiscard]] BigInt value() const { return (BigInt(high_) << 64) + BigInt(low_); }
-
- private:
-  Uint128 low_ = 0;
-  Int128 high_ = 0;
-};
-
 // Returns twice the signed area of a ring of integers below 2^61 in absolute value.
-BigInt doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
-                    Cancellation& cancellation) {
+BigInteger doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
+                        Cancellation& cancellation) {
   if (ring.size() < 3) return 0;
   const ScaledPoint origin = points[ring.front()];
-  WideSum sum;
+  WideInt<3> sum;
   std::int64_t last_x = 0;
   std::int64_t last_y = 0;
   for (const std::size_t v : ring) {
     cancellation.check();
     const std::int64_t x = points[v].x - origin.x;
     const std::int64_t y = points[v].y - origin.y;
-    sum.add(Int128{last_x} * y - Int128{x} * last_y);
+    sum = sum + WideInt<3>(Int128{last_x} * y - Int128{x} * last_y);
     last_x = x;
     last_y = y;
   }
-  return sum.value();
+  return BigInteger(sum);
 }
 
 // Bits of the longest common denominator. Beyond it, each vertex uses a denominator of its own.
@@ -56,15 +40,15 @@ constexpr std::size_t kLongestShared = 4096;
 
 // The vertex (x / divisor, y / divisor).
 struct Quotients {
-  BigInt x;
-  BigInt y;
-  BigInt divisor;
+  BigInteger x;
+  BigInteger y;
+  BigInteger divisor;
 };
 
-Quotients quotients_of(const Point& point, const BigInt* shared) {
-  const BigInt& below_x = RationalAccess::denominator(point.x);
-  const BigInt& below_y = RationalAccess::denominator(point.y);
-  BigInt divisor = shared ? *shared : boost::multiprecision::lcm(below_x, below_y);
+Quotients quotients_of(const Point& point, const BigInteger* shared) {
+  const BigInteger& below_x = RationalAccess::denominator(point.x);
+  const BigInteger& below_y = RationalAccess::denominator(point.y);
+  BigInteger divisor = shared ? *shared : least_common_multiple(below_x, below_y);
   return {RationalAccess::numerator(point.x) * (divisor / below_x),
           RationalAccess::numerator(point.y) * (divisor / below_y), std::move(divisor)};
 }
@@ -72,14 +56,14 @@ Quotients quotients_of(const Point& point, const BigInt* shared) {
 // Returns the area for coordinates that have no short common denominator.
 Rational area_of_rationals(const Region& region, Cancellation& cancellation) {
   std::vector<Quotients> vertices;
-  std::vector<BigInt> divisors;
+  std::vector<BigInteger> divisors;
   // Doubles and decimals have few denominators, and one number is a multiple of them all.
-  const BigInt finite = finite_denominator(region, cancellation);
+  const BigInteger finite = finite_denominator(region, cancellation);
   const bool is_short = bit_length(finite) <= kLongestShared;
   for (std::size_t v = 0; v < region.vertex_count(); ++v) {
     const bool is_finite = RegionAccess::x(region, v).denominator_limbs == 0 &&
                            RegionAccess::y(region, v).denominator_limbs == 0;
-    const BigInt* const shared = is_short && is_finite ? &finite : nullptr;
+    const BigInteger* const shared = is_short && is_finite ? &finite : nullptr;
     const Point point = region.point(v);
     cancellation.check(4 * work_of(point));
     divisors.push_back(vertices.emplace_back(quotients_of(point, shared)).divisor);
@@ -178,13 +162,13 @@ Rational area(const Region& region, const Options& options) {
   if (!find_common_scale(region, cancellation, scale)) {
     return area_of_rationals(region, cancellation);
   }
-  BigInt doubled;
+  BigInteger doubled;
   for (const std::size_t polygon : region.polygons()) {
     bool outer = true;
     for (const std::size_t ring : region.rings_of(polygon)) {
-      const BigInt of_ring =
+      const BigInteger of_ring =
           abs(doubled_area(scale.points, region.vertices_of(ring), cancellation));
-      doubled += outer ? of_ring : BigInt(-of_ring);
+      doubled += outer ? of_ring : -of_ring;
       outer = false;
     }
   }
@@ -227,16 +211,16 @@ std::size_t coordinate_bits(const Region& region, const Options& options) {
   const std::optional<Box> box = bounding_box(region, options);
   if (!box) return 0;
   Cancellation cancellation(options);
-  const BigInt scale = least_common_denominator(region, cancellation);
+  const BigInteger scale = least_common_denominator(region, cancellation);
   // Times `scale`, both sides are integers. With k as below, 2^(k-1) < a / b < 2^(k+1), so no long
   // division is needed.
   const auto scaled_bits = [&](const Rational& side) -> std::size_t {
     cancellation.look();
     if (side.sign() == 0) return 0;
-    const BigInt above = RationalAccess::numerator(side) * scale;
-    const BigInt& below = RationalAccess::denominator(side);
+    const BigInteger above = RationalAccess::numerator(side) * scale;
+    const BigInteger& below = RationalAccess::denominator(side);
     const std::size_t k = bit_length(above) - bit_length(below);
-    return above >= below << k ? k + 1 : k;
+    return above >= below << static_cast<std::int64_t>(k) ? k + 1 : k;
   };
   return std::max(scaled_bits(box->max.x - box->min.x), scaled_bits(box->max.y - box->min.y));
 }

@@ -11,20 +11,18 @@
 
 namespace minksum {
 
-namespace mp = boost::multiprecision;
-
 namespace {
 
 // Beyond this, a decimal exponent asks for megabytes of digits, not for a coordinate.
 constexpr int kDecimalExponentLimit = 500'000;
 
-const BigInt& zero() {
-  static const BigInt value(0);
+const BigInteger& zero() {
+  static const BigInteger value(0);
   return value;
 }
 
-const BigInt& one() {
-  static const BigInt value(1);
+const BigInteger& one() {
+  static const BigInteger value(1);
   return value;
 }
 
@@ -34,13 +32,6 @@ std::size_t digit_run(std::string_view text, std::size_t from) {
   std::size_t end = from;
   while (end < text.size() && is_digit(text[end])) ++end;
   return end - from;
-}
-
-// Leading zeros are dropped, because the parser of big integers takes them as a mark of octal.
-BigInt integer_from_digits(std::string_view digits) {
-  const std::size_t first = digits.find_first_not_of('0');
-  if (first == std::string_view::npos) return 0;
-  return BigInt(std::string(digits.substr(first)));
 }
 
 // Parses `[+-]digits` up to the end of `text`. Returns nothing for other text and for exponents
@@ -59,23 +50,15 @@ std::optional<int> parse_exponent(std::string_view text) {
   return negative ? -value : value;
 }
 
-Rational scaled_by_ten(BigInt mantissa, int exponent) {
-  if (exponent >= 0) {
-    return RationalAccess::make_reduced(mantissa * power_of_ten(static_cast<unsigned>(exponent)),
-                                        1);
-  }
-  return RationalAccess::make(std::move(mantissa), power_of_ten(static_cast<unsigned>(-exponent)));
-}
-
 }  // namespace
 
-Rational RationalAccess::make(BigInt numerator, BigInt denominator) {
+Rational RationalAccess::make(BigInteger numerator, BigInteger denominator) {
   if (denominator.sign() < 0) {
     numerator = -numerator;
     denominator = -denominator;
   }
   if (denominator != 1) {
-    const BigInt divisor = greatest_common_divisor(numerator, denominator);
+    const BigInteger divisor = greatest_common_divisor(numerator, denominator);
     if (divisor != 1) {
       numerator /= divisor;
       denominator /= divisor;
@@ -84,17 +67,22 @@ Rational RationalAccess::make(BigInt numerator, BigInt denominator) {
   return make_reduced(std::move(numerator), std::move(denominator));
 }
 
-Rational RationalAccess::make_reduced(BigInt numerator, BigInt denominator) {
+Rational RationalAccess::make(BigInteger numerator, BigInteger denominator, int exp2, int exp10) {
+  scale(numerator, denominator, exp2, exp10);
+  return make(std::move(numerator), std::move(denominator));
+}
+
+Rational RationalAccess::make_reduced(BigInteger numerator, BigInteger denominator) {
   if (numerator.is_zero()) return {};
   return Rational(std::make_shared<const Rational::Value>(
       Rational::Value{std::move(numerator), std::move(denominator)}));
 }
 
-const BigInt& RationalAccess::numerator(const Rational& value) {
+const BigInteger& RationalAccess::numerator(const Rational& value) {
   return value.value_ ? value.value_->numerator : zero();
 }
 
-const BigInt& RationalAccess::denominator(const Rational& value) {
+const BigInteger& RationalAccess::denominator(const Rational& value) {
   return value.value_ ? value.value_->denominator : one();
 }
 
@@ -116,7 +104,7 @@ Rational::Rational(Decimal value) {
   if (value.exponent > kDecimalExponentLimit || value.exponent < -kDecimalExponentLimit) {
     throw Error(ErrorCode::kLimitExceeded, "a decimal exponent beyond ±500000");
   }
-  *this = scaled_by_ten(value.mantissa, value.exponent);
+  *this = RationalAccess::make(value.mantissa, 1, 0, value.exponent);
 }
 
 Rational::Rational(double value) {
@@ -127,21 +115,14 @@ Rational::Rational(double value) {
   if (value == 0) return;
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
-  auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  exponent -= 53;
-  while ((mantissa & 1) == 0) {
-    mantissa /= 2;
-    ++exponent;
-  }
-  const BigInt power = BigInt(1) << static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
-  *this = exponent >= 0 ? RationalAccess::make_reduced(power * mantissa, 1)
-                        : RationalAccess::make_reduced(mantissa, power);
+  const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+  *this = RationalAccess::make(mantissa, 1, exponent - 53, 0);
 }
 
 std::optional<Rational> Rational::parse(std::string_view text) {
   const bool negative = !text.empty() && text[0] == '-';
   if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.remove_prefix(1);
-  const auto sign = [negative](BigInt value) { return negative ? BigInt(-value) : value; };
+  const auto sign = [negative](BigInteger value) { return negative ? -std::move(value) : value; };
 
   const std::size_t whole = digit_run(text, 0);
   if (whole == 0 || whole > kMaxDigits) return std::nullopt;
@@ -149,10 +130,9 @@ std::optional<Rational> Rational::parse(std::string_view text) {
     const std::string_view below = text.substr(whole + 1);
     if (below.empty() || below.size() > kMaxDigits) return std::nullopt;
     if (digit_run(below, 0) != below.size()) return std::nullopt;
-    BigInt denominator = integer_from_digits(below);
+    BigInteger denominator(below);
     if (denominator.is_zero()) return std::nullopt;
-    return RationalAccess::make(sign(integer_from_digits(text.substr(0, whole))),
-                                std::move(denominator));
+    return RationalAccess::make(sign(BigInteger(text.substr(0, whole))), std::move(denominator));
   }
   std::size_t position = whole;
   std::string digits(text.substr(0, whole));
@@ -170,16 +150,15 @@ std::optional<Rational> Rational::parse(std::string_view text) {
     if (!power) return std::nullopt;
     exponent += *power;
   }
-  return scaled_by_ten(sign(integer_from_digits(digits)), exponent);
+  return RationalAccess::make(sign(BigInteger(digits)), 1, 0, exponent);
 }
 
 Rational Rational::from_limbs(bool negative, const std::uint64_t* numerator,
                               std::size_t numerator_limbs, const std::uint64_t* denominator,
                               std::size_t denominator_limbs) {
-  BigInt above = minksum::from_limbs({numerator, numerator_limbs});
-  BigInt below = minksum::from_limbs({denominator, denominator_limbs});
+  BigInteger above({numerator, numerator_limbs}, negative);
+  BigInteger below({denominator, denominator_limbs});
   if (below.is_zero()) throw Error(ErrorCode::kBadInput, "a rational number with denominator 0");
-  if (negative) above = -above;
   return RationalAccess::make(std::move(above), std::move(below));
 }
 
@@ -202,31 +181,22 @@ std::size_t Rational::bits() const {
 
 double Rational::to_double() const {
   if (!value_) return 0;
-  return nearest_double(sign() < 0, mp::abs(value_->numerator), value_->denominator);
+  return nearest_double(value_->numerator, value_->denominator);
 }
 
 std::string Rational::to_string() const {
   if (!value_) return "0";
-  const auto text = [](const BigInt& value) {
-    if (bit_length(value) < 64) return std::to_string(static_cast<std::int64_t>(value));
-    return value.str();
-  };
-  std::string result = text(value_->numerator);
-  if (value_->denominator != 1) result += '/' + text(value_->denominator);
+  std::string result = value_->numerator.to_string();
+  if (value_->denominator != 1) result += '/' + value_->denominator.to_string();
   return result;
 }
 
 std::string Rational::to_decimal(int digits) const {
   if (digits < 0) throw Error(ErrorCode::kBadInput, "a negative number of digits");
-  const BigInt& divisor = RationalAccess::denominator(*this);
-  BigInt quotient;
-  BigInt remainder;
-  mp::divide_qr(BigInt(mp::abs(RationalAccess::numerator(*this)) *
-                       power_of_ten(static_cast<unsigned>(digits))),
-                divisor, quotient, remainder);
-  const int half = BigInt(remainder * 2).compare(divisor);
-  if (half > 0 || (half == 0 && mp::bit_test(quotient, 0))) ++quotient;
-  std::string text = quotient.str();
+  const BigInteger scaled = abs(RationalAccess::numerator(*this)) * power(10, digits);
+  const BigInteger quotient =
+      divided_to_nearest(scaled, RationalAccess::denominator(*this)).quotient;
+  std::string text = quotient.to_string();
   const auto places = static_cast<std::size_t>(digits);
   if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
   if (places > 0) text.insert(text.size() - places, 1, '.');
@@ -276,8 +246,8 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
   if (a.value_ == b.value_) return std::strong_ordering::equal;
   const auto& [an, ad] = *a.value_;
   const auto& [bn, bd] = *b.value_;
-  if (ad == bd) return an.compare(bn) <=> 0;
-  return BigInt(an * bd).compare(BigInt(bn * ad)) <=> 0;
+  if (ad == bd) return an <=> bn;
+  return an * bd <=> bn * ad;
 }
 
 std::ostream& operator<<(std::ostream& out, const Rational& value) {

@@ -9,9 +9,12 @@
 #include <span>
 #include <vector>
 
+#include "exact/formulas.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
+
+class BigInteger;
 
 /// Parts of StoredCoordinate::numerator_limbs: the sign and the count.
 inline constexpr std::uint16_t kNegativeLimbs = 0x8000;
@@ -112,6 +115,8 @@ class RegionAccess {
   static double nearest(const Region& region, const StoredCoordinate& coordinate) {
     return region.nearest(coordinate);
   }
+  /// Returns a coordinate without its powers of two and ten, not in lowest terms.
+  static Quotient<BigInteger> quotient(const Region& region, const StoredCoordinate& coordinate);
   static Rational exact(const Region& region, const StoredCoordinate& coordinate) {
     return region.exact(coordinate);
   }

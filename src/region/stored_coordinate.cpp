@@ -13,8 +13,6 @@
 
 namespace minksum {
 
-namespace mp = boost::multiprecision;
-
 namespace {
 
 constexpr std::int64_t kExactDoubleLimit = std::int64_t{1} << 53;
@@ -23,33 +21,34 @@ StoredCoordinate compact(std::int64_t payload, int exp2, int exp10) {
   return {payload, static_cast<std::int16_t>(exp2), static_cast<std::int16_t>(exp10), 0, 0};
 }
 
-bool fits_int64(const BigInt& value) { return bit_length(value) < 64; }
+bool fits_int64(const BigInteger& value) { return bit_length(value) < 64; }
 
 // Stores a quotient whose denominator is 2^a·5^b as m·10^-k, if m fits 63 bits. Denominators of
 // more than one limb are not tried, because people do not write such decimals.
-bool store_as_decimal(const BigInt& numerator, const BigInt& denominator, StoredCoordinate& out) {
+bool store_as_decimal(const BigInteger& numerator, const BigInteger& denominator,
+                      StoredCoordinate& out) {
   if (bit_length(denominator) > 63 || !fits_int64(numerator)) return false;
-  auto rest = static_cast<std::uint64_t>(denominator);
+  std::uint64_t rest = denominator.limb(0);
   const int twos = std::countr_zero(rest);
   rest >>= twos;
   int fives = 0;
   for (; rest % 5 == 0; ++fives) rest /= 5;
   if (rest != 1) return false;
-  const BigInt payload =
-      numerator * (twos < fives ? BigInt(BigInt(1) << static_cast<unsigned>(fives - twos))
-                                : mp::pow(BigInt(5), static_cast<unsigned>(twos - fives)));
+  const BigInteger payload =
+      twos < fives ? numerator << (fives - twos) : numerator * power(5, twos - fives);
   if (!fits_int64(payload)) return false;
   out = compact(static_cast<std::int64_t>(payload), 0, -std::max(twos, fives));
   return true;
 }
 
 // Stores an odd number of 63 bits times a power of two.
-bool store_as_binary(const BigInt& numerator, const BigInt& denominator, StoredCoordinate& out) {
-  const auto up = static_cast<std::int64_t>(mp::lsb(mp::abs(numerator)));
-  const auto down = static_cast<std::int64_t>(mp::lsb(denominator));
+bool store_as_binary(const BigInteger& numerator, const BigInteger& denominator,
+                     StoredCoordinate& out) {
+  const std::int64_t up = trailing_zeros(numerator);
+  const std::int64_t down = trailing_zeros(denominator);
   if (bit_length(denominator) != static_cast<std::size_t>(down) + 1) return false;
   if (up > INT16_MAX || down > INT16_MAX) return false;
-  const BigInt odd = mp::abs(numerator) >> static_cast<unsigned>(up);
+  const BigInteger odd = abs(numerator) >> up;
   if (!fits_int64(odd)) return false;
   const auto payload = static_cast<std::int64_t>(odd);
   out = compact(numerator.sign() < 0 ? -payload : payload, static_cast<int>(up - down), 0);
@@ -105,8 +104,8 @@ double about(const std::uint64_t* limbs, std::size_t count) {
 }  // namespace
 
 StoredCoordinate Region::store(const Rational& value) {
-  const BigInt& numerator = RationalAccess::numerator(value);
-  const BigInt& denominator = RationalAccess::denominator(value);
+  const BigInteger& numerator = RationalAccess::numerator(value);
+  const BigInteger& denominator = RationalAccess::denominator(value);
   if (numerator.is_zero()) return {};
   StoredCoordinate result;
   if (denominator == 1 && fits_int64(numerator)) {
@@ -145,43 +144,30 @@ StoredCoordinate Region::store(double value) {
 }
 
 Rational Region::exact(const StoredCoordinate& c) const {
-  BigInt numerator;
-  BigInt denominator = 1;
-  if (c.denominator_limbs == 0) {
-    if (c.exp2 == 0 && c.exp10 == 0) return Rational(c.payload);
-    numerator = c.payload;
-  } else {
-    const std::uint64_t* digits = arrays_.get<kLimbs>().data() + c.payload;
-    const std::size_t above = c.numerator_limbs & kLimbCountMask;
-    numerator = from_limbs({digits, above});
-    denominator = from_limbs({digits + above, c.denominator_limbs});
-    if ((c.numerator_limbs & kNegativeLimbs) != 0) numerator = -numerator;
-  }
-  if (c.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(c.exp10));
-  if (c.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-c.exp10));
-  if (c.exp2 > 0) numerator <<= static_cast<unsigned>(c.exp2);
-  if (c.exp2 < 0) denominator <<= static_cast<unsigned>(-c.exp2);
-  return RationalAccess::make(std::move(numerator), std::move(denominator));
+  if (c.denominator_limbs == 0 && c.exp2 == 0 && c.exp10 == 0) return Rational(c.payload);
+  auto [numerator, denominator] = RegionAccess::quotient(*this, c);
+  return RationalAccess::make(std::move(numerator), std::move(denominator), c.exp2, c.exp10);
 }
 
 double Region::nearest(const StoredCoordinate& c) const {
   if (c.denominator_limbs == 0) {
     double result = 0;
     if (c.payload == 0 || nearest_quick(c, result)) return result;
-    if (c.exp10 == 0) {
-      const auto magnitude = BigInt(c.payload);
-      return nearest_double(c.payload < 0, mp::abs(magnitude), 1, c.exp2);
-    }
+    if (c.exp10 == 0) return nearest_double(c.payload, 1, c.exp2);
     return exact(c).to_double();
   }
   // The quotient is not in lowest terms: finding these would cost more than the rounding.
-  const std::uint64_t* digits = arrays_.get<kLimbs>().data() + c.payload;
+  auto [numerator, denominator] = RegionAccess::quotient(*this, c);
+  scale(numerator, denominator, 0, c.exp10);
+  return nearest_double(numerator, denominator, c.exp2);
+}
+
+Quotient<BigInteger> RegionAccess::quotient(const Region& region, const StoredCoordinate& c) {
+  if (c.denominator_limbs == 0) return {c.payload, 1};
+  const auto digits = limbs(region).subspan(static_cast<std::size_t>(c.payload));
   const std::size_t above = c.numerator_limbs & kLimbCountMask;
-  BigInt numerator = from_limbs({digits, above});
-  BigInt denominator = from_limbs({digits + above, c.denominator_limbs});
-  if (c.exp10 > 0) numerator *= power_of_ten(static_cast<unsigned>(c.exp10));
-  if (c.exp10 < 0) denominator *= power_of_ten(static_cast<unsigned>(-c.exp10));
-  return nearest_double((c.numerator_limbs & kNegativeLimbs) != 0, numerator, denominator, c.exp2);
+  return {BigInteger(digits.first(above), (c.numerator_limbs & kNegativeLimbs) != 0),
+          BigInteger(digits.subspan(above, c.denominator_limbs))};
 }
 
 std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoordinate& a,

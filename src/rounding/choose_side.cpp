@@ -176,7 +176,7 @@ class RingChooser {
     const RoundedVertex& nearest = nearest_[corner.source];
     const auto difference = [&](const RoundedCoordinate& from, const RoundedCoordinate& to) {
       return target_.is_decimal()
-                 ? static_cast<double>(static_cast<std::int64_t>(BigInt(from.integer - to.integer)))
+                 ? static_cast<double>(static_cast<std::int64_t>(from.integer - to.integer))
                  : from.value - to.value;
     };
     corner.to.off_x = nearest.off_x + difference(nearest.x, corner.to.x);

@@ -10,28 +10,17 @@
 namespace minksum {
 namespace {
 
-namespace mp = boost::multiprecision;
-
-BigInt floor_of(const Rational& value) {
-  const BigInt& numerator = RationalAccess::numerator(value);
-  const BigInt& denominator = RationalAccess::denominator(value);
-  BigInt quotient;
-  BigInt rest;
-  mp::divide_qr(numerator, denominator, quotient, rest);
-  if (rest.sign() < 0) --quotient;
-  return quotient;
+BigInteger floor_of(const Rational& value) {
+  auto [quotient, rest] =
+      divided(RationalAccess::numerator(value), RationalAccess::denominator(value));
+  return rest.sign() < 0 ? quotient - 1 : quotient;
 }
 
-double to_double(const BigInt& value) {
-  if (bit_length(value) < 64) return static_cast<double>(static_cast<std::int64_t>(value));
-  return nearest_double(value.sign() < 0, mp::abs(value), 1);
+bool before(const Vec<BigInteger>& a, const Vec<BigInteger>& b) {
+  const auto by_x = a.x <=> b.x;
+  return by_x != 0 ? by_x < 0 : a.y < b.y;
 }
-
-bool before(const Vec<BigInt>& a, const Vec<BigInt>& b) {
-  const int by_x = a.x.compare(b.x);
-  return by_x != 0 ? by_x < 0 : a.y.compare(b.y) < 0;
-}
-bool equal(const Vec<BigInt>& a, const Vec<BigInt>& b) { return a.x == b.x && a.y == b.y; }
+bool equal(const Vec<BigInteger>& a, const Vec<BigInteger>& b) { return a.x == b.x && a.y == b.y; }
 
 /// The parameters t in [0, 1] at which a + t·d is in [-1/2, 1/2), cut down axis by axis.
 class Parameters {
@@ -121,14 +110,14 @@ SnapPoint snap_point(const Rational& x, const Rational& y) {
   return point;
 }
 
-bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInt>& centre) {
-  const Vec<BigInt> to_a{a.centre.x - centre.x, a.centre.y - centre.y};
-  const Vec<BigInt> to_b{b.centre.x - centre.x, b.centre.y - centre.y};
+bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInteger>& centre) {
+  const Vec<BigInteger> to_a{a.centre.x - centre.x, a.centre.y - centre.y};
+  const Vec<BigInteger> to_b{b.centre.x - centre.x, b.centre.y - centre.y};
   const auto answer =
       meets_by_doubles({to_double(to_a.x) + a.near_offset.x, to_double(to_a.y) + a.near_offset.y},
                        {to_double(to_b.x) + b.near_offset.x, to_double(to_b.y) + b.near_offset.y});
   if (answer) return *answer;
-  const auto exact = [](const BigInt& centre_coordinate, const Rational& offset) {
+  const auto exact = [](const BigInteger& centre_coordinate, const Rational& offset) {
     return RationalAccess::make(centre_coordinate, 1) + offset;
   };
   const Rational ax = exact(to_a.x, a.offset.x);
@@ -161,20 +150,19 @@ HotPixels::HotPixels(std::span<const SnapPoint> points, Cancellation& cancellati
 /// every pixel is known within one unit, which is a step or far less than a cell.
 void HotPixels::place_in_cells(Cancellation& cancellation) {
   constexpr std::size_t kBits = 50;
-  Vec<BigInt> low = centres_[0];
-  Vec<BigInt> high = centres_[0];
+  Vec<BigInteger> low = centres_[0];
+  Vec<BigInteger> high = centres_[0];
   for (const auto& c : centres_) {
     if (c.y < low.y) low.y = c.y;
     if (c.y > high.y) high.y = c.y;
   }
   high.x = centres_.back().x;
   const std::size_t bits = std::max(bit_length(high.x - low.x), bit_length(high.y - low.y));
-  const auto unit = static_cast<unsigned>(bits > kBits ? bits - kBits : 0);
+  const auto unit = static_cast<std::int64_t>(bits > kBits ? bits - kBits : 0);
   Vec<double> extent{};
   for (const auto& c : centres_) {
     cancellation.check(8);
-    near_.push_back(
-        {to_double(BigInt(c.x - low.x) >> unit), to_double(BigInt(c.y - low.y) >> unit)});
+    near_.push_back({to_double((c.x - low.x) >> unit), to_double((c.y - low.y) >> unit)});
     extent = {std::max(extent.x, near_.back().x), std::max(extent.y, near_.back().y)};
   }
   // Along both axes, a pixel that a segment meets is within one step of the line between the
@@ -228,9 +216,9 @@ void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoin
   const bool up = !(centres_[to].y < centres_[from].y);
   std::sort(met.begin(), met.end(), [&](PixelId p, PixelId q) {
     cancellation.check(4);
-    const int by_x = centres_[p].x.compare(centres_[q].x);
+    const auto by_x = centres_[p].x <=> centres_[q].x;
     if (by_x != 0) return right == (by_x < 0);
-    const int by_y = centres_[p].y.compare(centres_[q].y);
+    const auto by_y = centres_[p].y <=> centres_[q].y;
     return by_y != 0 && up == (by_y < 0);
   });
 }

@@ -14,7 +14,7 @@ namespace minksum {
 /// A point in steps of the grid: the centre of its pixel, and its offset from there, in [-1/2,
 /// 1/2).
 struct SnapPoint {
-  Vec<BigInt> centre;
+  Vec<BigInteger> centre;
   Vec<Rational> offset;
   Vec<double> near_offset{};  ///< `offset` within 2^-53
 };
@@ -28,7 +28,7 @@ class HotPixels {
   /// Finds the pixels of these points. O(n log n).
   HotPixels(std::span<const SnapPoint> points, Cancellation& cancellation);
 
-  [[nodiscard]] const Vec<BigInt>& centre(PixelId pixel) const { return centres_[pixel]; }
+  [[nodiscard]] const Vec<BigInteger>& centre(PixelId pixel) const { return centres_[pixel]; }
   /// Returns the pixel of the point with this index.
   [[nodiscard]] PixelId pixel_of(std::size_t point) const { return pixel_of_[point]; }
   /// Lists the hot pixels that the closed segment between two of the points meets, in order along
@@ -39,7 +39,7 @@ class HotPixels {
  private:
   void place_in_cells(Cancellation& cancellation);
 
-  std::vector<Vec<BigInt>> centres_;  ///< sorted, each once
+  std::vector<Vec<BigInteger>> centres_;  ///< sorted, each once
   std::vector<PixelId> pixel_of_;     ///< by point
   std::vector<Vec<double>> near_;     ///< by pixel: the centre in units of the grid of cells
   UniformGrid grid_;
@@ -51,6 +51,7 @@ class HotPixels {
 };
 
 /// Tells exactly whether the closed segment from a to b meets the half-open pixel around `centre`.
-[[nodiscard]] bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInt>& centre);
+[[nodiscard]] bool meets_pixel(const SnapPoint& a, const SnapPoint& b,
+                               const Vec<BigInteger>& centre);
 
 }  // namespace minksum

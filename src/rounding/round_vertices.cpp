@@ -10,41 +10,25 @@
 namespace minksum {
 namespace {
 
-namespace mp = boost::multiprecision;
-
 /// The number numerator / denominator · 2^exp2. The quotient is not in lowest terms, because
 /// finding these would cost more than the rounding.
 struct Scaled {
-  BigInt numerator;
-  BigInt denominator = 1;
+  BigInteger numerator;
+  BigInteger denominator = 1;
   int exp2 = 0;
 };
 
 Scaled scaled(const Region& region, const StoredCoordinate& c, int exp10) {
-  Scaled result;
-  result.exp2 = c.exp2;
-  exp10 += c.exp10;
-  if (c.denominator_limbs == 0) {
-    result.numerator = c.payload;
-  } else {
-    const auto limbs = RegionAccess::limbs(region).subspan(static_cast<std::size_t>(c.payload));
-    const std::size_t above = c.numerator_limbs & kLimbCountMask;
-    result.numerator = from_limbs(limbs.first(above));
-    result.denominator = from_limbs(limbs.subspan(above, c.denominator_limbs));
-    if ((c.numerator_limbs & kNegativeLimbs) != 0) result.numerator = -result.numerator;
-  }
-  if (exp10 > 0) result.numerator *= power_of_ten(static_cast<unsigned>(exp10));
-  if (exp10 < 0) result.denominator *= power_of_ten(static_cast<unsigned>(-exp10));
-  return result;
+  auto [numerator, denominator] = RegionAccess::quotient(region, c);
+  scale(numerator, denominator, 0, exp10 + c.exp10);
+  return {std::move(numerator), std::move(denominator), c.exp2};
 }
 
 /// Returns numerator / denominator · 2^exp2 as a double, which is 0 only if the number is.
-double signed_double(const BigInt& numerator, const BigInt& denominator, int exp2) {
+double signed_double(const BigInteger& numerator, const BigInteger& denominator, int exp2) {
   if (numerator.is_zero()) return 0;
-  const bool negative = numerator.sign() < 0;
-  const double size = std::max(nearest_double(false, mp::abs(numerator), denominator, exp2),
-                               std::numeric_limits<double>::denorm_min());
-  return negative ? -size : size;
+  const double nearest = nearest_double(numerator, denominator, exp2);
+  return nearest != 0 ? nearest : numerator.sign() * std::numeric_limits<double>::denorm_min();
 }
 
 /// Returns a double as an integer times a power of two.
@@ -69,33 +53,16 @@ double off_double(const Region& region, const StoredCoordinate& c, double value)
   Scaled exact = scaled(region, c, 0);
   const auto [mantissa, exponent] = mantissa_and_exponent(value);
   const int low = mantissa == 0 ? exact.exp2 : std::min(exact.exp2, exponent);
-  exact.numerator <<= static_cast<unsigned>(exact.exp2 - low);
+  exact.numerator <<= exact.exp2 - low;
   if (mantissa != 0) {
-    exact.numerator -= (exact.denominator * mantissa) << static_cast<unsigned>(exponent - low);
+    exact.numerator -= (exact.denominator * mantissa) << (exponent - low);
   }
   return signed_double(exact.numerator, exact.denominator, low);
 }
 
-/// Returns the integer nearest to numerator / denominator, ties to even. `numerator` becomes the
-/// rest.
-BigInt nearest_integer(BigInt& numerator, const BigInt& denominator) {
-  const bool negative = numerator.sign() < 0;
-  BigInt quotient;
-  BigInt rest;
-  mp::divide_qr(BigInt(mp::abs(numerator)), denominator, quotient, rest);
-  const int to_half = BigInt(rest << 1U).compare(denominator);
-  if (to_half > 0 || (to_half == 0 && mp::bit_test(quotient, 0))) {
-    ++quotient;
-    rest -= denominator;
-  }
-  numerator = negative ? BigInt(-rest) : rest;
-  return negative ? BigInt(-quotient) : quotient;
-}
-
-RoundedCoordinate decimal_place(BigInt integer) {
+RoundedCoordinate decimal_place(BigInteger integer) {
   RoundedCoordinate place;
-  place.value = bit_length(integer) < 64 ? static_cast<double>(static_cast<std::int64_t>(integer))
-                                         : nearest_double(integer.sign() < 0, mp::abs(integer), 1);
+  place.value = to_double(integer);
   place.integer = std::move(integer);
   return place;
 }
@@ -107,14 +74,13 @@ RoundedCoordinate round_decimal(const Region& region, const StoredCoordinate& c,
   off = 0;
   if (c.denominator_limbs == 0 && c.payload == 0) return {};
   if (c.denominator_limbs == 0 && c.exp2 == 0 && tens >= 0 && tens <= kShort) {
-    return decimal_place(BigInt(c.payload) * power_of_ten(static_cast<unsigned>(tens)));
+    return decimal_place(BigInteger(c.payload) * power(10, tens));
   }
   Scaled exact = scaled(region, c, decimals);
-  if (exact.exp2 > 0) exact.numerator <<= static_cast<unsigned>(exact.exp2);
-  if (exact.exp2 < 0) exact.denominator <<= static_cast<unsigned>(-exact.exp2);
-  RoundedCoordinate place = decimal_place(nearest_integer(exact.numerator, exact.denominator));
-  off = signed_double(exact.numerator, exact.denominator, 0);
-  return place;
+  scale(exact.numerator, exact.denominator, exact.exp2, 0);
+  auto [integer, rest] = divided_to_nearest(exact.numerator, exact.denominator);
+  off = signed_double(rest, exact.denominator, 0);
+  return decimal_place(std::move(integer));
 }
 
 }  // namespace
@@ -154,17 +120,18 @@ RoundedVertices round_vertices(const Region& region, const Target& target,
 RoundedCoordinate nearest_place(const Rational& value, const Target& target) {
   if (!target.is_decimal()) return {value.to_double(), {}};
   const Rational steps = value / target.unit();
-  BigInt numerator = RationalAccess::numerator(steps);
-  return decimal_place(nearest_integer(numerator, RationalAccess::denominator(steps)));
+  return decimal_place(
+      divided_to_nearest(RationalAccess::numerator(steps), RationalAccess::denominator(steps))
+          .quotient);
 }
 
 Rational value_of(const RoundedCoordinate& place, const Target& target) {
   if (!target.is_decimal()) return Rational(place.value);
-  return RationalAccess::make(place.integer, power_of_ten(static_cast<unsigned>(*target.decimals)));
+  return RationalAccess::make(place.integer, 1, 0, -*target.decimals);
 }
 
 RoundedCoordinate next_place(const RoundedCoordinate& place, bool up, const Target& target) {
-  if (target.is_decimal()) return decimal_place(BigInt(place.integer + (up ? 1 : -1)));
+  if (target.is_decimal()) return decimal_place(place.integer + (up ? 1 : -1));
   const double next = std::nextafter(place.value, up ? HUGE_VAL : -HUGE_VAL);
   return {next == 0 ? 0.0 : next, {}};
 }
@@ -172,7 +139,7 @@ RoundedCoordinate next_place(const RoundedCoordinate& place, bool up, const Targ
 RoundedCoordinate shifted_place(const RoundedCoordinate& place, double steps, double step,
                                 const Target& target) {
   if (target.is_decimal()) {
-    return decimal_place(BigInt(place.integer + static_cast<std::int64_t>(steps)));
+    return decimal_place(place.integer + static_cast<std::int64_t>(steps));
   }
   return {place.value + steps * step + 0.0, {}};
 }

@@ -24,7 +24,7 @@ struct Target {
 /// A place: a coordinate of the target, in its unit.
 struct RoundedCoordinate {
   double value = 0;  ///< the place; for decimals, the double nearest to `integer`
-  BigInt integer;    ///< for decimals only
+  BigInteger integer;  ///< for decimals only
 };
 
 /// A vertex: the place to which it goes, and how far that is.

@@ -10,12 +10,6 @@
 namespace minksum {
 namespace {
 
-Rational power_of_two(int exponent) {
-  const BigInt power = BigInt(1) << static_cast<unsigned>(std::abs(exponent));
-  return exponent < 0 ? RationalAccess::make_reduced(1, power)
-                      : RationalAccess::make_reduced(power, 1);
-}
-
 Rational magnitude(const Rational& value) { return value.sign() < 0 ? -value : value; }
 
 template <class Visit>
@@ -124,7 +118,7 @@ class Snapper {
     }
   }
 
-  [[nodiscard]] RoundedCoordinate place(const BigInt& centre) const {
+  [[nodiscard]] RoundedCoordinate place(const BigInteger& centre) const {
     RoundedCoordinate place;
     if (grid_.target.is_decimal()) {
       place.integer = centre;
@@ -136,7 +130,7 @@ class Snapper {
     return place;
   }
   [[nodiscard]] Point centre(PixelId pixel) const {
-    const Vec<BigInt>& centre = pixels_.centre(pixel);
+    const Vec<BigInteger>& centre = pixels_.centre(pixel);
     return {value_of(place(centre.x), grid_.target), value_of(place(centre.y), grid_.target)};
   }
 
@@ -162,7 +156,9 @@ class Snapper {
 
 }  // namespace
 
-Rational SnapGrid::step() const { return target.is_decimal() ? target.unit() : power_of_two(exp2); }
+Rational SnapGrid::step() const {
+  return target.is_decimal() ? target.unit() : RationalAccess::make(1, 1, exp2, 0);
+}
 
 SnapGrid snap_grid(const Geometry& geometry, const Target& target, Cancellation& cancellation) {
   SnapGrid grid{target, 0};

@@ -1,8 +1,10 @@
 // Defines one operand by itself: on an integer grid, clean, oriented and validated.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,10 @@ struct OperandRing {
   std::uint32_t ring = 0;     ///< index in its polygon, 0 = outer
   [[nodiscard]] bool is_hole() const { return ring != 0; }
 };
+
+[[nodiscard]] inline bool has_holes(std::span<const OperandRing> rings) {
+  return std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return ring.is_hole(); });
+}
 
 /// An edge with its key, a rounded, monotone function of its direction in [0, 4). The key is off by
 /// less than kKeyError.
@@ -111,8 +117,6 @@ void approximate_sites(std::size_t count, const SumSettings& options, Cancellati
 void connect_rings(Cancellation& cancellation, PreparedOperand& operand);
 /// Returns the narrowest rung for coordinates of so many bits, unless a wider one is asked for.
 [[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);
-/// Returns a bound on the bits of 10^exponent.
-[[nodiscard]] constexpr int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
 /// Coordinates of more bits than this are not given to fixed-width arithmetic.
 inline constexpr int kMaxGridBits = WideRung::kCoordinateBits - 1;
 

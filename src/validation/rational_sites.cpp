@@ -1,7 +1,6 @@
 #include "validation/rational_sites.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 #include "region/region_access.hpp"
@@ -9,50 +8,23 @@
 namespace minksum {
 namespace {
 
-namespace mp = boost::multiprecision;
-
-BigInteger power(int base, int exponent) {
-  return mp::pow(BigInteger(base), static_cast<unsigned>(exponent));
-}
-
 /// Returns numerator / denominator · 2^exp2 · 10^exp10.
 Fraction scaled(BigInteger numerator, BigInteger denominator, int exp2, int exp10) {
-  (exp2 >= 0 ? numerator : denominator) *= power(2, std::abs(exp2));
-  (exp10 >= 0 ? numerator : denominator) *= power(10, std::abs(exp10));
+  scale(numerator, denominator, exp2, exp10);
   return Fraction(std::move(numerator), std::move(denominator)).reduced();
 }
 
 Fraction as_rational(const Region& region, const StoredCoordinate& c) {
-  BigInteger numerator(c.payload);
-  BigInteger denominator(1);
-  if (c.denominator_limbs != 0) {
-    const auto limbs = RegionAccess::limbs(region).subspan(static_cast<std::size_t>(c.payload));
-    const std::size_t n = c.numerator_limbs & kLimbCountMask;
-    numerator = 0;
-    const auto digits = limbs.first(n);
-    if (n != 0) mp::import_bits(numerator, digits.begin(), digits.end(), 64, false);
-    if ((c.numerator_limbs & kNegativeLimbs) != 0) numerator = -numerator;
-    const auto rest = limbs.subspan(n, c.denominator_limbs);
-    mp::import_bits(denominator, rest.begin(), rest.end(), 64, false);
-  }
-  return scaled(std::move(numerator), std::move(denominator), c.exp2, c.exp10);
+  Quotient<BigInteger> value = RegionAccess::quotient(region, c);
+  return scaled(std::move(value.numerator), std::move(value.denominator), c.exp2, c.exp10);
 }
 
-BigInteger as_big(Int128 value) {
-  const auto low = static_cast<std::uint64_t>(value);
-  const auto high = static_cast<std::int64_t>(value >> 64);
-  return BigInteger((BigInteger(high) << 64) + low);
-}
 Fraction grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& grid) {
-  return scaled(BigInteger(as_big(integer) + as_big(offset)), BigInteger(grid.unit.divisor),
-                grid.unit.exp2, grid.unit.exp10);
+  return scaled(BigInteger(integer) + offset, grid.unit.divisor, grid.unit.exp2, grid.unit.exp10);
 }
 
-std::size_t bit_width(const BigInteger& value) {
-  return value == 0 ? 0 : mp::msb(BigInteger(abs(value))) + 1;
-}
-std::size_t numerator_bits(const Fraction& value) { return bit_width(value.numerator()); }
-std::size_t denominator_bits(const Fraction& value) { return bit_width(value.denominator()); }
+std::size_t numerator_bits(const Fraction& value) { return bit_length(value.numerator()); }
+std::size_t denominator_bits(const Fraction& value) { return bit_length(value.denominator()); }
 
 }  // namespace
 

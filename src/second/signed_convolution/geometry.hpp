@@ -181,13 +181,14 @@ class Geometry {
     return {key_of(point.x, point.d), key_of(point.y, point.d)};
   }
   [[nodiscard]] std::int64_t key_of(const Scaled& n, const Product& d) const {
-    if (bits_ <= kKeyBits) {
-      return static_cast<std::int64_t>(Scaled((n << (kKeyBits - bits_)) / widen<Scaled>(d)));
-    }
     if constexpr (std::is_same_v<Coordinate, BigInteger>) {
-      return static_cast<std::int64_t>(Scaled(n / (d << (bits_ - kKeyBits))));
+      return static_cast<std::int64_t>(bits_ <= kKeyBits ? (n << (kKeyBits - bits_)) / d
+                                                         : n / (d << (bits_ - kKeyBits)));
+    } else if constexpr (std::is_same_v<Scaled, Int128>) {
+      return static_cast<std::int64_t>((n << (kKeyBits - bits_)) / d);
+    } else {
+      return short_quotient(n * Scaled(std::int64_t{1} << (kKeyBits - bits_)), widen<Scaled>(d));
     }
-    return 0;  // unreachable: fixed widths end below kKeyBits
   }
 
   template <bool kX>

@@ -41,15 +41,9 @@ std::vector<ExactPolygon> read(const CallerOperand& given, Cancellation& cancell
   return polygons;
 }
 
-BigInteger numerator(const Rational& value) { return BigInteger(RationalAccess::numerator(value)); }
-
-unsigned bit_count(const BigInteger& value) {
-  return value == 0 ? 0U : static_cast<unsigned>(msb(value)) + 1U;
-}
-
 BigInteger common_denominator(const std::vector<ExactPolygon>& p,
                               const std::vector<ExactPolygon>& q, Cancellation& cancellation) {
-  std::vector<BigInt> denominators;
+  std::vector<BigInteger> denominators;
   for (const auto* polygons : {&p, &q}) {
     for (const ExactPolygon& polygon : *polygons) {
       for (const ExactRing& ring : polygon.rings) {
@@ -61,19 +55,18 @@ BigInteger common_denominator(const std::vector<ExactPolygon>& p,
       }
     }
   }
-  return BigInteger(least_common_multiple(1, std::move(denominators), cancellation));
+  return least_common_multiple(1, std::move(denominators), cancellation);
 }
 
 BigInteger scaled(const Rational& value, const BigInteger& scale, Cancellation& cancellation) {
-  return numerator(value) *
-         BigInteger(
-             divided(BigInt(scale), RationalAccess::denominator(value), cancellation).quotient);
+  return RationalAccess::numerator(value) *
+         divided(scale, RationalAccess::denominator(value), cancellation).quotient;
 }
 
 BigInteger cross(const IntegerPoint& a, const IntegerPoint& b) { return a.x * b.y - a.y * b.x; }
 /// Returns the units of work of such a product.
 std::uint64_t work_of_cross(const IntegerPoint& a) {
-  return 2 * work_of_product(64 * std::max(a.x.backend().size(), a.y.backend().size()));
+  return 2 * work_of_product(64 * std::max(a.x.limb_count(), a.y.limb_count()));
 }
 
 IntegerPoint edge(const IntegerRing& ring, std::size_t i) {
@@ -111,7 +104,7 @@ BigInteger doubled_area(const IntegerRing& ring, Cancellation& cancellation) {
 
 /// Returns the units of work of making a vertex of a ring.
 std::uint64_t work_of_vertex(const BigInteger& scale) {
-  return 16 + 16 * work_of_product(bit_count(scale) + 64);
+  return 16 + 16 * work_of_product(bit_length(scale) + 64);
 }
 
 IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale, Cancellation& cancellation) {
@@ -193,7 +186,7 @@ std::pair<IntegerPoint, BigInteger> move_to_origin(std::vector<IntegerPart>& par
       point.y -= low.y;
     }
   }
-  return {low, std::max<BigInteger>(high.x - low.x, high.y - low.y)};
+  return {low, std::max(high.x - low.x, high.y - low.y)};
 }
 
 struct DirectedEdge {
@@ -285,8 +278,8 @@ IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
   const auto [p_low, p_side] = move_to_origin(operands.p);
   const auto [q_low, q_side] = move_to_origin(operands.q);
   operands.origin = {p_low.x + q_low.x, p_low.y + q_low.y};
-  operands.operand_bits = std::max(bit_count(p_side), bit_count(q_side));
-  operands.bits = bit_count(p_side + q_side);
+  operands.operand_bits = static_cast<unsigned>(std::max(bit_length(p_side), bit_length(q_side)));
+  operands.bits = static_cast<unsigned>(bit_length(p_side + q_side));
   operands.direction_count =
       rank_directions(operands.p, operands.q, operands.operand_bits, cancellation);
   for (auto* parts : {&operands.p, &operands.q}) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/fraction.hpp"
 #include "minksum/region.hpp"
 #include "region/rational_access.hpp"
 #include "second/signed_convolution/arrangement.hpp"
@@ -258,24 +259,19 @@ class PolygonBuilder {
     return (side > 0) == segment_rightward;
   }
 
-  [[nodiscard]] static std::size_t bit_count(const boost::multiprecision::cpp_rational& value) {
-    const boost::multiprecision::cpp_int denominator = boost::multiprecision::denominator(value);
-    return boost::multiprecision::msb(denominator) + 1;
-  }
-  [[nodiscard]] boost::multiprecision::cpp_rational doubled_area(std::size_t ring) const {
-    using Number = boost::multiprecision::cpp_rational;
+  [[nodiscard]] Fraction doubled_area(std::size_t ring) const {
     const auto coordinate = [](const auto& n, const auto& d) {
-      return Number(boost::multiprecision::cpp_int(widen<BigInteger>(n)),
-                    boost::multiprecision::cpp_int(widen<BigInteger>(d)));
+      return Fraction(widen<BigInteger>(n), widen<BigInteger>(d));
     };
-    Number sum = 0;
+    Fraction sum;
     const std::vector<HalfEdge>& vertices = boundary_.rings[ring].vertices;
     auto a = geometry_.exact(arrangement_.origin(vertices.back()));
     for (const HalfEdge h : vertices) {
-      cancellation_.check(work_of_decision(bit_count(sum)));
+      cancellation_.check(work_of_decision(bit_length(sum.denominator())));
       const auto b = geometry_.exact(arrangement_.origin(h));
-      sum +=
-          coordinate(a.x, a.d) * coordinate(b.y, b.d) - coordinate(a.y, a.d) * coordinate(b.x, b.d);
+      sum = (sum + coordinate(a.x, a.d) * coordinate(b.y, b.d) -
+             coordinate(a.y, a.d) * coordinate(b.x, b.d))
+                .reduced();
       a = b;
     }
     return sum;
@@ -316,8 +312,8 @@ void write_region(const Geometry<N>& geometry, const Arrangement& arrangement,
                   const IntegerOperands& operands, Region& result) {
   const auto coordinate = [&](const auto& n, const auto& d, const BigInteger& origin) {
     const BigInteger denominator = widen<BigInteger>(d);
-    const BigInteger numerator = widen<BigInteger>(n) + origin * denominator;
-    return RationalAccess::make(BigInt(numerator), BigInt(denominator * operands.scale));
+    return RationalAccess::make(origin * denominator + widen<BigInteger>(n),
+                                denominator * operands.scale);
   };
   const auto write_ring = [&](std::size_t ring) {
     result.begin_ring();

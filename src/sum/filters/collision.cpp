@@ -150,7 +150,7 @@ bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::si
 
 Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<double>& from_at,
                     double from_error, const NodePoint& to, const Vec<double>& to_at,
-                    double to_error, const Predicates& predicates, BigRational& exact) {
+                    double to_error, const Predicates& predicates, Fraction& exact) {
   const Vec<double> a = predicates.start(segment);
   const Vec<double> d = predicates.direction(segment.edge);
   const bool by_x = std::abs(d.x) >= std::abs(d.y);
@@ -171,7 +171,8 @@ Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<dou
     if (rounded > low && rounded < high) return {segment, numerator, shift};
   }
   const ExactKernel& kernel = predicates.kernel();
-  exact = (kernel.exact_parameter(segment, from) + kernel.exact_parameter(segment, to)) / 2;
+  exact = (kernel.exact_parameter(segment, from) + kernel.exact_parameter(segment, to)) *
+          Fraction(1, 2);
   return {segment, 0, 0, &exact};
 }
 

@@ -162,6 +162,6 @@ class CollisionTest {
 [[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from,
                                   const Vec<double>& from_at, double from_error,
                                   const NodePoint& to, const Vec<double>& to_at, double to_error,
-                                  const Predicates& predicates, BigRational& exact);
+                                  const Predicates& predicates, Fraction& exact);
 
 }  // namespace minksum

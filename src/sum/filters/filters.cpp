@@ -30,7 +30,7 @@ class LoopFilter {
   }
 
   /// Returns a probe at the loop's longest piece, where a probe's place needs the fewest bits.
-  [[nodiscard]] Probe probe(std::size_t loop, BigRational& exact) const {
+  [[nodiscard]] Probe probe(std::size_t loop, Fraction& exact) const {
     PieceId longest = loops_.loop(loop)[0];
     double best = -1;
     predicates_.cancellation().check(1 + loops_.loop(loop).size());
@@ -45,7 +45,7 @@ class LoopFilter {
     }
     return probe_at(longest, exact);
   }
-  [[nodiscard]] Probe probe_at(PieceId p, BigRational& exact) const {
+  [[nodiscard]] Probe probe_at(PieceId p, Fraction& exact) const {
     const Piece& piece = arrangement_.pieces[p];
     const Node& from = node(piece.from);
     const Node& to = node(piece.to);
@@ -93,7 +93,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
     trees.build(operands, predicates.cancellation());
   }
   CollisionTest collision(operands, trees, predicates);
-  BigRational exact;
+  Fraction exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (i == outermost) continue;
     // The nesting filter: the outermost loop is skipped above.
@@ -131,7 +131,7 @@ std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loo
   BoxTrees trees;
   trees.build(operands, never);
   CollisionTest collision(operands, trees, predicates);
-  BigRational exact;
+  Fraction exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     for (const PieceId p : loops.loop(i)) {
       const bool inside = collision.meets(filter.probe_at(p, exact));

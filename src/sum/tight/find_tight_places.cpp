@@ -46,7 +46,7 @@ class TightFinder {
   /// Whether a slit is free. That is the same all along the slit but for pinches on it, so the
   /// point that is tested is no pinch.
   [[nodiscard]] bool slit_is_free(const Piece& slit, const std::vector<SumVertex>& pinches) {
-    BigRational position;
+    Fraction position;
     Probe probe = probe_on(slit, position);
     while (is_free(at(probe))) {
       const auto is_here = [&](const SumVertex& v) {
@@ -56,22 +56,22 @@ class TightFinder {
                kernel.probe_compare(probe, v, Axis::kY) == kZero;
       };
       if (std::none_of(pinches.begin(), pinches.end(), is_here)) return true;
-      position = (exact_position(probe) +
-                  predicates_.kernel().exact_parameter(probe.segment, node(slit.from).point)) /
-                 2;
+      const ExactKernel& kernel = predicates_.kernel();
+      const Fraction from = kernel.exact_parameter(probe.segment, node(slit.from).point);
+      position = ((exact_position(probe) + from) * Fraction(1, 2)).reduced();
       probe = {probe.segment, 0, 0, &position};
     }
     return false;
   }
-  [[nodiscard]] Probe probe_on(const Piece& piece, BigRational& exact) const {
+  [[nodiscard]] Probe probe_on(const Piece& piece, Fraction& exact) const {
     const Node& from = node(piece.from);
     const Node& to = node(piece.to);
     return probe_between(arrangement_.kept[piece.segment].segment, from.point, from.at, from.error,
                          to.point, to.at, to.error, predicates_, exact);
   }
-  [[nodiscard]] static BigRational exact_position(const Probe& probe) {
+  [[nodiscard]] static Fraction exact_position(const Probe& probe) {
     if (probe.exact != nullptr) return *probe.exact;
-    return BigRational(BigInteger(probe.numerator), BigInteger(1) << probe.shift);
+    return {probe.numerator, BigInteger(1) << probe.shift};
   }
 
  private:
@@ -117,12 +117,6 @@ void mark_nodes(const Arrangement& arrangement, const Loops& loops, const Filter
   }
 }
 
-bool has_holes(const Operands& operands, std::size_t first, std::size_t last) {
-  const auto rings = std::span(operands.rings).subspan(first, last - first);
-  return std::any_of(rings.begin(), rings.end(),
-                     [](const OperandRing& ring) { return ring.is_hole(); });
-}
-
 }  // namespace
 
 void find_tight_places(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
@@ -131,8 +125,9 @@ void find_tight_places(const Operands& operands, const Arrangement& arrangement,
   places.slits.clear();
   places.nodes.clear();
   places.pinches.clear();
-  const bool both_have_holes = has_holes(operands, 0, operands.first_rings) &&
-                               has_holes(operands, operands.first_rings, operands.rings.size());
+  const std::span rings(operands.rings);
+  const bool both_have_holes = has_holes(rings.first(operands.first_rings)) &&
+                               has_holes(rings.subspan(operands.first_rings));
   if (arrangement.slits.empty() && arrangement.crowded.empty() && !both_have_holes) return;
   trees.build(operands, predicates.cancellation());
   for (const int operand : {0, 1}) {
@@ -173,12 +168,13 @@ std::optional<std::string> check(const TightPlaces& places, const Arrangement& a
     if (listed[slit]++ != 0) return "a slit is listed twice";
   }
   for (std::uint32_t i = 0; i < arrangement.slits.size(); ++i) {
-    BigRational exact;
+    Fraction exact;
     const Piece& slit = arrangement.slits[i];
     const Probe middle = finder.probe_on(slit, exact);
-    const BigRational to =
+    const Fraction to =
         operands.kernel->exact_parameter(middle.segment, arrangement.nodes[slit.to].point);
-    const BigRational other = (2 * TightFinder::exact_position(middle) + to) / 3;
+    const Fraction other =
+        (Fraction(2) * TightFinder::exact_position(middle) + to) * Fraction(1, 3);
     const Probe probe{middle.segment, 0, 0, &other};
     if (finder.is_free(finder.at(probe)) != (listed[i] != 0)) return "a slit was misjudged";
   }

@@ -116,14 +116,8 @@ class TightWriter {
     return {value(scratch_.x), value(scratch_.y)};
   }
   [[nodiscard]] Rational value(const ExactCoordinate& c) const {
-    BigInt numerator = from_limbs(c.numerator);
-    BigInt denominator = from_limbs(c.denominator);
-    const int exp2 = kernel_.exp2();
-    const int exp10 = kernel_.exp10();
-    (exp2 >= 0 ? numerator : denominator) <<= std::abs(exp2);
-    (exp10 >= 0 ? numerator : denominator) *= power_of_ten(static_cast<unsigned>(std::abs(exp10)));
-    if (c.negative) numerator = -numerator;
-    return RationalAccess::make(std::move(numerator), std::move(denominator));
+    return RationalAccess::make(BigInteger(c.numerator, c.negative), BigInteger(c.denominator),
+                                kernel_.exp2(), kernel_.exp10());
   }
 
   Cancellation& cancellation_;
