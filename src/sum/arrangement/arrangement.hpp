@@ -19,9 +19,6 @@ using KeptId = std::uint32_t;  ///< index of a kept segment
 using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr PieceId kNoPiece = 0xFFFFFFFFU;
-/// The most kept segments, and the most crossings: numbers of segments' ends and of crossings have
-/// 32 bits.
-inline constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30;
 
 /// A segment that touches an uncovered cell, with its approximate place. It may also be joined from
 /// several segments that overlap on one line in one direction. Then a and b are the ends of the

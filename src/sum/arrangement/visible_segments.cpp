@@ -368,8 +368,6 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   for (SiteId v = 0; v < operands.size(); ++v) {
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
   }
-  // The numbers of segments' points and of crossings have 32 bits.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
   const RankCircle circle(operands.rank_count);
   const UncoveredCounts uncovered(cover, scratch.uncovered);
   TreeBuilder builder(operands, circle, scratch);
@@ -377,7 +375,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   for (const int operand : {0, 1}) {
     builder.edges_of(1 - operand);
     builder.vertices_of(operand);
-    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMost), scratch)
+    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMostNumbered), scratch)
         .run(cancellation);
   }
   order_as_listed(operands, circle, cancellation, scratch);

@@ -24,11 +24,6 @@ void list_by_rank(const Operands& o, int operand, bool with_holes, EdgesByRank& 
   for (; next <= o.rank_count; ++next) by_rank.first[next] = count;
 }
 
-bool has_holes(const Operands& o) {
-  return std::any_of(o.rings.begin(), o.rings.end(),
-                     [](const OperandRing& ring) { return ring.is_hole(); });
-}
-
 enum class Vertices { kConvex, kAll, kReflexBackwards };
 
 /// Returns [in, out) for vertices of the first operand, and (in, out] for those of the second. For
@@ -50,7 +45,7 @@ template <class Visit>
 void visit_runs(const Operands& o, Vertices which, int vertex_operand, ConvolutionScratch& scratch,
                 Visit visit) {
   const bool first = vertex_operand == 0;
-  const bool holes = has_holes(o);
+  const bool holes = has_holes(o.rings);
   list_by_rank(o, first ? 1 : 0, true, scratch.all);
   if (holes) list_by_rank(o, first ? 1 : 0, false, scratch.outer);
   const SiteId begin = first ? 0 : o.split;
@@ -79,7 +74,7 @@ class Lister {
  public:
   Lister(const Limits& limits, std::uint64_t many, Cancellation& cancellation,
          Convolution& convolution)
-      : most_(std::min(limits.max_segments, kMost)),
+      : most_(std::min(limits.max_segments, kMostNumbered)),
         many_(many),
         cancellation_(cancellation),
         c_(convolution) {
@@ -104,9 +99,6 @@ class Lister {
   }
 
  private:
-  /// The numbers of segments' points and of crossings have 32 bits.
-  static constexpr std::uint64_t kMost = std::uint64_t{1} << 30;
-
   /// Returns a pseudo-random number, which is always the same for the same `i` and step.
   [[nodiscard]] std::uint64_t scramble(std::uint64_t i) const {
     const std::uint64_t h = (i ^ (c_.step << 32)) * 0x9E3779B97F4A7C15U;

@@ -10,6 +10,10 @@
 
 namespace minksum {
 
+/// The most segments that are kept or listed, and the most crossings: numbers of segments' ends and
+/// of crossings have 32 bits.
+inline constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30;
+
 /// A convolution's directed segments. The sum lies on the left of each; only the right side can be
 /// free. Very many segments are only counted: most lie inside the sum and are never needed.
 struct Convolution {

@@ -133,11 +133,6 @@ std::int32_t choose_division(std::uint64_t segments, const SumSettings& options)
       std::min(std::bit_ceil(static_cast<std::uint32_t>(wanted)), kMostCells));
 }
 
-bool has_holes(const Operands& operands) {
-  return std::any_of(operands.rings.begin(), operands.rings.end(),
-                     [](const OperandRing& ring) { return ring.is_hole(); });
-}
-
 /// Estimates the number of crossings from the segments' extents in x and y. The estimate would be
 /// the exact expectation if half of the segments were horizontal, half vertical, and all anywhere
 /// in the box.
@@ -185,7 +180,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
   if (!cover.active) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
   // A division costs about as much per segment as a few crossings. It cannot handle holes.
   const double crossings_to_divide = 3.5 * static_cast<double>(size);
-  const bool divisible = !has_holes(operands);
+  const bool divisible = !has_holes(operands.rings);
   bool crowded = false;
   if (cover.active) {
     const Sample sample = take_sample(convolution, scratch);

@@ -136,11 +136,6 @@ Vec<double> size_of(const PreparedOperand& operand, const OperandRing& ring) {
   return {*x1 - *x0, *y1 - *y0};
 }
 
-bool has_holes(const PreparedOperand& operand) {
-  return std::any_of(operand.rings.begin(), operand.rings.end(),
-                     [](const OperandRing& ring) { return ring.is_hole(); });
-}
-
 /// Decides which holes of one operand are filled: those into which no polygon of the other fits.
 class HoleFiller {
  public:
@@ -159,7 +154,7 @@ class HoleFiller {
     doubt_ = exact ? 0 : 2 * (operand.bounds.difference + other.bounds.difference * unit);
     sizes_.clear();
     tells_ = unit > 0x1p-900 && unit < 0x1p900 &&
-             !(tight_wanted && (operand.region->polygon_count() > 1 || has_holes(other)));
+             !(tight_wanted && (operand.region->polygon_count() > 1 || has_holes(other.rings)));
     if (!tells_) return;
     for (const OperandRing& ring : other.rings) {
       if (ring.is_hole()) continue;
@@ -207,7 +202,7 @@ void fill_holes(const PreparedOperand& p, const PreparedOperand& q, NarrowHoles 
     auto& kept = o.scratch.kept[i];
     kept.clear();
     std::optional<HoleFiller> filler;
-    if (narrow == NarrowHoles::kFill && has_holes(operand)) {
+    if (narrow == NarrowHoles::kFill && has_holes(operand.rings)) {
       filler.emplace(operand, i == 0 ? q : p, tight_wanted, o.scratch.sizes[i]);
     }
     for (const OperandRing& ring : operand.rings) {
