@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <utility>
 
 namespace minksum {
@@ -85,12 +84,13 @@ std::uint64_t BigInteger::limb(std::size_t i) const { return number(*this).backe
 BigInteger::operator std::int64_t() const {
   return static_cast<std::int64_t>(sign() < 0 ? 0 - limb(0) : limb(0));
 }
+// Boost's way takes far longer. A bit is 0.301 digits, so `places` is a little less than half.
 std::string BigInteger::to_string() const {
-  // Boost's way takes far longer.
   if (bit_length(*this) < 64) return std::to_string(static_cast<std::int64_t>(*this));
-  std::ostringstream out;
-  out << number(*this);
-  return std::move(out).str();
+  const std::size_t places = bit_length(*this) / 7;
+  const auto [high, low] = divided(*this, power(10, static_cast<int>(places)));
+  const std::string digits = abs(low).to_string();
+  return high.to_string() + std::string(places - digits.size(), '0') + digits;
 }
 
 BigInteger& BigInteger::operator+=(const BigInteger& other) {
