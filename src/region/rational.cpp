@@ -16,16 +16,6 @@ namespace {
 // Beyond this, a decimal exponent asks for megabytes of digits, not for a coordinate.
 constexpr int kDecimalExponentLimit = 500'000;
 
-const BigInteger& zero() {
-  static const BigInteger value(0);
-  return value;
-}
-
-const BigInteger& one() {
-  static const BigInteger value(1);
-  return value;
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t digit_run(std::string_view text, std::size_t from) {
@@ -79,11 +69,13 @@ Rational RationalAccess::make_reduced(BigInteger numerator, BigInteger denominat
 }
 
 const BigInteger& RationalAccess::numerator(const Rational& value) {
-  return value.value_ ? value.value_->numerator : zero();
+  static const BigInteger zero;
+  return value.value_ ? value.value_->numerator : zero;
 }
 
 const BigInteger& RationalAccess::denominator(const Rational& value) {
-  return value.value_ ? value.value_->denominator : one();
+  static const BigInteger one = 1;
+  return value.value_ ? value.value_->denominator : one;
 }
 
 Rational::Rational() = default;

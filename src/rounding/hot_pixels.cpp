@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "exact/sign.hpp"
 
@@ -17,8 +18,7 @@ BigInteger floor_of(const Rational& value) {
 }
 
 bool before(const Vec<BigInteger>& a, const Vec<BigInteger>& b) {
-  const auto by_x = a.x <=> b.x;
-  return by_x != 0 ? by_x < 0 : a.y < b.y;
+  return std::tie(a.x, a.y) < std::tie(b.x, b.y);
 }
 bool equal(const Vec<BigInteger>& a, const Vec<BigInteger>& b) { return a.x == b.x && a.y == b.y; }
 

@@ -23,9 +23,6 @@ Fraction grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& g
   return scaled(BigInteger(integer) + offset, grid.unit.divisor, grid.unit.exp2, grid.unit.exp10);
 }
 
-std::size_t numerator_bits(const Fraction& value) { return bit_length(value.numerator()); }
-std::size_t denominator_bits(const Fraction& value) { return bit_length(value.denominator()); }
-
 }  // namespace
 
 void load_rationals(const Region& region, Cancellation& cancellation,
@@ -51,7 +48,8 @@ void measure_rationals(Cancellation& cancellation, RationalCoordinates& rational
     if (high.y < s.y) high.y = s.y;
     cancellation.check(work_of_decision(rationals.bits));
     for (const Fraction* const c : {&s.x, &s.y}) {
-      rationals.bits = std::max({rationals.bits, numerator_bits(*c), denominator_bits(*c)});
+      rationals.bits =
+          std::max({rationals.bits, bit_length(c->numerator()), bit_length(c->denominator())});
     }
   }
   rationals.low = low;
@@ -85,8 +83,8 @@ int rational_exponent(std::span<const Vec<Fraction>> extents) {
   for (const auto& extent : extents) {
     for (const Fraction* const side : {&extent.x, &extent.y}) {
       if (sign_of(*side) == kZero) continue;
-      const int log2_above =
-          static_cast<int>(numerator_bits(*side)) - static_cast<int>(denominator_bits(*side)) + 1;
+      const int log2_above = static_cast<int>(bit_length(side->numerator())) -
+                             static_cast<int>(bit_length(side->denominator())) + 1;
       log2_extent = std::max(log2_extent, log2_above);
     }
   }

@@ -260,18 +260,15 @@ class PolygonBuilder {
   }
 
   [[nodiscard]] Fraction doubled_area(std::size_t ring) const {
-    const auto coordinate = [](const auto& n, const auto& d) {
-      return Fraction(widen<BigInteger>(n), widen<BigInteger>(d));
-    };
+    const auto big = [](const auto& n) { return BigInteger(n); };
     Fraction sum;
     const std::vector<HalfEdge>& vertices = boundary_.rings[ring].vertices;
     auto a = geometry_.exact(arrangement_.origin(vertices.back()));
     for (const HalfEdge h : vertices) {
       cancellation_.check(work_of_decision(bit_length(sum.denominator())));
       const auto b = geometry_.exact(arrangement_.origin(h));
-      sum = (sum + coordinate(a.x, a.d) * coordinate(b.y, b.d) -
-             coordinate(a.y, a.d) * coordinate(b.x, b.d))
-                .reduced();
+      const BigInteger cross = big(a.x) * big(b.y) - big(a.y) * big(b.x);
+      sum = (sum + Fraction(cross, big(a.d) * big(b.d))).reduced();
       a = b;
     }
     return sum;
