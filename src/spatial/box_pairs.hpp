@@ -96,8 +96,7 @@ class BoxPairs {
   static constexpr std::size_t kFew = 48;  ///< up to this count, comparing all costs less than
                                            ///< sorting
   /// Lanes are compared one by one, and -1 means true. The compilers that know 128-bit integers
-  /// know these types, too. Lanes are counted from the low end of a word (`for_each_clear`), so the
-  /// machine must be little-endian.
+  /// know these types, too.
   using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
   using Halves [[gnu::vector_size(2 * kLanes)]] = std::uint64_t;
 
@@ -143,6 +142,7 @@ class BoxPairs {
   }
   template <class Visit>
   static void for_each_clear(Lanes lanes, Visit visit) {
+    static_assert(std::endian::native == std::endian::little, "lanes begin at a word's low end");
     const auto halves = std::bit_cast<Halves>(lanes);
     const std::array<std::uint64_t, 2> words{halves[0], halves[1]};
     if ((words[0] & words[1]) == ~std::uint64_t{0}) return;

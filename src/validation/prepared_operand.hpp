@@ -25,9 +25,8 @@ struct OperandRing {
   std::uint32_t ring = 0;     ///< index in its polygon, 0 = outer
   [[nodiscard]] bool is_hole() const { return ring != 0; }
 };
-
 [[nodiscard]] inline bool has_holes(std::span<const OperandRing> rings) {
-  return std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return ring.is_hole(); });
+  return std::ranges::any_of(rings, &OperandRing::is_hole);
 }
 
 /// An edge with its key, a rounded, monotone function of its direction in [0, 4). The key is off by

@@ -50,12 +50,12 @@ struct Ends {
   double bx = b.x.to_double(), by = b.y.to_double();
 };
 
-}  // namespace
-
-LooseBox LooseBox::around(double ax, double ay, double bx, double by) {
+LooseBox loose_box(double ax, double ay, double bx, double by) {
   return {std::nextafter(std::min(ax, bx), -kHuge), std::nextafter(std::min(ay, by), -kHuge),
           std::nextafter(std::max(ax, bx), kHuge), std::nextafter(std::max(ay, by), kHuge)};
 }
+
+}  // namespace
 
 FreePart::FreePart(Region polygon, const Options& options)
     : region_(std::move(polygon)), locator_({region_, {}, {}}, options) {
@@ -73,13 +73,12 @@ FreePart::FreePart(Region polygon, const Options& options)
     }
   }
   ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
-  box_ = LooseBox::around(points_[0], points_[0]);
+  box_ = loose_box(x_[0], y_[0], x_[0], y_[0]);
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
     const std::uint32_t w = next(v);
-    const LooseBox edge = LooseBox::around(x_[v], y_[v], x_[w], y_[w]);
+    const LooseBox edge = loose_box(x_[v], y_[v], x_[w], y_[w]);
     edge_boxes_.push_back(edge);
-    box_ = {std::min(box_.min_x, edge.min_x), std::min(box_.min_y, edge.min_y),
-            std::max(box_.max_x, edge.max_x), std::max(box_.max_y, edge.max_y)};
+    box_.add(edge);
   }
 }
 
@@ -120,7 +119,7 @@ void FreePart::add_hits(std::uint32_t edge, const Point& a, const Point& d,
 std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* crosses,
                                           Cancellation& cancellation) const {
   const Ends ends{a, b};
-  const LooseBox box = LooseBox::around(ends.ax, ends.ay, ends.bx, ends.by);
+  const LooseBox box = loose_box(ends.ax, ends.ay, ends.bx, ends.by);
   const Line line(ends.ax, ends.ay, ends.bx, ends.by, magnitude_);
   const auto is_at = [&](std::uint32_t v, const Point& end, double x, double y) {
     return x_[v] == x && y_[v] == y && points_[v] == end;

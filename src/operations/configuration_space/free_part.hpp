@@ -9,21 +9,12 @@
 #include "minksum/locate.hpp"
 #include "minksum/measure.hpp"
 #include "region/point_arithmetic.hpp"
+#include "spatial/box.hpp"
 
 namespace minksum {
 
-/// A box of doubles that certainly contains the points whose rounded coordinates it is made from.
-struct LooseBox {
-  double min_x, min_y, max_x, max_y;
-  static LooseBox around(double ax, double ay, double bx, double by);
-  static LooseBox around(const Point& a, const Point& b) {
-    return around(a.x.to_double(), a.y.to_double(), b.x.to_double(), b.y.to_double());
-  }
-  [[nodiscard]] bool meets(const LooseBox& other) const {
-    return min_x <= other.max_x && other.min_x <= max_x && min_y <= other.max_y &&
-           other.min_y <= max_y;
-  }
-};
+/// A box that certainly contains the points whose rounded coordinates it is made from.
+using LooseBox = BoxOf<double>;
 
 /// One polygon of a valid region. Everything is decided exactly.
 class FreePart {

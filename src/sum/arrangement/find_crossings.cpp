@@ -88,7 +88,7 @@ class CrossingFinder {
 
   /// Returns a square's part of the plane. Neighbouring squares have a bound in common, equal to
   /// the last bit, so that all parts tile the plane.
-  [[nodiscard]] SegmentExtent part_of_square(std::int32_t side) const {
+  [[nodiscard]] PlanePart part_of_square(std::int32_t side) const {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
       return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
     };
@@ -96,12 +96,12 @@ class CrossingFinder {
             bound(column_ + side, grid_.columns), bound(row_ + side, grid_.rows)};
   }
 
-  void solve(Items items, const SegmentExtent& part, int depth) {
+  void solve(Items items, const PlanePart& part, int depth) {
     if (items.size() <= kFew) return all_pairs(items, part);
     if (depth == kMaxDepth || !divide(items, part, depth)) sweep(items, part);
   }
 
-  void all_pairs(Items items, const SegmentExtent& part) {
+  void all_pairs(Items items, const PlanePart& part) {
     meeter_.enter(part);
     cancellation_.check(items.size() * items.size() / 4);
     for (std::size_t i = 1; i < items.size(); ++i) {
@@ -114,7 +114,7 @@ class CrossingFinder {
 
   /// Meets all pairs whose boxes overlap, from left to right. Parts that dividing did not thin out
   /// are swept.
-  void sweep(Items items, const SegmentExtent& part) {
+  void sweep(Items items, const PlanePart& part) {
     meeter_.enter(part);
     auto& order = scratch_.sweep_order;
     resize_in_pieces(order, items.size(), cancellation_);
@@ -140,7 +140,7 @@ class CrossingFinder {
 
   /// Solves the four quarters of a part. Does nothing and returns false if that would not separate
   /// much.
-  bool divide(Items items, const SegmentExtent& part, int depth) {
+  bool divide(Items items, const PlanePart& part, int depth) {
     const double side = std::ldexp(grid_.cell, -depth - 1);
     const Vec<double> low{part.x0 > -HUGE_VAL ? part.x0 : column_ * grid_.cell,
                           part.y0 > -HUGE_VAL ? part.y0 : row_ * grid_.cell};
@@ -160,8 +160,8 @@ class CrossingFinder {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const bool right = (quarter & 1) != 0;
       const bool upper = (quarter & 2) != 0;
-      const SegmentExtent child{right ? mid.x : part.x0, upper ? mid.y : part.y0,
-                                right ? part.x1 : mid.x, upper ? part.y1 : mid.y};
+      const PlanePart child{right ? mid.x : part.x0, upper ? mid.y : part.y0,
+                            right ? part.x1 : mid.x, upper ? part.y1 : mid.y};
       // The recursion may move the vector of vectors, not the lists themselves.
       const Items inside = scratch_.stack[level + quarter];
       if (inside.size() >= 2) solve(inside, child, depth + 1);

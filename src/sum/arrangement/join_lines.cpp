@@ -15,10 +15,10 @@ Vec<Int128> exact(const Vec<double>& v) {
 }
 
 /// Lists the places of segments on lines, sorted by line and then along it.
-class NodeLister {
+class PositionLister {
  public:
-  NodeLister(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation,
-             JoinScratch& scratch)
+  PositionLister(const Operands& o, const std::vector<KeptSegment>& kept,
+                 Cancellation& cancellation, JoinScratch& scratch)
       : o_(o),
         kept_(kept),
         cancellation_(cancellation),
@@ -95,7 +95,7 @@ void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, Join
   scratch.joined.clear();
   scratch.members.clear();
   if (!wanted) return;
-  NodeLister lister(o, kept, cancellation, scratch);
+  PositionLister lister(o, kept, cancellation, scratch);
   lister.run();
   auto& members = scratch.members;
   auto& result = scratch.result;

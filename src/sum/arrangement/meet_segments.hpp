@@ -9,7 +9,7 @@
 namespace minksum {
 
 /// A part of the plane. The parts of a grid are half-open, so each point is in exactly one of them.
-struct SegmentExtent {
+struct PlanePart {
   double x0 = -HUGE_VAL;
   double y0 = -HUGE_VAL;
   double x1 = HUGE_VAL;
@@ -30,7 +30,7 @@ class SegmentMeeter {
                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
 
   /// Sets the part in which points are wanted from now on.
-  void enter(const SegmentExtent& part) { part_ = part; }
+  void enter(const PlanePart& part) { part_ = part; }
   /// Unites ends of s and t that coincide, and adds crossings and events. s must be less than t.
   /// O(1): at most four orientations.
   void meet(KeptId s, KeptId t);
@@ -94,7 +94,7 @@ class SegmentMeeter {
   double slack_;
   bool exact_;  ///< whether cross products have no rounding
   bool trust_;
-  SegmentExtent part_;
+  PlanePart part_;
 };
 
 }  // namespace minksum

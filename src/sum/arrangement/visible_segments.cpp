@@ -196,9 +196,9 @@ class TreeBuilder {
   [[nodiscard]] SiteRun unite(const SiteRun& a, const SiteRun& b) const {
     if (a.directions.length == 0) return b;
     if (b.directions.length == 0) return a;
-    return {{std::min(a.box.x0, b.box.x0), std::min(a.box.y0, b.box.y0),
-             std::max(a.box.x1, b.box.x1), std::max(a.box.y1, b.box.y1)},
-            circle_.unite(a.directions, b.directions)};
+    SiteRun both{a.box, circle_.unite(a.directions, b.directions)};
+    both.box.add(b.box);
+    return both;
   }
 
   const Operands& o_;

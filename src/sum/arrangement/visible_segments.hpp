@@ -7,15 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "spatial/box.hpp"
 #include "sum/convolution/convolution.hpp"
 #include "sum/cover/cover.hpp"
 
 namespace minksum {
 
 /// A box in units of the cover's cells.
-struct CellBounds {
-  float x0, y0, x1, y1;
-};
+using CellBounds = BoxOf<float>;
 
 /// A site and the box of its edge, rounded, in units of cells.
 struct CellSite {

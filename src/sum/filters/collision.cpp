@@ -14,10 +14,7 @@ void BoxTree::build(const Operands& o, int operand) {
   for (SiteId e = begin_; e < end_; e += std::min(kLeafEdges, end_ - e)) {
     Box box{x[e], y[e], x[e], y[e]};
     for (SiteId i = e; i < std::min(end_, e + kLeafEdges); ++i) {
-      for (const SiteId v : {i, next[i]}) {
-        box = {std::min(box.x0, x[v]), std::min(box.y0, y[v]), std::max(box.x1, x[v]),
-               std::max(box.y1, y[v])};
-      }
+      for (const SiteId v : {i, next[i]}) box.add({x[v], y[v], x[v], y[v]});
     }
     boxes_.push_back(box);
   }
@@ -25,11 +22,7 @@ void BoxTree::build(const Operands& o, int operand) {
   for (levels_ = 1; first_[levels_] - first_[levels_ - 1] > 1; ++levels_) {
     for (std::size_t i = first_[levels_ - 1]; i < first_[levels_]; i += 2) {
       Box box = boxes_[i];
-      if (i + 1 < first_[levels_]) {
-        const Box& b = boxes_[i + 1];
-        box = {std::min(box.x0, b.x0), std::min(box.y0, b.y0), std::max(box.x1, b.x1),
-               std::max(box.y1, b.y1)};
-      }
+      if (i + 1 < first_[levels_]) box.add(boxes_[i + 1]);
       boxes_.push_back(box);
     }
     first_.push_back(boxes_.size());
@@ -146,34 +139,6 @@ bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::si
     if (!outside_box(other, r)) inside ^= passes_odd_times(other, ring.begin, ring.end);
   }
   return inside;
-}
-
-Probe probe_between(const Segment& segment, const NodePoint& from, const Vec<double>& from_at,
-                    double from_error, const NodePoint& to, const Vec<double>& to_at,
-                    double to_error, const Predicates& predicates, Fraction& exact) {
-  const Vec<double> a = predicates.start(segment);
-  const Vec<double> d = predicates.direction(segment.edge);
-  const bool by_x = std::abs(d.x) >= std::abs(d.y);
-  const auto lambda = [&](const Vec<double>& p) {
-    return by_x ? (p.x - a.x) / d.x : (p.y - a.y) / d.y;
-  };
-  const double length = std::abs(by_x ? d.x : d.y);
-  const RoundingBounds& bounds = predicates.bounds();
-  const double doubt = (bounds.position + 4 * bounds.direction) / length + 0x1p-50;
-  const double low = std::max(0.0, lambda(from_at)) + from_error / length + doubt;
-  const double high = std::min(1.0, lambda(to_at)) - to_error / length - doubt;
-  // These are the fewest bits that put a point well between both nodes.
-  if (high - low > 0x1p-50) {
-    const double middle = low + (high - low) / 2;
-    const int shift = std::max(1, 2 - std::ilogb(high - low));
-    const auto numerator = static_cast<std::int64_t>(std::ldexp(middle, shift));
-    const double rounded = std::ldexp(static_cast<double>(numerator), -shift);
-    if (rounded > low && rounded < high) return {segment, numerator, shift};
-  }
-  const ExactKernel& kernel = predicates.kernel();
-  exact = (kernel.exact_parameter(segment, from) + kernel.exact_parameter(segment, to)) *
-          Fraction(1, 2);
-  return {segment, 0, 0, &exact};
 }
 
 }  // namespace minksum

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/predicates.hpp"
+#include "spatial/box.hpp"
 #include "sum/operands/operands.hpp"
 
 namespace minksum {
@@ -13,9 +14,7 @@ namespace minksum {
 /// A binary tree of boxes over one operand's edges in ring order, level by level from the leaves.
 class BoxTree {
  public:
-  struct Box {
-    double x0, y0, x1, y1;
-  };
+  using Box = BoxOf<double>;
   static constexpr SiteId kLeafEdges = 4;
 
   void build(const Operands& operands, int operand);
@@ -156,12 +155,5 @@ class CollisionTest {
   Vec<double> at_{};
   double doubt_ = 0;
 };
-
-/// Returns a probe just to the right of `segment`, about in the middle between two nodes on it.
-/// `exact` holds the probe's position if that needs more bits than a Probe has.
-[[nodiscard]] Probe probe_between(const Segment& segment, const NodePoint& from,
-                                  const Vec<double>& from_at, double from_error,
-                                  const NodePoint& to, const Vec<double>& to_at, double to_error,
-                                  const Predicates& predicates, Fraction& exact);
 
 }  // namespace minksum

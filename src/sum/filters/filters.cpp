@@ -43,14 +43,7 @@ class LoopFilter {
         longest = p;
       }
     }
-    return probe_at(longest, exact);
-  }
-  [[nodiscard]] Probe probe_at(PieceId p, Fraction& exact) const {
-    const Piece& piece = arrangement_.pieces[p];
-    const Node& from = node(piece.from);
-    const Node& to = node(piece.to);
-    return probe_between(arrangement_.kept[piece.segment].segment, from.point, from.at, from.error,
-                         to.point, to.at, to.error, predicates_, exact);
+    return probe_on(arrangement_, arrangement_.pieces[longest], predicates_, exact);
   }
 
  private:
@@ -78,6 +71,37 @@ class LoopFilter {
 };
 
 }  // namespace
+
+Probe probe_on(const Arrangement& arrangement, const Piece& piece, const Predicates& predicates,
+               Fraction& exact) {
+  const Segment& segment = arrangement.kept[piece.segment].segment;
+  const Node& from = arrangement.nodes[piece.from];
+  const Node& to = arrangement.nodes[piece.to];
+  const Vec<double> a = predicates.start(segment);
+  const Vec<double> d = predicates.direction(segment.edge);
+  const bool by_x = std::abs(d.x) >= std::abs(d.y);
+  const auto lambda = [&](const Vec<double>& p) {
+    return by_x ? (p.x - a.x) / d.x : (p.y - a.y) / d.y;
+  };
+  const double length = std::abs(by_x ? d.x : d.y);
+  const RoundingBounds& bounds = predicates.bounds();
+  const double doubt = (bounds.position + 4 * bounds.direction) / length + 0x1p-50;
+  const double low = std::max(0.0, lambda(from.at)) + from.error / length + doubt;
+  const double high = std::min(1.0, lambda(to.at)) - to.error / length - doubt;
+  // These are the fewest bits that put a point well between both nodes.
+  if (high - low > 0x1p-50) {
+    const double middle = low + (high - low) / 2;
+    const int shift = std::max(1, 2 - std::ilogb(high - low));
+    const auto numerator = static_cast<std::int64_t>(std::ldexp(middle, shift));
+    const double rounded = std::ldexp(static_cast<double>(numerator), -shift);
+    if (rounded > low && rounded < high) return {segment, numerator, shift};
+  }
+  const ExactKernel& kernel = predicates.kernel();
+  exact =
+      (kernel.exact_parameter(segment, from.point) + kernel.exact_parameter(segment, to.point)) *
+      Fraction(1, 2);
+  return {segment, 0, 0, &exact};
+}
 
 void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                   Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered) {
@@ -134,7 +158,8 @@ std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loo
   Fraction exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     for (const PieceId p : loops.loop(i)) {
-      const bool inside = collision.meets(filter.probe_at(p, exact));
+      const bool inside =
+          collision.meets(probe_on(arrangement, arrangement.pieces[p], predicates, exact));
       if (inside == (filtered.state[i] == LoopState::kAccepted)) return "a loop was misjudged";
     }
   }

@@ -32,4 +32,9 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
                                                const Arrangement& arrangement,
                                                const Operands& operands);
 
+/// Returns a probe just to the right of a piece, about in its middle. `exact` holds the probe's
+/// position if that needs more bits than a Probe has.
+[[nodiscard]] Probe probe_on(const Arrangement& arrangement, const Piece& piece,
+                             const Predicates& predicates, Fraction& exact);
+
 }  // namespace minksum

@@ -47,7 +47,7 @@ class TightFinder {
   /// point that is tested is no pinch.
   [[nodiscard]] bool slit_is_free(const Piece& slit, const std::vector<SumVertex>& pinches) {
     Fraction position;
-    Probe probe = probe_on(slit, position);
+    Probe probe = probe_on(arrangement_, slit, predicates_, position);
     while (is_free(at(probe))) {
       const auto is_here = [&](const SumVertex& v) {
         predicates_.count_kernel();
@@ -62,12 +62,6 @@ class TightFinder {
       probe = {probe.segment, 0, 0, &position};
     }
     return false;
-  }
-  [[nodiscard]] Probe probe_on(const Piece& piece, Fraction& exact) const {
-    const Node& from = node(piece.from);
-    const Node& to = node(piece.to);
-    return probe_between(arrangement_.kept[piece.segment].segment, from.point, from.at, from.error,
-                         to.point, to.at, to.error, predicates_, exact);
   }
   [[nodiscard]] static Fraction exact_position(const Probe& probe) {
     if (probe.exact != nullptr) return *probe.exact;
@@ -130,10 +124,6 @@ void find_tight_places(const Operands& operands, const Arrangement& arrangement,
                                has_holes(rings.subspan(operands.first_rings));
   if (arrangement.slits.empty() && arrangement.crowded.empty() && !both_have_holes) return;
   trees.build(operands, predicates.cancellation());
-  for (const int operand : {0, 1}) {
-    find_touching_rings(operands, operand, trees.tree[operand], predicates,
-                        scratch.touching[operand]);
-  }
   TightFinder finder(operands, arrangement, predicates, trees, scratch);
   finder.find_pinches(places.pinches);
   for (std::uint32_t i = 0; i < arrangement.slits.size(); ++i) {
@@ -157,10 +147,6 @@ std::optional<std::string> check(const TightPlaces& places, const Arrangement& a
   BoxTrees trees;
   trees.build(operands, never);
   TightScratch scratch;
-  for (const int operand : {0, 1}) {
-    find_touching_rings(operands, operand, trees.tree[operand], predicates,
-                        scratch.touching[operand]);
-  }
   TightFinder finder(operands, arrangement, predicates, trees, scratch);
   std::vector<std::uint8_t> listed(arrangement.slits.size(), 0);
   for (const std::uint32_t slit : places.slits) {
@@ -170,7 +156,7 @@ std::optional<std::string> check(const TightPlaces& places, const Arrangement& a
   for (std::uint32_t i = 0; i < arrangement.slits.size(); ++i) {
     Fraction exact;
     const Piece& slit = arrangement.slits[i];
-    const Probe middle = finder.probe_on(slit, exact);
+    const Probe middle = probe_on(arrangement, slit, predicates, exact);
     const Fraction to =
         operands.kernel->exact_parameter(middle.segment, arrangement.nodes[slit.to].point);
     const Fraction other =

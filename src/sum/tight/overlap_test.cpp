@@ -12,6 +12,9 @@ OverlapTest::OverlapTest(const Operands& operands, BoxTrees& trees, Predicates& 
     for (SiteId v = o_.rings[r].begin; v < o_.rings[r].end; ++v) scratch_.ring_of[v] = r;
   }
   scratch_.met.assign(o_.rings.size(), 0);
+  for (const int operand : {0, 1}) {
+    find_touching_rings(o_, operand, trees_.tree[operand], predicates_, scratch_.touching[operand]);
+  }
 }
 
 bool OverlapTest::overlaps(const ContactPosition& x) {
