@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "spatial/box.hpp"
 #include "sum/small/lanes.hpp"
 
 namespace minksum {
@@ -17,12 +18,7 @@ struct SmallBlocks {
   alignas(64) std::array<double, kMaxBlocks> high_x;
   alignas(64) std::array<double, kMaxBlocks> high_y;
 
-  struct Box {
-    double low_x;
-    double low_y;
-    double high_x;
-    double high_y;
-  };
+  using Box = BoxOf<double>;
   [[nodiscard, gnu::always_inline]] static Box box(double x, double y, double dx, double dy) {
     return {x + std::min(dx, 0.0), y + std::min(dy, 0.0), x + std::max(dx, 0.0),
             y + std::max(dy, 0.0)};
@@ -38,14 +34,12 @@ struct SmallBlocks {
     for (std::size_t b = 0; b < size; ++b) {
       Box all = box(x[b * kLanes], y[b * kLanes], dx[b * kLanes], dy[b * kLanes]);
       for (std::size_t i = b * kLanes + 1; i < std::min((b + 1) * kLanes, count); ++i) {
-        const Box one = box(x[i], y[i], dx[i], dy[i]);
-        all = {std::min(all.low_x, one.low_x), std::min(all.low_y, one.low_y),
-               std::max(all.high_x, one.high_x), std::max(all.high_y, one.high_y)};
+        all.add(box(x[i], y[i], dx[i], dy[i]));
       }
-      low_x[b] = all.low_x;
-      low_y[b] = all.low_y;
-      high_x[b] = all.high_x;
-      high_y[b] = all.high_y;
+      low_x[b] = all.x0;
+      low_y[b] = all.y0;
+      high_x[b] = all.x1;
+      high_y[b] = all.y1;
     }
     for (std::size_t b = size; b < filled_up(size); ++b) {
       low_x[b] = low_y[b] = high_x[b] = high_y[b] = 0;
@@ -56,9 +50,7 @@ struct SmallBlocks {
     LaneBits bits = 0;
     const std::size_t n = filled_up(std::min<std::size_t>(size - first, 64));
     for (std::size_t b = 0; b < n; ++b) {
-      const bool meets = (low_x[first + b] <= box.high_x) & (high_x[first + b] >= box.low_x) &
-                         (low_y[first + b] <= box.high_y) & (high_y[first + b] >= box.low_y);
-      bits |= meets ? kBitOf[b] : 0;
+      bits |= box_of(first + b).meets(box) ? kBitOf[b] : 0;
     }
     return bits & first_bits(size - first);
   }

@@ -39,17 +39,17 @@ struct RightMeetings {
     std::uint16_t walk;  ///< 0: none
     std::uint16_t number;
   };
-  std::array<WalkStep, std::max(SmallMeetingSets::kMax, SmallMeetingLists::kMax)> of;
+  std::array<WalkStep, SmallMeetings::kMax> of;
 };
 
 /// Walks along the boundary of the unbounded face, with the sum on the left. May be used once.
-template <class Number, class Meetings>
+template <class Number>
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, const Meetings& meetings, RightMeetings& turns,
+  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings, RightMeetings& turns,
             SmallBoundary& boundary)
       : s_(segments), m_(meetings), turns_(turns), boundary_(boundary) {
-    m_.for_each_number(s_.size, [&](std::size_t meeting) { turns_.of[meeting] = {0, 0}; });
+    std::fill_n(turns_.of.begin(), m_.size(), RightMeetings::WalkStep{0, 0});
   }
 
   /// Walks from the smallest point. Returns false if the walk does not come back, or might not be
@@ -231,7 +231,7 @@ class OuterWalk {
   }
 
   const SmallSegments& s_;
-  const Meetings& m_;
+  const SmallMeetings& m_;
   RightMeetings& turns_;
   SmallBoundary& boundary_;
   std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes

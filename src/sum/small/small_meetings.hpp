@@ -2,15 +2,134 @@
 #pragma once
 
 #include "machine/vectors.hpp"
-#include "sum/small/meeting_lists.hpp"
-#include "sum/small/meeting_sets.hpp"
+#include "sum/small/meet_blocks.hpp"
 
 namespace minksum {
 
+/// The meetings of each segment. Each meeting has a number.
+class SmallMeetings {
+ public:
+  static constexpr std::size_t kMax = 5 * SmallSegments::kMax;
+  std::uint32_t right_count;  ///< number of meetings on the right
+
+  void clear(std::uint32_t segments) {
+    for (auto& last : last_) std::fill_n(last.begin(), segments, kNone);
+    right_count = 0;
+    size_ = 0;
+  }
+  [[gnu::always_inline]] void add(std::size_t block, std::size_t other, LaneBits pairs,
+                                  const BlockMeetings& m) {
+    const std::size_t r = block * kLanes;
+    const std::size_t t = other * kLanes;
+    const auto row = [r](std::uint32_t bit) { return r + bit / kLanes; };
+    const auto lane = [t](std::uint32_t bit) { return t + bit % kLanes; };
+    const auto add_all = [&](LaneBits bits, Kind kind) {
+      for_each_bit(bits & pairs, [&](std::uint32_t bit) { add(row(bit), lane(bit), kind); });
+    };
+    const auto add_all_of_other = [&](LaneBits bits, Kind kind) {
+      for_each_bit(bits & pairs, [&](std::uint32_t bit) { add(lane(bit), row(bit), kind); });
+    };
+    const std::uint32_t before = size_;
+    add_all(m.right, kRight);
+    if (block != other) add_all_of_other(m.right_of_other, kRight);
+    right_count += size_ - before;
+    add_all(m.at_end, kAtEnd);
+    if (block != other) add_all_of_other(m.at_end_of_other, kAtEnd);
+  }
+  /// Whether there is room for the meetings of two more blocks. Room is bounded because the stages
+  /// are faster where segments have many meetings at ends, as segments on few lines have.
+  [[nodiscard]] bool has_room(std::uint32_t segments) const {
+    return size_ + 4 * kLanes * kLanes <= kMax && size_ <= 6 * segments + 64;
+  }
+
+  /// Returns the number of all meetings. Those at ends have numbers, too.
+  [[nodiscard]] std::size_t size() const { return size_; }
+  /// Calls visit(segment, meeting) for the meetings on the right of a segment.
+  template <class Visit>
+  [[gnu::always_inline]] void for_each_right(std::uint32_t at, Visit visit) const {
+    for (std::uint16_t k = last_[kRight][at]; k != kNone; k = pairs_[k].before) {
+      visit(std::uint32_t{pairs_[k].other}, std::size_t{k});
+    }
+  }
+  /// Calls visit(segment) for the meetings at the end of a segment.
+  template <class Visit>
+  [[gnu::always_inline]] void for_each_at_end(std::uint32_t at, Visit visit) const {
+    for (std::uint16_t k = last_[kAtEnd][at]; k != kNone; k = pairs_[k].before) {
+      visit(std::uint32_t{pairs_[k].other});
+    }
+  }
+
+ private:
+  enum Kind : std::size_t { kRight, kAtEnd };
+  static constexpr std::uint16_t kNone = 0xffff;
+  static_assert(kMax <= kNone);
+  struct Pair {
+    std::uint16_t other;
+    std::uint16_t before;  ///< number of the last meeting before, of the same segment and kind
+  };
+  [[gnu::always_inline]] void add(std::size_t segment, std::size_t other, Kind kind) {
+    pairs_[size_] = {static_cast<std::uint16_t>(other), last_[kind][segment]};
+    last_[kind][segment] = static_cast<std::uint16_t>(size_++);
+  }
+
+  std::uint32_t size_;
+  std::array<std::array<std::uint16_t, SmallSegments::kMax>, 2> last_;
+  std::array<Pair, kMax> pairs_;
+};
+
+/// Returns those of a block's eight segments whose boxes meet `box`.
+[[nodiscard, gnu::always_inline]] inline LaneBits segments_near(
+    const SmallSegments& s, std::size_t block, const SmallSegments::Blocks::Box& box) {
+  const double* const x = s.x.data() + block * kLanes;
+  const double* const y = s.y.data() + block * kLanes;
+  const double* const dx = s.dx.data() + block * kLanes;
+  const double* const dy = s.dy.data() + block * kLanes;
+  LaneBits bits = 0;
+  for (std::size_t t = 0; t < kLanes; ++t) {
+    bits |= SmallSegments::Blocks::box(x[t], y[t], dx[t], dy[t]).meets(box) ? kBitOf[t] : 0;
+  }
+  return bits & s.lanes_of(block);
+}
+
+/// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
+/// are near one another.
+template <class Number>
+[[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetings& m) {
+  SmallSegments::Blocks blocks;
+  blocks.set(s.x.data(), s.y.data(), s.dx.data(), s.dy.data(), s.size);
+  m.clear(s.size);
+  const std::size_t last = blocks.size - 1;
+  constexpr LaneBits kEachRow = 0x0101010101010101;
+  constexpr LaneBits kDiagonal = 0x8040201008040201;
+  const LaneBits pairs_with_last = s.lanes_of(last) * kEachRow;
+  // Each look takes about a tenth of the time that the stages take for a segment.
+  std::size_t looks_left = 8 * std::size_t{s.size} + 64;
+  for (std::size_t i = 0; i < blocks.size; ++i) {
+    const SmallSegments::Blocks::Box box = blocks.box_of(i);
+    for (std::size_t word = i / kLanes * kLanes; word < blocks.size; word += 64) {
+      LaneBits near = blocks.near(box, word);
+      if (word < i) near &= ~first_bits(i - word);
+      for (; near != 0; near &= near - 1) {
+        const std::size_t j = word + static_cast<std::size_t>(std::countr_zero(near));
+        const LaneBits rows = j == i ? s.lanes_of(i) : segments_near(s, i, blocks.box_of(j));
+        const auto looks = static_cast<std::size_t>(std::popcount(rows));
+        if (looks > looks_left || !m.has_room(s.size)) return false;
+        looks_left -= looks;
+        const LaneBits pairs =
+            (j == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
+        m.add(i, j, pairs, meet_blocks<Number>(s, i, j, rows));
+      }
+    }
+    const auto seen = static_cast<std::uint32_t>((i + 1) * kLanes);
+    if (m.right_count > most_right_meetings(std::min(2 * seen, s.size))) return false;
+  }
+  return true;
+}
+
 /// Finds meetings by such vectors, which the machine must have. Returns false if there are too many
 /// meetings, or if finding them takes too long: the stages are faster then.
-template <class Number, class Meetings>
-bool find_meetings_by(Vectors vectors, const SmallSegments& s, Meetings& m) {
+template <class Number>
+bool find_meetings_by(Vectors vectors, const SmallSegments& s, SmallMeetings& m) {
   return with_vectors(
       vectors, [&]() __attribute__((always_inline)) { return find_meetings<Number>(s, m); });
 }

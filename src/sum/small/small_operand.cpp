@@ -200,7 +200,7 @@ bool read_holes(const Region& region, SmallOperand& s) {
   const std::size_t count = region.ring_count() - 1;
   if (count > SmallOperand::kMaxHoles) return false;
   std::vector<SmallOperand> holes(count);
-  std::vector<SmallBox> boxes;
+  std::vector<BoxOf<double>> boxes;
   for (std::size_t k = 0; k < count; ++k) {
     SmallOperand& hole = holes[k];
     hole.exp2 = s.exp2;
@@ -209,15 +209,16 @@ bool read_holes(const Region& region, SmallOperand& s) {
       return false;
     }
     set_edges(hole);
-    boxes.emplace_back(hole);
+    const BoxOf<double>& box = boxes.emplace_back(box_of(hole));
     const SmallNumberType numbers =
         small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
-    if (numbers != SmallNumberType::kDoubles || !boxes[k].is_in(s.extent) ||
-        !is_simple_ring<double>(hole) || !holds(s, hole) || do_meet(hole, s)) {
+    if (numbers != SmallNumberType::kDoubles || box.x0 < 0 || box.y0 < 0 || box.x1 > s.extent.x ||
+        box.y1 > s.extent.y || !is_simple_ring<double>(hole) || !holds(s, hole) ||
+        do_meet(hole, s)) {
       return false;
     }
     for (std::size_t l = 0; l < k; ++l) {
-      if (boxes[k].meets(boxes[l]) &&
+      if (box.meets(boxes[l]) &&
           (do_meet(hole, holes[l]) || holds(hole, holes[l]) || holds(holes[l], hole))) {
         return false;
       }

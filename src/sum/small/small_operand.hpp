@@ -69,6 +69,19 @@ class SmallOperand {
   std::vector<double> rows_;
 };
 
+/// The vertices and edges of a small operand.
+struct SmallRows {
+  const double* x;
+  const double* y;
+  const double* dx;
+  const double* dy;
+  explicit SmallRows(const SmallOperand& o)
+      : x(o[SmallOperand::kX]),
+        y(o[SmallOperand::kY]),
+        dx(o[SmallOperand::kDx]),
+        dy(o[SmallOperand::kDy]) {}
+};
+
 /// A number type that holds all cross products of edges with each other, and with differences of
 /// points of a box.
 enum class SmallNumberType : std::uint8_t { kDoubles, kIntegers, kNone };

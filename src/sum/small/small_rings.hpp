@@ -1,6 +1,7 @@
 // Tests whether small rings are simple, meet, or hold each other.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "sum/small/blocks.hpp"
@@ -106,27 +107,13 @@ template <class Number>
   return inside;
 }
 
-struct SmallBox {
-  Vec<double> low;
-  Vec<double> high;
-
-  explicit SmallBox(const SmallOperand& s)
-      : low{s[SmallOperand::kX][0], s[SmallOperand::kY][0]}, high(low) {
-    for (std::uint32_t i = 1; i < s.size; ++i) {
-      const double x = s[SmallOperand::kX][i];
-      const double y = s[SmallOperand::kY][i];
-      low = {std::min(low.x, x), std::min(low.y, y)};
-      high = {std::max(high.x, x), std::max(high.y, y)};
-    }
-  }
-  /// Whether this box is in a box of the given extent at the origin.
-  [[nodiscard]] bool is_in(const Vec<double>& extent) const {
-    return low.x >= 0 && low.y >= 0 && high.x <= extent.x && high.y <= extent.y;
-  }
-  [[nodiscard]] bool meets(const SmallBox& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y;
-  }
-};
+/// Returns the box of a ring.
+[[nodiscard]] inline BoxOf<double> box_of(const SmallOperand& s) {
+  const double* const x = s[SmallOperand::kX];
+  const double* const y = s[SmallOperand::kY];
+  const auto [x0, x1] = std::minmax_element(x, x + s.size);
+  const auto [y0, y1] = std::minmax_element(y, y + s.size);
+  return {*x0, *y0, *x1, *y1};
+}
 
 }  // namespace minksum

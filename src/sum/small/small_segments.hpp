@@ -98,21 +98,10 @@ template <class Number>
                                                  SmallSegments& s) {
   const std::size_t n = filled_up(q.size);
   std::uint32_t size = 0;
-  struct Rows {
-    const double* x;
-    const double* y;
-    const double* dx;
-    const double* dy;
-    explicit Rows(const SmallOperand& o)
-        : x(o[SmallOperand::kX]),
-          y(o[SmallOperand::kY]),
-          dx(o[SmallOperand::kDx]),
-          dy(o[SmallOperand::kDy]) {}
-  };
-  const Rows of_p(p);
-  const Rows of_q(q);
-  const auto append = [&](const Rows& edges, std::size_t e, const Rows& vertices, std::size_t v,
-                          bool of_first) __attribute__((always_inline)) {
+  const SmallRows of_p(p);
+  const SmallRows of_q(q);
+  const auto append = [&](const SmallRows& edges, std::size_t e, const SmallRows& vertices,
+                          std::size_t v, bool of_first) __attribute__((always_inline)) {
     s.x[size] = edges.x[e] + vertices.x[v];
     s.y[size] = edges.y[e] + vertices.y[v];
     s.dx[size] = edges.dx[e];

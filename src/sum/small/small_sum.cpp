@@ -14,8 +14,7 @@ struct SmallScratch::State {
   SmallSegments segments;
   SmallSegments ordered;
   SmallOrder order;
-  SmallMeetingSets sets;
-  SmallMeetingLists lists;
+  SmallMeetings meetings;
   RightMeetings turns;
   SmallBoundary boundary;
 };
@@ -116,22 +115,12 @@ Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
 template <class Number>
 void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) {
   /// Goes round a ring from its smallest vertex.
-  struct Round {
-    const double* x;
-    const double* y;
-    const double* dx;
-    const double* dy;
+  struct Round : SmallRows {
     std::uint32_t size;
     std::uint32_t at;
     std::uint32_t left;
     explicit Round(const SmallOperand& o)
-        : x(o[SmallOperand::kX]),
-          y(o[SmallOperand::kY]),
-          dx(o[SmallOperand::kDx]),
-          dy(o[SmallOperand::kDy]),
-          size(o.size),
-          at(o.smallest),
-          left(o.size) {}
+        : SmallRows(o), size(o.size), at(o.smallest), left(o.size) {}
     [[nodiscard]] Vec<Number> way() const {
       return {static_cast<Number>(dx[at]), static_cast<Number>(dy[at])};
     }
@@ -157,12 +146,12 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
   writer.finish();
 }
 
-template <class Number, class Meetings>
+template <class Number>
 bool walk(const SmallOperand& p, const SmallOperand& q, const SmallSegments& segments,
-          Meetings& meetings, SmallScratch::State& scratch, Region& result) {
-  if (!find_meetings_by<Number>(widest_vectors(), segments, meetings)) return false;
+          SmallScratch::State& scratch, Region& result) {
+  if (!find_meetings_by<Number>(widest_vectors(), segments, scratch.meetings)) return false;
   const Vec<double> start = smallest_point(p, q);
-  OuterWalk<Number, Meetings> walk(segments, meetings, scratch.turns, scratch.boundary);
+  OuterWalk<Number> walk(segments, scratch.meetings, scratch.turns, scratch.boundary);
   if (!walk.run(start.x, start.y)) return false;
   SmallWriter writer(p, q, scratch.boundary.size, scratch.boundary.between, result);
   for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
@@ -178,16 +167,13 @@ bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScrat
     return list_segments<Number>(p, q, scratch.segments);
   };
   if (!with_vectors(widest_vectors(), list)) return false;
-  if (scratch.segments.size <= SmallMeetingSets::kMaxSegments) {
-    return walk<Number>(p, q, scratch.segments, scratch.sets, scratch, result);
-  }
   // With so few segments, most pairs of blocks are near one another anyway.
   constexpr std::uint32_t kMostInRingOrder = 300;
   if (scratch.segments.size <= kMostInRingOrder) {
-    return walk<Number>(p, q, scratch.segments, scratch.lists, scratch, result);
+    return walk<Number>(p, q, scratch.segments, scratch, result);
   }
   scratch.order.apply(scratch.segments, width, scratch.ordered);
-  return walk<Number>(p, q, scratch.ordered, scratch.lists, scratch, result);
+  return walk<Number>(p, q, scratch.ordered, scratch, result);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Tests that meetings of segments are as defined, by every kind of vectors, in sets and in lists.
+// Tests that meetings of segments are as defined, by every kind of vectors.
 #include "sum/small/small_meetings.hpp"
 
 #include <gtest/gtest.h>
@@ -67,18 +67,18 @@ Meetings defined(const SmallSegments& s) {
 }
 
 /// Leaves out the meetings on one line and those at the end, which may be found or not.
-template <class Number, class Sets>
+template <class Number>
 Meetings found(Vectors vectors, const SmallSegments& s) {
-  const auto sets = std::make_unique<Sets>();
-  EXPECT_TRUE(find_meetings_by<Number>(vectors, s, *sets));
+  const auto meetings = std::make_unique<SmallMeetings>();
+  EXPECT_TRUE(find_meetings_by<Number>(vectors, s, *meetings));
   Meetings result;
   std::set<std::size_t> numbers;
   for (std::uint32_t i = 0; i < s.size; ++i) {
-    sets->for_each_right(i, [&](std::uint32_t t, std::size_t number) {
+    meetings->for_each_right(i, [&](std::uint32_t t, std::size_t number) {
       EXPECT_TRUE(numbers.insert(number).second);
       EXPECT_TRUE(result.right.emplace(i, t).second);
     });
-    sets->for_each_at_end(i, [&](std::uint32_t t) {
+    meetings->for_each_at_end(i, [&](std::uint32_t t) {
       const double turn = s.dx[i] * s.dy[t] - s.dy[i] * s.dx[t];
       const bool ends_there =
           s.x[t] + s.dx[t] == s.x[i] + s.dx[i] && s.y[t] + s.dy[t] == s.y[i] + s.dy[i];
@@ -87,7 +87,7 @@ Meetings found(Vectors vectors, const SmallSegments& s) {
       }
     });
   }
-  EXPECT_EQ(sets->right_count, numbers.size());
+  EXPECT_EQ(meetings->right_count, numbers.size());
   return result;
 }
 
@@ -104,12 +104,10 @@ TEST(SmallMeetings, AreTheSameByAllVectors) {
     const auto count = static_cast<std::uint32_t>(random.between(1, 64));
     const auto s = random_segments(random, count, random.between(6, 20) + static_cast<int>(count));
     const Meetings expected = defined(*s);
-    if (expected.right.size() > count / 2) continue;  // sets with too many meetings are given up
+    if (expected.right.size() > count / 2) continue;  // too many meetings are given up
     for (const Vectors vectors : available()) {
-      EXPECT_EQ((found<double, SmallMeetingSets>(vectors, *s)), expected) << k;
-      EXPECT_EQ((found<double, SmallMeetingLists>(vectors, *s)), expected) << k;
-      EXPECT_EQ((found<std::int64_t, SmallMeetingSets>(vectors, *s)), expected) << k;
-      EXPECT_EQ((found<std::int64_t, SmallMeetingLists>(vectors, *s)), expected) << k;
+      EXPECT_EQ(found<double>(vectors, *s), expected) << k;
+      EXPECT_EQ(found<std::int64_t>(vectors, *s), expected) << k;
     }
   }
 }
@@ -124,7 +122,7 @@ TEST(SmallMeetings, AreOfAnyNumberOfSegments) {
     order->apply(*random_segments(random, count, size), size + 8, *s);
     const Meetings expected = defined(*s);
     for (const Vectors vectors : available()) {
-      EXPECT_EQ((found<double, SmallMeetingLists>(vectors, *s)), expected) << count;
+      EXPECT_EQ(found<double>(vectors, *s), expected) << count;
     }
   }
 }
@@ -133,11 +131,10 @@ TEST(SmallMeetings, AreGivenUpWhereThereAreMany) {
   test::Random random(5);
   const auto few = random_segments(random, 64, 2);
   const auto many = random_segments(random, 1000, 8);
-  const auto sets = std::make_unique<SmallMeetingSets>();
-  const auto lists = std::make_unique<SmallMeetingLists>();
+  const auto meetings = std::make_unique<SmallMeetings>();
   for (const Vectors vectors : available()) {
-    EXPECT_FALSE(find_meetings_by<double>(vectors, *few, *sets));
-    EXPECT_FALSE(find_meetings_by<double>(vectors, *many, *lists));
+    EXPECT_FALSE(find_meetings_by<double>(vectors, *few, *meetings));
+    EXPECT_FALSE(find_meetings_by<double>(vectors, *many, *meetings));
   }
 }
 
