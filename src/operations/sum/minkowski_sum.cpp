@@ -46,19 +46,20 @@ void require_method_for_tight(const SumRequest& request) {
 }
 
 /// Keeps an operand as it is while the result is written. An operand that is the result is copied.
-template <class Set>
+template <class Operand>
 class Kept {
  public:
-  Kept(const Set& operand, const std::type_identity_t<Set>& result) : operand_(&operand) {
-    if (&operand != &result) return;
-    copy_ = operand;
-    operand_ = &*copy_;
+  template <class Set>
+  Kept(const Operand& operand, const Set& result) : operand_(&operand) {
+    if constexpr (std::is_same_v<Operand, Set>) {
+      if (&operand == &result) operand_ = &copy_.emplace(operand);
+    }
   }
-  [[nodiscard]] const Set& operator*() const { return *operand_; }
+  [[nodiscard]] const Operand& operator*() const { return *operand_; }
 
  private:
-  std::optional<Set> copy_;
-  const Set* operand_;
+  std::optional<Operand> copy_;
+  const Operand* operand_;
 };
 
 /// Tells whether nothing is asked for that only the stages can give.
@@ -130,23 +131,12 @@ class Memory {
   Workspace* workspace_;
 };
 
-Region run(const CallerOperand& p, const CallerOperand& q, const SumRequest& options) {
-  Memory memory(options);
-  Region result;
-  run(p, q, options, memory.state(), result);
-  return result;
-}
-
 /// Runs `work` and returns how it ended. On failure the result is empty.
 template <class Work, class Set>
 Outcome attempt_or_clear(Work work, Set& result) {
   Outcome outcome = attempt(work);
   if (!outcome.ok()) result = Set{};
   return outcome;
-}
-Outcome attempt_sum(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
-                    Workspace& workspace, Region& result) {
-  return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
 }
 
 /// Computes the sums of which a sum of geometries is made.
@@ -250,38 +240,44 @@ void run(const Geometry& p, const Geometry& q, const SumRequest& options, Worksp
   sums.count_time();
 }
 
-Geometry run(const Geometry& p, const Geometry& q, const SumRequest& options) {
-  Memory memory(options);
-  Geometry result;
-  run(p, q, options, memory.state(), result);
-  return result;
-}
-
 CallerOperand given(const PreparedRegion& region) {
   return {region.region(), &region.state().operand, region.state().small.get()};
 }
 CallerOperand given(const Region& region) { return {region}; }
 
-/// Returns the request that fills a DetailedSum.
-template <class Settings>
-SumRequest request_for(const Settings& settings, Detail detail, DetailedSum& result) {
-  SumRequest request(settings);
-  request.statistics = &result.statistics;
-  if (settings.tight.value_or(false)) request.want_tight_places(result.tight);
-  if (detail == Detail::kTrace) request.trace = &result.trace;
-  return request;
+template <class P, class Q>
+void run(const P& p, const Q& q, const SumRequest& options, Workspace::State& state,
+         Region& result) {
+  const Kept first(p, result);
+  const Kept second(q, result);
+  run(given(*first), given(*second), options, state, result);
+}
+
+/// Returns the sum of operands of any kind.
+template <class Set, class P, class Q>
+Set sum(const P& p, const Q& q, const SumRequest& options) {
+  Memory memory(options);
+  Set result;
+  run(p, q, options, memory.state(), result);
+  return result;
+}
+template <class P, class Q, class Set>
+Outcome attempt_sum(const P& p, const Q& q, const SumRequest& options, Workspace& workspace,
+                    Set& result) {
+  return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
 }
 template <class Operand, class Settings>
 DetailedSum detailed(const Operand& p, const Operand& q, const Settings& settings, Detail detail) {
   DetailedSum result;
-  result.sum.region = run(given(p), given(q), request_for(settings, detail, result));
-  return result;
-}
-template <class Settings>
-DetailedSum detailed(const Geometry& p, const Geometry& q, const Settings& settings,
-                     Detail detail) {
-  DetailedSum result;
-  result.sum = run(p, q, request_for(settings, detail, result));
+  SumRequest request(settings);
+  request.statistics = &result.statistics;
+  if (settings.tight.value_or(false)) request.want_tight_places(result.tight);
+  if (detail == Detail::kTrace) request.trace = &result.trace;
+  if constexpr (std::is_same_v<Operand, Geometry>) {
+    result.sum = sum<Geometry>(p, q, request);
+  } else {
+    result.sum.region = sum<Region>(p, q, request);
+  }
   return result;
 }
 
@@ -305,43 +301,39 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
 const Region& PreparedRegion::region() const { return state_->region; }
 
 Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
-  return run(given(p), given(q), SumRequest(options));
+  return sum<Region>(p, q, SumRequest(options));
 }
 Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
-  return run(given(p), given(q), SumRequest(options));
+  return sum<Region>(p, q, SumRequest(options));
 }
 Region minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options) {
-  return run(given(p), given(q), SumRequest(options));
+  return sum<Region>(p, q, SumRequest(options));
 }
 Region minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options) {
-  return run(given(p), given(q), SumRequest(options));
+  return sum<Region>(p, q, SumRequest(options));
 }
 Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {
-  return run(p, q, SumRequest(options));
+  return sum<Geometry>(p, q, SumRequest(options));
 }
 Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  const Kept first(p, result);
-  const Kept second(q, result);
-  return attempt_sum(given(*first), given(*second), SumRequest(options), workspace, result);
+  return attempt_sum(p, q, SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  return attempt_sum(given(p), given(q), SumRequest(options), workspace, result);
+  return attempt_sum(p, q, SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  const Kept first(p, result);
-  return attempt_sum(given(*first), given(q), SumRequest(options), workspace, result);
+  return attempt_sum(p, q, SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
                       Workspace& workspace, Region& result) {
-  const Kept second(q, result);
-  return attempt_sum(given(p), given(*second), SumRequest(options), workspace, result);
+  return attempt_sum(p, q, SumRequest(options), workspace, result);
 }
 Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
                       Workspace& workspace, Geometry& result) {
-  return sum_of_geometries(p, q, SumRequest(options), workspace, result);
+  return attempt_sum(p, q, SumRequest(options), workspace, result);
 }
 DetailedSum detailed_sum(const Region& p, const Region& q, const Options& options, Detail detail) {
   return detailed(p, q, options, detail);
@@ -357,28 +349,26 @@ DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q, const
 
 // -- By settings ---------------------------------------------------------------------------------
 Region minkowski_sum(const Region& p, const Region& q, const SumSettings& settings) {
-  return run(given(p), given(q), SumRequest(settings));
+  return sum<Region>(p, q, SumRequest(settings));
 }
 Geometry minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings) {
-  return run(p, q, SumRequest(settings));
+  return sum<Geometry>(p, q, SumRequest(settings));
 }
 Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
                      const SumSettings& settings) {
-  return run(given(p), given(q), SumRequest(settings));
+  return sum<Region>(p, q, SumRequest(settings));
 }
 Outcome minkowski_sum(const Region& p, const Region& q, const SumSettings& settings,
                       Workspace& workspace, Region& result) {
-  const Kept first(p, result);
-  const Kept second(q, result);
-  return attempt_sum(given(*first), given(*second), SumRequest(settings), workspace, result);
+  return attempt_sum(p, q, SumRequest(settings), workspace, result);
 }
 Outcome minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
                       Workspace& workspace, Geometry& result) {
-  return sum_of_geometries(p, q, SumRequest(settings), workspace, result);
+  return attempt_sum(p, q, SumRequest(settings), workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumSettings& settings,
                       Workspace& workspace, Region& result) {
-  return attempt_sum(given(p), given(q), SumRequest(settings), workspace, result);
+  return attempt_sum(p, q, SumRequest(settings), workspace, result);
 }
 DetailedSum detailed_sum(const Region& p, const Region& q, const SumSettings& settings,
                          Detail detail) {
@@ -396,12 +386,13 @@ DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
 // -- For callers that know more about the operands -----------------------------------------------
 Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
                           Workspace& workspace, Geometry& result) {
-  return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
+  return attempt_sum(p, q, options, workspace, result);
 }
 Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
                       Workspace& workspace, Region& result) {
-  return attempt_sum({p.region(), &p.state().operand}, {q.region(), &q.state().operand}, options,
-                     workspace, result);
+  const CallerOperand first{p.region(), &p.state().operand};
+  const CallerOperand second{q.region(), &q.state().operand};
+  return attempt_sum(first, second, options, workspace, result);
 }
 Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
                       const SumRequest& options, Workspace& workspace, Region& result) {
