@@ -16,21 +16,10 @@ struct Edge {
 
 std::vector<Edge> edges_of(const Region& region, Cancellation& cancellation) {
   std::vector<Edge> edges;
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      const IndexRange vertices = region.vertices_of(ring);
-      const std::size_t last = vertices.front() + vertices.size() - 1;
-      double x = region.x(last);
-      double y = region.y(last);
-      for (const std::size_t v : vertices) {
-        cancellation.check(16);
-        const Edge edge{x, y, region.x(v), region.y(v)};
-        edges.push_back(edge);
-        x = edge.bx;
-        y = edge.by;
-      }
-    }
-  }
+  for_each_edge(region, [&](std::size_t v, std::size_t w) {
+    cancellation.check(16);
+    edges.push_back({region.x(v), region.y(v), region.x(w), region.y(w)});
+  });
   return edges;
 }
 

@@ -58,16 +58,10 @@ struct Edge {
 std::vector<Edge> edges_of(const Obstacle& obstacle, Cancellation& cancellation) {
   std::vector<Edge> edges;
   const Region& region = obstacle.sum.region;
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      const IndexRange vertices = region.vertices_of(ring);
-      for (const std::size_t v : vertices) {
-        const bool last = v + 1 == vertices.front() + vertices.size();
-        edges.push_back({region.point(v), region.point(last ? vertices.front() : v + 1)});
-        cancellation.check(work_of(edges.back().a));
-      }
-    }
-  }
+  for_each_edge(region, [&](std::size_t v, std::size_t w) {
+    edges.push_back({region.point(v), region.point(w)});
+    cancellation.check(work_of(edges.back().a));
+  });
   for (const Polyline& line : obstacle.tight.polylines) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       edges.push_back({line[i], line[i + 1], true});

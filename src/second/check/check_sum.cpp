@@ -9,6 +9,7 @@
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/testing.hpp"
+#include "region/point_arithmetic.hpp"
 #include "second/check/placed_operand.hpp"
 
 namespace minksum {
@@ -80,32 +81,22 @@ class Witness {
   SumCheck& check_;
 };
 
-std::size_t next_in(const IndexRange& ring, std::size_t vertex) {
-  return vertex + 1 < ring.front() + ring.size() ? vertex + 1 : ring.front();
-}
-
 // A lost hole, a shifted vertex or a spurious ring shows next to an edge.
 void ask_near_edges(const Region& region, std::uint64_t edges, Witness& witness) {
   const std::uint64_t count = region.vertex_count();
   const auto turn = [&](std::uint64_t v) { return v * edges / count; };
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      const IndexRange vertices = region.vertices_of(ring);
-      for (const std::size_t v : vertices) {
-        if (edges < count && turn(v) == turn(v + 1)) continue;
-        const std::size_t next = next_in(vertices, v);
-        const Point a = region.point(v);
-        const Point b = region.point(next);
-        const Rational dx = b.x - a.x;
-        const Rational dy = b.y - a.y;
-        const Point middle{(a.x + b.x) / Rational(2), (a.y + b.y) / Rational(2)};
-        const Rational part(1, kBeside);
-        witness.ask({middle.x + dy * part, middle.y - dx * part});
-        witness.ask({middle.x - dy * part, middle.y + dx * part});
-        witness.ask(a);
-      }
-    }
-  }
+  for_each_edge(region, [&](std::size_t v, std::size_t w) {
+    if (edges < count && turn(v) == turn(v + 1)) return;
+    const Point a = region.point(v);
+    const Point b = region.point(w);
+    const Rational dx = b.x - a.x;
+    const Rational dy = b.y - a.y;
+    const Point middle{(a.x + b.x) / Rational(2), (a.y + b.y) / Rational(2)};
+    const Rational part(1, kBeside);
+    witness.ask({middle.x + dy * part, middle.y - dx * part});
+    witness.ask({middle.x - dy * part, middle.y + dx * part});
+    witness.ask(a);
+  });
 }
 
 void ask_thin_parts(const Geometry& geometry, Witness& witness) {
@@ -234,19 +225,13 @@ Point inner_point(const Region& region, Cancellation& cancellation) {
   }
   const Rational x = (first + *second) / Rational(2);
   std::vector<Rational> heights;
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t r : region.rings_of(polygon)) {
-      const IndexRange vertices = region.vertices_of(r);
-      for (const std::size_t v : vertices) {
-        const std::size_t next = next_in(vertices, v);
-        const Point a = region.point(v);
-        const Point b = region.point(next);
-        cancellation.check(8 * work_of(a));
-        if ((a.x < x) == (b.x < x)) continue;
-        heights.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
-      }
-    }
-  }
+  for_each_edge(region, [&](std::size_t v, std::size_t w) {
+    const Point a = region.point(v);
+    const Point b = region.point(w);
+    cancellation.check(8 * work_of(a));
+    if ((a.x < x) == (b.x < x)) return;
+    heights.push_back(a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x));
+  });
   std::sort(heights.begin(), heights.end());
   return {x, (heights[0] + heights[1]) / Rational(2)};
 }
