@@ -22,7 +22,7 @@ double in_units(double length, const Target& target) {
 
 [[noreturn]] void refuse(const Region& region, const RoundRequest& request) {
   require_valid(region, -1, request.options);
-  throw Error(ErrorCode::kInternal, "a valid region did not check_topology", {}, "round");
+  throw Error(ErrorCode::kInternal, "a valid region was found not to be valid", {}, "round");
 }
 
 Region resolved(const Region& region, const RoundRequest& request) {
