@@ -104,7 +104,7 @@ Made make_morphology(Parser& parser, ProcessLimits& limits) {
 }
 
 template <bool inner_fit>
-Made make_nesting(Parser& parser, ProcessLimits& limits) {
+Made make_no_fit(Parser& parser, ProcessLimits& limits) {
   NoFitArguments arguments;
   NoFitText typed;
   arguments.inner_fit = inner_fit;
@@ -180,9 +180,9 @@ const std::vector<Entry>& operations() {
       {"open", make_morphology<kOpen>, kMorphology},
       {"close", make_morphology<kClose>, kMorphology},
       {"nfp",
-       make_nesting<false>,
+       make_no_fit<false>,
        {"fill", "strict", "reference", "at", "format", "coords", "round"}},
-      {"ifp", make_nesting<true>, {"fill", "strict", "reference", "format", "coords", "round"}},
+      {"ifp", make_no_fit<true>, {"fill", "strict", "reference", "format", "coords", "round"}},
       {"depth", make_depth, {"fill", "strict", "along"}},
       {"offset",
        make_offset,

@@ -117,8 +117,8 @@ class PairRunner {
  public:
   PairRunner(const BatchArguments& arguments, const Parts& parts)
       : arguments_(arguments), parts_(parts), digest_(parts.digest.text()) {
-    nesting_.coordinates = arguments.coordinates;
-    nesting_.rounding = arguments.rounding;
+    no_fit_.coordinates = arguments.coordinates;
+    no_fit_.rounding = arguments.rounding;
     for (const Part& part : parts.parts) names_.push_back(to_json(part.name));
     for (int k = 0; k < arguments.rotations; ++k) {
       std::string text = degrees(k, arguments.rotations);
@@ -191,16 +191,16 @@ class PairRunner {
   std::string result(std::uint64_t fixed, std::uint64_t moving, std::uint64_t turn,
                      const std::optional<CancelToken>& cancel, Worker& worker) {
     sum(fixed, moving, turn, cancel, worker);
-    NoFitArguments nesting = nesting_;
-    nesting.cancel = cancel;
-    const Geometry shown = rounded_fit_polygon(nesting, worker.geometry);
+    NoFitArguments no_fit = no_fit_;
+    no_fit.cancel = cancel;
+    const Geometry shown = rounded_fit_polygon(no_fit, worker.geometry);
     return "\"result\":" + geometry_json(shown, arguments_.format, arguments_.coordinates);
   }
 
   const BatchArguments& arguments_;
   const Parts& parts_;
   std::string digest_;
-  NoFitArguments nesting_;
+  NoFitArguments no_fit_;
   std::vector<std::string> names_;  // as JSON strings
   std::vector<std::string> turns_;
   Watchdog watchdog_;

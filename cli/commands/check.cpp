@@ -24,15 +24,9 @@ std::string shown(const Point& point) {
 }
 
 const char* to_string(Proof proof) {
-  switch (proof) {
-    case Proof::kHolds:
-      return "holds";
-    case Proof::kRefuted:
-      return "refuted";
-    case Proof::kNotTried:
-      return "not tried: too large for the second method";
-  }
-  return "";
+  constexpr const char* kNames[] = {"holds", "refuted",
+                                    "not tried: too large for the second method"};
+  return kNames[static_cast<std::size_t>(proof)];
 }
 
 void write_difference(std::ostream& out, const char* name, const std::optional<Difference>& part) {

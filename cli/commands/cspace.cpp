@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <ostream>
 #include <sstream>
 #include <utility>
@@ -228,11 +227,6 @@ int run_cspace(const CspaceArguments& arguments) {
   return kFine;
 }
 
-void add_cspace(Program& program) {
-  const auto arguments = std::make_shared<CspaceArguments>();
-  const auto typed = std::make_shared<CspaceText>();
-  program.add(add_cspace(program.line, *arguments, *typed, program.limits), arguments, typed,
-              run_cspace);
-}
+void add_cspace(Program& program) { program.add(add_cspace, run_cspace); }
 
 }  // namespace minksum::cli

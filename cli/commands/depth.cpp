@@ -1,5 +1,4 @@
 // minksum depth: tells how two shapes stand to each other.
-#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
@@ -148,11 +147,6 @@ int run_depth(const DepthArguments& arguments) {
   return kFine;
 }
 
-void add_depth(Program& program) {
-  const auto arguments = std::make_shared<DepthArguments>();
-  const auto typed = std::make_shared<DepthText>();
-  program.add(add_depth(program.line, *arguments, *typed, program.limits), arguments, typed,
-              run_depth);
-}
+void add_depth(Program& program) { program.add(add_depth, run_depth); }
 
 }  // namespace minksum::cli

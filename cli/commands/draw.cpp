@@ -158,8 +158,7 @@ int run_draw(const DrawArguments& arguments) {
                         ? read_operand(file, arguments.limits).geometry
                         : read_operand(file, arguments.limits, arguments.fill).geometry);
   }
-  Figure figure{
-      {}, arguments.title, arguments.width, arguments.theme, arguments.axes, arguments.legend};
+  Figure figure{arguments, {}};
   for (std::size_t i = 0; i < given.size(); ++i) {
     figure.layers.push_back(layer_of(arguments, i, given[i]));
   }

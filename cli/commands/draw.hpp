@@ -13,16 +13,11 @@
 namespace minksum::cli {
 
 /// `minksum draw FILE...`
-struct DrawArguments {
+struct DrawArguments : FigureLook {
   std::vector<std::string> files;   ///< "-" = standard input
   std::string output;               ///< empty = standard output
   std::vector<std::string> styles;  ///< one for each file; empty = chosen by position
   std::vector<std::string> captions;
-  std::string title;
-  double width = 960;
-  Theme theme = Theme::kAuto;
-  bool axes = true;
-  bool legend = true;
   bool faults = false;  ///< draw rings as they stand, with their faults
   bool labels = false;  ///< number the vertices
   FillRule fill = FillRule::kAutomatic;

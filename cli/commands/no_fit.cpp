@@ -16,15 +16,8 @@ namespace minksum::cli {
 namespace {
 
 const char* to_string(Contact contact) {
-  switch (contact) {
-    case Contact::kFree:
-      return "free";
-    case Contact::kTouching:
-      return "touching";
-    case Contact::kOverlapping:
-      break;
-  }
-  return "overlapping";
+  constexpr const char* kNames[] = {"free", "touching", "overlapping"};
+  return kNames[static_cast<std::size_t>(contact)];
 }
 
 Geometry without_thin_parts(const Geometry& geometry) { return {geometry.region, {}, {}}; }

@@ -2,7 +2,6 @@
 #include "commands/offset.hpp"
 
 #include <map>
-#include <memory>
 #include <ostream>
 
 #include "commands/subcommands.hpp"
@@ -127,11 +126,6 @@ int run_offset(const OffsetArguments& arguments) {
   return kFine;
 }
 
-void add_offset(Program& program) {
-  const auto arguments = std::make_shared<OffsetArguments>();
-  const auto typed = std::make_shared<OffsetText>();
-  program.add(add_offset(program.line, *arguments, *typed, program.limits), arguments, typed,
-              run_offset);
-}
+void add_offset(Program& program) { program.add(add_offset, run_offset); }
 
 }  // namespace minksum::cli

@@ -1,7 +1,6 @@
 #include "commands/reach.hpp"
 
 #include <cmath>
-#include <memory>
 #include <ostream>
 
 #include "commands/subcommands.hpp"
@@ -171,11 +170,6 @@ int run_reach(const ReachArguments& arguments) {
   return kFine;
 }
 
-void add_reach(Program& program) {
-  const auto arguments = std::make_shared<ReachArguments>();
-  const auto typed = std::make_shared<ReachText>();
-  program.add(add_reach(program.line, *arguments, *typed, program.limits), arguments, typed,
-              run_reach);
-}
+void add_reach(Program& program) { program.add(add_reach, run_reach); }
 
 }  // namespace minksum::cli

@@ -24,6 +24,14 @@ struct Program {
   void add(const Command& command, std::function<int()> run) {
     run_of[command.name()] = std::move(run);
   }
+  /// Adds a subcommand that computes sums, by the function that describes its options.
+  template <class Arguments, class Typed>
+  void add(Command (*describe)(CommandLine&, Arguments&, Typed&, ProcessLimits&),
+           int (*run)(const Arguments&)) {
+    const auto arguments = std::make_shared<Arguments>();
+    const auto typed = std::make_shared<Typed>();
+    add(describe(line, *arguments, *typed, limits), arguments, typed, run);
+  }
   /// Adds a subcommand that computes sums. Before it runs, its limits are set and `convert` is
   /// called.
   template <class Arguments, class Typed>

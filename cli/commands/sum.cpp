@@ -1,7 +1,6 @@
 // minksum sum: reads two geometries, adds them, and writes the sum and any other output.
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <ostream>
 
@@ -152,10 +151,6 @@ int run_sum(const SumArguments& arguments) {
   return kFine;
 }
 
-void add_sum(Program& program) {
-  const auto arguments = std::make_shared<SumArguments>();
-  const auto typed = std::make_shared<SumText>();
-  program.add(add_sum(program.line, *arguments, *typed, program.limits), arguments, typed, run_sum);
-}
+void add_sum(Program& program) { program.add(add_sum, run_sum); }
 
 }  // namespace minksum::cli

@@ -106,31 +106,13 @@ double median(std::vector<double> values) {
 }
 
 const char* to_string(Method method) {
-  switch (method) {
-    case Method::kReduced:
-      return "reduced";
-    case Method::kSigned:
-      return "signed";
-    case Method::kFull:
-      return "full";
-  }
-  return "?";
+  constexpr const char* kNames[] = {"reduced", "signed", "full"};
+  return kNames[static_cast<std::size_t>(method)];
 }
 
 const char* to_string(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::kAutomatic:
-      return "auto";
-    case Arithmetic::kNarrow:
-      return "narrow";
-    case Arithmetic::kMedium:
-      return "medium";
-    case Arithmetic::kWide:
-      return "wide";
-    case Arithmetic::kArbitrary:
-      return "arbitrary";
-  }
-  return "?";
+  constexpr const char* kNames[] = {"auto", "narrow", "medium", "wide", "arbitrary"};
+  return kNames[static_cast<std::size_t>(arithmetic)];
 }
 
 Json statistics_json(const SumArguments& arguments, const SumRun& run) {

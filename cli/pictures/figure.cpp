@@ -99,7 +99,7 @@ Layout lay_out(const Figure& figure, double top) {
   if (figure.axes && !layout.extent.empty) {
     static_cast<void>(layout.placement());  // throws if doubles cannot hold the figure
     choose_ticks(layout);
-    // The labels of the y axis take room, which changes the scale. One more pass nearly settles it.
+    // The labels of the y axis take room, which changes the scale. One more pass nearly ends that.
     fit(figure, kMargin + label_width(layout.y_ticks) + kTickLength + 4, layout);
     choose_ticks(layout);
   }

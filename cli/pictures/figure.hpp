@@ -21,13 +21,16 @@ struct Layer {
   const Geometry* numbered = nullptr;
 };
 
-struct Figure {
-  std::vector<Layer> layers;  ///< the first one is lowest
-  std::string title;          ///< empty = none
-  double width = 960;         ///< in pixels; the height follows
+struct FigureLook {
+  std::string title;   ///< empty = none
+  double width = 960;  ///< in pixels; the height follows
   Theme theme = Theme::kAuto;
   bool axes = true;
   bool legend = true;
+};
+
+struct Figure : FigureLook {
+  std::vector<Layer> layers;  ///< the first one is lowest
 };
 
 /// Returns the figure as SVG. Throws Error(kLimitExceeded) if doubles cannot hold it.
