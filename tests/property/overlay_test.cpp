@@ -82,7 +82,7 @@ TEST(Overlay, ResolveOfFractionsIsAsByBruteForce) {
 }
 
 // Rings of valid regions mean the same by any rule that ignores their direction.
-TEST(Overlay, LegalRegionsAreWhatTheyAre) {
+TEST(Overlay, ValidRegionsAreWhatTheyAre) {
   const int count = count_from_environment(1000);
   for (int i = 0; i < count && !HasFailure(); ++i) {
     Random random = random_of_case(i);

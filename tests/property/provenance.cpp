@@ -12,13 +12,13 @@ using reference::Pt;
 
 // The vertices of an operand by index, with the places of their rings.
 struct Flat {
-  struct Place {
+  struct RingSpan {
     std::size_t ring_first = 0;
     std::size_t ring_size = 0;
     bool backwards = false;  // the ring has the interior on the right
   };
   std::vector<Pt> points;
-  std::vector<Place> places;
+  std::vector<RingSpan> places;
 };
 
 Flat flatten(const Region& region) {
@@ -26,7 +26,7 @@ Flat flatten(const Region& region) {
   for (const auto& loops : reference::to_loops(region)) {
     for (std::size_t r = 0; r < loops.size(); ++r) {
       const bool is_ccw = reference::doubled_area(loops[r]) > 0;
-      const Flat::Place place{flat.points.size(), loops[r].size(), is_ccw != (r == 0)};
+      const Flat::RingSpan place{flat.points.size(), loops[r].size(), is_ccw != (r == 0)};
       flat.places.insert(flat.places.end(), loops[r].size(), place);
       flat.points.insert(flat.points.end(), loops[r].begin(), loops[r].end());
     }
@@ -36,7 +36,7 @@ Flat flatten(const Region& region) {
 
 // Returns the next vertex of the ring at another point; `step` is 1 or size - 1.
 std::size_t different(const Flat& flat, std::size_t from, std::size_t step) {
-  const Flat::Place& place = flat.places[from];
+  const Flat::RingSpan& place = flat.places[from];
   std::size_t at = from;
   do {
     at = place.ring_first + (at - place.ring_first + step) % place.ring_size;

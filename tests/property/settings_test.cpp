@@ -1,4 +1,6 @@
 // Tests that settings change how a sum is computed, but no byte of the result.
+#include "support/settings.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -13,46 +15,6 @@ namespace {
 
 using namespace minksum;
 using namespace minksum::test;
-
-struct Setting {
-  std::string name;
-  SumSettings options;
-};
-
-std::vector<Setting> settings() {
-  std::vector<Setting> all;
-  const auto add = [&all](std::string name, auto&& change) {
-    Setting setting{std::move(name), {}};
-    change(setting.options);
-    all.push_back(std::move(setting));
-  };
-  add("cover off", [](SumSettings& o) { o.cover = false; });
-  for (const int grid : {1, 2, 3, 4, 8, 16, 64, 256}) {
-    add("grid " + std::to_string(grid), [grid](SumSettings& o) { o.grid = grid; });
-  }
-  add("filter off", [](SumSettings& o) { o.filter = false; });
-  add("filter and cover off", [](SumSettings& o) { o.filter = o.cover = false; });
-  add("medium", [](SumSettings& o) { o.arithmetic = Arithmetic::kMedium; });
-  add("wide", [](SumSettings& o) { o.arithmetic = Arithmetic::kWide; });
-  add("wide without filter", [](SumSettings& o) {
-    o.arithmetic = Arithmetic::kWide;
-    o.filter = false;
-  });
-  add("arbitrary", [](SumSettings& o) { o.arithmetic = Arithmetic::kArbitrary; });
-  add("arbitrary without filter", [](SumSettings& o) {
-    o.arithmetic = Arithmetic::kArbitrary;
-    o.filter = false;
-  });
-  add("narrow", [](SumSettings& o) { o.arithmetic = Arithmetic::kNarrow; });
-  add("narrow without filter", [](SumSettings& o) {
-    o.arithmetic = Arithmetic::kNarrow;
-    o.filter = false;
-  });
-  add("checked", [](SumSettings& o) { o.check = true; });
-  add("signed", [](SumSettings& o) { o.method = Method::kSigned; });
-  add("full", [](SumSettings& o) { o.method = Method::kFull; });
-  return all;
-}
 
 void expect_same_everywhere(const Region& p, const Region& q, const std::string& about) {
   const Region expected = minkowski_sum(p, q);

@@ -12,6 +12,7 @@
 #include "reference/convex_pieces.hpp"
 #include "reference/tight_places.hpp"
 #include "reference/validity.hpp"
+#include "support/degenerate_pairs.hpp"
 #include "support/geometries.hpp"
 #include "support/polygon_kinds.hpp"
 
@@ -67,20 +68,6 @@ Region small_part(Random& random) {
       return random_cells(random, random.between(1, 3), random.between(1, 3), random.one_in(2),
                           random.one_in(2));
   }
-}
-
-// Returns a box with square holes, standing on a corner, that touch one another and the box. Its
-// inside has many parts.
-Region lace(Random& random) {
-  const int columns = random.between(1, 3);
-  const int rows = random.between(1, 2);
-  std::vector<Outline> holes;
-  for (int i = 1; i < 2 * columns; i += 2) {
-    for (int j = 1; j < 2 * rows; j += 2) {
-      if (!random.one_in(5)) holes.push_back({{i - 1, j}, {i, j - 1}, {i + 1, j}, {i, j + 1}});
-    }
-  }
-  return make_polygon({{0, 0}, {2 * columns, 0}, {2 * columns, 2 * rows}, {0, 2 * rows}}, holes);
 }
 
 // Returns a convex part and a hole in which it can move along one path.

@@ -10,6 +10,7 @@
 #include "reference/canonical.hpp"
 #include "reference/convex_pieces.hpp"
 #include "reference/exact.hpp"
+#include "reference/scaled.hpp"
 
 namespace minksum::reference {
 namespace {
@@ -32,20 +33,6 @@ Int gcd_of(Int a, Int b) {
   while (b != 0) a = std::exchange(b, Int(a % b));
   return a;
 }
-
-// A quotient with a positive denominator.
-template <class Int>
-struct Fraction {
-  Int n;
-  Int d;
-  friend bool operator<(const Fraction& a, const Fraction& b) { return a.n * b.d < b.n * a.d; }
-};
-
-template <class Int>
-struct Interval {
-  Fraction<Int> low;
-  Fraction<Int> high;
-};
 
 /// Computes the union of convex polygons by the definition of its boundary. A piece of an edge is
 /// boundary of the union iff no polygon contains the points just right of it.
@@ -169,17 +156,6 @@ class ConvexUnion {
   std::map<Node<Int>, std::size_t> ids_;
 };
 
-// Both operands on one integer grid, where coordinate = integer / scale. Thin parts are loops of
-// the two ends of a segment, or of one point.
-struct Scaled {
-  Loops p;
-  Loops q;
-  Loops thin_p;
-  Loops thin_q;
-  Integer scale = 1;
-  std::size_t bits = 0;
-};
-
 Loops thin_loops(const Geometry& geometry) {
   Loops loops;
   for (const Polyline& polyline : geometry.polylines) {
@@ -189,42 +165,6 @@ Loops thin_loops(const Geometry& geometry) {
   }
   for (const Point& point : geometry.points) loops.push_back({to_pt(point)});
   return loops;
-}
-
-Scaled scale_up(const Region& p, const Region& q, Loops thin_p = {}, Loops thin_q = {}) {
-  Scaled result{directed_and_noded(to_loops(p)), directed_and_noded(to_loops(q)),
-                std::move(thin_p), std::move(thin_q), 1, 0};
-  const auto for_each_coordinate = [&](auto&& action) {
-    for (Loops* loops : {&result.p, &result.q, &result.thin_p, &result.thin_q}) {
-      for (Loop& loop : *loops) {
-        for (Pt& point : loop) {
-          action(point.x);
-          action(point.y);
-        }
-      }
-    }
-  };
-  for_each_coordinate([&](const Number& c) { result.scale = lcm(result.scale, denominator(c)); });
-  for_each_coordinate([&](Number& c) {
-    c *= result.scale;
-    if (c != 0) {
-      result.bits = std::max<std::size_t>(result.bits, msb(Integer(abs(numerator(c)))) + 1);
-    }
-  });
-  return result;
-}
-
-template <class Int>
-std::vector<IntLoop<Int>> to_int(const Loops& loops) {
-  std::vector<IntLoop<Int>> result;
-  for (const Loop& loop : loops) {
-    IntLoop<Int> ring;
-    for (const Pt& p : loop) {
-      ring.push_back({numerator(p.x).convert_to<Int>(), numerator(p.y).convert_to<Int>()});
-    }
-    result.push_back(std::move(ring));
-  }
-  return result;
 }
 
 template <class Int>

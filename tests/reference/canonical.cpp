@@ -102,15 +102,6 @@ Outer& owner(std::vector<Outer>& outers, const Loop& hole) {
   return *best;
 }
 
-Loop without_repeats(const Loop& loop) {
-  Loop result;
-  for (const Pt& p : loop) {
-    if (result.empty() || !(result.back() == p)) result.push_back(p);
-  }
-  while (result.size() > 1 && result.back() == result.front()) result.pop_back();
-  return result;
-}
-
 // Returns the points of `sorted` that lie inside the edge ab, in the order from a to b.
 std::vector<Pt> points_inside(const Pt& a, const Pt& b, const std::vector<Pt>& sorted) {
   const Pt& low = std::min(a, b);
@@ -128,6 +119,15 @@ std::vector<Pt> points_inside(const Pt& a, const Pt& b, const std::vector<Pt>& s
 }
 
 }  // namespace
+
+Loop without_repeats(const Loop& loop) {
+  Loop result;
+  for (const Pt& p : loop) {
+    if (result.empty() || !(result.back() == p)) result.push_back(p);
+  }
+  while (result.size() > 1 && result.back() == result.front()) result.pop_back();
+  return result;
+}
 
 Region link(const std::vector<Pt>& nodes, const std::vector<Piece>& pieces) {
   std::vector<Outer> outers;

@@ -22,6 +22,9 @@ struct Piece {
 /// Does the same for rings with the interior on their left, whose edges meet only at vertices.
 [[nodiscard]] Region link_rings(const Loops& rings);
 
+/// Returns a ring without vertices that equal the one before.
+[[nodiscard]] Loop without_repeats(const Loop& loop);
+
 /// Returns the canonical form of a valid region in any form.
 [[nodiscard]] Region canonical(const Region& region);
 

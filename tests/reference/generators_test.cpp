@@ -15,7 +15,7 @@ namespace {
 using minksum::reference::validity_fault;
 using namespace minksum::test;
 
-TEST(Generators, MakeLegalRegionsOfAllSorts) {
+TEST(Generators, MakeValidRegionsOfAllSorts) {
   std::map<std::string, int> kinds;
   int with_holes = 0;
   int with_parts = 0;
@@ -34,7 +34,7 @@ TEST(Generators, MakeLegalRegionsOfAllSorts) {
   EXPECT_GT(with_parts, 400);
 }
 
-TEST(Generators, LargerShapesAreLegal) {
+TEST(Generators, LargerShapesAreValid) {
   Random random(7);
   EXPECT_EQ(validity_fault(comb(30, 2, 9)), "");
   EXPECT_EQ(validity_fault(spiral(12)), "");

@@ -9,6 +9,7 @@
 #include "reference/canonical.hpp"
 #include "reference/convex_pieces.hpp"
 #include "reference/exact.hpp"
+#include "reference/scaled.hpp"
 
 namespace minksum::reference {
 namespace {
@@ -24,19 +25,6 @@ struct Rest {
   std::vector<Line> boundary;  // boundary of the union
   std::vector<Line> tight;
   std::vector<Pt> points;  // in no open sum, and isolated on their edge
-};
-
-template <class Int>
-struct Fraction {
-  Int n;
-  Int d;  // > 0
-  friend bool operator<(const Fraction& a, const Fraction& b) { return a.n * b.d < b.n * a.d; }
-};
-
-template <class Int>
-struct Interval {
-  Fraction<Int> low;
-  Fraction<Int> high;
 };
 
 template <class Int>
@@ -127,52 +115,11 @@ class ConvexSums {
   Rest rest_;
 };
 
-struct Scaled {
-  Loops p;
-  Loops q;
-  Integer scale = 1;
-  std::size_t bits = 0;
-};
-
-Scaled scale_up(const Region& p, const Region& q) {
-  Scaled result{directed_and_noded(to_loops(p)), directed_and_noded(to_loops(q)), 1, 0};
-  const auto for_each_coordinate = [&](auto&& action) {
-    for (Loops* loops : {&result.p, &result.q}) {
-      for (Loop& loop : *loops) {
-        for (Pt& point : loop) {
-          action(point.x);
-          action(point.y);
-        }
-      }
-    }
-  };
-  for_each_coordinate([&](const Number& c) { result.scale = lcm(result.scale, denominator(c)); });
-  for_each_coordinate([&](Number& c) {
-    c *= result.scale;
-    if (c != 0) {
-      result.bits = std::max<std::size_t>(result.bits, msb(Integer(abs(numerator(c)))) + 1);
-    }
-  });
-  return result;
-}
-
-template <class Int>
-std::vector<IntLoop<Int>> pieces_of(const Loops& loops) {
-  std::vector<IntLoop<Int>> rings;
-  for (const Loop& loop : loops) {
-    IntLoop<Int>& ring = rings.emplace_back();
-    for (const Pt& p : loop) {
-      ring.push_back({numerator(p.x).convert_to<Int>(), numerator(p.y).convert_to<Int>()});
-    }
-  }
-  return convex_pieces(rings);
-}
-
 template <class Int>
 Rest rest_on_grid(const Scaled& scaled) {
-  const auto pieces_of_q = pieces_of<Int>(scaled.q);
+  const auto pieces_of_q = convex_pieces(to_int<Int>(scaled.q));
   std::vector<IntLoop<Int>> sums;
-  for (const auto& a : pieces_of<Int>(scaled.p)) {
+  for (const auto& a : convex_pieces(to_int<Int>(scaled.p))) {
     for (const auto& b : pieces_of_q) {
       IntLoop<Int> points;
       for (const auto& u : a) {

@@ -19,15 +19,6 @@ struct Edge {
   Number min_x, max_x, min_y, max_y;
 };
 
-Loop without_repeats(const Loop& loop) {
-  Loop result;
-  for (const Pt& p : loop) {
-    if (result.empty() || !(result.back() == p)) result.push_back(p);
-  }
-  while (result.size() > 1 && result.back() == result.front()) result.pop_back();
-  return result;
-}
-
 std::vector<Edge> edges_of(const Loops& rings) {
   std::vector<Edge> edges;
   for (std::size_t r = 0; r < rings.size(); ++r) {

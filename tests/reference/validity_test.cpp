@@ -15,7 +15,7 @@ using namespace minksum::test;
 
 const Outline kBox{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
-TEST(LegalFault, AcceptsWhatIsLegal) {
+TEST(ValidityFault, AcceptsWhatIsValid) {
   EXPECT_EQ(validity_fault(Region{}), "");
   EXPECT_EQ(validity_fault(make_polygon(kBox, {{{2, 2}, {4, 2}, {2, 4}}})), "");
   // Any orientation, repeated vertices and straight vertices are valid.
@@ -29,7 +29,7 @@ TEST(LegalFault, AcceptsWhatIsLegal) {
             "");
 }
 
-TEST(LegalFault, RejectsWhatIsNot) {
+TEST(ValidityFault, RejectsWhatIsNot) {
   const auto rejects = [](const Region& region) { return !validity_fault(region).empty(); };
   EXPECT_TRUE(rejects(make_polygon({{0, 0}, {1, 1}})));
   EXPECT_TRUE(rejects(make_polygon({{0, 0}, {1, 1}, {2, 2}})));

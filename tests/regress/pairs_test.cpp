@@ -18,6 +18,7 @@
 #include "reference/validity.hpp"
 #include "support/data.hpp"
 #include "support/geometries.hpp"
+#include "support/settings.hpp"
 
 namespace {
 
@@ -44,37 +45,6 @@ Pair read_pair(const std::string& name) {
     throw std::runtime_error("two lines are expected in " + name);
   }
   return {parse_wkt(first), parse_wkt(second), name};
-}
-
-struct Setting {
-  std::string name;
-  SumSettings options;
-};
-
-std::vector<Setting> settings() {
-  std::vector<Setting> all(1, {"plain", {}});
-  const auto add = [&all](std::string name, auto&& change) {
-    Setting setting{std::move(name), {}};
-    change(setting.options);
-    all.push_back(std::move(setting));
-  };
-  for (const int grid : {1, 2, 3, 4, 8, 16, 64}) {
-    add("grid " + std::to_string(grid), [grid](SumSettings& o) { o.grid = grid; });
-  }
-  add("cover off", [](SumSettings& o) { o.cover = false; });
-  add("filter off", [](SumSettings& o) { o.filter = false; });
-  add("filter and cover off", [](SumSettings& o) { o.filter = o.cover = false; });
-  add("medium", [](SumSettings& o) { o.arithmetic = Arithmetic::kMedium; });
-  add("wide", [](SumSettings& o) { o.arithmetic = Arithmetic::kWide; });
-  add("arbitrary", [](SumSettings& o) { o.arithmetic = Arithmetic::kArbitrary; });
-  add("checked", [](SumSettings& o) { o.check = true; });
-  add("checked, grid 8", [](SumSettings& o) {
-    o.check = true;
-    o.grid = 8;
-  });
-  add("signed", [](SumSettings& o) { o.method = Method::kSigned; });
-  add("full", [](SumSettings& o) { o.method = Method::kFull; });
-  return all;
 }
 
 Geometry tight_places(const Pair& pair, SumSettings options) {

@@ -9,12 +9,13 @@ import sys
 # Words that mean something else or say nothing, each with what to say instead.
 WORDS = {
     r"\w*[Ii]llegal\w*": "invalid",
-    r"\w*(?<![a-zA-Z])[Ll]egal\w*|\w*_legal\w*": "valid",
-    r"settle\w*|Settle\w*": "what is decided or converted",
+    r"\w*(?:Legal|(?<![a-zA-Z])legal)\w*": "valid",
+    r"settle\w*|\w*Settle\w*": "what is decided or converted",
+    r"\w*Shell\w*": "outer ring",
     r"Typed[A-Z]\w*": "...Text: options as text",
     r"Places?|Placement|PlaceOnLine|RingPlace": "what place it is: ExactLocation, PlacedOperand, ...",
     r"Given|GivenOperand": "CallerOperand",
-    r"Nesting(Options|Arguments)": "NoFit...: nesting is a filter",
+    r"Nesting(Options|Arguments)|make_nesting|nesting_": "NoFit...: nesting is a filter",
     r"CoverLeaf": "QuadtreeLeaf",
 }
 COMMENT = re.compile(r"//.*|\"(?:[^\"\\\n]|\\.)*\"")
@@ -23,7 +24,7 @@ HEADING = re.compile(r"^#+ .*", re.M)
 
 def texts(root):
     """Yields (place, text) of each heading and line of code, without comments and literals."""
-    for folder in ["src", "include", "cli", "c"]:
+    for folder in ["src", "include", "cli", "c", "tests"]:
         for path in sorted((root / folder).rglob("*.?pp")):
             for i, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 yield f"{path.relative_to(root)}:{i}", COMMENT.sub("", line)

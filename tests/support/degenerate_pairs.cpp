@@ -87,19 +87,6 @@ Geometry on_few_lines(Random& random) {
   return result;
 }
 
-/// Returns a box with square holes, standing on a corner, that touch one another and the box.
-Region lace(Random& random) {
-  const int columns = random.between(1, 3);
-  const int rows = random.between(1, 2);
-  std::vector<Outline> holes;
-  for (int i = 1; i < 2 * columns; i += 2) {
-    for (int j = 1; j < 2 * rows; j += 2) {
-      if (!random.one_in(5)) holes.push_back({{i - 1, j}, {i, j - 1}, {i + 1, j}, {i, j + 1}});
-    }
-  }
-  return make_polygon({{0, 0}, {2 * columns, 0}, {2 * columns, 2 * rows}, {0, 2 * rows}}, holes);
-}
-
 Region small_part(Random& random) {
   switch (random.below(5)) {
     case 0:
@@ -201,6 +188,18 @@ Geometry any_operand(Random& random) {
 }
 
 }  // namespace
+
+Region lace(Random& random) {
+  const int columns = random.between(1, 3);
+  const int rows = random.between(1, 2);
+  std::vector<Outline> holes;
+  for (int i = 1; i < 2 * columns; i += 2) {
+    for (int j = 1; j < 2 * rows; j += 2) {
+      if (!random.one_in(5)) holes.push_back({{i - 1, j}, {i, j - 1}, {i + 1, j}, {i, j + 1}});
+    }
+  }
+  return make_polygon({{0, 0}, {2 * columns, 0}, {2 * columns, 2 * rows}, {0, 2 * rows}}, holes);
+}
 
 Geometry untidy(const Region& region, Random& random) {
   Geometry result;

@@ -24,4 +24,8 @@ struct DegeneratePair {
 /// spikes, rings drawn twice, rings that collapse on an edge, and lines and points on edges.
 [[nodiscard]] Geometry untidy(const Region& region, Random& random);
 
+/// Returns a box with square holes, standing on a corner, that touch one another and the box. Its
+/// inside has many parts.
+[[nodiscard]] Region lace(Random& random);
+
 }  // namespace minksum::test

@@ -138,13 +138,13 @@ class Board {
   }
 
  private:
-  using Place = std::pair<std::int64_t, std::int64_t>;
+  using GridPoint = std::pair<std::int64_t, std::int64_t>;
   void add(const Vertex& a, const Vertex& b) {
-    const Place from{a.x, a.y};
-    const Place to{b.x, b.y};
+    const GridPoint from{a.x, a.y};
+    const GridPoint to{b.x, b.y};
     if (edges_.erase({to, from}) == 0) edges_.insert({from, to});
   }
-  std::set<std::pair<Place, Place>> edges_;
+  std::set<std::pair<GridPoint, GridPoint>> edges_;
 };
 
 std::vector<std::int64_t> random_lines(Random& random, int count) {

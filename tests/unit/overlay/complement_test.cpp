@@ -178,7 +178,7 @@ TEST(Complement, LongLists) {
 }
 
 // Rings may have any direction, any first vertex and any order.
-TEST(Complement, LegalRegions) {
+TEST(Complement, ValidRegions) {
   Random random(6);
   int turned = 0;
   for (int i = 0; i < 100; ++i) {

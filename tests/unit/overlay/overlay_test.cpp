@@ -79,7 +79,7 @@ TEST(Resolve, AntennaThroughAHole) {
 
 // -- The automatic rule for polygons that are not valid ------------------------------------------
 
-TEST(Holes, OneThatCrossesItsShellTakesAwayOnly) {
+TEST(Holes, OneThatCrossesItsOuterRingTakesAwayOnly) {
   const Region region =
       make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{4, 2}, {9, 2}, {9, 4}, {4, 4}}});
   const Region expected =
@@ -88,10 +88,10 @@ TEST(Holes, OneThatCrossesItsShellTakesAwayOnly) {
   EXPECT_EQ(resolved(region, FillRule::kAutomatic, true), (Geometry{expected, {}, {}}));
 }
 
-TEST(Holes, OneOutsideOfItsShellTakesNothing) {
-  const Region shell = rectangle(0, 0, 6, 6);
+TEST(Holes, OneOutsideOfItsOuterRingTakesNothing) {
+  const Region outer = rectangle(0, 0, 6, 6);
   EXPECT_EQ(resolved(make_polygon({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, {{{8, 0}, {9, 0}, {9, 9}}})),
-            (Geometry{shell, {}, {}}));
+            (Geometry{outer, {}, {}}));
 }
 
 TEST(Holes, TwoThatOverlapTakeTheirUnion) {
@@ -146,7 +146,7 @@ TEST(Holes, EachIsOfItsOwnPolygon) {
   EXPECT_EQ(area(resolved(ties).region), Rational(17, 2));
 }
 
-TEST(Holes, AShellThatItsHoleFillsIsALine) {
+TEST(Holes, AnOuterRingThatItsHoleFillsIsALine) {
   const Region region =
       make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}});
   const Geometry result = resolved(region);

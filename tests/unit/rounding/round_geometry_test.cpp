@@ -198,7 +198,7 @@ TEST(RoundGeometry, SidesOfSmallAndLargeNumbers) {
       Error);
 }
 
-TEST(RoundGeometry, RefusesRegionsThatAreNotLegal) {
+TEST(RoundGeometry, RefusesRegionsThatAreNotValid) {
   Geometry crossed = lines({}, {point("1/3", "9")});
   crossed.region = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   for (const RoundingSide side : {RoundingSide::kOutside, RoundingSide::kInside}) {

@@ -229,7 +229,7 @@ TEST(Round, SidesHaveNames) {
 
 // -- The parts of rounding ----------------------------------------------------------------------
 
-TEST(Settle, Judges) {
+TEST(KeepTopology, Judges) {
   Cancellation never;
   const Region exact = make_polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{{1, 4}, {4, 3}, {7, 4}}});
   EXPECT_EQ(check_topology(exact, exact, never).outcome, TopologyVerdict::kKept);
@@ -250,7 +250,7 @@ TEST(Settle, Judges) {
             TopologyVerdict::kInvalid);
 }
 
-TEST(Settle, ThreeRingsAtOnePointCutNothing) {
+TEST(KeepTopology, ThreeRingsAtOnePointCutNothing) {
   Cancellation never;
   const Region exact =
       make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}},
@@ -258,7 +258,7 @@ TEST(Settle, ThreeRingsAtOnePointCutNothing) {
   EXPECT_EQ(check_topology(exact, exact, never).outcome, TopologyVerdict::kKept);
 }
 
-TEST(Settle, AChainOfHolesCutsAtItsEnd) {
+TEST(KeepTopology, AChainOfHolesCutsAtItsEnd) {
   Cancellation never;
   const auto with = [](std::int64_t last) {
     return make_polygon(

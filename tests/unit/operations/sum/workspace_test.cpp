@@ -78,7 +78,7 @@ TEST(Workspace, RepeatedCallsWithPreparedOperandsDoNotAllocate) {
   EXPECT_TRUE(outcome.ok());
 }
 
-TEST(Workspace, RepeatedCallsWithLegalGeometriesDoNotAllocate) {
+TEST(Workspace, RepeatedCallsWithValidGeometriesDoNotAllocate) {
   const Geometry p{ragged_frame(150, 400000, 1), {}, {}};
   const Geometry q{ragged_frame(60, 90000, 2), {}, {}};
   Workspace workspace;

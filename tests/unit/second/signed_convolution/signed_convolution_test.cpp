@@ -154,17 +154,9 @@ TEST(SignedConvolution, HasJustThePointsThatTheOperandsMake) {
 }
 
 Region moved_and_scaled(const Region& region, const Rational& scale, const Rational& shift) {
-  Region result;
-  for (const std::size_t polygon : region.polygons()) {
-    result.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      result.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        result.add_vertex(region.exact_x(v) * scale + shift, region.exact_y(v) * scale - shift);
-      }
-    }
-  }
-  return result;
+  return test::transformed(region, [&](const Point& p) {
+    return Point{p.x * scale + shift, p.y * scale - shift};
+  });
 }
 
 TEST(SignedConvolution, AnyNumbersGiveTheSameShape) {
