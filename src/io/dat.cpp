@@ -58,8 +58,8 @@ class DatReader {
     }
     if (builder_ != nullptr) builder_->begin_ring();
     for (std::size_t i = 0; i < points; ++i) {
-      const Number x = coordinate();
-      const Number y = coordinate();
+      const Number x = scan_lone_number(cursor_);
+      const Number y = scan_lone_number(cursor_);
       cancellation_.check(16);
       if (builder_ != nullptr) builder_->add_vertex(x, y);
     }
@@ -68,21 +68,8 @@ class DatReader {
   std::size_t count(const char* what) {
     cursor_.skip_space_and_comments();
     const std::size_t result = scan_count(cursor_, what);
-    end_of_token();
+    end_of_token(cursor_);
     return result;
-  }
-
-  Number coordinate() {
-    cursor_.skip_space_and_comments();
-    Number number = scan_number(cursor_, NumberSyntax::kLenient);
-    end_of_token();
-    return number;
-  }
-
-  void end_of_token() {
-    if (!cursor_.at_end() && !is_space(cursor_.peek()) && cursor_.peek() != '#') {
-      cursor_.fail_expected("a space");
-    }
   }
 
   TextCursor cursor_;

@@ -160,6 +160,19 @@ Number scan_number(TextCursor& cursor, NumberSyntax syntax) {
   return exact_number(cursor, parts, text);
 }
 
+Number scan_lone_number(TextCursor& cursor) {
+  cursor.skip_space_and_comments();
+  Number number = scan_number(cursor, NumberSyntax::kLenient);
+  end_of_token(cursor);
+  return number;
+}
+
+void end_of_token(const TextCursor& cursor) {
+  if (!cursor.at_end() && !is_space(cursor.peek()) && cursor.peek() != '#') {
+    cursor.fail_expected("a space");
+  }
+}
+
 std::size_t scan_count(TextCursor& cursor, const std::string& what) {
   const std::size_t start = cursor.position();
   const std::string_view digits = take_digits(cursor);

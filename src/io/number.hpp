@@ -23,6 +23,10 @@ enum class NumberSyntax {
 
 /// Reads the number at the cursor. Its limits are Rational::kMaxDigits and kMaxExponent.
 [[nodiscard]] Number scan_number(TextCursor& cursor, NumberSyntax syntax);
+/// Reads the number after white space and comments, behind which nothing else may stand.
+[[nodiscard]] Number scan_lone_number(TextCursor& cursor);
+/// Fails unless white space, a comment or the end stands here.
+void end_of_token(const TextCursor& cursor);
 /// Reads a count, which has digits only; `what` names the count in errors.
 [[nodiscard]] std::size_t scan_count(TextCursor& cursor, const std::string& what);
 

@@ -42,7 +42,8 @@ class PolyReader {
     }
     begin_ring();
     points_.clear();
-    while (points_.size() < count) points_.push_back({coordinate(), coordinate()});
+    while (points_.size() < count)
+      points_.push_back({scan_lone_number(cursor_), scan_lone_number(cursor_)});
     order(count);
   }
 
@@ -63,19 +64,6 @@ class PolyReader {
     builder_.begin_ring();
   }
 
-  Number coordinate() {
-    cursor_.skip_space_and_comments();
-    Number number = scan_number(cursor_, NumberSyntax::kLenient);
-    end_of_token();
-    return number;
-  }
-
-  void end_of_token() {
-    if (!cursor_.at_end() && !is_space(cursor_.peek()) && cursor_.peek() != '#') {
-      cursor_.fail_expected("a space");
-    }
-  }
-
   // Reads the permutation of 1 to `count` in which the points are visited.
   void order(std::size_t count) {
     seen_.assign(count, false);
@@ -83,7 +71,7 @@ class PolyReader {
       cursor_.skip_space_and_comments();
       const std::size_t start = cursor_.position();
       const std::size_t index = scan_count(cursor_, "the order of the points of " + name());
-      end_of_token();
+      end_of_token(cursor_);
       if (index < 1 || index > count || seen_[index - 1]) {
         cursor_.fail(ErrorCode::kBadInput,
                      "the order of the points of " + name() + " must name each of 1 to " +
