@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "sum/output/output.hpp"
+#include "sum/pipeline.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
-#include "unit/sum/prepare_operands.hpp"
 
 namespace {
 
@@ -23,35 +22,15 @@ Region comb() {
 Region l_shape() { return make_polygon({{0, 0}, {9, 0}, {9, 3}, {3, 3}, {3, 13}, {0, 13}}); }
 
 /// Keeps the results of all stages of one sum.
-struct Stages {
-  SumSettings options;
-  Operands operands;
-  ConvolutionScratch convolution_scratch;
-  Convolution convolution;
-  CoverScratch cover_scratch;
-  Cover cover;
-  ArrangementScratch arrangement_scratch;
-  Arrangement arrangement;
-  LoopScratch loop_scratch;
-  Loops loops;
-  BoxTrees trees;
-  FilteredLoops filtered;
-  OutputScratch output_scratch;
-  Boundary boundary;
+struct Stages : Workspace::State {
+  SumRequest options;
+  Region result;
 
   Stages() : Stages(comb(), l_shape(), true) {}
   Stages(const Region& p, const Region& q, bool with_cover) {
-    Cancellation never;
     options.grid = 40;
     options.cover = with_cover;
-    prepare_operands(p, q, options, operands);
-    reduced_convolution(operands, options.limits, never, convolution_scratch, convolution);
-    cover_interior(operands, options, never, cover_scratch, convolution, cover);
-    Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
-    arrange(operands, convolution, cover, options, predicates, arrangement_scratch, arrangement);
-    find_loops(operands, arrangement, never, loop_scratch, loops);
-    filter_loops(operands, arrangement, loops, predicates, trees, filtered);
-    extract_rings(operands, arrangement, loops, filtered, predicates, output_scratch, boundary);
+    run_pipeline({p}, {q}, options, *this, result);
   }
 };
 

@@ -9,10 +9,10 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/prepared_region.hpp"
 #include "minksum/testing.hpp"
+#include "sum/pipeline.hpp"
 #include "support/data.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
-#include "unit/sum/prepare_operands.hpp"
 
 namespace {
 
@@ -192,36 +192,16 @@ TEST(TightPlaces, PreparedOperandsAndReusedMemory) {
 }
 
 /// Keeps the results of all stages of one sum, for the checker.
-struct Stages {
-  SumSettings options;
-  Operands operands;
-  Arrangement arrangement;
-  Loops loops;
-  FilteredLoops filtered;
-  TightPlaces places;
-
+struct Stages : Workspace::State {
   Stages(const Region& p, const Region& q) {
-    Cancellation never;
-    options.tight = true;
-    prepare_operands(p, q, options, operands);
-    ConvolutionScratch convolution_scratch;
-    Convolution convolution;
-    reduced_convolution(operands, options.limits, never, convolution_scratch, convolution);
-    CoverScratch cover_scratch;
-    Cover cover;
-    cover_interior(operands, options, never, cover_scratch, convolution, cover);
-    Predicates predicates(operands.sites, *operands.kernel, operands.bounds, never);
-    ArrangementScratch arrangement_scratch;
-    arrange(operands, convolution, cover, options, predicates, arrangement_scratch, arrangement);
-    LoopScratch loop_scratch;
-    find_loops(operands, arrangement, never, loop_scratch, loops);
-    BoxTrees trees;
-    filter_loops(operands, arrangement, loops, predicates, trees, filtered);
-    TightScratch scratch;
-    find_tight_places(operands, arrangement, loops, filtered, predicates, trees, scratch, places);
+    Geometry places;
+    SumRequest request;
+    request.want_tight_places(places);
+    Region sum;
+    run_pipeline({p}, {q}, request, *this, sum);
   }
   [[nodiscard]] std::optional<std::string> fault() const {
-    return check(places, arrangement, loops, filtered, operands);
+    return check(tight, arrangement, loops, filtered, operands);
   }
 };
 
@@ -232,35 +212,35 @@ TEST(TightPlaces, CheckerRejects) {
       "(14 2, 14 4, 16 4, 16 2, 14 2))");
   const Stages good(rooms, parse_wkt(kSquare));
   ASSERT_EQ(good.fault(), std::nullopt);
-  ASSERT_GE(good.places.slits.size(), 1U);
-  ASSERT_EQ(good.places.nodes.size(), 1U);
+  ASSERT_GE(good.tight.slits.size(), 1U);
+  ASSERT_EQ(good.tight.nodes.size(), 1U);
   const auto fault_after = [&](auto damage) {
     Stages s(rooms, parse_wkt(kSquare));
     damage(s);
     return s.fault().value_or("");
   };
-  EXPECT_EQ(fault_after([](Stages& s) { s.places.slits.clear(); }), "a slit was misjudged");
-  EXPECT_EQ(fault_after([](Stages& s) { s.places.slits.push_back(s.places.slits[0]); }),
+  EXPECT_EQ(fault_after([](Stages& s) { s.tight.slits.clear(); }), "a slit was misjudged");
+  EXPECT_EQ(fault_after([](Stages& s) { s.tight.slits.push_back(s.tight.slits[0]); }),
             "a slit is listed twice");
-  EXPECT_EQ(fault_after([](Stages& s) { s.places.slits.push_back(1000); }), "a slit is not there");
-  EXPECT_EQ(fault_after([](Stages& s) { s.places.nodes.push_back(s.places.nodes[0]); }),
+  EXPECT_EQ(fault_after([](Stages& s) { s.tight.slits.push_back(1000); }), "a slit is not there");
+  EXPECT_EQ(fault_after([](Stages& s) { s.tight.nodes.push_back(s.tight.nodes[0]); }),
             "a point is on the boundary or a slit, or listed twice");
   EXPECT_EQ(fault_after([](Stages& s) {
-              s.places.nodes.push_back(s.arrangement.slits[s.places.slits[0]].to);
+              s.tight.nodes.push_back(s.arrangement.slits[s.tight.slits[0]].to);
             }),
             "a point is on the boundary or a slit, or listed twice");
-  EXPECT_EQ(fault_after([](Stages& s) { s.places.nodes.push_back(100000); }),
+  EXPECT_EQ(fault_after([](Stages& s) { s.tight.nodes.push_back(100000); }),
             "a point is not there");
   // Most other points inside the sum are in the sum of the insides.
   std::size_t not_tight = 0;
   for (NodeId node = 0; node < good.arrangement.nodes.size(); ++node) {
-    const std::string fault = fault_after([node](Stages& s) { s.places.nodes = {node}; });
+    const std::string fault = fault_after([node](Stages& s) { s.tight.nodes = {node}; });
     if (fault == "a point is not tight") ++not_tight;
   }
   EXPECT_GE(not_tight, 1U);
   for (SiteId v = 0; v < good.operands.split; ++v) {
     const SumVertex pinch{v, good.operands.split};
-    const std::string fault = fault_after([&](Stages& s) { s.places.pinches = {pinch}; });
+    const std::string fault = fault_after([&](Stages& s) { s.tight.pinches = {pinch}; });
     if (fault == "a pinch is not tight") ++not_tight;
   }
   EXPECT_GE(not_tight, 2U);
