@@ -123,6 +123,35 @@ struct LinePosition {
   KeptId id;
 };
 
+/// A segment in a crowded part of the plane, with a box that holds all of its points there.
+struct CrowdItem {
+  double x0;
+  double y0;
+  double x1;
+  double y1;
+  KeptId segment;
+};
+
+/// The distance of a segment's line from (0, 0), which has a sign, and a bound on its error.
+struct LineOffset {
+  double value;
+  double error;
+};
+
+/// A segment that passes a strip from one side to the other: where it enters and leaves.
+struct StripLine {
+  double left;
+  double right;
+  std::uint32_t item;
+};
+
+/// Memory for crowds.
+struct CrowdScratch {
+  std::vector<CrowdItem> items;
+  std::vector<StripLine> lines;
+  std::vector<std::uint32_t> by_right;  ///< lines, in their order on the right
+};
+
 /// Memory for joining.
 struct JoinScratch {
   std::vector<SiteId> edge_of_rank;
@@ -145,7 +174,7 @@ struct BinScratch {
 struct ArrangementScratch {
   UniformGrid grid;     ///< the grid of the cells below
   bool swept = false;   ///< whether there are no cells, and all segments are swept at once
-  Vec<double> extent{};  ///< if swept: the size of the sum's box, which starts at (0, 0)
+  Vec<double> extent{};  ///< the size of the sum's box, which starts at (0, 0)
   BoxPairScratch pairs;
   VisibleScratch visible;
   BinScratch bin;
@@ -158,8 +187,8 @@ struct ArrangementScratch {
   std::vector<KeptId> kept_id;             ///< by listed segment, if the cover is divided
   std::vector<std::uint32_t> leaf_end;     ///< by leaf: where its items end in `in_cells`
   std::vector<KeptId> hash_table;
-  std::vector<std::vector<CellItem>> stack;  ///< items of a cell, level by level of its division
-  std::vector<CellItem> sweep_order;
+  CrowdScratch crowds;
+  std::vector<LineOffset> offsets;  ///< by kept segment, once parallel ones are met
   std::vector<Crossing> crossings;
   std::vector<Event> events;
   std::vector<Incident> incidents;

@@ -16,15 +16,14 @@ namespace {
 class SegmentSpread {
  public:
   SegmentSpread(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation)
-      : width_(o.extent[0].x + o.extent[1].x),
-        height_(o.extent[0].y + o.extent[1].y),
+      : width_(o.sum_extent().x),
+        height_(o.sum_extent().y),
         count_(static_cast<double>(kept.size())) {
     visit_in_pieces(kept, cancellation, [&](const KeptSegment& s) {
       across_ += std::abs(s.d.x);
       up_ += std::abs(s.d.y);
     });
   }
-  [[nodiscard]] Vec<double> size() const { return {width_, height_}; }
   /// Returns a grid for the segments. A cell's side is about their average width plus height, but
   /// there are not more cells than segments.
   [[nodiscard]] UniformGrid grid() const {
@@ -84,7 +83,7 @@ class Binner {
     const SegmentSpread extent(o_, kept_, cancellation_);
     grid_ = covers_any_ ? cover_.grid : extent.grid();
     scratch_.swept = !covers_any_ && extent.boxes_are_small();
-    scratch_.extent = extent.size();
+    scratch_.extent = o_.sum_extent();
     if (!scratch_.swept) list_all_cells();
     scratch_.line_count = static_cast<KeptId>(kept_.size());
     append_members();

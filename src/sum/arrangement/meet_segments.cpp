@@ -16,14 +16,15 @@ Vec<double> along(const KeptSegment& s, double lambda) {
 
 }  // namespace
 
-SegmentMeeter::SegmentMeeter(const UniformGrid& grid, const SumSettings& options,
+SegmentMeeter::SegmentMeeter(double extent, const SumSettings& options,
                              Predicates& predicates, ArrangementScratch& scratch,
                              const std::vector<KeptSegment>& kept)
     : predicates_(predicates),
       scratch_(scratch),
       kept_(kept),
       bounds_(predicates.bounds()),
-      slack_(grid.cell * 0x1p-10),
+      extent_(extent),
+      slack_(extent * 0x1p-34),
       exact_(bounds_.product == 0 && bounds_.difference == 0 && bounds_.direction == 0),
       trust_(!std::isinf(bounds_.direction)) {
   most_crossings_ = std::min(options.limits.max_crossings, kMostNumbered);
@@ -117,7 +118,35 @@ void SegmentMeeter::touch(KeptId s, const Sides& of_s, std::uint32_t point) {
   add_vertex_event(s, point);
 }
 
+/// Measures how far from (0, 0) each segment's line is, on the left of its direction or the opposite
+/// one, whichever goes right, or straight up.
+///
+/// An offset is a cross product divided by a length. Its roundings, and the error of the segment's
+/// place, are off by as much wherever the segment is. An error of the direction grows with the
+/// distance from (0, 0), and the shorter the segment, the more.
+void SegmentMeeter::measure_offsets() {
+  const KeptId count = scratch_.line_count;
+  Cancellation& cancellation = predicates_.cancellation();
+  resize_in_pieces(scratch_.offsets, count, cancellation);
+  in_pieces(count, cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const KeptSegment& s = kept_[i];
+      const double length = std::sqrt(s.d.x * s.d.x + s.d.y * s.d.y);
+      const bool goes_left = s.d.x != 0 ? s.d.x < 0 : s.d.y < 0;
+      const double error = extent_ * (0x1p-49 + 4 * bounds_.direction / length);
+      scratch_.offsets[i] = {cross(s.d, s.a) / (goes_left ? -length : length),
+                             error + 2 * bounds_.difference};
+    }
+  });
+  offsets_measured_ = true;
+}
+
 void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
+  if (!offsets_measured_) measure_offsets();
+  const LineOffset& of_s = scratch_.offsets[s];
+  const LineOffset& of_t = scratch_.offsets[t];
+  // If the vector of a segment is 0 in doubles, its offset is not a number, and says nothing.
+  if (std::abs(of_s.value - of_t.value) > of_s.error + of_t.error) return;
   double value = 0;
   double bound = 0;
   if (side(s, 2 * t, value, bound) != kZero) return;

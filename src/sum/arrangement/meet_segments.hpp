@@ -26,7 +26,8 @@ struct PlanePart {
 /// It is taken in each part, which costs nothing but repeated events.
 class SegmentMeeter {
  public:
-  SegmentMeeter(const UniformGrid& grid, const SumSettings& options, Predicates& predicates,
+  /// All coordinates are in [0, extent].
+  SegmentMeeter(double extent, const SumSettings& options, Predicates& predicates,
                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
 
   /// Sets the part in which points are wanted from now on.
@@ -74,6 +75,7 @@ class SegmentMeeter {
   [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool meet_at_ends(KeptId s, KeptId t);
   void touch(KeptId s, const Sides& of_s, std::uint32_t point);
+  void measure_offsets();
   void meet_parallel(KeptId s, KeptId t);
   void meet_on_line(KeptId s, std::uint32_t point);
   void cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides& of_t);
@@ -91,7 +93,9 @@ class SegmentMeeter {
   const std::vector<KeptSegment>& kept_;
   const RoundingBounds bounds_;
   std::uint64_t most_crossings_;
+  double extent_;
   double slack_;
+  bool offsets_measured_ = false;
   bool exact_;  ///< whether cross products have no rounding
   bool trust_;
   PlanePart part_;

@@ -33,8 +33,7 @@ int choose_side(std::uint64_t segments, const SumSettings& options) {
 /// Lays a grid, and marks the cells that translates cover.
 void cover_on_grid(const Operands& operands, int side, Cancellation& cancellation,
                    CoverScratch& scratch, Cover& cover) {
-  const Vec<double> extent{operands.extent[0].x + operands.extent[1].x,
-                           operands.extent[0].y + operands.extent[1].y};
+  const Vec<double> extent = operands.sum_extent();
   cover.grid = UniformGrid::over(extent.x, extent.y, side);
   if (!cover.active) return;
   // An operand's raster may have one column more than the sum's grid; rows must be equally long.
@@ -143,7 +142,7 @@ double expected_crossings(const Operands& o, std::span<const Segment> segments) 
     across += std::abs(o.sites.dx[segment.edge]);
     up += std::abs(o.sites.dy[segment.edge]);
   }
-  const double area = (o.extent[0].x + o.extent[1].x) * (o.extent[0].y + o.extent[1].y);
+  const double area = o.sum_extent().x * o.sum_extent().y;
   return area > 0 ? across * up / area : 0;
 }
 
@@ -255,9 +254,8 @@ std::optional<std::string> check_leaves(const Cover& cover) {
 
 std::optional<std::string> check(const Cover& cover, const Operands& operands) {
   const UniformGrid& grid = cover.grid;
-  const double width = operands.extent[0].x + operands.extent[1].x;
-  const double height = operands.extent[0].y + operands.extent[1].y;
-  if (grid.columns * grid.cell < width || grid.rows * grid.cell < height) {
+  const Vec<double> extent = operands.sum_extent();
+  if (grid.columns * grid.cell < extent.x || grid.rows * grid.cell < extent.y) {
     return "the grid does not span the sum's box";
   }
   if (!cover.active) return std::nullopt;
@@ -267,8 +265,8 @@ std::optional<std::string> check(const Cover& cover, const Operands& operands) {
   if (cover.covered.columns() != grid.columns || cover.covered.rows() != grid.rows) {
     return "the cover is not of the grid's size";
   }
-  const std::int32_t right = grid.column(width);
-  const std::int32_t top = grid.row(height);
+  const std::int32_t right = grid.column(extent.x);
+  const std::int32_t top = grid.row(extent.y);
   for (std::int32_t j = 0; j < grid.rows; ++j) {
     for (std::int32_t i = 0; i < grid.columns; ++i) {
       const bool at_border = i == 0 || j == 0 || i >= right || j >= top;

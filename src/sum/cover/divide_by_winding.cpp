@@ -90,7 +90,7 @@ class Divider {
   }
 
   void lay_grid(int side) {
-    const Vec<double> extent{o_.extent[0].x + o_.extent[1].x, o_.extent[0].y + o_.extent[1].y};
+    const Vec<double> extent = o_.sum_extent();
     const double longer = std::max(extent.x, extent.y) * (1 + 0x1p-20);
     UniformGrid& grid = cover_.grid;
     grid.cell = longer / side;

@@ -14,8 +14,8 @@ UniformGrid grid_over(const Operands& o, double cell) {
     return static_cast<std::int32_t>(std::min(extent * grid.inverse, 2.0 * UniformGrid::kMaxSide)) +
            1;
   };
-  grid.columns = count(o.extent[0].x + o.extent[1].x);
-  grid.rows = count(o.extent[0].y + o.extent[1].y);
+  grid.columns = count(o.sum_extent().x);
+  grid.rows = count(o.sum_extent().y);
   return grid;
 }
 

@@ -65,6 +65,10 @@ struct Operands {
   OperandsScratch scratch;
 
   [[nodiscard]] SiteId size() const { return static_cast<SiteId>(sites.x.size()); }
+  /// Returns width and height of the sum's box, which starts at (0, 0).
+  [[nodiscard]] Vec<double> sum_extent() const {
+    return {extent[0].x + extent[1].x, extent[0].y + extent[1].y};
+  }
   [[nodiscard]] int operand_of(SiteId site) const { return site < split ? 0 : 1; }
   [[nodiscard]] bool both_thin() const { return thin[0] && thin[1]; }
   /// Whether the sum has no area, because all edges of two thin operands are parallel.
