@@ -11,13 +11,21 @@
 
 namespace minksum {
 
-/// A binary tree of boxes over one operand's edges in ring order, level by level from the leaves.
+/// A binary tree of boxes over one operand's edges, level by level from the leaves. A leaf has a few
+/// edges of one ring. Rings are in the order of a division at medians, so that rings that are near
+/// in the tree are near in the plane. Each ring's edges are in their own order.
 class BoxTree {
  public:
   using Box = BoxOf<double>;
   static constexpr SiteId kLeafEdges = 4;
+  /// Consecutive leaves, or the edges of a leaf.
+  struct Range {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
 
-  void build(const Operands& operands, int operand);
+  /// `ring_boxes` are by ring of both operands.
+  void build(const Operands& operands, int operand, const std::vector<Box>& ring_boxes);
   [[nodiscard]] std::size_t levels() const { return levels_; }
   [[nodiscard]] std::size_t nodes(std::size_t level) const {
     return first_[level + 1] - first_[level];
@@ -25,6 +33,8 @@ class BoxTree {
   [[nodiscard]] const Box& box(std::size_t level, std::size_t node) const {
     return boxes_[first_[level] + node];
   }
+  /// Returns the box of all edges.
+  [[nodiscard]] const Box& whole() const { return boxes_.back(); }
   /// Pointers to the boxes of a tree that does not change: a loop may keep them in registers.
   struct Boxes {
     const Box* boxes;
@@ -34,39 +44,48 @@ class BoxTree {
     }
   };
   [[nodiscard]] Boxes boxes() const { return {boxes_.data(), first_.data()}; }
-  /// Returns the first edge of a leaf, a node of level 0.
-  [[nodiscard]] SiteId first_edge(std::size_t leaf) const {
-    return begin_ + static_cast<SiteId>(leaf) * kLeafEdges;
+  /// Returns the edges of a leaf, a node of level 0.
+  [[nodiscard]] const Range& edges_of(std::size_t leaf) const { return leaves_[leaf]; }
+  [[nodiscard]] Range leaves() const { return {0, static_cast<std::uint32_t>(leaves_.size())}; }
+  /// Returns the leaves of a ring of the operand, which is counted among the rings of both.
+  [[nodiscard]] const Range& leaves_of(std::size_t ring) const {
+    return leaves_of_ring_[ring - first_ring_];
   }
-  [[nodiscard]] SiteId last_edge(std::size_t leaf) const {
-    return std::min(end_, first_edge(leaf) + kLeafEdges);
-  }
-  [[nodiscard]] std::size_t leaf_of(SiteId edge) const { return (edge - begin_) / kLeafEdges; }
-  /// Returns the first edge from `e` on whose leaf may be of interest, or `end`. All edges before
-  /// it are in boxes for which `skip(box)` holds. O(log n) for a long way.
-  template <class Skip>
-  [[nodiscard]] SiteId skip_edges(SiteId e, SiteId end, Skip skip) const {
+  /// Whether visit(edge) holds for an edge of these leaves. Edges in boxes for which skip(box)
+  /// holds may be left out. O(log n) for each leaf that is not.
+  template <class Skip, class Visit>
+  bool any_edge(Range leaves, Skip skip, Visit visit) const {
     const Boxes boxes = this->boxes();
     const std::size_t levels = levels_;
-    while (e < end) {
-      std::size_t node = leaf_of(e);
-      if (!skip(boxes.boxes[node])) return e;
+    for (std::size_t leaf = leaves.begin; leaf < leaves.end;) {
+      if (!skip(boxes.boxes[leaf])) {
+        for (SiteId e = leaves_[leaf].begin; e < leaves_[leaf].end; ++e) {
+          if (visit(e)) return true;
+        }
+        ++leaf;
+        continue;
+      }
       std::size_t level = 0;
+      std::size_t node = leaf;
       while (node % 2 == 0 && level + 1 < levels && skip(boxes.at(level + 1, node / 2))) {
         node /= 2;
         ++level;
       }
-      e = begin_ + static_cast<SiteId>((node + 1) << level) * kLeafEdges;
+      leaf = (node + 1) << level;
     }
-    return end;
+    return false;
   }
 
  private:
+  void order_rings(std::size_t begin, std::size_t end, const std::vector<Box>& ring_boxes);
+
   std::vector<Box> boxes_;
   std::vector<std::size_t> first_;
   std::size_t levels_ = 0;
-  SiteId begin_ = 0;
-  SiteId end_ = 0;
+  std::vector<Range> leaves_;
+  std::vector<Range> leaves_of_ring_;
+  std::size_t first_ring_ = 0;
+  std::vector<std::uint32_t> ring_order_;
 };
 
 /// A node of the first operand's tree and one of the second's.
@@ -142,10 +161,11 @@ class CollisionTest {
 
  private:
   [[nodiscard]] bool leaves_cross(std::size_t leaf_p, std::size_t leaf_q);
+  [[nodiscard]] BoxTree::Box box_of(SiteId e) const;
   [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
   [[nodiscard]] bool one_inside_other();
   [[nodiscard]] bool outside_box(SiteId other, std::size_t ring) const;
-  [[nodiscard]] bool passes_odd_times(SiteId other, SiteId begin, SiteId end);
+  [[nodiscard]] bool passes_odd_times(SiteId other, BoxTree::Range leaves);
   [[nodiscard]] bool inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
   const Operands& o_;

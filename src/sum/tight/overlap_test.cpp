@@ -50,8 +50,8 @@ bool OverlapTest::leaves_overlap(std::size_t leaf_p, std::size_t leaf_q) {
   const BoxTree& p = trees_.tree[0];
   const BoxTree& q = trees_.tree[1];
   predicates_.cancellation().check(2 * BoxTree::kLeafEdges * BoxTree::kLeafEdges);
-  for (SiteId e = p.first_edge(leaf_p); e < p.last_edge(leaf_p); ++e) {
-    for (SiteId f = q.first_edge(leaf_q); f < q.last_edge(leaf_q); ++f) {
+  for (SiteId e = p.edges_of(leaf_p).begin; e < p.edges_of(leaf_p).end; ++e) {
+    for (SiteId f = q.edges_of(leaf_q).begin; f < q.edges_of(leaf_q).end; ++f) {
       const bool overlap = any_part(e, 0, [&](const EdgePart& of_p) {
         return any_part(f, 1, [&](const EdgePart& of_q) { return parts_overlap(of_p, of_q); });
       });
@@ -161,31 +161,23 @@ bool OverlapTest::a_ring_is_inside(int operand) {
     return false;
   }
   // A ring inside the other operand has all its edges in that operand's box.
-  const BoxTree& other = trees_.tree[1 - operand];
-  const BoxTree::Box& all = other.box(other.levels() - 1, 0);
+  const BoxTree::Box& all = trees_.tree[1 - operand].whole();
   const auto misses = [&](const BoxTree::Box& box) {
     predicates_.cancellation().check();
     return operand == 0 ? !near(box, all) : !near(all, box);
   };
   const BoxTree& tree = trees_.tree[operand];
-  const SiteId end = o_.rings[last - 1].end;
-  for (SiteId e = tree.skip_edges(o_.rings[first].begin, end, misses); e < end;
-       e = tree.skip_edges(e, end, misses)) {
-    const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
-    for (; e < leaf_end; ++e) {
-      predicates_.cancellation().check();
-      const std::uint32_t r = scratch_.ring_of[e];
-      if (e == o_.rings[r].begin && is_inside(r, 1 - operand)) return true;
-    }
-  }
-  return false;
+  return tree.any_edge(tree.leaves(), misses, [&](SiteId e) {
+    predicates_.cancellation().check();
+    const std::uint32_t r = scratch_.ring_of[e];
+    return e == o_.rings[r].begin && is_inside(r, 1 - operand);
+  });
 }
 
 /// Whether a ring touches nothing and is inside the given operand, which is not its own.
 bool OverlapTest::is_inside(std::size_t ring, int operand) {
   if (scratch_.met[ring] == number_) return false;
-  const BoxTree& tree = trees_.tree[operand];
-  const BoxTree::Box& all = tree.box(tree.levels() - 1, 0);
+  const BoxTree::Box& all = trees_.tree[operand].whole();
   const BoxTree::Box& box = trees_.ring_boxes[ring];
   return (operand == 0 ? near(all, box) : near(box, all)) &&
          has_inside(operand, o_.rings[ring].begin);
@@ -201,18 +193,14 @@ bool OverlapTest::has_inside(int operand, SiteId vertex) {
     return box.y1 < at.y - doubt_ || box.y0 > at.y + doubt_ || box.x1 < at.x - doubt_;
   };
   const auto above = [&](SiteId v) { return compare(v, vertex, Axis::kY) == kNegative; };
-  const SiteId end = operand == 0 ? o_.split : o_.size();
   bool odd = false;
-  for (SiteId e = tree.skip_edges(operand == 0 ? 0 : o_.split, end, misses); e < end;
-       e = tree.skip_edges(e, end, misses)) {
-    const SiteId leaf_end = tree.last_edge(tree.leaf_of(e));
-    for (; e < leaf_end; ++e) {
-      predicates_.cancellation().check();
-      const bool goes_up = above(o_.sites.next[e]);
-      // An edge that goes up has the point on its left if it passes on the right of the point.
-      if (above(e) != goes_up && (side(e, vertex) == kPositive) == goes_up) odd = !odd;
-    }
-  }
+  tree.any_edge(tree.leaves(), misses, [&](SiteId e) {
+    predicates_.cancellation().check();
+    const bool goes_up = above(o_.sites.next[e]);
+    // An edge that goes up has the point on its left if it passes on the right of the point.
+    if (above(e) != goes_up && (side(e, vertex) == kPositive) == goes_up) odd = !odd;
+    return false;
+  });
   return odd;
 }
 

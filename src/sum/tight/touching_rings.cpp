@@ -10,11 +10,9 @@ namespace {
 
 class TouchFinder {
  public:
-  TouchFinder(const Operands& operands, int operand, const BoxTree& tree, Predicates& predicates,
+  TouchFinder(const Operands& operands, const BoxTree& tree, Predicates& predicates,
               TouchingRings& touching)
       : o_(operands),
-        begin_(operand == 0 ? 0 : operands.split),
-        end_(operand == 0 ? operands.split : operands.size()),
         tree_(tree),
         predicates_(predicates),
         cancellation_(predicates.cancellation()),
@@ -66,15 +64,12 @@ class TouchFinder {
       cancellation_.check();
       return x < box.x0 - doubt || x > box.x1 + doubt || y < box.y0 - doubt || y > box.y1 + doubt;
     };
-    for (SiteId e = tree_.skip_edges(begin_, end_, misses); e < end_;
-         e = tree_.skip_edges(e, end_, misses)) {
-      const SiteId leaf_end = tree_.last_edge(tree_.leaf_of(e));
-      for (; e < leaf_end; ++e) {
-        cancellation_.check();
-        if (e >= ring.begin && e < ring.end) continue;
-        if (ring_of(e).polygon == ring.polygon) add_touch(v, e);
-      }
-    }
+    tree_.any_edge(tree_.leaves(), misses, [&](SiteId e) {
+      cancellation_.check();
+      const bool own = e >= ring.begin && e < ring.end;
+      if (!own && ring_of(e).polygon == ring.polygon) add_touch(v, e);
+      return false;
+    });
   }
   void add_touch(SiteId v, SiteId e) {
     const SiteId f = o_.sites.next[e];
@@ -163,8 +158,6 @@ class TouchFinder {
   }
 
   const Operands& o_;
-  SiteId begin_;
-  SiteId end_;
   const BoxTree& tree_;
   Predicates& predicates_;
   Cancellation& cancellation_;
@@ -184,7 +177,7 @@ void find_touching_rings(const Operands& operands, int operand, const BoxTree& t
   touching.point.clear();
   touching.end.clear();
   touching.parts_inside = false;
-  TouchFinder(operands, operand, tree, predicates, touching).run(operand);
+  TouchFinder(operands, tree, predicates, touching).run(operand);
 }
 
 }  // namespace minksum
