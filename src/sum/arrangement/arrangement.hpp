@@ -173,7 +173,7 @@ struct BinScratch {
 /// its root.
 struct ArrangementScratch {
   UniformGrid grid;     ///< the grid of the cells below
-  bool swept = false;   ///< whether there are no cells, and all segments are swept at once
+  bool covered = false;  ///< whether anything is covered; if nothing is, there are no cells
   Vec<double> extent{};  ///< the size of the sum's box, which starts at (0, 0)
   BoxPairScratch pairs;
   VisibleScratch visible;
@@ -226,8 +226,7 @@ void arrange_convex(const Operands& operands, Cancellation& cancellation, Arrang
 /// 2^(2B+2), which are exact for B ≤ 25, and bounded as others are beyond.
 void join_lines(const Operands& operands, bool wanted, Cancellation& cancellation,
                 JoinScratch& scratch, std::vector<KeptSegment>& kept);
-/// Fills `kept` and the cells' lists. The cells are the cover's. If nothing is covered, cells have
-/// a size that suits the segments, and none are needed if boxes of segments hardly overlap.
+/// Fills `kept` and the lists of the cover's cells. If nothing is covered, no cells are needed.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
                   Arrangement& arrangement);

@@ -61,6 +61,7 @@ CellBox box_near(const KeptSegment& s, const UniformGrid& grid, const QuadtreeLe
 void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
                 Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement) {
   scratch.grid = cover.grid;
+  scratch.covered = true;
   scratch.extent = operands.sum_extent();
   keep_listed(operands, convolution, cover, cancellation, scratch, arrangement.kept);
   scratch.line_count = static_cast<KeptId>(arrangement.kept.size());

@@ -12,43 +12,6 @@
 namespace minksum {
 namespace {
 
-/// The total extents of all segments in x and y.
-class SegmentSpread {
- public:
-  SegmentSpread(const Operands& o, const std::vector<KeptSegment>& kept, Cancellation& cancellation)
-      : width_(o.sum_extent().x),
-        height_(o.sum_extent().y),
-        count_(static_cast<double>(kept.size())) {
-    visit_in_pieces(kept, cancellation, [&](const KeptSegment& s) {
-      across_ += std::abs(s.d.x);
-      up_ += std::abs(s.d.y);
-    });
-  }
-  /// Returns a grid for the segments. A cell's side is about their average width plus height, but
-  /// there are not more cells than segments.
-  [[nodiscard]] UniformGrid grid() const {
-    const double most = std::sqrt(count_);
-    const double side = std::max(width_, height_) * count_ / (across_ + up_);
-    const double kept = side >= 1 ? std::min(side, most) : 1;
-    return UniformGrid::over(width_, height_, static_cast<int>(std::min(kept, 0x1p12)));
-  }
-  /// Whether a box overlaps few others, and few boxes lie above each other. That is estimated as if
-  /// boxes lay anywhere.
-  [[nodiscard]] bool boxes_are_small() const {
-    constexpr double kMostOverlaps = 8;
-    constexpr double kMostInColumn = 400;
-    return across_ <= kMostInColumn * width_ &&
-           2 * across_ * up_ <= kMostOverlaps * count_ * width_ * height_;
-  }
-
- private:
-  double width_;
-  double height_;
-  double count_;
-  double across_ = 0;
-  double up_ = 0;
-};
-
 class Binner {
  public:
   Binner(const Operands& o, const Cover& cover, ArrangementScratch& scratch,
@@ -80,14 +43,13 @@ class Binner {
       place_once(visible);
     }
     join_lines(o_, joins, cancellation_, scratch_.join, kept_);
-    const SegmentSpread extent(o_, kept_, cancellation_);
-    grid_ = covers_any_ ? cover_.grid : extent.grid();
-    scratch_.swept = !covers_any_ && extent.boxes_are_small();
+    grid_ = cover_.grid;
+    scratch_.covered = covers_any_;
     scratch_.extent = o_.sum_extent();
-    if (!scratch_.swept) list_all_cells();
+    if (covers_any_) list_all_cells();
     scratch_.line_count = static_cast<KeptId>(kept_.size());
     append_members();
-    if (!scratch_.swept) sort_by_cells();
+    if (covers_any_) sort_by_cells();
   }
 
  private:
@@ -173,7 +135,7 @@ class Binner {
       for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
         const std::int32_t last = std::min(span.right, first | 63);
         const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - first)) << (first & 63);
-        const std::uint64_t covered = covers_any_ ? cover_.covered.row(span.row)[first >> 6] : 0;
+        const std::uint64_t covered = cover_.covered.row(span.row)[first >> 6];
         any_covered |= covered & wanted;
         for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
           add_item(id, line, span, (first & ~63) + std::countr_zero(bits));

@@ -30,10 +30,10 @@ class CrossingFinder {
     scratch_.lines_shared = false;
     if (cover_.divided) {
       solve_leaves();
-    } else if (scratch_.swept) {
-      solve_all();
-    } else {
+    } else if (scratch_.covered) {
       solve_cells();
+    } else {
+      solve_all();
     }
   }
 
@@ -48,10 +48,30 @@ class CrossingFinder {
     visit_in_pieces(parent, cancellation_, [&](std::uint32_t& p) { p = next++; });
   }
 
-  /// Meets all pairs of segments whose boxes overlap, without cells.
+  /// Tells whether a segment's box overlaps few others, and few boxes lie above each other. That is
+  /// estimated as if boxes lay anywhere.
+  [[nodiscard]] bool boxes_are_small(std::span<const KeptSegment> segments) const {
+    constexpr double kMostOverlaps = 8;
+    constexpr double kMostInColumn = 400;
+    double across = 0;
+    double up = 0;
+    visit_in_pieces(segments, cancellation_, [&](const KeptSegment& s) {
+      across += std::abs(s.d.x);
+      up += std::abs(s.d.y);
+    });
+    const auto& [width, height] = scratch_.extent;
+    return across <= kMostInColumn * width &&
+           2 * across * up <= kMostOverlaps * static_cast<double>(segments.size()) * width * height;
+  }
+
+  /// Meets all segments, where nothing is covered.
   void solve_all() {
-    meeter_.enter({});
     const std::span lines(kept_.data(), scratch_.line_count);
+    if (!boxes_are_small(lines)) {
+      for (KeptId s = 0; s < lines.size(); ++s) crowds_.add(s, {});
+      return crowds_.solve({});
+    }
+    meeter_.enter({});
     BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
     visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),

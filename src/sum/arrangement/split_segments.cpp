@@ -22,7 +22,7 @@ class Splitter {
         scratch_(scratch),
         result_(arrangement),
         ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())),
-        may_coincide_(!scratch.swept || scratch.lines_shared) {}
+        may_coincide_(scratch.covered || scratch.lines_shared) {}
 
   void run() {
     group_events();
@@ -338,8 +338,8 @@ class Splitter {
   ArrangementScratch& scratch_;
   Arrangement& result_;
   std::uint32_t ends_;  ///< points of lower numbers are ends of segments
-  /// Whether pieces may have the same ends, because segments overlap on one line. Only if all
-  /// segments were swept at once is it known whether any do.
+  /// Whether pieces may have the same ends, because segments overlap on one line. Only if
+  /// nothing is covered, so that all pairs were met, is it known whether any do.
   bool may_coincide_;
 };
 
