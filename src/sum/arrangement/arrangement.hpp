@@ -187,6 +187,7 @@ struct ArrangementScratch {
   std::vector<KeptId> kept_id;             ///< by listed segment, if the cover is divided
   std::vector<std::uint32_t> leaf_end;     ///< by leaf: where its items end in `in_cells`
   std::vector<KeptId> hash_table;
+  std::vector<std::pair<KeptId, KeptId>> near;  ///< pairs of a cell whose boxes overlap
   CrowdScratch crowds;
   std::vector<LineOffset> offsets;  ///< by kept segment, once parallel ones are met
   std::vector<Crossing> crossings;

@@ -39,7 +39,11 @@ class CrossingFinder {
 
  private:
   using Items = std::span<const CellItem>;
-  static constexpr std::size_t kFew = 16;  // comparing all pairs costs less than dividing
+  // Comparing the boxes of so many costs less than dividing them.
+  static constexpr std::size_t kFew = 64;
+  // Meeting so many pairs for each segment costs as much as dividing: some 200 steps a segment, and
+  // 50 a pair.
+  static constexpr std::size_t kPairsPerSegment = 4;
 
   /// Makes each element its own root.
   void start_forest(std::vector<std::uint32_t>& parent, std::size_t size) {
@@ -103,7 +107,7 @@ class CrossingFinder {
     cancellation_.check();
     if (items.size() < 2) return;
     const PlanePart part = part_of_square(column, row, side);
-    if (items.size() <= kFew) return meet_all(items, part);
+    if (items.size() <= kFew && list_pairs(items)) return meet_pairs(part);
     for (const CellItem& item : items) crowds_.add(item.segment, part);
     crowds_.solve(part);
   }
@@ -119,15 +123,27 @@ class CrossingFinder {
             bound(column + side, grid_.columns), bound(row + side, grid_.rows)};
   }
 
-  void meet_all(Items items, const PlanePart& part) {
-    meeter_.enter(part);
+  /// Lists the pairs whose boxes overlap. Returns false if these are many.
+  bool list_pairs(Items items) {
+    auto& pairs = scratch_.near;
+    const std::size_t most = kPairsPerSegment * items.size();
+    pairs.resize(most + items.size());
+    std::size_t count = 0;
     cancellation_.check(items.size() * items.size() / 4);
-    for (std::size_t i = 1; i < items.size(); ++i) {
+    for (std::size_t i = 1; i < items.size() && count <= most; ++i) {
       const std::uint64_t partner = items[i].box.partner();
+      // There is no branch on which pairs overlap, because that is hard to predict.
       for (std::size_t j = 0; j < i; ++j) {
-        if (items[j].box.overlaps(partner)) meeter_.meet(items[j].segment, items[i].segment);
+        pairs[count] = {items[j].segment, items[i].segment};
+        count += items[j].box.overlaps(partner) ? 1U : 0U;
       }
     }
+    pairs.resize(count);
+    return count <= most;
+  }
+  void meet_pairs(const PlanePart& part) {
+    meeter_.enter(part);
+    for (const auto& [s, t] : scratch_.near) meeter_.meet(s, t);
   }
 
   const Cover& cover_;
