@@ -83,11 +83,12 @@ Visibility look(const Operands& o, const Sample& sample, const Cover& cover) {
           0.2 * crowding * crowding * uncovered};
 }
 
-/// Estimates how many words a cover of this many cells along a side moves, per segment.
-double words_per_segment(int side, std::uint64_t segments) {
-  const double words_per_move = static_cast<double>(side) * side / 128;
-  const double moves = 6.0 * side;
-  return words_per_move * moves / static_cast<double>(segments);
+/// Estimates the price of a cover with twice as many cells along a side as the last one, in words
+/// moved. Rasters have four times as many words then, and are moved twice as often.
+double price_of_finer(const CoverScratch& scratch) {
+  constexpr double kWordsPerRasterised = 16;  // filling a word costs as much as moving so many
+  return 8 * static_cast<double>(scratch.words_moved) +
+         4 * kWordsPerRasterised * static_cast<double>(scratch.words_rasterised);
 }
 
 // Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
@@ -105,12 +106,11 @@ Visibility refine(const Operands& operands, std::uint64_t segments, const Sample
   constexpr double kWordsPerCrossing = 500;
   Visibility now = look(operands, sample, cover);
   const auto may_cost = [&](double words) {
-    if (words <= kMaxWordsPerSegment) return true;
-    return now.crossings <= crossings_to_divide &&
-           words * static_cast<double>(segments) <= kWordsPerCrossing * now.crossings;
+    if (words <= kMaxWordsPerSegment * static_cast<double>(segments)) return true;
+    return now.crossings <= crossings_to_divide && words <= kWordsPerCrossing * now.crossings;
   };
   while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
-         side * 2 <= kMaxSide && may_cost(words_per_segment(side * 2, segments))) {
+         side * 2 <= kMaxSide && may_cost(price_of_finer(scratch))) {
     side *= 2;
     cover_on_grid(operands, side, cancellation, scratch, cover);
     const Visibility finer = look(operands, sample, cover);

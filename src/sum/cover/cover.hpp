@@ -74,6 +74,8 @@ struct CoverScratch {
   Bitmap boundary;     ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
+  std::uint64_t words_rasterised = 0;  ///< in the bitmaps of both operands' last rasters
+  std::uint64_t words_moved = 0;       ///< by the last cover by translates
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;

@@ -177,10 +177,10 @@ class RunSpreader {
   }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Returns the units of work of moving along so many columns. Some eight words are united at a
-  /// time.
+  static constexpr std::uint64_t kWordsPerUnit = 16;  ///< some eight are united at a time
+
+  /// Returns the units of work of moving along so many columns.
   [[nodiscard]] std::uint64_t work(std::int32_t columns) const {
-    constexpr std::uint64_t kWordsPerUnit = 16;
     const auto moves = static_cast<std::uint64_t>((columns >> kMostLevels) + 2);
     return moves * (count_ / kWordsPerUnit + 1);
   }
@@ -289,8 +289,7 @@ class Spreader {
         carry = cells >> 63;
       }
       for_each_run(corners, [&](std::int32_t first, std::int32_t last) {
-        cancellation_.check(spreader.work(last + 1 - first));
-        spreader.spread(first, last, j);
+        move(spreader, first, last, j);
       });
     }
   }
@@ -309,10 +308,16 @@ class Spreader {
         cells[w] = other_.sampled.row(j)[w] | other_.inside.row(j)[w];
       }
       for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
-        cancellation_.check(spreader.work(last + 1 - first));
-        spreader.spread(first + 1, last + 1, j + 1);
+        move(spreader, first + 1, last + 1, j + 1);
       });
     }
+  }
+
+  void move(RunSpreader& spreader, std::int32_t first, std::int32_t last, std::int32_t row) {
+    const std::uint64_t work = spreader.work(last + 1 - first);
+    cancellation_.check(work);
+    scratch_.words_moved += RunSpreader::kWordsPerUnit * work;
+    spreader.spread(first, last, row);
   }
 
   const OperandRaster& moved_;
@@ -324,6 +329,8 @@ class Spreader {
 
 void spread(const OperandRaster& first, const OperandRaster& second, Cancellation& cancellation,
             CoverScratch& scratch, Cover& cover) {
+  scratch.words_rasterised = first.inside.words().size() + second.inside.words().size();
+  scratch.words_moved = 0;
   Spreader(first, second, cancellation, scratch, cover).run();
   Spreader(second, first, cancellation, scratch, cover).run();
 }
