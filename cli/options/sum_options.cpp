@@ -7,7 +7,7 @@
 namespace minksum::cli {
 namespace {
 
-constexpr int kMostCells = 2048;  // along a side; the cover accepts no more
+constexpr int kMostCells = 4096;  // along a side; the cover accepts no more
 
 constexpr const char* kSumFooter = R"(
 P and Q are files, or one of them "-" for standard input: WKT, GeoJSON, .poly

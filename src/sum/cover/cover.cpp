@@ -11,7 +11,7 @@ namespace {
 /// Below this many segments a cover costs more than it saves.
 constexpr std::size_t kSegmentsWorthACover = 850;
 constexpr std::size_t kSegmentsWorthDividing = 100;
-constexpr int kMaxSide = 2048;
+constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
 /// Chooses the cells along the longer side of a grid without a cover. The grid has about a third as
@@ -30,16 +30,9 @@ int choose_side(std::uint64_t segments, const SumSettings& options) {
   return std::min(static_cast<int>(side), kMaxSide);
 }
 
-/// Lays a grid, and marks the cells that translates cover.
-void cover_on_grid(const Operands& operands, int side, Cancellation& cancellation,
-                   CoverScratch& scratch, Cover& cover) {
+UniformGrid grid_of(const Operands& operands, int side) {
   const Vec<double> extent = operands.sum_extent();
-  cover.grid = UniformGrid::over(extent.x, extent.y, side);
-  if (!cover.active) return;
-  // An operand's raster may have one column more than the sum's grid; rows must be equally long.
-  cover.covered.reset(cover.grid.columns, cover.grid.rows,
-                      (static_cast<std::size_t>(cover.grid.columns) + 1 + 63) / 64);
-  cover_by_translates(operands, cancellation, scratch, cover);
+  return UniformGrid::over(extent.x, extent.y, side);
 }
 
 Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
@@ -83,43 +76,78 @@ Visibility look(const Operands& o, const Sample& sample, const Cover& cover) {
           0.2 * crowding * crowding * uncovered};
 }
 
-/// Estimates the price of a cover with twice as many cells along a side as the last one, in words
-/// moved. Rasters have four times as many words then, and are moved twice as often.
-double price_of_finer(const CoverScratch& scratch) {
-  constexpr double kWordsPerRasterised = 16;  // filling a word costs as much as moving so many
-  return 8 * static_cast<double>(scratch.words_moved) +
-         4 * kWordsPerRasterised * static_cast<double>(scratch.words_rasterised);
+/// Returns 32 bits, each twice.
+std::uint64_t doubled(std::uint64_t bits) {
+  bits = (bits | bits << 16) & 0x0000FFFF0000FFFF;
+  bits = (bits | bits << 8) & 0x00FF00FF00FF00FF;
+  bits = (bits | bits << 4) & 0x0F0F0F0F0F0F0F0F;
+  bits = (bits | bits << 2) & 0x3333333333333333;
+  bits = (bits | bits << 1) & 0x5555555555555555;
+  return bits | bits << 1;
+}
+/// Marks the four cells of each covered cell of the grid with half as many cells along a side.
+void inherit(const Bitmap& coarse, Bitmap& fine) {
+  for (std::int32_t j = 0; j < std::min(2 * coarse.rows(), fine.rows()); ++j) {
+    const std::uint64_t* const from = coarse.row(j / 2);
+    std::uint64_t* const to = fine.row(j);
+    const std::size_t words = std::min(2 * coarse.words_per_row(), fine.words_per_row());
+    for (std::size_t w = 0; w < words; ++w) to[w] = doubled(from[w / 2] >> (w % 2 * 32) & ~0U);
+  }
 }
 
-// Narrow shapes have no cells inside until cells are small. A finer grid costs little where many
-// segments would otherwise stay, or crowd in few cells. Refining goes on while each grid leaves
-// clearly less than the one before. A grid may cost more where it leaves many crossings and no
-// division is to take them away.
-Visibility refine(const Operands& operands, std::uint64_t segments, const Sample& sample,
-                  double crossings_to_divide, Cancellation& cancellation, int& side,
-                  CoverScratch& scratch, Cover& cover) {
-  constexpr double kTooManyVisible = 0.25;
-  constexpr double kFewVisible = 0.1;
-  constexpr double kCrowded = 4;
+/// Buys grids, from one of `side` cells along the longer side to one of `finest`, and marks the
+/// cells that translates cover. Returns what is left.
+///
+/// Narrow shapes have no cells inside until cells are small, so finer grids are bought as long as
+/// they are cheap beside what is left to the arrangement. A grid's price is known before it is paid,
+/// once both operands are rasterised. Prices grow about eight times from grid to grid, so all grids
+/// together cost little more than the last one. Where many thin translates cover the sum, segments
+/// crowd on every grid. There parallelograms are bought, until they do not help. What is covered
+/// stays covered on the next grid.
+///
+/// Prices are in words moved. A visible segment, and a crossing, take as long to arrange as so many
+/// words take to move. So does a cell, to look for parallelograms or to rasterise.
+Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sample& sample,
+                     int side, int finest, Cancellation& cancellation, CoverScratch& scratch,
+                     Cover& cover) {
+  constexpr double kSegment = 500;
+  constexpr double kCrossing = 800;
+  constexpr double kCellOfParallelograms = 100;
+  constexpr double kCell = 2;
+  constexpr double kMostOfWhatIsLeft = 0.5;
   constexpr double kWorthIt = 0.8;
-  constexpr double kMaxWordsPerSegment = 100;
-  constexpr double kWordsPerCrossing = 500;
-  Visibility now = look(operands, sample, cover);
-  const auto may_cost = [&](double words) {
-    if (words <= kMaxWordsPerSegment * static_cast<double>(segments)) return true;
-    return now.crossings <= crossings_to_divide && words <= kWordsPerCrossing * now.crossings;
+  const auto price_of = [&](const Visibility& left) {
+    return kSegment * left.share * static_cast<double>(segments) + kCrossing * left.crossings;
   };
-  while ((now.share > kTooManyVisible || (now.share > kFewVisible && now.crowding > kCrowded)) &&
-         side * 2 <= kMaxSide && may_cost(price_of_finer(scratch))) {
-    side *= 2;
-    cover_on_grid(operands, side, cancellation, scratch, cover);
-    const Visibility finer = look(operands, sample, cover);
+  Visibility now{1, 0, 0};
+  double affordable = HUGE_VAL;
+  bool parallelograms_help = true;
+  for (bool first = true;; side *= 2, first = false) {
+    const UniformGrid grid = grid_of(operands, side);
+    const auto cells = static_cast<double>(grid.size());
+    if (kCell * cells > affordable) return now;
+    const std::uint64_t words = rasterise(operands, grid, cancellation, scratch);
+    if (static_cast<double>(words) > affordable) return now;
+    cover.grid = grid;
+    std::swap(cover.covered, scratch.known);
+    cover.covered.reset(grid.columns, grid.rows, words_per_row(grid));
+    if (!first) inherit(scratch.known, cover.covered);
+    spread_rasters(cancellation, scratch, cover);
+    const double share = now.share;
+    now = look(operands, sample, cover);
+    if (parallelograms_help &&
+        kCellOfParallelograms * cells <= kMostOfWhatIsLeft * kCrossing * now.crossings) {
+      const double before = price_of(now);
+      cover_by_parallelograms(operands, cancellation, scratch, cover);
+      cover.by_translates = false;
+      now = look(operands, sample, cover);
+      parallelograms_help = price_of(now) <= kWorthIt * before;
+    }
+    affordable = kMostOfWhatIsLeft * price_of(now);
     // A cover that hides nothing yet may hide much on the next grid.
-    const bool enough = finer.share > kWorthIt * now.share && now.share < 0.9;
-    now = finer;
-    if (enough) break;
+    const bool enough = now.share > kWorthIt * share && share < 0.9;
+    if (enough || 2 * side > finest) return now;
   }
-  return now;
 }
 
 /// Chooses the cells along a side of the finest level, a power of two. Few cells are divided down
@@ -176,33 +204,18 @@ void cover_interior(const Operands& operands, const SumSettings& options,
   cover.by_translates = true;
   cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
                                            !is_sparse(operands, size, list)));
-  if (!cover.active) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
+  if (!cover.active) cover.grid = grid_of(operands, choose_plain_side(size));
   // A division costs about as much per segment as a few crossings. It cannot handle holes.
   const double crossings_to_divide = 3.5 * static_cast<double>(size);
   const bool divisible = !has_holes(operands.rings);
   bool crowded = false;
   if (cover.active) {
     const Sample sample = take_sample(convolution, scratch);
-    int side = choose_side(size, options);
-    cover_on_grid(operands, side, cancellation, scratch, cover);
+    const int side = choose_side(size, options);
+    const int finest = free_side ? kMaxSide : side;
     const Visibility seen =
-        free_side ? refine(operands, size, sample, divisible ? crossings_to_divide : HUGE_VAL,
-                           cancellation, side, scratch, cover)
-                  : look(operands, sample, cover);
-    crowded = seen.crossings > crossings_to_divide;
-    if (crowded) {
-      // Narrow shapes leave many crossings. For them, a coarse grid tells whether parallelograms
-      // suffice.
-      constexpr double kFewLeft = 0.2;
-      if (divisible && side != choose_side(size, options)) {
-        side = choose_side(size, options);
-        cover_on_grid(operands, side, cancellation, scratch, cover);
-      }
-      cover_by_parallelograms(operands, cancellation, scratch, cover);
-      cover.by_translates = false;
-      crowded = look(operands, sample, cover).crossings > kFewLeft * static_cast<double>(size);
-    }
-    crowded = crowded && divisible;
+        buy_grids(operands, size, sample, side, finest, cancellation, scratch, cover);
+    crowded = divisible && seen.crossings > crossings_to_divide;
   }
   cancellation.check(convolution.segments.size());
   if (cover.covered_count() == 0 || crowded) list();
@@ -211,7 +224,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
               expected_crossings(operands, convolution.segments) > crossings_to_divide;
     // A fine grid without covered cells is of no use.
     cover.active = false;
-    if (!crowded) cover_on_grid(operands, choose_plain_side(size), cancellation, scratch, cover);
+    if (!crowded) cover.grid = grid_of(operands, choose_plain_side(size));
   }
   if (!crowded) return;
   cover.by_translates = false;

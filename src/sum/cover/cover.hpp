@@ -74,14 +74,12 @@ struct CoverScratch {
   Bitmap boundary;     ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
-  std::uint64_t words_rasterised = 0;  ///< in the bitmaps of both operands' last rasters
-  std::uint64_t words_moved = 0;       ///< by the last cover by translates
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;
   Convolution reflex;  ///< the rest of the signed convolution
   SegmentStack stack;  ///< segments of the cells under division, list upon list
-  Bitmap known;        ///< cells that were covered before a division
+  Bitmap known;        ///< cells that were covered before the next grid, or a division
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells inside the sum.
@@ -98,6 +96,13 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 [[nodiscard]] Visibility look_at_sample(const Operands& operands, const Convolution& convolution,
                                         const Cover& cover, CoverScratch& scratch);
 
+/// Returns the words of a row of each raster, and of the cover: an operand's raster may have one
+/// column more than the sum's grid, but all rows must be equally long.
+[[nodiscard]] std::size_t words_per_row(const UniformGrid& grid);
+/// Rasterises both operands on cells of the grid's size. Returns how many words `spread_rasters`
+/// will move: that is known before it is paid. O(cells + n + m).
+[[nodiscard]] std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,
+                                      Cancellation& cancellation, CoverScratch& scratch);
 /// Marks cells of the cover's grid that lie inside translates of an operand.
 ///
 /// Let C be a cell and q a point of Q. If C − q lies in the interior of P, then C = (C − q) + q
@@ -105,10 +110,9 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 /// cells of the same size. The raster is moved by one point of Q for each cell that has one, runs
 /// of cells at a time. The moved rasters are united. The same is done with P and Q exchanged.
 /// O(words of a raster · runs of the other).
-void cover_by_translates(const Operands& operands, Cancellation& cancellation,
-                         CoverScratch& scratch, Cover& cover);
-/// Marks cells as above, with a given raster of the first operand. The raster's rows must be as
-/// long as the cover's.
+void spread_rasters(Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
+/// Rasterises the second operand and marks cells as above, with a given raster of the first operand.
+/// The raster's rows must be as long as the cover's.
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
                          Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
 /// Rasterises the first operand on cells of the cover's size, in rows as long as the cover's.

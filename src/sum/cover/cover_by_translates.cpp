@@ -40,7 +40,7 @@ void fill_between_toggles(Bitmap& bitmap) {
 /// edges by far less than the margin.
 class Rasteriser {
  public:
-  Rasteriser(const Operands& o, int operand, const Cover& cover, Bitmap& boundary,
+  Rasteriser(const Operands& o, int operand, const UniformGrid& grid, Bitmap& boundary,
              Cancellation& cancellation, OperandRaster& raster)
       : cancellation_(cancellation),
         o_(o),
@@ -49,11 +49,11 @@ class Rasteriser {
         inside_(raster.inside),
         boundary_(boundary) {
     const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
-    grid_.cell = cover.grid.cell;
-    grid_.inverse = cover.grid.inverse;
+    grid_.cell = grid.cell;
+    grid_.inverse = grid.inverse;
     grid_.columns = static_cast<std::int32_t>(extent.x * grid_.inverse) + 2;
     grid_.rows = static_cast<std::int32_t>(extent.y * grid_.inverse) + 2;
-    words_ = cover.covered.words_per_row();
+    words_ = words_per_row(grid);
   }
 
   void run() {
@@ -175,14 +175,12 @@ class RunSpreader {
     const auto words = source.words().subspan(first_, count_);
     widened_.assign(words.begin(), words.end());
   }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// Returns how many words each move unites.
+  [[nodiscard]] std::size_t words() const { return count_; }
 
-  static constexpr std::uint64_t kWordsPerUnit = 16;  ///< some eight are united at a time
-
-  /// Returns the units of work of moving along so many columns.
-  [[nodiscard]] std::uint64_t work(std::int32_t columns) const {
-    const auto moves = static_cast<std::uint64_t>((columns >> kMostLevels) + 2);
-    return moves * (count_ / kWordsPerUnit + 1);
+  /// Returns how often moving along so many columns unites all words, at most.
+  [[nodiscard]] static std::uint64_t moves(std::int32_t columns) {
+    return static_cast<std::uint64_t>(columns >> kMostLevels) + 2;
   }
   /// Moves the bitmap by (first, row) to (last, row). No number may be negative.
   void spread(std::int32_t first, std::int32_t last, std::int32_t row) {
@@ -254,113 +252,118 @@ void for_each_run(const std::vector<std::uint64_t>& row, Visit visit) {
   }
 }
 
+/// Calls move(first, last, row) for the corners of cells inside an operand, run by run. They are
+/// points of that operand, and they keep the other one's raster aligned.
+template <class Move>
+void for_lattice_points(const OperandRaster& operand, std::vector<std::uint64_t>& corners,
+                        Move move) {
+  const Bitmap& inside = operand.inside;
+  const std::size_t words = inside.words_per_row();
+  corners.resize(words);
+  for (std::int32_t j = 0; j <= inside.rows(); ++j) {
+    std::uint64_t carry = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+      const std::uint64_t cells = (j > 0 ? inside.row(j - 1)[w] : 0) |
+                                  (j < inside.rows() ? inside.row(j)[w] : 0);
+      corners[w] = cells | (cells << 1) | carry;
+      carry = cells >> 63;
+    }
+    for_each_run(corners, [&](std::int32_t first, std::int32_t last) { move(first, last, j); });
+  }
+}
+/// Does the same for one boundary point of the operand for each cell that has one. A cell moved back
+/// by such a point lies in a block of four cells.
+template <class Move>
+void for_boundary_points(const OperandRaster& operand, std::vector<std::uint64_t>& cells,
+                         Move move) {
+  const std::size_t words = operand.inside.words_per_row();
+  cells.resize(words);
+  for (std::int32_t j = 0; j < operand.inside.rows(); ++j) {
+    // Cells inside join runs to longer ones. By themselves they cover nothing new.
+    for (std::size_t w = 0; w < words; ++w) {
+      cells[w] = operand.sampled.row(j)[w] | operand.inside.row(j)[w];
+    }
+    for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
+      move(first + 1, last + 1, j + 1);
+    });
+  }
+}
+
+/// Returns how many words are moved if points of an operand move the other one's raster.
+std::uint64_t price_of(const OperandRaster& moved, const OperandRaster& by,
+                       std::vector<std::uint64_t>& row) {
+  std::uint64_t words = 0;
+  const auto all_words = [](const Bitmap& bitmap) {
+    const RowRange rows = occupied_rows(bitmap);
+    return static_cast<std::uint64_t>(rows.last - rows.first) * bitmap.words_per_row();
+  };
+  const auto add = [&](std::uint64_t size) {
+    return [&words, size](std::int32_t first, std::int32_t last, std::int32_t) {
+      words += RunSpreader::moves(last + 1 - first) * size;
+    };
+  };
+  if (const auto size = all_words(moved.inside); size != 0) for_lattice_points(by, row, add(size));
+  if (const auto size = all_words(moved.blocks); size != 0) for_boundary_points(by, row, add(size));
+  return words;
+}
+
 /// Marks the cells that the interior of `moved` covers if points of the other operand move it.
-class Spreader {
- public:
-  Spreader(const OperandRaster& moved, const OperandRaster& other, Cancellation& cancellation,
-           CoverScratch& scratch, Cover& cover)
-      : moved_(moved),
-        other_(other),
-        cancellation_(cancellation),
-        scratch_(scratch),
-        cover_(cover) {}
-
-  void run() {
-    by_lattice_points();
-    by_boundary_points();
-  }
-
- private:
-  /// Moves by the corners of cells inside the other operand. These are points of that operand, and
-  /// they keep the raster aligned.
-  void by_lattice_points() {
-    RunSpreader spreader(moved_.inside, scratch_.vectors, scratch_.widened, cover_.covered);
-    if (spreader.empty()) return;
-    const Bitmap& inside = other_.inside;
-    const std::size_t words = inside.words_per_row();
-    auto& corners = scratch_.row;
-    corners.resize(words);
-    for (std::int32_t j = 0; j <= inside.rows(); ++j) {
-      std::uint64_t carry = 0;
-      for (std::size_t w = 0; w < words; ++w) {
-        const std::uint64_t cells = (j > 0 ? inside.row(j - 1)[w] : 0) |
-                                    (j < inside.rows() ? inside.row(j)[w] : 0);
-        corners[w] = cells | (cells << 1) | carry;
-        carry = cells >> 63;
-      }
-      for_each_run(corners, [&](std::int32_t first, std::int32_t last) {
-        move(spreader, first, last, j);
-      });
-    }
-  }
-
-  /// Moves by one boundary point of the other operand for each cell that has one. A cell moved back
-  /// by such a point lies in a block of four cells.
-  void by_boundary_points() {
-    RunSpreader spreader(moved_.blocks, scratch_.vectors, scratch_.widened, cover_.covered);
-    if (spreader.empty()) return;
-    const std::size_t words = other_.inside.words_per_row();
-    auto& cells = scratch_.row;
-    cells.resize(words);
-    for (std::int32_t j = 0; j < other_.inside.rows(); ++j) {
-      // Cells inside join runs to longer ones. By themselves they cover nothing new.
-      for (std::size_t w = 0; w < words; ++w) {
-        cells[w] = other_.sampled.row(j)[w] | other_.inside.row(j)[w];
-      }
-      for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
-        move(spreader, first + 1, last + 1, j + 1);
-      });
-    }
-  }
-
-  void move(RunSpreader& spreader, std::int32_t first, std::int32_t last, std::int32_t row) {
-    const std::uint64_t work = spreader.work(last + 1 - first);
-    cancellation_.check(work);
-    scratch_.words_moved += RunSpreader::kWordsPerUnit * work;
-    spreader.spread(first, last, row);
-  }
-
-  const OperandRaster& moved_;
-  const OperandRaster& other_;
-  Cancellation& cancellation_;
-  CoverScratch& scratch_;
-  Cover& cover_;
-};
-
-void spread(const OperandRaster& first, const OperandRaster& second, Cancellation& cancellation,
+void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& cancellation,
             CoverScratch& scratch, Cover& cover) {
-  scratch.words_rasterised = first.inside.words().size() + second.inside.words().size();
-  scratch.words_moved = 0;
-  Spreader(first, second, cancellation, scratch, cover).run();
-  Spreader(second, first, cancellation, scratch, cover).run();
+  const auto spread_by = [&](const Bitmap& source, auto for_points) {
+    RunSpreader spreader(source, scratch.vectors, scratch.widened, cover.covered);
+    if (spreader.words() == 0) return;
+    for_points(by, scratch.row, [&](std::int32_t first, std::int32_t last, std::int32_t row) {
+      constexpr std::uint64_t kWordsPerUnit = 16;  // some eight are united at a time
+      cancellation.check(spreader.moves(last + 1 - first) *
+                         (spreader.words() / kWordsPerUnit + 1));
+      spreader.spread(first, last, row);
+    });
+  };
+  spread_by(moved.inside, [](auto&&... rest) { for_lattice_points(rest...); });
+  spread_by(moved.blocks, [](auto&&... rest) { for_boundary_points(rest...); });
+}
+
+void spread_both(const OperandRaster& first, const OperandRaster& second,
+                 Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
+  spread(first, second, cancellation, scratch, cover);
+  spread(second, first, cancellation, scratch, cover);
 }
 
 }  // namespace
 
-void cover_by_translates(const Operands& operands, Cancellation& cancellation,
-                         CoverScratch& scratch, Cover& cover) {
+std::size_t words_per_row(const UniformGrid& grid) {
+  return (static_cast<std::size_t>(grid.columns) + 1 + 63) / 64;
+}
+
+std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,
+                        Cancellation& cancellation, CoverScratch& scratch) {
   auto& [first, second] = scratch.raster;
-  Rasteriser one(operands, 0, cover, scratch.boundary, cancellation, first);
-  Rasteriser other(operands, 1, cover, scratch.boundary, cancellation, second);
+  Rasteriser one(operands, 0, grid, scratch.boundary, cancellation, first);
+  Rasteriser other(operands, 1, grid, scratch.boundary, cancellation, second);
   one.run();
   other.run();
   if (second.blocks.has_any()) one.sample_boundary();
   if (first.blocks.has_any()) other.sample_boundary();
-  spread(first, second, cancellation, scratch, cover);
+  return price_of(first, second, scratch.row) + price_of(second, first, scratch.row);
+}
+
+void spread_rasters(Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
+  spread_both(scratch.raster[0], scratch.raster[1], cancellation, scratch, cover);
 }
 
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
                          Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
   OperandRaster& second = scratch.raster[1];
-  Rasteriser other(operands, 1, cover, scratch.boundary, cancellation, second);
+  Rasteriser other(operands, 1, cover.grid, scratch.boundary, cancellation, second);
   other.run();
   if (first.blocks.has_any()) other.sample_boundary();
-  spread(first, second, cancellation, scratch, cover);
+  spread_both(first, second, cancellation, scratch, cover);
 }
 
 void rasterise_first(const Operands& operands, const Cover& cover, Cancellation& cancellation,
                      Bitmap& boundary, OperandRaster& raster) {
-  Rasteriser rasteriser(operands, 0, cover, boundary, cancellation, raster);
+  Rasteriser rasteriser(operands, 0, cover.grid, boundary, cancellation, raster);
   rasteriser.run();
   rasteriser.sample_boundary();
 }

@@ -151,12 +151,12 @@ TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
   CoverScratch scratch;
   Cover cover;
   cover.active = true;
-  cover.grid = UniformGrid::over(operands.extent[0].x + operands.extent[1].x,
-                                 operands.extent[0].y + operands.extent[1].y, 160);
-  cover.covered.reset(cover.grid.columns, cover.grid.rows,
-                      (static_cast<std::size_t>(cover.grid.columns) + 64) / 64);
+  const Vec<double> extent = operands.sum_extent();
+  cover.grid = UniformGrid::over(extent.x, extent.y, 160);
+  cover.covered.reset(cover.grid.columns, cover.grid.rows, words_per_row(cover.grid));
   Cancellation never;
-  cover_by_translates(operands, never, scratch, cover);
+  EXPECT_GT(rasterise(operands, cover.grid, never, scratch), 0);
+  spread_rasters(never, scratch, cover);
   const std::uint64_t by_translates = cover.covered_count();
   cover_by_parallelograms(operands, never, scratch, cover);
   const auto cells = static_cast<std::uint64_t>(cover.grid.size());
