@@ -106,28 +106,35 @@ void inherit(const Bitmap& coarse, Bitmap& fine) {
 /// stays covered on the next grid.
 ///
 /// Prices are in words moved. A visible segment, and a crossing, take as long to arrange as so many
-/// words take to move. So does a cell, to look for parallelograms or to rasterise.
+/// words take to move, and some four times as long where sums are not exact in doubles. A cell takes
+/// as long to rasterise and to list as so many words, and to look for parallelograms. The next grid
+/// leaves half as many segments at best, so the saving is worth half of what is left.
 Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sample& sample,
                      int side, int finest, Cancellation& cancellation, CoverScratch& scratch,
                      Cover& cover) {
   constexpr double kSegment = 500;
   constexpr double kCrossing = 800;
   constexpr double kCellOfParallelograms = 100;
-  constexpr double kCell = 2;
-  constexpr double kMostOfWhatIsLeft = 0.5;
+  constexpr double kCell = 4;
+  constexpr double kMostOfWhatIsLeft = 0.25;
   constexpr double kWorthIt = 0.8;
+  const double inexact = operands.bounds.difference == 0 ? 1 : 4;
   const auto price_of = [&](const Visibility& left) {
-    return kSegment * left.share * static_cast<double>(segments) + kCrossing * left.crossings;
+    return inexact *
+           (kSegment * left.share * static_cast<double>(segments) + kCrossing * left.crossings);
   };
   Visibility now{1, 0, 0};
   double affordable = HUGE_VAL;
+  double least_price = 0;  // rasters have four times as many words, and are moved no less often
   bool parallelograms_help = true;
   for (bool first = true;; side *= 2, first = false) {
     const UniformGrid grid = grid_of(operands, side);
     const auto cells = static_cast<double>(grid.size());
-    if (kCell * cells > affordable) return now;
-    const std::uint64_t words = rasterise(operands, grid, cancellation, scratch);
-    if (static_cast<double>(words) > affordable) return now;
+    if (kCell * cells + least_price > affordable) return now;
+    const auto words =
+        static_cast<double>(rasterise(operands, grid, cancellation, scratch));
+    if (kCell * cells + words > affordable) return now;
+    least_price = 4 * words;
     cover.grid = grid;
     std::swap(cover.covered, scratch.known);
     cover.covered.reset(grid.columns, grid.rows, words_per_row(grid));
@@ -136,7 +143,7 @@ Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sam
     const double share = now.share;
     now = look(operands, sample, cover);
     if (parallelograms_help &&
-        kCellOfParallelograms * cells <= kMostOfWhatIsLeft * kCrossing * now.crossings) {
+        kCellOfParallelograms * cells <= kMostOfWhatIsLeft * price_of({0, 0, now.crossings})) {
       const double before = price_of(now);
       cover_by_parallelograms(operands, cancellation, scratch, cover);
       cover.by_translates = false;
