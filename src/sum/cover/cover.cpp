@@ -14,16 +14,10 @@ constexpr std::size_t kSegmentsWorthDividing = 100;
 constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-/// Chooses the cells along the longer side of a grid without a cover. The grid has about a third as
-/// many cells as there are segments.
-int choose_plain_side(std::uint64_t segments) {
-  const double side = 0.6 * std::sqrt(static_cast<double>(segments));
-  return std::clamp(static_cast<int>(side), 1, kMaxSide / 8);
-}
-/// Chooses the cells along the longer side of the first grid with a cover. `refine` doubles them,
-/// and `choose_division` chooses those of a divided grid. Moving bitmaps of s
-/// cells a side costs in proportion to s^3. The share of segments that stay visible is in
-/// proportion to 1 / s. The total cost is least where s^4 is in proportion to all segments.
+/// Chooses the cells along the longer side of the first grid. `buy_grids` doubles them, and
+/// `choose_division` chooses those of a divided grid. Moving bitmaps of s cells a side costs in
+/// proportion to s^3. The share of segments that stay visible is in proportion to 1 / s. The total
+/// cost is least where s^4 is in proportion to all segments.
 int choose_side(std::uint64_t segments, const SumSettings& options) {
   if (options.grid > 0) return std::min(options.grid, kMaxSide);
   const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
@@ -211,7 +205,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
   cover.by_translates = true;
   cover.active = wanted && (!free_side || (size >= kSegmentsWorthACover &&
                                            !is_sparse(operands, size, list)));
-  if (!cover.active) cover.grid = grid_of(operands, choose_plain_side(size));
+  if (!cover.active) cover.grid = grid_of(operands, 1);
   // A division costs about as much per segment as a few crossings. It cannot handle holes.
   const double crossings_to_divide = 3.5 * static_cast<double>(size);
   const bool divisible = !has_holes(operands.rings);
@@ -231,7 +225,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
               expected_crossings(operands, convolution.segments) > crossings_to_divide;
     // A fine grid without covered cells is of no use.
     cover.active = false;
-    if (!crowded) cover.grid = grid_of(operands, choose_plain_side(size));
+    if (!crowded) cover.grid = grid_of(operands, 1);
   }
   if (!crowded) return;
   cover.by_translates = false;

@@ -1,0 +1,130 @@
+// Tests that dividing crowds, and sorting strips, finds the crossings that all pairs have.
+#include "sum/arrangement/crowds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "minksum/transform.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/random.hpp"
+#include "unit/sum/prepare_operands.hpp"
+
+namespace minksum {
+namespace {
+
+using test::Random;
+using Pairs = std::vector<std::pair<KeptId, KeptId>>;
+
+/// The segments of a convolution without a cover, and the memory to meet them.
+struct Crowd {
+  SumSettings settings;
+  Operands operands;
+  Convolution convolution;
+  Cover cover;
+  Cancellation never;
+  ArrangementScratch scratch;
+  Arrangement arrangement;
+
+  Crowd(const Region& p, const Region& q) {
+    test::prepare_operands(p, q, settings, operands);
+    ConvolutionScratch convolution_scratch;
+    reduced_convolution(operands, settings.limits, never, convolution_scratch, convolution);
+    bin_segments(operands, convolution, cover, settings.limits, never, scratch, arrangement);
+    scratch.parent.resize(2 * arrangement.kept.size());
+    std::iota(scratch.parent.begin(), scratch.parent.end(), 0U);
+    scratch.line_parent.resize(arrangement.kept.size());
+    std::iota(scratch.line_parent.begin(), scratch.line_parent.end(), 0U);
+  }
+  [[nodiscard]] double extent() const { return std::max(scratch.extent.x, scratch.extent.y); }
+};
+
+/// Meets segments by `work(crowd, meeter)`. Returns the pairs that cross, and the roots of points
+/// that are united.
+template <class Work>
+std::pair<Pairs, std::vector<std::uint32_t>> meetings(const Region& p, const Region& q, Work work) {
+  Crowd crowd(p, q);
+  Predicates predicates(crowd.operands.sites, *crowd.operands.kernel, crowd.operands.bounds,
+                        crowd.never);
+  SegmentMeeter meeter(crowd.extent(), crowd.settings, predicates, crowd.scratch,
+                       crowd.arrangement.kept);
+  work(crowd, meeter);
+  Pairs pairs;
+  for (const Crossing& c : crowd.scratch.crossings) pairs.push_back(std::minmax(c.first, c.second));
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t point = 0; point < 2 * crowd.scratch.line_count; ++point) {
+    roots.push_back(find_root(crowd.scratch.parent, point));
+  }
+  return {pairs, roots};
+}
+
+Region mapped(const Region& region, std::int64_t a, std::int64_t b, std::int64_t c,
+              std::int64_t d) {
+  return transform(region, Affine{a, b, 0, c, d, 0});
+}
+
+void expect_all_found(const Region& p, const Region& q) {
+  const auto of_all_pairs = meetings(p, q, [](Crowd& crowd, SegmentMeeter& meeter) {
+    meeter.enter({});
+    for (KeptId t = 1; t < crowd.scratch.line_count; ++t) {
+      for (KeptId s = 0; s < t; ++s) meeter.meet(s, t);
+    }
+  });
+  const auto of_crowds = meetings(p, q, [](Crowd& crowd, SegmentMeeter& meeter) {
+    CrowdFinder finder(crowd.extent(), crowd.arrangement.kept, meeter, crowd.scratch.crowds,
+                       crowd.never);
+    for (KeptId s = 0; s < crowd.scratch.line_count; ++s) finder.add(s, {});
+    finder.solve({});
+  });
+  EXPECT_FALSE(of_all_pairs.first.empty());
+  EXPECT_EQ(of_crowds.first, of_all_pairs.first);
+  EXPECT_EQ(of_crowds.second, of_all_pairs.second);
+}
+
+TEST(Crowds, OfSpikes) {
+  Random random(1);
+  for (const int spikes : {5, 12, 24}) {
+    SCOPED_TRACE(spikes);
+    expect_all_found(test::spiky_star(random, spikes, 100000),
+                     test::spiky_star(random, spikes, 90000));
+  }
+}
+
+TEST(Crowds, OfStrips) {
+  // Teeth of one comb pass the gaps of the other from side to side, upright and almost upright.
+  const Region upright = test::comb(20, 3, 1000);
+  expect_all_found(upright, mapped(test::comb(15, 2, 900), 0, -1, 1, 0));
+  expect_all_found(mapped(upright, 1000, 1, 1, 1000),
+                   mapped(test::comb(15, 2, 900), 1000, -3, 2, 1000));
+}
+
+TEST(Crowds, OfNearlyEqualLines) {
+  // Needles whose long sides differ by a unit in a million cross far out, or not at all.
+  Region needles;
+  for (std::int64_t i = 0; i < 40; ++i) {
+    needles.begin_polygon();
+    needles.begin_ring();
+    needles.add_vertex(-1000000, 10 * i);
+    needles.add_vertex(1000000, 10 * i + i % 3);
+    needles.add_vertex(1000000, 10 * i + i % 3 + 1);
+  }
+  Random random(2);
+  expect_all_found(needles, test::spiky_star(random, 4, 50));
+  expect_all_found(needles, mapped(needles, 1, 0, 0, -1));
+}
+
+TEST(Crowds, OfLongCoordinates) {
+  // Sums of these are not exact in doubles, so places and offsets of lines have errors.
+  Random random(3);
+  const Region p = test::spiky_star(random, 10, 1000000);
+  const Region q = test::comb(12, 5, 800000);
+  const std::int64_t far = std::int64_t{1} << 36;
+  expect_all_found(mapped(p, far, 1, -1, far), mapped(q, far, 3, 1, far));
+}
+
+}  // namespace
+}  // namespace minksum
