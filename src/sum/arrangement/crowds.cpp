@@ -20,7 +20,8 @@ void CrowdFinder::add(KeptId segment, const PlanePart& part) {
 /// Keeps what is on one side of x = at. Returns false if nothing is.
 ///
 /// A cut is off by at most cut_error_ · (2 + |slope|): an end that is off by e moves the line by
-/// e · (1 + |slope|) between the ends, and each of the roundings, by 2^-53 of the extent, does less.
+/// e · (1 + |slope|) between the ends, and each of the roundings, by 2^-53 of the extent, does
+/// less.
 bool CrowdFinder::cut_x(CrowdItem& item, double at, bool low) const {
   if (low ? item.x0 > at : item.x1 < at) return false;
   if (low ? item.x1 <= at : item.x0 >= at) return true;
@@ -158,8 +159,7 @@ std::size_t CrowdFinder::count_ending(std::size_t begin, std::size_t end, const 
 }
 
 void CrowdFinder::meet_in_strip(std::size_t begin, std::size_t end, const CrowdItem& box) {
-  const bool by_x =
-      count_ending(begin, end, box, true) <= count_ending(begin, end, box, false);
+  const bool by_x = count_ending(begin, end, box, true) <= count_ending(begin, end, box, false);
   const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = items_.begin() + static_cast<std::ptrdiff_t>(end);
   const auto middle = static_cast<std::size_t>(

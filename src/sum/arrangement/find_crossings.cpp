@@ -115,7 +115,7 @@ class CrossingFinder {
   /// Returns a square's part of the plane. Neighbouring squares have a bound in common, equal to
   /// the last bit, so that all parts tile the plane.
   [[nodiscard]] PlanePart part_of_square(std::int32_t column, std::int32_t row,
-                                             std::int32_t side) const {
+                                         std::int32_t side) const {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
       return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
     };

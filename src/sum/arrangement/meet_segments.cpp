@@ -16,9 +16,8 @@ Vec<double> along(const KeptSegment& s, double lambda) {
 
 }  // namespace
 
-SegmentMeeter::SegmentMeeter(double extent, const SumSettings& options,
-                             Predicates& predicates, ArrangementScratch& scratch,
-                             const std::vector<KeptSegment>& kept)
+SegmentMeeter::SegmentMeeter(double extent, const SumSettings& options, Predicates& predicates,
+                             ArrangementScratch& scratch, const std::vector<KeptSegment>& kept)
     : predicates_(predicates),
       scratch_(scratch),
       kept_(kept),
@@ -118,8 +117,8 @@ void SegmentMeeter::touch(KeptId s, const Sides& of_s, std::uint32_t point) {
   add_vertex_event(s, point);
 }
 
-/// Measures how far from (0, 0) each segment's line is, on the left of its direction or the opposite
-/// one, whichever goes right, or straight up.
+/// Measures how far from (0, 0) each segment's line is, on the left of its direction or the
+/// opposite one, whichever goes right, or straight up.
 ///
 /// An offset is a cross product divided by a length. Its roundings, and the error of the segment's
 /// place, are off by as much wherever the segment is. An error of the direction grows with the

@@ -93,16 +93,16 @@ void inherit(const Bitmap& coarse, Bitmap& fine) {
 /// cells that translates cover. Returns what is left.
 ///
 /// Narrow shapes have no cells inside until cells are small, so finer grids are bought as long as
-/// they are cheap beside what is left to the arrangement. A grid's price is known before it is paid,
-/// once both operands are rasterised. Prices grow about eight times from grid to grid, so all grids
-/// together cost little more than the last one. Where many thin translates cover the sum, segments
-/// crowd on every grid. There parallelograms are bought, until they do not help. What is covered
-/// stays covered on the next grid.
+/// they are cheap beside what is left to the arrangement. A grid's price is known before it is
+/// paid, once both operands are rasterised. Prices grow about eight times from grid to grid, so all
+/// grids together cost little more than the last one. Where many thin translates cover the sum,
+/// segments crowd on every grid. There parallelograms are bought, until they do not help. What is
+/// covered stays covered on the next grid.
 ///
 /// Prices are in words moved. A visible segment, and a crossing, take as long to arrange as so many
-/// words take to move, and some four times as long where sums are not exact in doubles. A cell takes
-/// as long to rasterise and to list as so many words, and to look for parallelograms. The next grid
-/// leaves half as many segments at best, so the saving is worth half of what is left.
+/// words take to move, and some four times as long where sums are not exact in doubles. A cell
+/// takes as long to rasterise and to list as so many words, and to look for parallelograms. The
+/// next grid leaves half as many segments at best, so the saving is worth half of what is left.
 Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sample& sample,
                      int side, int finest, Cancellation& cancellation, CoverScratch& scratch,
                      Cover& cover) {
@@ -125,8 +125,7 @@ Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sam
     const UniformGrid grid = grid_of(operands, side);
     const auto cells = static_cast<double>(grid.size());
     if (kCell * cells + least_price > affordable) return now;
-    const auto words =
-        static_cast<double>(rasterise(operands, grid, cancellation, scratch));
+    const auto words = static_cast<double>(rasterise(operands, grid, cancellation, scratch));
     if (kCell * cells + words > affordable) return now;
     least_price = 4 * words;
     cover.grid = grid;

@@ -111,8 +111,8 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 /// of cells at a time. The moved rasters are united. The same is done with P and Q exchanged.
 /// O(words of a raster · runs of the other).
 void spread_rasters(Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
-/// Rasterises the second operand and marks cells as above, with a given raster of the first operand.
-/// The raster's rows must be as long as the cover's.
+/// Rasterises the second operand and marks cells as above, with a given raster of the first
+/// operand. The raster's rows must be as long as the cover's.
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
                          Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
 /// Rasterises the first operand on cells of the cover's size, in rows as long as the cover's.

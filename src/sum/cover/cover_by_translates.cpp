@@ -263,16 +263,16 @@ void for_lattice_points(const OperandRaster& operand, std::vector<std::uint64_t>
   for (std::int32_t j = 0; j <= inside.rows(); ++j) {
     std::uint64_t carry = 0;
     for (std::size_t w = 0; w < words; ++w) {
-      const std::uint64_t cells = (j > 0 ? inside.row(j - 1)[w] : 0) |
-                                  (j < inside.rows() ? inside.row(j)[w] : 0);
+      const std::uint64_t cells =
+          (j > 0 ? inside.row(j - 1)[w] : 0) | (j < inside.rows() ? inside.row(j)[w] : 0);
       corners[w] = cells | (cells << 1) | carry;
       carry = cells >> 63;
     }
     for_each_run(corners, [&](std::int32_t first, std::int32_t last) { move(first, last, j); });
   }
 }
-/// Does the same for one boundary point of the operand for each cell that has one. A cell moved back
-/// by such a point lies in a block of four cells.
+/// Does the same for one boundary point of the operand for each cell that has one. A cell moved
+/// back by such a point lies in a block of four cells.
 template <class Move>
 void for_boundary_points(const OperandRaster& operand, std::vector<std::uint64_t>& cells,
                          Move move) {
@@ -283,9 +283,8 @@ void for_boundary_points(const OperandRaster& operand, std::vector<std::uint64_t
     for (std::size_t w = 0; w < words; ++w) {
       cells[w] = operand.sampled.row(j)[w] | operand.inside.row(j)[w];
     }
-    for_each_run(cells, [&](std::int32_t first, std::int32_t last) {
-      move(first + 1, last + 1, j + 1);
-    });
+    for_each_run(cells,
+                 [&](std::int32_t first, std::int32_t last) { move(first + 1, last + 1, j + 1); });
   }
 }
 
@@ -315,8 +314,7 @@ void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& c
     if (spreader.words() == 0) return;
     for_points(by, scratch.row, [&](std::int32_t first, std::int32_t last, std::int32_t row) {
       constexpr std::uint64_t kWordsPerUnit = 16;  // some eight are united at a time
-      cancellation.check(spreader.moves(last + 1 - first) *
-                         (spreader.words() / kWordsPerUnit + 1));
+      cancellation.check(spreader.moves(last + 1 - first) * (spreader.words() / kWordsPerUnit + 1));
       spreader.spread(first, last, row);
     });
   };

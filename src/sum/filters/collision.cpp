@@ -12,7 +12,9 @@ void BoxTree::order_rings(std::size_t begin, std::size_t end, const std::vector<
   const auto box_of = [&](std::uint32_t ring) -> const Box& { return ring_boxes[ring]; };
   const auto x = [&](std::uint32_t ring) { return box_of(ring).x0 + box_of(ring).x1; };
   const auto y = [&](std::uint32_t ring) { return box_of(ring).y0 + box_of(ring).y1; };
-  const auto at = [&](std::size_t i) { return ring_order_.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto at = [&](std::size_t i) {
+    return ring_order_.begin() + static_cast<std::ptrdiff_t>(i);
+  };
   Vec<double> low{x(ring_order_[begin]), y(ring_order_[begin])};
   Vec<double> high = low;
   for (std::size_t i = begin; i < end; ++i) {

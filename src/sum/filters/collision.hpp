@@ -11,9 +11,9 @@
 
 namespace minksum {
 
-/// A binary tree of boxes over one operand's edges, level by level from the leaves. A leaf has a few
-/// edges of one ring. Rings are in the order of a division at medians, so that rings that are near
-/// in the tree are near in the plane. Each ring's edges are in their own order.
+/// A binary tree of boxes over one operand's edges, level by level from the leaves. A leaf has a
+/// few edges of one ring. Rings are in the order of a division at medians, so that rings that are
+/// near in the tree are near in the plane. Each ring's edges are in their own order.
 class BoxTree {
  public:
   using Box = BoxOf<double>;
