@@ -112,13 +112,14 @@ void CrowdFinder::divide(std::size_t begin, std::size_t end, const PlanePart& pa
     const Division other = division(begin, end, !wide);
     if (other.in_both < best.in_both) best = other;
   }
+  // Each half leaves out a sixteenth at least, so dividing ends. (There are more than kFew.)
+  const bool is_useless = best.in_less < count / 16 || best.in_both > count * 3 / 4;
   const bool is_poor = best.in_both > count * 2 / 5;
+  if (is_useless || (is_poor && poor == 0)) return meet_in_strip(begin, end, box);
   if (is_poor) {
     const std::size_t ending =
         std::min(count_ending(begin, end, box, true), count_ending(begin, end, box, false));
-    if (poor == 0 || ending <= kFew || best.in_less < count / 16 || best.in_both > count * 3 / 4) {
-      return meet_in_strip(begin, end, box);
-    }
+    if (ending <= kFew) return meet_in_strip(begin, end, box);
   }
   const int left = std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0));
   for (const bool low : {true, false}) {
@@ -127,7 +128,8 @@ void CrowdFinder::divide(std::size_t begin, std::size_t end, const PlanePart& pa
     const double at = low ? best.at + slack_ : best.at - slack_;
     for (std::size_t i = begin; i < end; ++i) {
       CrowdItem item = items_[i];
-      if (best.by_x ? cut_x(item, at, low) : cut_y(item, at, low)) items_.push_back(item);
+      const bool near = best.by_x ? cut_x(item, at, low) : cut_y(item, at, low);
+      if (near) append(items_, item, cancellation_);
     }
     divide(end, items_.size(), half, left);
     items_.resize(end);
