@@ -598,7 +598,7 @@ class Usage(ProgramTest):
                           ["sum", p, p, "--repeat", "0"], ["sum", p, p, "--repeat", "x"],
                           ["sum", p, p, "--stats", "-"], ["sum", p, p, "--svg", "-"],
                           ["sum", p, p, "--arithmetic", "float"], ["info"], ["info", p, p],
-                          ["sum", p, p, "--grid", "-1"], ["sum", p, p, "--grid", "2049"], ["sum", p, p, "--fill", "odd"],
+                          ["sum", p, p, "--grid", "-1"], ["sum", p, p, "--grid", "4097"], ["sum", p, p, "--fill", "odd"],
                           ["sum", p, p, "--round", "up"], ["info", p, "--fill", "odd"],
                           ["sum", p, p, "--coords", "exact", "--round", "outside"],
                           ["sum", p, p, "--keep-properties"],

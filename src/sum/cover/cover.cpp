@@ -130,7 +130,7 @@ Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sam
     least_price = 4 * words;
     cover.grid = grid;
     std::swap(cover.covered, scratch.known);
-    cover.covered.reset(grid.columns, grid.rows, words_per_row(grid));
+    cover.covered.reset(grid.columns, grid.rows, words_per_row(grid.columns));
     if (!first) inherit(scratch.known, cover.covered);
     spread_rasters(cancellation, scratch, cover);
     const double share = now.share;

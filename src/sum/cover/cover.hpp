@@ -96,9 +96,9 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 [[nodiscard]] Visibility look_at_sample(const Operands& operands, const Convolution& convolution,
                                         const Cover& cover, CoverScratch& scratch);
 
-/// Returns the words of a row of each raster, and of the cover: an operand's raster may have one
-/// column more than the sum's grid, but all rows must be equally long.
-[[nodiscard]] std::size_t words_per_row(const UniformGrid& grid);
+/// Returns the words of a row of each raster, and of a cover of so many columns. An operand's raster
+/// may have one column more, but all rows must be equally long.
+[[nodiscard]] std::size_t words_per_row(std::int32_t columns);
 /// Rasterises both operands on cells of the grid's size. Returns how many words `spread_rasters`
 /// will move: that is known before it is paid. O(cells + n + m).
 [[nodiscard]] std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,

@@ -40,20 +40,20 @@ void fill_between_toggles(Bitmap& bitmap) {
 /// edges by far less than the margin.
 class Rasteriser {
  public:
-  Rasteriser(const Operands& o, int operand, const UniformGrid& grid, Bitmap& boundary,
-             Cancellation& cancellation, OperandRaster& raster)
+  Rasteriser(const Operands& o, int operand, const UniformGrid& grid, std::size_t words,
+             Bitmap& boundary, Cancellation& cancellation, OperandRaster& raster)
       : cancellation_(cancellation),
         o_(o),
         sites_(o, operand),
         raster_(raster),
         inside_(raster.inside),
-        boundary_(boundary) {
+        boundary_(boundary),
+        words_(words) {
     const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
     grid_.cell = grid.cell;
     grid_.inverse = grid.inverse;
     grid_.columns = static_cast<std::int32_t>(extent.x * grid_.inverse) + 2;
     grid_.rows = static_cast<std::int32_t>(extent.y * grid_.inverse) + 2;
-    words_ = words_per_row(grid);
   }
 
   void run() {
@@ -122,10 +122,10 @@ class Rasteriser {
   const Operands& o_;
   SiteRange sites_;
   UniformGrid grid_;
-  std::size_t words_;
   OperandRaster& raster_;
   Bitmap& inside_;
   Bitmap& boundary_;
+  std::size_t words_;
 };
 
 /// A range of rows that holds all set bits of a bitmap.
@@ -330,15 +330,16 @@ void spread_both(const OperandRaster& first, const OperandRaster& second,
 
 }  // namespace
 
-std::size_t words_per_row(const UniformGrid& grid) {
-  return (static_cast<std::size_t>(grid.columns) + 1 + 63) / 64;
+std::size_t words_per_row(std::int32_t columns) {
+  return (static_cast<std::size_t>(columns) + 1 + 63) / 64;
 }
 
 std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,
                         Cancellation& cancellation, CoverScratch& scratch) {
   auto& [first, second] = scratch.raster;
-  Rasteriser one(operands, 0, grid, scratch.boundary, cancellation, first);
-  Rasteriser other(operands, 1, grid, scratch.boundary, cancellation, second);
+  const std::size_t words = words_per_row(grid.columns);
+  Rasteriser one(operands, 0, grid, words, scratch.boundary, cancellation, first);
+  Rasteriser other(operands, 1, grid, words, scratch.boundary, cancellation, second);
   one.run();
   other.run();
   if (second.blocks.has_any()) one.sample_boundary();
@@ -353,7 +354,8 @@ void spread_rasters(Cancellation& cancellation, CoverScratch& scratch, Cover& co
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
                          Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
   OperandRaster& second = scratch.raster[1];
-  Rasteriser other(operands, 1, cover.grid, scratch.boundary, cancellation, second);
+  Rasteriser other(operands, 1, cover.grid, first.inside.words_per_row(), scratch.boundary,
+                   cancellation, second);
   other.run();
   if (first.blocks.has_any()) other.sample_boundary();
   spread_both(first, second, cancellation, scratch, cover);
@@ -361,7 +363,8 @@ void cover_by_translates(const Operands& operands, const OperandRaster& first,
 
 void rasterise_first(const Operands& operands, const Cover& cover, Cancellation& cancellation,
                      Bitmap& boundary, OperandRaster& raster) {
-  Rasteriser rasteriser(operands, 0, cover.grid, boundary, cancellation, raster);
+  Rasteriser rasteriser(operands, 0, cover.grid, cover.covered.words_per_row(), boundary,
+                        cancellation, raster);
   rasteriser.run();
   rasteriser.sample_boundary();
 }

@@ -22,11 +22,6 @@ UniformGrid grid_over(const Operands& o, double cell) {
 /// Whether scaling by `factor` is exact up to rounding.
 bool is_usable(double factor) { return factor > 0x1p-900 && factor < 0x1p900; }
 
-/// Returns the words of a row. An operand's raster may have one column more than the grid.
-std::size_t words_for(std::int32_t columns) {
-  return (static_cast<std::size_t>(columns) + 1 + 63) / 64;
-}
-
 }  // namespace
 
 std::optional<SharedRaster> share_raster(const Operands& operands, double widest,
@@ -44,7 +39,7 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   shared.visible = typical.share * static_cast<double>(convolution.size);
   shared.crossings = typical.crossings;
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
-                      words_for(static_cast<std::int32_t>(columns)));
+                      words_per_row(static_cast<std::int32_t>(columns)));
   rasterise_first(operands, cover, cancellation, scratch.boundary, shared.first);
   return shared;
 }
@@ -58,7 +53,7 @@ void cover_interior(const Operands& operands, const SharedRaster& shared,
   if (convolution.size == 0 || !is_usable(operands.trace_unit)) return cover_without();
   cover.grid = grid_over(operands, shared.cell);
   const std::size_t words = shared.first.inside.words_per_row();
-  if (words_for(cover.grid.columns) > words || cover.grid.rows > UniformGrid::kMaxSide) {
+  if (words_per_row(cover.grid.columns) > words || cover.grid.rows > UniformGrid::kMaxSide) {
     return cover_without();
   }
   cover.active = true;

@@ -153,7 +153,7 @@ TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
   cover.active = true;
   const Vec<double> extent = operands.sum_extent();
   cover.grid = UniformGrid::over(extent.x, extent.y, 160);
-  cover.covered.reset(cover.grid.columns, cover.grid.rows, words_per_row(cover.grid));
+  cover.covered.reset(cover.grid.columns, cover.grid.rows, words_per_row(cover.grid.columns));
   Cancellation never;
   EXPECT_GT(rasterise(operands, cover.grid, never, scratch), 0);
   spread_rasters(never, scratch, cover);
