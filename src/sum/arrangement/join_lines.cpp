@@ -56,7 +56,7 @@ class PositionLister {
   template <bool kDoublesTell>
   void sort() {
     sort_in_pieces(scratch_.places.begin(), scratch_.places.end(), cancellation_,
-                   [this](const LinePosition& s, const LinePosition& t) {
+                   [&](const LinePosition& s, const LinePosition& t) {
                      if (s.rank != t.rank) return s.rank < t.rank;
                      if (s.line != t.line) return s.line < t.line;
                      if constexpr (!kDoublesTell) {

@@ -109,9 +109,9 @@ class Divider {
   /// Puts segments on the stack from `first` on. The reduced convolution must start at 0; other
   /// segments are traversed backwards.
   void load(std::span<const Segment> segments, std::size_t first) {
-    const auto& [x, y, dx, dy, next] = o_.sites;
     std::size_t i = first;
     visit_in_pieces(segments, cancellation_, [&](const Segment& s) {
+      const auto& [x, y, dx, dy, next] = o_.sites;
       const auto [e, v] = s;
       const SiteId f = next[e];
       const float ax = rounded(x[e] + x[v]);
