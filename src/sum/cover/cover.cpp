@@ -99,10 +99,10 @@ void inherit(const Bitmap& coarse, Bitmap& fine) {
 /// segments crowd on every grid. There parallelograms are bought, until they do not help. What is
 /// covered stays covered on the next grid.
 ///
-/// Prices are in words moved. A visible segment, and a crossing, take as long to arrange as so many
-/// words take to move, and some four times as long where sums are not exact in doubles. A cell
-/// takes as long to rasterise and to list as so many words, and to look for parallelograms. The
-/// next grid leaves half as many segments at best, so the saving is worth half of what is left.
+/// Prices are in words moved; moving a word takes about 0.3 ns. A visible segment takes some 150 ns
+/// to arrange, and a crossing 250 ns. Both take some four times as long where sums are not exact in
+/// doubles. A cell takes about 1.2 ns to rasterise and list, and 32 ns to look for parallelograms.
+/// The next grid leaves half as many segments at best, so it may cost half of that saving.
 Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sample& sample,
                      int side, int finest, Cancellation& cancellation, CoverScratch& scratch,
                      Cover& cover) {
@@ -144,7 +144,8 @@ Visibility buy_grids(const Operands& operands, std::uint64_t segments, const Sam
       parallelograms_help = price_of(now) <= kWorthIt * before;
     }
     affordable = kMostOfWhatIsLeft * price_of(now);
-    // A cover that hides nothing yet may hide much on the next grid.
+    // A grid that hides hardly more than the one before is the last. But a cover that hides nothing
+    // yet may hide much on the next grid.
     const bool enough = now.share > kWorthIt * share && share < 0.9;
     if (enough || 2 * side > finest) return now;
   }
