@@ -51,35 +51,35 @@ struct UniformGrid {
   /// false.
   template <class Visit>
   void walk_rows(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
-    double ax = a.x * inverse;
-    double ay = a.y * inverse;
-    double bx = b.x * inverse;
-    double by = b.y * inverse;
-    if (ay > by) {
-      std::swap(ax, bx);
-      std::swap(ay, by);
+    const RowWalk walk(*this, a, b, margin);
+    for (std::int32_t j = walk.first; j <= walk.last; ++j) {
+      if (!visit(walk.span(j, j))) return;
     }
-    const double min_x = std::min(ax, bx);
-    const double max_x = std::max(ax, bx);
-    const std::int32_t first = clamp_to(ay - margin, rows);
-    const std::int32_t last = clamp_to(by + margin, rows);
-    // If a segment is too flat to divide by its height safely, each of its rows gets all its
-    // columns. So does its row if it has only one.
-    const bool whole = first == last || by - ay <= kMargin;
-    const double slope = whole ? 0 : (bx - ax) / (by - ay);
-    for (std::int32_t j = first; j <= last; ++j) {
-      RowSpan span{j, 0, 0, min_x, max_x, ay, by};
-      if (!whole) {
-        span.y0 = std::clamp(j - margin, ay, by);
-        span.y1 = std::clamp(j + 1 + margin, ay, by);
-        const double x0 = ax + (span.y0 - ay) * slope;
-        const double x1 = ax + (span.y1 - ay) * slope;
-        span.x0 = std::max(min_x, std::min(x0, x1));
-        span.x1 = std::min(max_x, std::max(x0, x1));
+  }
+
+  /// Calls visit(span) for the same rows, but leaves out runs of rows for which pass_over(span,
+  /// last row) returns true. A span of several rows has all that the spans of its rows have. Runs
+  /// get longer as long as they are left out, or visited, so few runs are tried.
+  template <class Visit, class PassOver>
+  void walk_rows_but(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit,
+                     PassOver pass_over) const {
+    constexpr std::int32_t kRun = 4;  // trying shorter runs takes more than they save
+    const RowWalk walk(*this, a, b, margin);
+    std::int32_t left_out = kRun;
+    std::int32_t visited = kRun;
+    for (std::int32_t j = walk.first; j <= walk.last;) {
+      const std::int32_t end = std::min(j + left_out - 1, walk.last);
+      if (pass_over(walk.span(j, end), end)) {
+        j = end + 1;
+        left_out *= 2;
+        visited = kRun;
+        continue;
       }
-      span.left = clamp_to(span.x0 - margin - kSlack, columns);
-      span.right = clamp_to(span.x1 + margin + kSlack, columns);
-      if (!visit(span)) return;
+      for (const std::int32_t stop = std::min(j + visited - 1, walk.last); j <= stop; ++j) {
+        visit(walk.span(j, j));
+      }
+      visited *= 2;
+      left_out = kRun;
     }
   }
 
@@ -99,6 +99,53 @@ struct UniformGrid {
   static constexpr double kSlack = 0x1p-16;
 
  private:
+  /// A segment in cell units, from its lower end.
+  class RowWalk {
+   public:
+    RowWalk(const UniformGrid& grid, const Vec<double>& a, const Vec<double>& b, double margin)
+        : grid_(grid),
+          margin_(margin),
+          ax_((a.y <= b.y ? a : b).x * grid.inverse),
+          ay_((a.y <= b.y ? a : b).y * grid.inverse),
+          by_((a.y <= b.y ? b : a).y * grid.inverse) {
+      const double bx = (a.y <= b.y ? b : a).x * grid.inverse;
+      min_x_ = std::min(ax_, bx);
+      max_x_ = std::max(ax_, bx);
+      first = clamp_to(ay_ - margin, grid.rows);
+      last = clamp_to(by_ + margin, grid.rows);
+      // If a segment is too flat to divide by its height safely, each of its rows gets all its
+      // columns. So does its row if it has only one.
+      whole_ = first == last || by_ - ay_ <= kMargin;
+      slope_ = whole_ ? 0 : (bx - ax_) / (by_ - ay_);
+    }
+    /// Returns the part near the rows from j to `end`.
+    [[nodiscard]] RowSpan span(std::int32_t j, std::int32_t end) const {
+      RowSpan span{j, 0, 0, min_x_, max_x_, ay_, by_};
+      if (!whole_) {
+        span.y0 = std::clamp(j - margin_, ay_, by_);
+        span.y1 = std::clamp(end + 1 + margin_, ay_, by_);
+        const double x0 = ax_ + (span.y0 - ay_) * slope_;
+        const double x1 = ax_ + (span.y1 - ay_) * slope_;
+        span.x0 = std::max(min_x_, std::min(x0, x1));
+        span.x1 = std::min(max_x_, std::max(x0, x1));
+      }
+      span.left = clamp_to(span.x0 - margin_ - kSlack, grid_.columns);
+      span.right = clamp_to(span.x1 + margin_ + kSlack, grid_.columns);
+      return span;
+    }
+
+    std::int32_t first;  ///< row
+    std::int32_t last;
+
+   private:
+    const UniformGrid& grid_;
+    double margin_;
+    double ax_, ay_, by_;
+    double min_x_, max_x_;
+    bool whole_;
+    double slope_;
+  };
+
   /// Returns the cell that contains a coordinate, or the nearest of `count` cells. Truncation
   /// rounds numbers that are not negative down; without newer instructions, it is far cheaper than
   /// floor.

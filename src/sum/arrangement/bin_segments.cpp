@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "sum/arrangement/place_segments.hpp"
 #include "sum/arrangement/visible_segments.hpp"
+#include "sum/cover/uncovered_counts.hpp"
 
 namespace minksum {
 namespace {
@@ -53,6 +55,9 @@ class Binner {
   }
 
  private:
+  /// So many rows may take longer to visit than it takes to count a cell: some 60 instructions a
+  /// row, and 16 a cell.
+  static constexpr double kRowsPerCell = 0.5;
   static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyway
 
   /// Orders segments by the sites of the operand that has more sites. Segments that are near in the
@@ -74,11 +79,26 @@ class Binner {
   }
 
   void list_all_cells() {
+    std::optional<UncoveredCounts> uncovered;
+    if (rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
+      uncovered.emplace(cover_, scratch_.visible.uncovered);
+    }
     KeptId count = 0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {
-      if (list_cells(kept_[i], count)) kept_[count++] = kept_[i];
+      if (list_cells(uncovered, kept_[i], count)) kept_[count++] = kept_[i];
     }
     kept_.resize(count);
+  }
+  /// Returns how many rows tall segments pass.
+  [[nodiscard]] double rows_of_tall() const {
+    double rows = 0;
+    visit_in_pieces(kept_, cancellation_, [&](const KeptSegment& s) { rows += rows_if_tall(s); });
+    return rows;
+  }
+  [[nodiscard]] double rows_if_tall(const KeptSegment& s) const {
+    constexpr double kTall = 8;  // rows; of fewer, too few are left out
+    const double rows = std::abs(s.b.y - s.a.y) * grid_.inverse;
+    return rows > kTall ? rows : 0;
   }
 
   /// Lists the directions that several edges share, because only segments of such directions can be
@@ -126,11 +146,11 @@ class Binner {
   }
 
   /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
-  bool list_cells(KeptSegment& s, KeptId id) {
+  bool list_cells(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s, KeptId id) {
     const std::size_t before = items_.size();
     std::uint64_t rows = 0;
     const CellLine line(s, grid_.inverse);
-    grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
+    const auto visit = [&](const UniformGrid::RowSpan& span) {
       std::uint64_t any_covered = 0;
       for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
         const std::int32_t last = std::min(span.right, first | 63);
@@ -144,7 +164,17 @@ class Binner {
       ++rows;
       s.meets_cover = s.meets_cover || any_covered != 0;
       return true;
-    });
+    };
+    const auto is_covered = [&](const UniformGrid::RowSpan& span, std::int32_t last_row) {
+      const bool covered = uncovered->none_in(span.left, span.row, span.right, last_row);
+      s.meets_cover = s.meets_cover || covered;
+      return covered;
+    };
+    if (uncovered && rows_if_tall(s) > 0) {
+      grid_.walk_rows_but(s.a, s.b, UniformGrid::kMargin, visit, is_covered);
+    } else {
+      grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, visit);
+    }
     // At once: a grid has 4096 columns and rows at the most, so a segment is done in time.
     cancellation_.check(1 + rows + (items_.size() - before));
     return items_.size() > before;

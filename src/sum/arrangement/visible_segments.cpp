@@ -8,6 +8,7 @@
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 #include "spatial/uniform_grid.hpp"
+#include "sum/cover/uncovered_counts.hpp"
 
 namespace minksum {
 namespace {
@@ -70,48 +71,13 @@ class CoveredBlocks {
   std::array<const std::uint64_t*, VisibleScratch::kLevels + 2> bits_{};
 };
 
-/// Recognises all boxes that lie wholly in covered cells. A sum of four counts is the number of
-/// uncovered cells in a box.
-class UncoveredCounts {
- public:
-  UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts)
-      : last_column_(cover.grid.columns - 1), last_row_(cover.grid.rows - 1),
-        stride_(static_cast<std::size_t>(cover.grid.columns) + 1) {
-    counts.resize(stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1));
-    std::fill_n(counts.begin(), stride_, 0);
-    for (std::int32_t j = 0; j <= last_row_; ++j) {
-      const std::uint32_t* below = counts.data() + stride_ * static_cast<std::size_t>(j);
-      std::uint32_t* above = counts.data() + stride_ * static_cast<std::size_t>(j + 1);
-      const std::uint64_t* covered = cover.covered.row(j);
-      std::uint32_t in_row = 0;
-      above[0] = 0;
-      for (std::int32_t i = 0; i <= last_column_; ++i) {
-        in_row += static_cast<std::uint32_t>(~covered[i >> 6] >> (i & 63)) & 1U;
-        above[i + 1] = below[i + 1] + in_row;
-      }
-    }
-    counts_ = counts.data();
-  }
-  [[nodiscard]] bool hides(const CellBounds& a, const CellBounds& b) const {
-    const auto column = [&](float x) {
-      return static_cast<std::size_t>(std::min(static_cast<std::int32_t>(x), last_column_));
-    };
-    const auto row = [&](float y) {
-      return static_cast<std::size_t>(std::min(static_cast<std::int32_t>(y), last_row_));
-    };
-    const std::size_t left = column(a.x0 + b.x0);
-    const std::size_t right = column(a.x1 + b.x1) + 1;
-    const std::uint32_t* below = counts_ + stride_ * row(a.y0 + b.y0);
-    const std::uint32_t* above = counts_ + stride_ * (row(a.y1 + b.y1) + 1);
-    return above[right] - above[left] == below[right] - below[left];
-  }
-
- private:
-  std::int32_t last_column_;
-  std::int32_t last_row_;
-  std::size_t stride_;
-  const std::uint32_t* counts_ = nullptr;
-};
+/// Whether the sum of two boxes lies wholly in covered cells.
+[[nodiscard]] bool hides(const UncoveredCounts& uncovered, const CellBounds& a,
+                         const CellBounds& b) {
+  const auto cell = [](float x) { return static_cast<std::int32_t>(x); };
+  return uncovered.none_in(cell(a.x0 + b.x0), cell(a.y0 + b.y0), cell(a.x1 + b.x1),
+                           cell(a.y1 + b.y1));
+}
 
 void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sites) {
   const auto& [x, y, dx, dy, next] = o.sites;
@@ -254,7 +220,7 @@ class RunSearch {
  private:
   [[nodiscard]] bool may_be_visible(const SiteRun& a, const SiteRun& b) const {
     const int meet = circle_.meet(a.directions, b.directions) ? 1 : 0;
-    const int hidden = uncovered_.hides(a.box, b.box) ? 1 : 0;
+    const int hidden = hides(uncovered_, a.box, b.box) ? 1 : 0;
     return (meet & ~hidden) != 0;
   }
   [[nodiscard]] std::size_t choose(const RunPair& pair) const {
@@ -281,7 +247,7 @@ class RunSearch {
       const CellBounds vertex = point_box(scratch_.sites[v]);
       for (met &= all; met != 0; met &= met - 1) {
         const SiteId e = first_edge + static_cast<SiteId>(std::countr_zero(met));
-        if (uncovered_.hides(scratch_.sites[e].box, vertex)) continue;
+        if (hides(uncovered_, scratch_.sites[e].box, vertex)) continue;
         if (o_.on_hole[e] != 0 && o_.on_hole[v] != 0) continue;
         scratch_.found.push_back({e, v});
       }
@@ -342,7 +308,7 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
     const UncoveredCounts uncovered(cover, scratch.uncovered);
     count = 0;
     visit_in_pieces(visible, cancellation, [&](const Segment& segment) {
-      if (uncovered.hides(sites[segment.edge].box, point_box(sites[segment.vertex]))) return;
+      if (hides(uncovered, sites[segment.edge].box, point_box(sites[segment.vertex]))) return;
       visible[count++] = segment;
     });
     visible.resize(count);
