@@ -184,8 +184,6 @@ struct ArrangementScratch {
   std::vector<CellItem> in_cells;          ///< items cell by cell
   std::vector<std::uint32_t> cells;        ///< cells that have items
   std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
-  std::vector<KeptId> kept_id;             ///< by listed segment, if the cover is divided
-  std::vector<std::uint32_t> leaf_end;     ///< by leaf: where its items end in `in_cells`
   std::vector<KeptId> hash_table;
   std::vector<std::pair<KeptId, KeptId>> near;  ///< pairs of a cell whose boxes overlap
   CrowdScratch crowds;
@@ -231,12 +229,9 @@ void join_lines(const Operands& operands, bool wanted, Cancellation& cancellatio
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
                   Arrangement& arrangement);
-/// Fills `kept` and the leaves' lists from a divided cover. O(segments listed).
-void bin_leaves(const Operands& operands, const Convolution& convolution, const Cover& cover,
-                Cancellation& cancellation, ArrangementScratch& scratch, Arrangement& arrangement);
 /// Fills crossings and events, and unites points that pairs of segments share.
-void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement);
+void find_crossings(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
+                    Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, and makes nodes and pieces. O(c log c) for
 /// c incidences.
 ///

@@ -235,9 +235,6 @@ class Binner {
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
                   Arrangement& arrangement) {
-  if (cover.divided) {
-    return bin_leaves(operands, convolution, cover, cancellation, scratch, arrangement);
-  }
   Binner(operands, cover, scratch, cancellation, arrangement).run(convolution, limits);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "machine/make_room.hpp"
 #include "sum/arrangement/crowds.hpp"
 
 namespace minksum {
@@ -10,10 +11,9 @@ namespace {
 
 class CrossingFinder {
  public:
-  CrossingFinder(const Cover& cover, const SumSettings& options, Predicates& predicates,
-                 ArrangementScratch& scratch, Arrangement& arrangement)
-      : cover_(cover),
-        grid_(scratch.grid),
+  CrossingFinder(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
+                 Arrangement& arrangement)
+      : grid_(scratch.grid),
         cancellation_(predicates.cancellation()),
         scratch_(scratch),
         kept_(arrangement.kept),
@@ -28,9 +28,7 @@ class CrossingFinder {
     start_forest(scratch_.parent, 2 * kept_.size());
     start_forest(scratch_.line_parent, kept_.size());
     scratch_.lines_shared = false;
-    if (cover_.divided) {
-      solve_leaves();
-    } else if (scratch_.covered) {
+    if (scratch_.covered) {
       solve_cells();
     } else {
       solve_all();
@@ -89,38 +87,29 @@ class CrossingFinder {
     for (const std::uint32_t cell : scratch_.cells) {
       const std::uint32_t end = scratch_.cell_end[cell];
       const auto columns = static_cast<std::uint32_t>(grid_.columns);
-      solve_square(std::exchange(begin, end), end, static_cast<std::int32_t>(cell % columns),
-                   static_cast<std::int32_t>(cell / columns), 1);
+      solve_cell({scratch_.in_cells.data() + begin, end - begin},
+                 static_cast<std::int32_t>(cell % columns),
+                 static_cast<std::int32_t>(cell / columns));
+      begin = end;
     }
   }
-  void solve_leaves() {
-    std::uint32_t begin = 0;
-    for (std::size_t i = 0; i < cover_.leaves.size(); ++i) {
-      const QuadtreeLeaf& leaf = cover_.leaves[i];
-      const std::uint32_t end = scratch_.leaf_end[i];
-      solve_square(std::exchange(begin, end), end, leaf.column, leaf.row, leaf.side);
-    }
-  }
-  void solve_square(std::uint32_t begin, std::uint32_t end, std::int32_t column, std::int32_t row,
-                    std::int32_t side) {
-    const Items items(scratch_.in_cells.data() + begin, end - begin);
+  void solve_cell(Items items, std::int32_t column, std::int32_t row) {
     cancellation_.check();
     if (items.size() < 2) return;
-    const PlanePart part = part_of_square(column, row, side);
+    const PlanePart part = part_of_cell(column, row);
     if (items.size() <= kFew && list_pairs(items)) return meet_pairs(part);
     for (const CellItem& item : items) crowds_.add(item.segment, part);
     crowds_.solve(part);
   }
 
-  /// Returns a square's part of the plane. Neighbouring squares have a bound in common, equal to
-  /// the last bit, so that all parts tile the plane.
-  [[nodiscard]] PlanePart part_of_square(std::int32_t column, std::int32_t row,
-                                         std::int32_t side) const {
+  /// Returns a cell's part of the plane. Neighbouring cells have a bound in common, equal to the
+  /// last bit, so that all parts tile the plane.
+  [[nodiscard]] PlanePart part_of_cell(std::int32_t column, std::int32_t row) const {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
       return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
     };
-    return {bound(column, grid_.columns), bound(row, grid_.rows),
-            bound(column + side, grid_.columns), bound(row + side, grid_.rows)};
+    return {bound(column, grid_.columns), bound(row, grid_.rows), bound(column + 1, grid_.columns),
+            bound(row + 1, grid_.rows)};
   }
 
   /// Lists the pairs whose boxes overlap. Returns false if these are many.
@@ -146,7 +135,6 @@ class CrossingFinder {
     for (const auto& [s, t] : scratch_.near) meeter_.meet(s, t);
   }
 
-  const Cover& cover_;
   const UniformGrid& grid_;
   Cancellation& cancellation_;
   ArrangementScratch& scratch_;
@@ -157,9 +145,9 @@ class CrossingFinder {
 
 }  // namespace
 
-void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement) {
-  CrossingFinder(cover, options, predicates, scratch, arrangement).run();
+void find_crossings(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
+                    Arrangement& arrangement) {
+  CrossingFinder(options, predicates, scratch, arrangement).run();
   arrangement.crossings = scratch.crossings.size();
 }
 

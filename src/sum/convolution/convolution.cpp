@@ -24,12 +24,14 @@ void list_by_rank(const Operands& o, int operand, bool with_holes, EdgesByRank& 
   for (; next <= o.rank_count; ++next) by_rank.first[next] = count;
 }
 
-enum class Vertices { kConvex, kAll, kReflexBackwards };
+enum class Vertices { kConvex, kAll };
 
 /// Returns [in, out) for vertices of the first operand, and (in, out] for those of the second. For
 /// two thin operands it returns [in, out], but (in, out) at ends. `in_range` has the same rule for
 /// one edge.
-RankRange range_at(const Operands& o, SiteId v, DirectionRank in, DirectionRank out) {
+RankRange range_at(const Operands& o, SiteId v) {
+  const DirectionRank in = o.rank[o.previous[v]];
+  const DirectionRank out = o.rank[v];
   const bool first = o.operand_of(v) == 0;
   const bool thin = o.both_thin();
   const bool with_in = thin ? !o.turns_back(v) : first;
@@ -51,17 +53,13 @@ void visit_runs(const Operands& o, Vertices which, int vertex_operand, Convoluti
   const SiteId begin = first ? 0 : o.split;
   const SiteId end = first ? o.split : o.size();
   for (SiteId v = begin; v < end; ++v) {
-    const bool convex = o.convex[v] != 0;
-    if (which != Vertices::kAll && convex != (which == Vertices::kConvex)) continue;
-    DirectionRank in = o.rank[o.previous[v]];
-    DirectionRank out = o.rank[v];
-    if (which == Vertices::kReflexBackwards) std::swap(in, out);
+    if (which == Vertices::kConvex && o.convex[v] == 0) continue;
     const EdgesByRank& by_rank = holes && o.on_hole[v] != 0 ? scratch.outer : scratch.all;
     const auto visit_ranks = [&](DirectionRank from, DirectionRank to) {
       const std::uint32_t run = by_rank.first[from];
       visit(std::span(by_rank.edges).subspan(run, by_rank.first[to] - run), v);
     };
-    const auto [from, length] = range_at(o, v, in, out);
+    const auto [from, length] = range_at(o, v);
     const DirectionRank to = from + length;
     visit_ranks(from, std::min(to, o.rank_count));
     if (to > o.rank_count) visit_ranks(0, to - o.rank_count);
@@ -163,8 +161,7 @@ bool in_range(const Operands& o, SiteId v, SiteId edge) {
 }  // namespace
 
 RankRange reduced_range(const Operands& operands, SiteId vertex) {
-  return range_at(operands, vertex, operands.rank[operands.previous[vertex]],
-                  operands.rank[vertex]);
+  return range_at(operands, vertex);
 }
 
 void reduced_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
@@ -181,11 +178,6 @@ void reduced_convolution_or_sample(const Operands& operands, const Limits& limit
 void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                       ConvolutionScratch& scratch, Convolution& convolution) {
   list(operands, Vertices::kAll, limits, kAll, cancellation, scratch, convolution);
-}
-
-void reflex_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
-                        ConvolutionScratch& scratch, Convolution& convolution) {
-  list(operands, Vertices::kReflexBackwards, limits, kAll, cancellation, scratch, convolution);
 }
 
 std::optional<std::string> check(const Convolution& convolution, const Operands& o, bool full) {

@@ -58,7 +58,8 @@ void reduced_convolution(const Operands& operands, const Limits& limits, Cancell
 void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
                                    std::uint64_t many, Cancellation& cancellation,
                                    ConvolutionScratch& scratch, Convolution& convolution);
-inline constexpr std::size_t kSample = 256;
+inline constexpr std::size_t kSample = 1024;
+inline constexpr std::size_t kFewestSampled = 256;
 
 /// Returns the directions of the edges that are compatible with a convex vertex.
 [[nodiscard]] RankRange reduced_range(const Operands& operands, SiteId vertex);
@@ -67,12 +68,6 @@ inline constexpr std::size_t kSample = 256;
 /// Each takes all directions counter-clockwise from its incoming to its outgoing edge. O(n·m).
 void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                       ConvolutionScratch& scratch, Convolution& convolution);
-
-/// Lists what the signed convolution (Guibas, Ramshaw, Stolfi 1983) adds to the reduced one: each
-/// reflex vertex with the edges in its small range, traversed backwards. Both together make closed
-/// curves.
-void reflex_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
-                        ConvolutionScratch& scratch, Convolution& convolution);
 
 /// Returns what is wrong with the convolution, or nothing. Each listed segment must be made exactly
 /// once by the reduced rule, or with `full` by the full one. If not all are listed, their number

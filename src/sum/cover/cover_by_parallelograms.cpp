@@ -42,31 +42,33 @@ bool make_strip(const Vec<double>& from, const Vec<double>& d, double area, Stri
   return true;
 }
 
+constexpr double kShortest = 2;  ///< in cells
+
+/// Lists the longest edge in each of `count` stretches of an operand's sites, without short ones.
+void choose(const Operands& o, int operand, std::size_t count, double inverse,
+            std::vector<CellEdge>& edges) {
+  const SiteId begin = operand == 0 ? 0 : o.split;
+  const SiteId size = operand == 0 ? o.split : o.size() - o.split;
+  const auto& sites = o.sites;
+  const auto length = [&](SiteId e) { return std::abs(sites.dx[e]) + std::abs(sites.dy[e]); };
+  edges.clear();
+  count = std::min<std::size_t>(count, size);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto first = begin + static_cast<SiteId>(i * size / count);
+    const auto last = begin + static_cast<SiteId>((i + 1) * size / count);
+    SiteId longest = first;
+    for (SiteId e = first + 1; e < last; ++e) {
+      if (length(e) > length(longest)) longest = e;
+    }
+    if (length(longest) * inverse < kShortest) continue;
+    edges.push_back({{sites.x[longest] * inverse, sites.y[longest] * inverse},
+                     {sites.dx[longest] * inverse, sites.dy[longest] * inverse}});
+  }
+}
+
 class ParallelogramRasteriser {
  public:
-  ParallelogramRasteriser(const Operands& o, Cover& cover) : o_(o), cover_(cover) {}
-
-  /// Lists the longest edge in each of `count` stretches of an operand's sites, without short ones.
-  void choose(int operand, std::size_t count, std::vector<CellEdge>& edges) const {
-    const SiteId begin = operand == 0 ? 0 : o_.split;
-    const SiteId size = operand == 0 ? o_.split : o_.size() - o_.split;
-    const auto& sites = o_.sites;
-    const double inverse = cover_.grid.inverse;
-    const auto length = [&](SiteId e) { return std::abs(sites.dx[e]) + std::abs(sites.dy[e]); };
-    edges.clear();
-    count = std::min<std::size_t>(count, size);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto first = begin + static_cast<SiteId>(i * size / count);
-      const auto last = begin + static_cast<SiteId>((i + 1) * size / count);
-      SiteId longest = first;
-      for (SiteId e = first + 1; e < last; ++e) {
-        if (length(e) > length(longest)) longest = e;
-      }
-      if (length(longest) * inverse < kShortest) continue;
-      edges.push_back({{sites.x[longest] * inverse, sites.y[longest] * inverse},
-                       {sites.dx[longest] * inverse, sites.dy[longest] * inverse}});
-    }
-  }
+  explicit ParallelogramRasteriser(Cover& cover) : cover_(cover) {}
 
   void mark(const CellEdge& e, const std::vector<CellEdge>& others) {
     for (const CellEdge& f : others) mark(e, f);
@@ -107,21 +109,26 @@ class ParallelogramRasteriser {
   }
 
  private:
-  static constexpr double kShortest = 2;  ///< in cells
-
-  const Operands& o_;
   Cover& cover_;
 };
 
 }  // namespace
 
-void cover_by_parallelograms(const Operands& operands, Cancellation& cancellation,
-                             CoverScratch& scratch, Cover& cover) {
-  cancellation.check(operands.size());
-  ParallelogramRasteriser rasteriser(operands, cover);
-  const std::int32_t side = std::max(cover.grid.columns, cover.grid.rows);
+double choose_long_edges(const Operands& operands, const UniformGrid& grid, CoverScratch& scratch) {
+  const std::int32_t side = std::max(grid.columns, grid.rows);
   const auto count = static_cast<std::size_t>(4 * std::sqrt(side));
-  for (const int operand : {0, 1}) rasteriser.choose(operand, count, scratch.long_edges[operand]);
+  double rises[2] = {0, 0};
+  for (const int operand : {0, 1}) {
+    auto& edges = scratch.long_edges[operand];
+    choose(operands, operand, count, grid.inverse, edges);
+    for (const CellEdge& e : edges) rises[operand] += 1 + std::abs(e.d.y);
+  }
+  return rises[0] * static_cast<double>(scratch.long_edges[1].size()) +
+         rises[1] * static_cast<double>(scratch.long_edges[0].size());
+}
+
+void cover_by_parallelograms(Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
+  ParallelogramRasteriser rasteriser(cover);
   double rows = 0;
   for (const CellEdge& f : scratch.long_edges[1]) rows += 1 + std::abs(f.d.y);
   for (const CellEdge& e : scratch.long_edges[0]) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/membership.hpp"
+#include "sum/cover/uncovered_counts.hpp"
 #include "support/polygon_kinds.hpp"
 #include "unit/sum/prepare_operands.hpp"
 
@@ -27,9 +28,6 @@ struct Covered {
     test::prepare_operands(p, q, options, operands);
     reduced_convolution(operands, options.limits, never, convolution_scratch, convolution);
     cover_interior(operands, options, never, scratch, convolution, cover);
-  }
-  void divide(std::int32_t side) {
-    divide_by_winding(operands, convolution, options.limits, side, never, scratch, cover);
   }
 };
 
@@ -118,9 +116,9 @@ TEST(Cover, ByParallelogramsIsInside) {
     for (const int grid : {16, 50, 150}) {
       Covered c(p, q, grid);
       c.cover.active = true;
-      c.cover.divided = false;
       c.cover.covered.reset(c.cover.grid.columns, c.cover.grid.rows);
-      cover_by_parallelograms(c.operands, c.never, c.scratch, c.cover);
+      EXPECT_GT(choose_long_edges(c.operands, c.cover.grid, c.scratch), 0);
+      cover_by_parallelograms(c.never, c.scratch, c.cover);
       EXPECT_EQ(check(c.cover, c.operands), std::nullopt) << name;
       expect_inside(p, q, c, random, name + " on grid " + std::to_string(grid));
       covered = c.cover.covered_count();
@@ -158,26 +156,11 @@ TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
   EXPECT_GT(rasterise(operands, cover.grid, never, scratch), 0);
   spread_rasters(never, scratch, cover);
   const std::uint64_t by_translates = cover.covered_count();
-  cover_by_parallelograms(operands, never, scratch, cover);
+  EXPECT_GT(choose_long_edges(operands, cover.grid, scratch), 0);
+  cover_by_parallelograms(never, scratch, cover);
   const auto cells = static_cast<std::uint64_t>(cover.grid.size());
   EXPECT_LT(by_translates, cells * 8 / 10);
   EXPECT_GT(cover.covered_count(), cells * 9 / 10);
-}
-
-TEST(Cover, DividedByWindingIsInside) {
-  Random random(2);
-  for (const auto& [name, p, q] : pairs()) {
-    std::uint64_t covered = 0;
-    for (const std::int32_t side : {1, 2, 8, 64, 512}) {
-      Covered c(p, q, 8);
-      c.divide(side);
-      ASSERT_TRUE(c.cover.divided);
-      EXPECT_EQ(check(c.cover, c.operands), std::nullopt) << name;
-      expect_inside(p, q, c, random, name + " divided to " + std::to_string(side));
-      covered = c.cover.covered_count();
-    }
-    EXPECT_GT(covered, 512U * 16U) << name;
-  }
 }
 
 std::vector<std::uint64_t> words(const Cover& cover) {
@@ -196,57 +179,85 @@ TEST(Cover, IsTheSameWithWiderVectors) {
         if (vectors > widest_vectors()) continue;
         wide.scratch.vectors = vectors;
         for (Covered* c : {&plain, &wide}) {
-          c->cover.divided = false;
           cover_interior(c->operands, c->options, c->never, c->scratch, c->convolution, c->cover);
         }
         EXPECT_EQ(words(plain.cover), words(wide.cover)) << name << " on grid " << grid;
-        for (Covered* c : {&plain, &wide}) c->divide(256);
-        EXPECT_EQ(words(plain.cover), words(wide.cover)) << name << " divided";
-        EXPECT_EQ(plain.cover.leaf_segments, wide.cover.leaf_segments) << name;
       }
     }
   }
 }
 
-/// Every point near a reduced segment is in a covered cell or in a leaf that lists the segment.
-TEST(Cover, LeavesListTheirSegments) {
-  for (const auto& pair : pairs()) {
-    const std::string& name = pair.name;
-    Covered c(pair.p, pair.q, 8);
-    c.divide(64);
-    const auto& [x, y, dx, dy, next] = c.operands.sites;
-    std::vector<std::vector<std::uint32_t>> leaves_at(64 * 64);
-    std::uint32_t begin = 0;
-    std::vector<std::vector<std::uint32_t>> list_of;
-    for (const QuadtreeLeaf& leaf : c.cover.leaves) {
-      for (std::int32_t j = leaf.row; j < leaf.row + leaf.side; ++j) {
-        for (std::int32_t i = leaf.column; i < leaf.column + leaf.side; ++i) {
-          leaves_at[static_cast<std::size_t>(j * 64 + i)].push_back(
-              static_cast<std::uint32_t>(list_of.size()));
-        }
-      }
-      list_of.emplace_back(c.cover.leaf_segments.begin() + begin,
-                           c.cover.leaf_segments.begin() + leaf.end);
-      begin = leaf.end;
-    }
-    std::uint64_t missing = 0;
-    for (std::uint32_t s = 0; s < c.convolution.segments.size(); ++s) {
-      const auto& [e, v] = c.convolution.segments[s];
-      const Vec<double> a{x[e] + x[v], y[e] + y[v]};
-      const Vec<double> b{x[next[e]] + x[v], y[next[e]] + y[v]};
-      c.cover.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {
-        if (c.cover.is_covered(i, j)) return true;
-        const auto& leaves = leaves_at[static_cast<std::size_t>(j * 64 + i)];
-        EXPECT_EQ(leaves.size(), 1U) << name << ": leaves of a cell";
-        for (const std::uint32_t leaf : leaves) {
-          const auto& list = list_of[leaf];
-          if (std::find(list.begin(), list.end(), s) == list.end()) ++missing;
-        }
-        return true;
-      });
-    }
-    EXPECT_EQ(missing, 0U) << name;
+/// Returns how many crossings of visible segments an arrangement of all would count, by testing
+/// each pair. Segments of the tests cross within cells.
+double count_all(const Covered& c) {
+  const auto& [x, y, dx, dy, next] = c.operands.sites;
+  std::vector<Line> lines;
+  for (const auto& [e, v] : c.convolution.segments) {
+    lines.push_back({{x[e] + x[v], y[e] + y[v]}, {x[next[e]] + x[v], y[next[e]] + y[v]}});
   }
+  double count = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& [a, b] = lines[i];
+      const auto& [d, e] = lines[j];
+      const auto side = [](const Vec<double>& o, const Vec<double>& p, const Vec<double>& q) {
+        return cross(Vec<double>{p.x - o.x, p.y - o.y}, Vec<double>{q.x - o.x, q.y - o.y});
+      };
+      if (side(a, b, d) * side(a, b, e) >= 0 || side(d, e, a) * side(d, e, b) >= 0) continue;
+      const double t = side(d, e, a) / (side(d, e, a) - side(d, e, b));
+      const Vec<double> at{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      if (!c.cover.is_covered(c.cover.grid.column(at.x), c.cover.grid.row(at.y))) ++count;
+    }
+  }
+  return count;
+}
+
+/// An estimate steers what is bought. It cannot make a sum wrong, but it can make it slow.
+TEST(Cover, CrossingsAreEstimated) {
+  Random random(5);
+  for (const int spikes : {40, 80}) {
+    const Region p = test::spiky_star(random, spikes, 1000);
+    const Region q = test::spiky_star(random, spikes, 1000);
+    for (const int grid : {1, 100}) {
+      Covered c(p, q, grid);
+      const Visibility seen =
+          look(c.operands, take_sample(c.convolution, c.scratch), c.cover, c.scratch);
+      const double counted = count_all(c);
+      EXPECT_GT(counted, 1000);
+      EXPECT_GT(seen.crossings, counted / 4) << spikes << " spikes on grid " << grid;
+      EXPECT_LT(seen.crossings, counted * 4) << spikes << " spikes on grid " << grid;
+    }
+  }
+}
+
+TEST(Cover, UncoveredCountsTellCoveredBoxes) {
+  Random random(6);
+  Cover cover;
+  cover.active = true;
+  cover.grid.columns = 75;
+  cover.grid.rows = 20;
+  cover.covered.reset(75, 20);
+  for (int i = 0; i < 1400; ++i) {
+    const auto column = static_cast<std::int32_t>(random.below(75));
+    cover.covered.set(column, static_cast<std::int32_t>(random.below(20)));
+  }
+  std::vector<std::uint32_t> memory;
+  const UncoveredCounts uncovered(cover, memory);
+  int covered_boxes = 0;
+  for (std::int32_t left = 0; left < 75; left += 3) {
+    for (std::int32_t right = left; right < 75 && right < left + 4; ++right) {
+      for (std::int32_t bottom = 0; bottom < 20; ++bottom) {
+        const std::int32_t top = std::min(bottom + 1, 19);
+        bool all = true;
+        for (std::int32_t j = bottom; j <= top; ++j) {
+          for (std::int32_t i = left; i <= right; ++i) all = all && cover.is_covered(i, j);
+        }
+        EXPECT_EQ(uncovered.none_in(left, bottom, right, top), all);
+        covered_boxes += all ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(covered_boxes, 50);
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// Estimates from a sample what a cover leaves of the segments.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "sum/cover/cover.hpp"
+
+namespace minksum {
+namespace {
+
+/// Whether a line touches an uncovered cell.
+bool is_visible(const Line& line, const Cover& cover) {
+  if (!cover.active) return true;
+  bool visible = false;
+  cover.grid.walk_rows(line.start, line.end, UniformGrid::kMargin, [&](const auto& span) {
+    for (std::int32_t i = span.left; i <= span.right && !visible; i = (i | 63) + 1) {
+      const std::int32_t last = std::min(span.right, i | 63);
+      const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - i)) << (i & 63);
+      visible = (wanted & ~cover.covered.row(span.row)[i >> 6]) != 0;
+    }
+    return !visible;
+  });
+  return visible;
+}
+
+/// Counts the crossings of a few lines in uncovered cells, but not those at ends.
+std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover) {
+  constexpr double kEnd = 0x1p-20;
+  const auto apart = [](double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+  };
+  std::uint64_t count = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto& [a, b] = lines[i];
+    const Vec<double> u{b.x - a.x, b.y - a.y};
+    for (const auto& [c, d] : lines.first(i)) {
+      if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) continue;
+      const Vec<double> v{d.x - c.x, d.y - c.y};
+      const Vec<double> w{c.x - a.x, c.y - a.y};
+      const double area = cross(u, v);
+      const double at_u = cross(w, v) / area;
+      const double at_v = cross(w, u) / area;
+      // The tests fail if the area is zero.
+      if (!(at_u > kEnd && at_u < 1 - kEnd && at_v > kEnd && at_v < 1 - kEnd)) continue;
+      const double x = a.x + at_u * u.x;
+      const double y = a.y + at_u * u.y;
+      if (!cover.is_covered(cover.grid.column(x), cover.grid.row(y))) ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
+  const std::size_t listed = convolution.segments.size();
+  const std::size_t count =
+      std::min(std::clamp(listed / 16, kFewestSampled, kSample), listed / 4 + 1);
+  auto& sample = scratch.sample;
+  sample.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t first = i * listed / count;
+    const std::size_t end = (i + 1) * listed / count;
+    // Positions vary, because shapes can repeat themselves with the period of the sample.
+    const std::uint64_t random = (i + 1) * 0x9E3779B97F4A7C15U >> 32;
+    sample.push_back(
+        convolution.segments[first + random * (end - first) / (std::uint64_t{1} << 32)]);
+  }
+  return {sample, static_cast<double>(convolution.size) / static_cast<double>(count)};
+}
+
+double Sample::expected_crossings(const Operands& operands) const {
+  double across = 0;
+  double up = 0;
+  for (const Segment& segment : segments) {
+    across += std::abs(operands.sites.dx[segment.edge]);
+    up += std::abs(operands.sites.dy[segment.edge]);
+  }
+  const double area = operands.sum_extent().x * operands.sum_extent().y;
+  return area > 0 ? step * across * step * up / area : 0;
+}
+
+Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
+                CoverScratch& scratch) {
+  const auto at = [&](SiteId v) { return Vec<double>{operands.sites.x[v], operands.sites.y[v]}; };
+  auto& visible = scratch.visible;
+  visible.clear();
+  for (const auto& [e, v] : sample.segments) {
+    const Vec<double> a = at(e);
+    const Vec<double> b = at(operands.sites.next[e]);
+    const Vec<double> q = at(v);
+    const Line line{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}};
+    if (is_visible(line, cover)) visible.push_back(line);
+  }
+  const double share =
+      static_cast<double>(visible.size()) / static_cast<double>(sample.segments.size());
+  // Pairs are many, so only some of the lines are compared.
+  const std::size_t count = std::min(visible.size(), sample.segments.size() / 8 + 32);
+  if (count < 2) return {share, 0};
+  const double each =
+      sample.step * static_cast<double>(visible.size()) / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) visible[i] = visible[i * visible.size() / count];
+  const std::uint64_t crossings = count_crossings({visible.data(), count}, cover);
+  return {share, static_cast<double>(crossings) * each * each};
+}
+
+}  // namespace minksum
