@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "machine/make_room.hpp"
-
 namespace minksum {
 
 void CrowdFinder::add(KeptId segment, const PlanePart& part) {
+  cancellation_.check(2);
   const KeptSegment& s = kept_[segment];
   CrowdItem item{std::min(s.a.x, s.b.x) - cut_error_, std::min(s.a.y, s.b.y) - cut_error_,
                  std::max(s.a.x, s.b.x) + cut_error_, std::max(s.a.y, s.b.y) + cut_error_, segment};
@@ -61,13 +60,12 @@ bool CrowdFinder::cut_y(CrowdItem& item, double at, bool low) const {
 
 CrowdItem CrowdFinder::bounds_of(std::size_t begin, std::size_t end) const {
   CrowdItem box = items_[begin];
-  for (std::size_t i = begin + 1; i < end; ++i) {
-    const CrowdItem& item = items_[i];
+  visit(begin + 1, end, [&](const CrowdItem& item) {
     box.x0 = std::min(box.x0, item.x0);
     box.y0 = std::min(box.y0, item.y0);
     box.x1 = std::max(box.x1, item.x1);
     box.y1 = std::max(box.y1, item.y1);
-  }
+  });
   return box;
 }
 
@@ -84,11 +82,10 @@ CrowdFinder::Division CrowdFinder::division(std::size_t begin, std::size_t end, 
   const double at = sample[kSampled / 2];
   std::size_t low = 0;
   std::size_t high = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const CrowdItem& item = items_[i];
+  visit(begin, end, [&](const CrowdItem& item) {
     low += (by_x ? item.x1 : item.y1) < at - slack_ ? 1U : 0U;
     high += (by_x ? item.x0 : item.y0) > at + slack_ ? 1U : 0U;
-  }
+  });
   return {by_x, at, count - low - high, std::min(low, high)};
 }
 
@@ -96,7 +93,6 @@ CrowdFinder::Division CrowdFinder::division(std::size_t begin, std::size_t end, 
 void CrowdFinder::divide(std::size_t begin, std::size_t end, const PlanePart& part, int poor) {
   const std::size_t count = end - begin;
   if (count < 2) return;
-  cancellation_.check(count);
   meeter_.enter(part);
   if (count <= kFew) return meet_all(begin, end);
   const CrowdItem box = bounds_of(begin, end);
@@ -126,17 +122,18 @@ void CrowdFinder::divide(std::size_t begin, std::size_t end, const PlanePart& pa
     PlanePart half = part;
     (best.by_x ? (low ? half.x1 : half.x0) : (low ? half.y1 : half.y0)) = best.at;
     const double at = low ? best.at + slack_ : best.at - slack_;
-    for (std::size_t i = begin; i < end; ++i) {
-      CrowdItem item = items_[i];
+    // A copy of each, because the list grows.
+    visit(begin, end, [&](CrowdItem item) {
       const bool near = best.by_x ? cut_x(item, at, low) : cut_y(item, at, low);
       if (near) append(items_, item, cancellation_);
-    }
+    });
     divide(end, items_.size(), half, left);
     items_.resize(end);
   }
 }
 
 void CrowdFinder::meet_all(std::size_t begin, std::size_t end) {
+  cancellation_.check(end - begin);
   for (std::size_t i = begin + 1; i < end; ++i) {
     for (std::size_t j = begin; j < i; ++j) meet(items_[j], items_[i]);
   }
@@ -156,7 +153,7 @@ bool CrowdFinder::passes(const CrowdItem& item, const CrowdItem& box, bool by_x)
 std::size_t CrowdFinder::count_ending(std::size_t begin, std::size_t end, const CrowdItem& box,
                                       bool by_x) const {
   std::size_t count = 0;
-  for (std::size_t i = begin; i < end; ++i) count += passes(items_[i], box, by_x) ? 0U : 1U;
+  visit(begin, end, [&](const CrowdItem& i) { count += passes(i, box, by_x) ? 0U : 1U; });
   return count;
 }
 
@@ -164,9 +161,12 @@ void CrowdFinder::meet_in_strip(std::size_t begin, std::size_t end, const CrowdI
   const bool by_x = count_ending(begin, end, box, true) <= count_ending(begin, end, box, false);
   const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = items_.begin() + static_cast<std::ptrdiff_t>(end);
-  const auto middle = static_cast<std::size_t>(
-      std::partition(first, last, [&](const CrowdItem& i) { return !passes(i, box, by_x); }) -
-      items_.begin());
+  const auto middle = static_cast<std::size_t>(std::partition(first, last,
+                                                              [&](const CrowdItem& i) {
+                                                                cancellation_.check();
+                                                                return !passes(i, box, by_x);
+                                                              }) -
+                                               items_.begin());
   meet_ending(begin, middle, box);
   const double error = list_lines(middle, end, box, by_x);
   meet_ending_with_lines(begin, middle, by_x, error);
@@ -195,17 +195,18 @@ double CrowdFinder::list_lines(std::size_t begin, std::size_t end, const CrowdIt
                                bool by_x) {
   auto& lines = scratch_.lines;
   lines.clear();
+  make_room(lines, end - begin, cancellation_);
   double steepest = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const KeptSegment& s = kept_[items_[i].segment];
+  auto next = static_cast<std::uint32_t>(begin);
+  visit(begin, end, [&](const CrowdItem& item) {
+    const KeptSegment& s = kept_[item.segment];
     const Vec<double> a = by_x ? s.a : Vec<double>{s.a.y, s.a.x};
     const Vec<double> b = by_x ? s.b : Vec<double>{s.b.y, s.b.x};
     const double slope = (b.y - a.y) / (b.x - a.x);
     steepest = std::max(steepest, std::abs(slope));
     lines.push_back({a.y + ((by_x ? box.x0 : box.y0) - a.x) * slope,
-                     a.y + ((by_x ? box.x1 : box.y1) - a.x) * slope,
-                     static_cast<std::uint32_t>(i)});
-  }
+                     a.y + ((by_x ? box.x1 : box.y1) - a.x) * slope, next++});
+  });
   std::sort(lines.begin(), lines.end(),
             cancellation_.counting(
                 [](const StripLine& s, const StripLine& t) { return s.left < t.left; }));
@@ -218,7 +219,9 @@ void CrowdFinder::meet_ending_with_lines(std::size_t begin, std::size_t end, boo
                                          double error) {
   const auto& lines = scratch_.lines;
   double most = 0;
-  for (const StripLine& line : lines) most = std::max(most, std::abs(line.right - line.left));
+  visit_in_pieces(lines, cancellation_, [&](const StripLine& line) {
+    most = std::max(most, std::abs(line.right - line.left));
+  });
   for (std::size_t i = begin; i < end; ++i) {
     const CrowdItem item = items_[i];
     const double low = (by_x ? item.y0 : item.x0) - most - error;
@@ -239,6 +242,7 @@ void CrowdFinder::meet_lines(double error) {
   const auto& lines = scratch_.lines;
   auto& by_right = scratch_.by_right;
   by_right.clear();
+  make_room(by_right, lines.size(), cancellation_);
   for (std::uint32_t t = 0; t < lines.size(); ++t) {
     const CrowdItem& item = items_[lines[t].item];
     const double certainly_below = lines[t].right - 2 * error;

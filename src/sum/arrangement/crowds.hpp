@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "machine/make_room.hpp"
 #include "sum/arrangement/meet_segments.hpp"
 
 namespace minksum {
@@ -54,6 +55,13 @@ class CrowdFinder {
     std::size_t in_less = 0;  ///< items that are in the lesser half alone
   };
 
+  /// Calls work(item) for the items [begin, end), and looks at the token in between.
+  template <class Work>
+  void visit(std::size_t begin, std::size_t end, Work work) const {
+    in_pieces(end - begin, cancellation_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = begin + first; i < begin + last; ++i) work(items_[i]);
+    });
+  }
   [[nodiscard]] bool cut_x(CrowdItem& item, double at, bool low) const;
   [[nodiscard]] bool cut_y(CrowdItem& item, double at, bool low) const;
   [[nodiscard]] CrowdItem bounds_of(std::size_t begin, std::size_t end) const;
