@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "exact/axis.hpp"
 #include "exact/fraction.hpp"
 
 namespace minksum {
@@ -11,8 +12,6 @@ namespace minksum {
 /// its first vertex.
 using SiteId = std::uint32_t;
 inline constexpr SiteId kNoSite = 0xFFFFFFFFU;
-
-enum class Axis : unsigned char { kX, kY };
 
 /// The sum of a vertex of the first operand and one of the second.
 struct SumVertex {

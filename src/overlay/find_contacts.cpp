@@ -1,19 +1,13 @@
 // Finds where segments meet: cells are divided until few segments are left in each.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
 #include "overlay/subdivision.hpp"
+#include "spatial/median_division.hpp"
 
 namespace minksum::overlay {
 namespace {
-
-/// A segment in a cell, with a box that holds all of its points there.
-struct Item {
-  double min_x, max_x, min_y, max_y;
-  SegmentId segment;
-};
 
 /// A segment in doubles, used to cut boxes by its line and to find pairs that are far apart.
 struct Slant {
@@ -46,7 +40,8 @@ class ContactFinder {
     items_.reserve(2 * segments_.list.size());
     for (SegmentId s = 0; s < segments_.list.size(); ++s) add(s);
     add_lone_points();
-    divide(0, items_.size(), kMaxPoor);
+    MedianDivision(*this, items_, 0, cancellation_)
+        .divide({-HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL});
     if (too_many()) return false;
     const auto touch_order = [](const Touch& a, const Touch& b) {
       return a.segment != b.segment ? a.segment < b.segment : a.point < b.point;
@@ -62,8 +57,7 @@ class ContactFinder {
   }
 
  private:
-  static constexpr std::size_t kFew = 16;
-  static constexpr int kMaxPoor = 4;
+  friend MedianDivision<ContactFinder>;
   static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
 
   [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
@@ -95,7 +89,7 @@ class ContactFinder {
     const auto high = [](const Bounded& u, const Bounded& v) {
       return std::max(u.value + 2 * u.error, v.value + 2 * v.error);
     };
-    items_.push_back({low(a.x, b.x), high(a.x, b.x), low(a.y, b.y), high(a.y, b.y), s});
+    items_.push_back({{low(a.x, b.x), low(a.y, b.y), high(a.x, b.x), high(a.y, b.y)}, s});
     Slant slant{};
     slant.x = a.x.value;
     slant.y = a.y.value;
@@ -132,129 +126,40 @@ class ContactFinder {
     }
   }
 
-  /// Divides the items [begin, end) of the stack. Afterwards, only their order has changed.
-  ///
-  /// A division is poor if many segments are in both halves. Crowds of segments that run side by
-  /// side, or through one point, are not worth dividing. But a poor division may make way for good
-  /// ones. So on the way to a cell, only some more poor divisions than good ones are made; `poor`
-  /// is how many are left. Together, the poor divisions multiply the work by less than two.
-  void divide(std::size_t begin, std::size_t end, int poor) {
-    if (too_many()) return;
-    if (end - begin <= kFew) return test_all(begin, end);
-    cancellation_.check(2 * (end - begin));
-    Item box = items_[begin];
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const Item& item = items_[i];
-      box.min_x = std::min(box.min_x, item.min_x);
-      box.max_x = std::max(box.max_x, item.max_x);
-      box.min_y = std::min(box.min_y, item.min_y);
-      box.max_y = std::max(box.max_y, item.max_y);
-    }
-    const bool wide = box.max_x - box.min_x >= box.max_y - box.min_y;
-    const Division first = division(begin, end, wide);
-    const Division second = division(begin, end, !wide);
-    const bool use_first = first.in_both <= second.in_both;
-    const Division& best = use_first ? first : second;
-    const std::size_t count = end - begin;
-    const bool is_poor = best.in_both > count * 2 / 5;
-    const bool is_good = best.in_both < count / 6;
-    if (best.in_one == 0 || best.in_both > count * 3 / 4 || (is_poor && poor == 0)) {
-      return test_all(begin, end);
-    }
-    split(begin, end, use_first ? wide : !wide, best.at,
-          std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0)));
-  }
-
-  struct Division {
-    double at = 0;
-    std::size_t in_both = 0;
-    std::size_t in_one = 0;  ///< only in the half that has fewer
-  };
-  [[nodiscard]] Division division(std::size_t begin, std::size_t end, bool by_x) const {
-    Division result;
-    result.at = middle(begin, end, by_x);
-    std::size_t low = 0;
-    std::size_t high = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Item& item = items_[i];
-      low += (by_x ? item.max_x : item.max_y) < result.at ? 1U : 0U;
-      high += (by_x ? item.min_x : item.min_y) > result.at ? 1U : 0U;
-    }
-    result.in_both = end - begin - low - high;
-    result.in_one = std::min(low, high);
-    return result;
-  }
-
-  /// Returns the median of the middles of a sample of boxes.
-  [[nodiscard]] double middle(std::size_t begin, std::size_t end, bool by_x) const {
-    constexpr std::size_t kSample = 31;
-    std::array<double, kSample> sample;
-    const std::size_t count = end - begin;
-    for (std::size_t i = 0; i < kSample; ++i) {
-      const Item& item = items_[begin + i * count / kSample];
-      sample[i] = by_x ? item.min_x / 2 + item.max_x / 2 : item.min_y / 2 + item.max_y / 2;
-    }
-    std::nth_element(sample.begin(), sample.begin() + kSample / 2, sample.end());
-    return sample[kSample / 2];
-  }
-
-  void split(std::size_t begin, std::size_t end, bool by_x, double at, int poor) {
-    for (const bool low : {true, false}) {
-      const std::size_t first = items_.size();
-      for (std::size_t i = begin; i < end; ++i) {
-        Item item = items_[i];
-        if (by_x ? cut_x(item, at, low) : cut_y(item, at, low)) items_.push_back(item);
-      }
-      divide(first, items_.size(), poor);
-      items_.resize(first);
-    }
-  }
-
-  /// Keeps the part on one side of x = at. Returns false if there is none.
-  [[nodiscard]] bool cut_x(Item& item, double at, bool low) const {
-    if (low ? item.min_x > at : item.max_x < at) return false;
-    if (low ? item.max_x <= at : item.min_x >= at) return true;
-    (low ? item.max_x : item.min_x) = at;
-    const Slant& slant = slants_[item.segment];
-    if (!slant.by_x) return true;
-    const double y = slant.y + (at - slant.x) * slant.slope;
-    const double error = slant.cut_error * (1 + std::fabs(slant.slope));
-    // The left part of a rising segment is the lower one.
-    if ((slant.slope > 0) == low) {
-      item.max_y = std::min(item.max_y, y + error);
-    } else {
-      item.min_y = std::max(item.min_y, y - error);
-    }
+  // What the division asks for.
+  [[nodiscard]] bool enter(const BoxOf<double>& /*part*/) const { return !too_many(); }
+  template <Axis axis>
+  [[nodiscard]] bool cut(SegmentId segment, double at, LineCut& result) const {
+    constexpr bool kByX = axis == Axis::kX;
+    const Slant& slant = slants_[segment];
+    if (!(kByX ? slant.by_x : slant.by_y)) return false;
+    const double slope = kByX ? slant.slope : slant.inverse;
+    result.place = kByX ? slant.y + (at - slant.x) * slope : slant.x + (at - slant.y) * slope;
+    result.error = slant.cut_error * (1 + std::fabs(slope));
+    result.slope = slope;
     return true;
   }
-  [[nodiscard]] bool cut_y(Item& item, double at, bool low) const {
-    if (low ? item.min_y > at : item.max_y < at) return false;
-    if (low ? item.max_y <= at : item.min_y >= at) return true;
-    (low ? item.max_y : item.min_y) = at;
-    const Slant& slant = slants_[item.segment];
-    if (!slant.by_y) return true;
-    const double x = slant.x + (at - slant.y) * slant.inverse;
-    const double error = slant.cut_error * (1 + std::fabs(slant.inverse));
-    if ((slant.inverse > 0) == low) {
-      item.max_x = std::min(item.max_x, x + error);
-    } else {
-      item.min_x = std::max(item.min_x, x - error);
-    }
-    return true;
+  void meet_few(std::size_t begin, std::size_t end) { test_all(begin, end); }
+  void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& /*box*/) {
+    test_all(begin, end);
+  }
+  [[nodiscard]] static bool is_sorted_soon(std::size_t /*begin*/, std::size_t /*end*/,
+                                           const BoxOf<double>& /*box*/) {
+    return false;
   }
 
   /// Tests pairs whose boxes overlap, from left to right.
   void test_all(std::size_t begin, std::size_t end) {
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
-    std::sort(
-        first, items_.begin() + static_cast<std::ptrdiff_t>(end),
-        cancellation_.counting([](const Item& a, const Item& b) { return a.min_x < b.min_x; }));
+    std::sort(first, items_.begin() + static_cast<std::ptrdiff_t>(end),
+              cancellation_.counting(
+                  [](const BoxedSegment& a, const BoxedSegment& b) { return a.x0 < b.x0; }));
     for (std::size_t i = begin; i < end; ++i) {
-      const Item a = items_[i];
+      const BoxedSegment a = items_[i];
       std::size_t j = i + 1;
-      for (; j < end && items_[j].min_x <= a.max_x; ++j) {
-        const Item& b = items_[j];
-        if (b.min_y > a.max_y || a.min_y > b.max_y) continue;
+      for (; j < end && items_[j].x0 <= a.x1; ++j) {
+        const BoxedSegment& b = items_[j];
+        if (b.y0 > a.y1 || a.y0 > b.y1) continue;
         if (beside(a.segment, b.segment)) continue;
         if (beside(b.segment, a.segment)) continue;
         test(a.segment, b.segment);
@@ -348,7 +253,7 @@ class ContactFinder {
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
   std::size_t look_again_at_ = kMaxCrossings;
-  std::vector<Item> items_;  // a stack: a cell's items lie below those of its halves
+  std::vector<BoxedSegment> items_;
 };
 
 }  // namespace

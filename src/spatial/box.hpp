@@ -3,12 +3,20 @@
 
 #include <algorithm>
 
+#include "exact/axis.hpp"
+
 namespace minksum {
 
 /// A closed box over any number type, with sides parallel to the axes.
 template <class Number>
 struct BoxOf {
   Number x0, y0, x1, y1;
+
+  [[nodiscard]] constexpr Number& low(Axis axis) { return axis == Axis::kX ? x0 : y0; }
+  [[nodiscard]] constexpr Number& high(Axis axis) { return axis == Axis::kX ? x1 : y1; }
+  [[nodiscard]] constexpr const Number& low(Axis axis) const { return axis == Axis::kX ? x0 : y0; }
+  [[nodiscard]] constexpr const Number& high(Axis axis) const { return axis == Axis::kX ? x1 : y1; }
+  [[nodiscard]] Axis longer() const { return x1 - x0 >= y1 - y0 ? Axis::kX : Axis::kY; }
 
   void add(const BoxOf& other) {
     x0 = std::min(x0, other.x0);

@@ -8,6 +8,7 @@
 
 #include "minksum/testing.hpp"
 #include "spatial/box_pairs.hpp"
+#include "spatial/median_division.hpp"
 #include "sum/arrangement/cell_box.hpp"
 #include "sum/arrangement/visible_segments.hpp"
 #include "sum/convolution/convolution.hpp"
@@ -123,15 +124,6 @@ struct LinePosition {
   KeptId id;
 };
 
-/// A segment in a crowded part of the plane, with a box that holds all of its points there.
-struct CrowdItem {
-  double x0;
-  double y0;
-  double x1;
-  double y1;
-  KeptId segment;
-};
-
 /// The distance of a segment's line from (0, 0), which has a sign, and a bound on its error.
 struct LineOffset {
   double value;
@@ -147,7 +139,7 @@ struct StripLine {
 
 /// Memory for crowds.
 struct CrowdScratch {
-  std::vector<CrowdItem> items;
+  std::vector<BoxedSegment> items;
   std::vector<StripLine> lines;
   std::vector<std::uint32_t> by_right;  ///< lines, in their order on the right
 };

@@ -5,18 +5,17 @@
 #include <cstddef>
 #include <vector>
 
-#include "machine/make_room.hpp"
+#include "spatial/median_division.hpp"
 #include "sum/arrangement/meet_segments.hpp"
 
 namespace minksum {
 
 /// Meets the pairs of segments of a part of the plane that may share a point there.
 ///
-/// A part is divided at medians, along x or y, until few segments are left in each. Boxes are cut
-/// to each part. Segments that pass a strip from side to side share points only if their order
-/// changes from one side to the other, so such crowds are sorted and not divided. For k segments
-/// this takes O(k log k) time, and a meeting for each pair that is near, unless segments end in one
-/// point or run side by side within rounding.
+/// A part is divided at medians until few segments are left in each. Segments that pass a strip
+/// from side to side share points only if their order changes from one side to the other, so such
+/// crowds are sorted and not divided. For k segments this takes O(k log k) time, and a meeting for
+/// each pair that is near, unless segments end in one point or run side by side within rounding.
 class CrowdFinder {
  public:
   /// All coordinates are in [0, extent].
@@ -27,7 +26,7 @@ class CrowdFinder {
         scratch_(scratch),
         items_(scratch.items),
         cancellation_(cancellation),
-        slack_(meeter.slack()),
+        division_(*this, items_, meeter.slack(), cancellation),
         shortest_(extent * 0x1p-30),
         cut_error_(extent * 0x1p-44 + meeter.doubt()) {
     items_.clear();
@@ -36,47 +35,32 @@ class CrowdFinder {
   /// Adds a segment, if it is near the part.
   void add(KeptId segment, const PlanePart& part);
   /// Meets the segments that were added, and forgets them.
-  void solve(const PlanePart& part) {
-    divide(0, items_.size(), part, kMaxPoor);
-    items_.clear();
-  }
+  void solve(const PlanePart& part);
 
  private:
-  static constexpr std::size_t kFew = 16;  ///< comparing all pairs costs less than dividing
-  /// A division is poor if it leaves many segments in both halves, but it may make way for good
-  /// ones. On the way to a part, at most so many more poor divisions than good ones are made.
-  static constexpr int kMaxPoor = 4;
+  using Division = MedianDivision<CrowdFinder>;
+  friend Division;
 
-  /// Where to divide some items.
-  struct Division {
-    bool by_x = true;
-    double at = 0;
-    std::size_t in_both = 0;  ///< items that are in both halves
-    std::size_t in_less = 0;  ///< items that are in the lesser half alone
-  };
-
-  /// Calls work(item) for the items [begin, end), and looks at the token in between.
-  template <class Work>
-  void visit(std::size_t begin, std::size_t end, Work work) const {
-    in_pieces(end - begin, cancellation_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = begin + first; i < begin + last; ++i) work(items_[i]);
-    });
+  // What the division asks for.
+  bool enter(const BoxOf<double>& part) {
+    meeter_.enter(part);
+    return true;
   }
-  [[nodiscard]] bool cut_x(CrowdItem& item, double at, bool low) const;
-  [[nodiscard]] bool cut_y(CrowdItem& item, double at, bool low) const;
-  [[nodiscard]] CrowdItem bounds_of(std::size_t begin, std::size_t end) const;
-  [[nodiscard]] Division division(std::size_t begin, std::size_t end, bool by_x) const;
-  void divide(std::size_t begin, std::size_t end, const PlanePart& part, int poor);
-  void meet_all(std::size_t begin, std::size_t end);
-  [[nodiscard]] bool passes(const CrowdItem& item, const CrowdItem& box, bool by_x) const;
-  [[nodiscard]] std::size_t count_ending(std::size_t begin, std::size_t end, const CrowdItem& box,
-                                         bool by_x) const;
-  void meet_in_strip(std::size_t begin, std::size_t end, const CrowdItem& box);
-  double list_lines(std::size_t begin, std::size_t end, const CrowdItem& box, bool by_x);
-  void meet_ending(std::size_t begin, std::size_t end, const CrowdItem& box);
-  void meet_ending_with_lines(std::size_t begin, std::size_t end, bool by_x, double error);
+  template <Axis axis>
+  [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const;
+  void meet_few(std::size_t begin, std::size_t end);
+  void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& box);
+  [[nodiscard]] bool is_sorted_soon(std::size_t begin, std::size_t end,
+                                    const BoxOf<double>& box) const;
+
+  [[nodiscard]] bool passes(const BoxedSegment& item, const BoxOf<double>& box, Axis axis) const;
+  [[nodiscard]] std::size_t count_ending(std::size_t begin, std::size_t end,
+                                         const BoxOf<double>& box, Axis axis) const;
+  double list_lines(std::size_t begin, std::size_t end, const BoxOf<double>& box, Axis axis);
+  void meet_ending(std::size_t begin, std::size_t end, const BoxOf<double>& box);
+  void meet_ending_with_lines(std::size_t begin, std::size_t end, Axis axis, double error);
   void meet_lines(double error);
-  void meet(const CrowdItem& a, const CrowdItem& b) {
+  void meet(const BoxedSegment& a, const BoxedSegment& b) {
     if (a.x0 > b.x1 || b.x0 > a.x1 || a.y0 > b.y1 || b.y0 > a.y1) return;
     meeter_.meet(std::min(a.segment, b.segment), std::max(a.segment, b.segment));
   }
@@ -84,9 +68,9 @@ class CrowdFinder {
   const std::vector<KeptSegment>& kept_;
   SegmentMeeter& meeter_;
   CrowdScratch& scratch_;
-  std::vector<CrowdItem>& items_;  // a stack: a part's items lie below those of its halves
+  std::vector<BoxedSegment>& items_;
   Cancellation& cancellation_;
-  double slack_;
+  Division division_;
   double shortest_;   // the least extent along an axis over which a slope is good enough
   double cut_error_;  // bound on the error of a cut, over 2 + |slope|
 };

@@ -9,11 +9,10 @@
 namespace minksum {
 
 /// A part of the plane. The parts of a grid are half-open, so each point is in exactly one of them.
-struct PlanePart {
-  double x0 = -HUGE_VAL;
-  double y0 = -HUGE_VAL;
-  double x1 = HUGE_VAL;
-  double y1 = HUGE_VAL;
+struct PlanePart : BoxOf<double> {
+  /// Makes the whole plane.
+  PlanePart() : BoxOf{-HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL} {}
+  PlanePart(const BoxOf& box) : BoxOf(box) {}
   [[nodiscard]] bool contains(const Vec<double>& p) const {
     return p.x >= x0 && p.x < x1 && p.y >= y0 && p.y < y1;
   }

@@ -1,0 +1,185 @@
+// Divides crowds of segments at medians.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "machine/make_room.hpp"
+#include "spatial/box.hpp"
+
+namespace minksum {
+
+/// A segment, with a box that holds all of its points in a part of the plane.
+struct BoxedSegment : BoxOf<double> {
+  std::uint32_t segment;
+};
+
+/// Where the line of a segment meets a line along the other axis.
+struct LineCut {
+  double place;
+  double error;  ///< bound on the error of `place`
+  double slope;  ///< its sign tells which end of the segment is on which side
+};
+
+/// Divides a crowd of segments at medians, along x or y, until few are left in each part, or
+/// dividing does not pay. Boxes are cut to each part.
+///
+/// A User has these functions. [begin, end) are indices of items.
+/// - `bool enter(const BoxOf<double>& part)` is told of each part. If it returns false, the part is
+///   left out.
+/// - `bool cut<axis>(segment, at, LineCut&)` tells where a segment meets the line axis = at.
+///   Returns false if the segment runs so nearly along that line that the place is not known.
+/// - `void meet_few(begin, end)` handles the items of a part that are few.
+/// - `void meet_crowd(begin, end, box)` handles items that lie in the box and are not to be
+/// divided.
+/// - `bool is_sorted_soon(begin, end, box)` tells whether to handle a crowd that way rather than to
+///   divide it poorly.
+template <class User>
+class MedianDivision {
+ public:
+  static constexpr std::size_t kFew = 16;  ///< comparing all pairs costs less than dividing
+
+  /// `items` is a stack: the items of a part lie below those of its halves. An item belongs to a
+  /// part if it is within `slack` of it.
+  MedianDivision(User& user, std::vector<BoxedSegment>& items, double slack,
+                 Cancellation& cancellation)
+      : user_(user), items_(items), slack_(slack), cancellation_(cancellation) {}
+
+  /// Divides all items. Afterwards, only their order has changed.
+  void divide(const BoxOf<double>& part) { divide(0, items_.size(), part, kMaxPoor); }
+
+  /// Cuts an item's box to a part. Returns false if nothing of the segment is within the slack.
+  [[nodiscard]] bool cut_to(const BoxOf<double>& part, BoxedSegment& item) const {
+    return keep<Axis::kX>(item, part.x0 - slack_, false) &&
+           keep<Axis::kX>(item, part.x1 + slack_, true) &&
+           keep<Axis::kY>(item, part.y0 - slack_, false) &&
+           keep<Axis::kY>(item, part.y1 + slack_, true);
+  }
+
+  /// Calls work(item) for the items [begin, end), and looks at the token in between.
+  template <class Work>
+  void visit(std::size_t begin, std::size_t end, Work work) const {
+    in_pieces(end - begin, cancellation_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = begin + first; i < begin + last; ++i) work(items_[i]);
+    });
+  }
+
+ private:
+  /// A division is poor if it leaves many segments in both halves, but it may make way for good
+  /// ones. On the way to a part, at most so many more poor divisions than good ones are made.
+  /// Together, the poor divisions multiply the work by less than two.
+  static constexpr int kMaxPoor = 4;
+
+  /// Where to divide some items.
+  struct Division {
+    Axis axis = Axis::kX;
+    double at = 0;
+    std::size_t in_both = 0;  ///< items that are in both halves
+    std::size_t in_less = 0;  ///< items that are in the lesser half alone
+  };
+
+  /// Cuts an item's box to one side of axis = at. Returns false if nothing is left.
+  template <Axis axis>
+  [[nodiscard]] bool keep(BoxedSegment& item, double at, bool low) const {
+    constexpr Axis kAcross = other(axis);
+    if (low ? item.low(axis) > at : item.high(axis) < at) return false;
+    if (low ? item.high(axis) <= at : item.low(axis) >= at) return true;
+    (low ? item.high(axis) : item.low(axis)) = at;
+    LineCut cut;
+    if (!user_.template cut<axis>(item.segment, at, cut)) return true;
+    // The left part of a rising segment is the lower one.
+    if ((cut.slope > 0) == low) {
+      item.high(kAcross) = std::min(item.high(kAcross), cut.place + cut.error);
+    } else {
+      item.low(kAcross) = std::max(item.low(kAcross), cut.place - cut.error);
+    }
+    return item.low(kAcross) <= item.high(kAcross);
+  }
+
+  [[nodiscard]] BoxOf<double> bounds_of(std::size_t begin, std::size_t end) const {
+    BoxOf<double> box = items_[begin];
+    visit(begin + 1, end, [&](const BoxedSegment& item) { box.add(item); });
+    return box;
+  }
+
+  /// Returns the division at the median of a sample's centres.
+  template <Axis axis>
+  [[nodiscard]] Division division(std::size_t begin, std::size_t end) const {
+    constexpr std::size_t kSampled = 31;
+    std::array<double, kSampled> sample;
+    const std::size_t count = end - begin;
+    for (std::size_t i = 0; i < kSampled; ++i) {
+      const BoxedSegment& item = items_[begin + i * count / kSampled];
+      sample[i] = item.low(axis) / 2 + item.high(axis) / 2;
+    }
+    std::nth_element(sample.begin(), sample.begin() + kSampled / 2, sample.end());
+    const double at = sample[kSampled / 2];
+    std::size_t low = 0;
+    std::size_t high = 0;
+    visit(begin, end, [&](const BoxedSegment& item) {
+      low += item.high(axis) < at - slack_ ? 1U : 0U;
+      high += item.low(axis) > at + slack_ ? 1U : 0U;
+    });
+    return {axis, at, count - low - high, std::min(low, high)};
+  }
+  [[nodiscard]] Division division(std::size_t begin, std::size_t end, Axis axis) const {
+    return axis == Axis::kX ? division<Axis::kX>(begin, end) : division<Axis::kY>(begin, end);
+  }
+
+  void divide(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
+    const std::size_t count = end - begin;
+    if (count < 2 || !user_.enter(part)) return;
+    if (count <= kFew) return user_.meet_few(begin, end);
+    const BoxOf<double> box = bounds_of(begin, end);
+    const Axis longer = box.longer();
+    // Within a few slacks, each half would hold nearly all.
+    constexpr double kLeastSlacks = 64;
+    if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) {
+      return user_.meet_crowd(begin, end, box);
+    }
+    Division best = division(begin, end, longer);
+    const bool is_good = best.in_both < count / 6;
+    if (!is_good) {
+      const Division second = division(begin, end, other(longer));
+      if (second.in_both < best.in_both) best = second;
+    }
+    // Each half leaves out a sixteenth at least, so dividing ends. (There are more than kFew.)
+    const bool is_useless = best.in_less < count / 16 || best.in_both > count * 3 / 4;
+    const bool is_poor = best.in_both > count * 2 / 5;
+    if (is_useless || (is_poor && (poor == 0 || user_.is_sorted_soon(begin, end, box)))) {
+      return user_.meet_crowd(begin, end, box);
+    }
+    const int left = std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0));
+    for (const bool low : {true, false}) {
+      if (best.axis == Axis::kX) {
+        put_half<Axis::kX>(begin, end, best.at, low);
+      } else {
+        put_half<Axis::kY>(begin, end, best.at, low);
+      }
+      BoxOf<double> half = part;
+      (low ? half.high(best.axis) : half.low(best.axis)) = best.at;
+      divide(end, items_.size(), half, left);
+      items_.resize(end);
+    }
+  }
+  /// Puts what is on one side of axis = at on top of the stack.
+  template <Axis axis>
+  void put_half(std::size_t begin, std::size_t end, double at, bool low) {
+    const double bound = low ? at + slack_ : at - slack_;
+    // Each item is copied, because the list grows.
+    visit(begin, end, [&](BoxedSegment item) {
+      if (keep<axis>(item, bound, low)) append(items_, item, cancellation_);
+    });
+  }
+
+  User& user_;
+  std::vector<BoxedSegment>& items_;
+  double slack_;
+  Cancellation& cancellation_;
+};
+
+}  // namespace minksum
