@@ -192,12 +192,12 @@ TEST(Complement, ValidRegions) {
     for (Polygon& polygon : polygons) {
       polygon.holes.push_back(polygon.outer);
       for (Ring& ring : polygon.holes) {
-        if (random.one_in(2)) std::ranges::reverse(ring);
-        std::ranges::rotate(ring, ring.begin() + random.between(0, 2));
+        if (random.one_in(2)) std::reverse(ring.begin(), ring.end());
+        std::rotate(ring.begin(), ring.begin() + random.between(0, 2), ring.end());
       }
       polygon.outer = polygon.holes.back();
       polygon.holes.pop_back();
-      std::ranges::reverse(polygon.holes);
+      std::reverse(polygon.holes.begin(), polygon.holes.end());
     }
     const Region region{std::span<const Polygon>(polygons)};
     turned += expect_difference(widened(*bounding_box(region), Rational(3)), region, "") ? 1 : 0;
@@ -219,8 +219,8 @@ TEST(Complement, OfAnyBox) {
       test::make_polygon({{0, 0}, {9, 0}, {9, 6}, {0, 6}}, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}}));
   for (int i = 0; i < 8; ++i) {
     EXPECT_EQ(subtract(test::make_polygon(box), square), expected) << i;
-    std::ranges::rotate(box, box.begin() + 1);
-    if (i == 3) std::ranges::reverse(box);
+    std::rotate(box.begin(), box.begin() + 1, box.end());
+    if (i == 3) std::reverse(box.begin(), box.end());
   }
   const Region slanted = test::make_polygon({{0, 0}, {9, 1}, {9, 6}, {0, 6}});
   EXPECT_EQ(subtract(slanted, square), symmetric_difference(slanted, square));
