@@ -217,8 +217,7 @@ TEST(SmallSum, IsMadeOfManySegments) {
   for (int k = 0; k < 60; ++k) {
     const double radius = k % 2 == 0 ? 5000 : 4950 - 3 * k;
     const double angle = k * std::numbers::pi / 30;
-    waves.emplace_back(std::lround(radius * std::cos(angle)),
-                       std::lround(radius * std::sin(angle)));
+    waves.push_back({std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
   }
   const Region p = make_polygon(waves);
   const Region q = transform(p, Affine::quarter_turns(1));
