@@ -300,88 +300,32 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
 
 const Region& PreparedRegion::region() const { return state_->region; }
 
-Region minkowski_sum(const Region& p, const Region& q, const Options& options) {
-  return sum<Region>(p, q, SumRequest(options));
-}
-Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options) {
-  return sum<Region>(p, q, SumRequest(options));
-}
-Region minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options) {
-  return sum<Region>(p, q, SumRequest(options));
-}
-Region minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options) {
-  return sum<Region>(p, q, SumRequest(options));
-}
-Geometry minkowski_sum(const Geometry& p, const Geometry& q, const Options& options) {
-  return sum<Geometry>(p, q, SumRequest(options));
-}
-Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
-                      Workspace& workspace, Region& result) {
-  return attempt_sum(p, q, SumRequest(options), workspace, result);
-}
-Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
-                      Workspace& workspace, Region& result) {
-  return attempt_sum(p, q, SumRequest(options), workspace, result);
-}
-Outcome minkowski_sum(const Region& p, const PreparedRegion& q, const Options& options,
-                      Workspace& workspace, Region& result) {
-  return attempt_sum(p, q, SumRequest(options), workspace, result);
-}
-Outcome minkowski_sum(const PreparedRegion& p, const Region& q, const Options& options,
-                      Workspace& workspace, Region& result) {
-  return attempt_sum(p, q, SumRequest(options), workspace, result);
-}
-Outcome minkowski_sum(const Geometry& p, const Geometry& q, const Options& options,
-                      Workspace& workspace, Geometry& result) {
-  return attempt_sum(p, q, SumRequest(options), workspace, result);
-}
-DetailedSum detailed_sum(const Region& p, const Region& q, const Options& options, Detail detail) {
-  return detailed(p, q, options, detail);
-}
-DetailedSum detailed_sum(const Geometry& p, const Geometry& q, const Options& options,
-                         Detail detail) {
-  return detailed(p, q, options, detail);
-}
-DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q, const Options& options,
-                         Detail detail) {
-  return detailed(p, q, options, detail);
-}
+// Defines the sum of two kinds of operands, and the form that reuses memory.
+#define MINKSUM_SUM(Set, P, Q, Settings)                                                        \
+  Set minkowski_sum(const P& p, const Q& q, const Settings& settings) {                         \
+    return sum<Set>(p, q, SumRequest(settings));                                                \
+  }                                                                                             \
+  Outcome minkowski_sum(const P& p, const Q& q, const Settings& settings, Workspace& workspace, \
+                        Set& result) {                                                          \
+    return attempt_sum(p, q, SumRequest(settings), workspace, result);                          \
+  }
+#define MINKSUM_DETAILED_SUM(Operand, Settings)                                          \
+  DetailedSum detailed_sum(const Operand& p, const Operand& q, const Settings& settings, \
+                           Detail detail) {                                              \
+    return detailed(p, q, settings, detail);                                             \
+  }
+#define MINKSUM_SUMS_BY(Settings)                               \
+  MINKSUM_SUM(Region, Region, Region, Settings)                 \
+  MINKSUM_SUM(Region, PreparedRegion, PreparedRegion, Settings) \
+  MINKSUM_SUM(Geometry, Geometry, Geometry, Settings)           \
+  MINKSUM_DETAILED_SUM(Region, Settings)                        \
+  MINKSUM_DETAILED_SUM(PreparedRegion, Settings)                \
+  MINKSUM_DETAILED_SUM(Geometry, Settings)
 
-// -- By settings ---------------------------------------------------------------------------------
-Region minkowski_sum(const Region& p, const Region& q, const SumSettings& settings) {
-  return sum<Region>(p, q, SumRequest(settings));
-}
-Geometry minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings) {
-  return sum<Geometry>(p, q, SumRequest(settings));
-}
-Region minkowski_sum(const PreparedRegion& p, const PreparedRegion& q,
-                     const SumSettings& settings) {
-  return sum<Region>(p, q, SumRequest(settings));
-}
-Outcome minkowski_sum(const Region& p, const Region& q, const SumSettings& settings,
-                      Workspace& workspace, Region& result) {
-  return attempt_sum(p, q, SumRequest(settings), workspace, result);
-}
-Outcome minkowski_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
-                      Workspace& workspace, Geometry& result) {
-  return attempt_sum(p, q, SumRequest(settings), workspace, result);
-}
-Outcome minkowski_sum(const PreparedRegion& p, const PreparedRegion& q, const SumSettings& settings,
-                      Workspace& workspace, Region& result) {
-  return attempt_sum(p, q, SumRequest(settings), workspace, result);
-}
-DetailedSum detailed_sum(const Region& p, const Region& q, const SumSettings& settings,
-                         Detail detail) {
-  return detailed(p, q, settings, detail);
-}
-DetailedSum detailed_sum(const Geometry& p, const Geometry& q, const SumSettings& settings,
-                         Detail detail) {
-  return detailed(p, q, settings, detail);
-}
-DetailedSum detailed_sum(const PreparedRegion& p, const PreparedRegion& q,
-                         const SumSettings& settings, Detail detail) {
-  return detailed(p, q, settings, detail);
-}
+MINKSUM_SUMS_BY(Options)
+MINKSUM_SUMS_BY(SumSettings)
+MINKSUM_SUM(Region, Region, PreparedRegion, Options)
+MINKSUM_SUM(Region, PreparedRegion, Region, Options)
 
 // -- For callers that know more about the operands -----------------------------------------------
 Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
