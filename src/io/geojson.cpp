@@ -1,12 +1,11 @@
 // Reads and writes GeoJSON (RFC 7946): all of its geometries, and features with them.
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "io/formats.hpp"
 #include "io/json_cursor.hpp"
+#include "io/nested_writer.hpp"
 #include "io/number.hpp"
-#include "io/writer.hpp"
 
 namespace minksum::io {
 
@@ -232,80 +231,17 @@ class GeoJsonReader {
   GeometryBuilder builder_;
 };
 
-void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
-  writer.text('[');
-  bool first_ring = true;
-  for (const std::size_t ring : region.rings_of(polygon)) {
-    writer.text(first_ring ? "[" : ", [");
-    first_ring = false;
-    const IndexRange vertices = region.vertices_of(ring);
-    for (const std::size_t vertex : vertices) {
-      writer.text('[');
-      writer.point(region, vertex, ',');
-      writer.text("], ");
-    }
-    if (!vertices.empty()) {
-      writer.text('[');
-      writer.point(region, vertices.front(), ',');
-      writer.text(']');
-    }
-    writer.text(']');
-  }
-  writer.text(']');
-}
-
-void append_region(Writer& writer, const Region& region) {
-  if (region.empty()) {
-    writer.text(R"({"type": "Polygon", "coordinates": []})");
-  } else if (region.polygon_count() == 1) {
-    writer.text(R"({"type": "Polygon", "coordinates": )");
-    append_polygon(writer, region, 0);
-    writer.text('}');
-  } else {
-    writer.text(R"({"type": "MultiPolygon", "coordinates": [)");
-    for (const std::size_t polygon : region.polygons()) {
-      if (polygon > 0) writer.text(", ");
-      append_polygon(writer, region, polygon);
-    }
-    writer.text("]}");
-  }
-}
-
-void append_position(Writer& writer, const Point& point) {
-  writer.text('[');
-  writer.point(point, ',');
-  writer.text(']');
-}
-
-void append_positions(Writer& writer, std::span<const Point> points) {
-  writer.text('[');
-  append_separated(writer, points, [&](const Point& point) { append_position(writer, point); });
-  writer.text(']');
-}
-
-void append_polylines(Writer& writer, std::span<const Polyline> polylines) {
-  if (polylines.size() == 1) {
-    writer.text(R"({"type": "LineString", "coordinates": )");
-    append_positions(writer, polylines[0]);
-  } else {
-    writer.text(R"({"type": "MultiLineString", "coordinates": [)");
-    append_separated(writer, polylines,
-                     [&](const Polyline& polyline) { append_positions(writer, polyline); });
-    writer.text(']');
-  }
-  writer.text('}');
-}
-
-void append_multipoint(Writer& writer, std::span<const Point> points) {
-  if (points.size() == 1) {
-    writer.text(R"({"type": "Point", "coordinates": )");
-    append_position(writer, points[0]);
-  } else {
-    writer.text(R"({"type": "MultiPoint", "coordinates": )");
-    append_positions(writer, points);
-  }
-  writer.text('}');
-}
+constexpr Notation kNotation{
+    {R"({"type": "Polygon", "coordinates": )", R"({"type": "MultiPolygon", "coordinates": )",
+     R"({"type": "LineString", "coordinates": )", R"({"type": "MultiLineString", "coordinates": )",
+     R"({"type": "Point", "coordinates": )", R"({"type": "MultiPoint", "coordinates": )",
+     R"({"type": "GeometryCollection", "geometries": )"},
+    "}",
+    '[',
+    ']',
+    "[]",
+    ',',
+    false};
 
 }  // namespace
 
@@ -316,8 +252,7 @@ Geometry read_geojson(std::string_view text, const ReadLimits& limits, Rules rul
 void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
   writer.quote_quotients();
-  append_kinds(writer, geometry, R"({"type": "GeometryCollection", "geometries": [)", "]}",
-               append_region, append_polylines, append_multipoint);
+  write_nested(writer, geometry, kNotation);
   writer.flush();
 }
 

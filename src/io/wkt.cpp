@@ -1,11 +1,10 @@
 // Reads and writes well-known text: polygons, lines, points, several of each, and collections.
 #include <array>
-#include <span>
 #include <utility>
 
 #include "io/formats.hpp"
+#include "io/nested_writer.hpp"
 #include "io/number.hpp"
-#include "io/writer.hpp"
 
 namespace minksum::io {
 
@@ -232,75 +231,15 @@ class WktReader {
   int depth_ = 0;
 };
 
-void append_polygon(Writer& writer, const Region& region, std::size_t polygon) {
-  if (region.rings_of(polygon).empty()) return writer.text("EMPTY");
-  writer.text('(');
-  bool first_ring = true;
-  for (const std::size_t ring : region.rings_of(polygon)) {
-    if (!first_ring) writer.text(", ");
-    first_ring = false;
-    const IndexRange vertices = region.vertices_of(ring);
-    if (vertices.empty()) {
-      writer.text("EMPTY");
-      continue;
-    }
-    writer.text('(');
-    for (const std::size_t vertex : vertices) {
-      writer.point(region, vertex, ' ');
-      writer.text(", ");
-    }
-    writer.point(region, vertices.front(), ' ');
-    writer.text(')');
-  }
-  writer.text(')');
-}
-
-void append_region(Writer& writer, const Region& region) {
-  const std::size_t count = region.polygon_count();
-  if (region.empty()) return writer.text("POLYGON EMPTY");
-  if (count == 1) {
-    writer.text("POLYGON ");
-    return append_polygon(writer, region, 0);
-  }
-  writer.text("MULTIPOLYGON (");
-  for (const std::size_t polygon : region.polygons()) {
-    if (polygon > 0) writer.text(", ");
-    append_polygon(writer, region, polygon);
-  }
-  writer.text(')');
-}
-
-void append_points(Writer& writer, std::span<const Point> points) {
-  if (points.empty()) return writer.text("EMPTY");
-  writer.text('(');
-  append_separated(writer, points, [&](const Point& point) { writer.point(point, ' '); });
-  writer.text(')');
-}
-
-void append_polylines(Writer& writer, std::span<const Polyline> polylines) {
-  if (polylines.size() == 1) {
-    writer.text("LINESTRING ");
-    return append_points(writer, polylines[0]);
-  }
-  writer.text("MULTILINESTRING (");
-  append_separated(writer, polylines,
-                   [&](const Polyline& polyline) { append_points(writer, polyline); });
-  writer.text(')');
-}
-
-void append_multipoint(Writer& writer, std::span<const Point> points) {
-  if (points.size() == 1) {
-    writer.text("POINT ");
-    return append_points(writer, points);
-  }
-  // The OGC's standard puts parentheses around each point.
-  writer.text("MULTIPOINT (");
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i > 0) writer.text(", ");
-    append_points(writer, points.subspan(i, 1));
-  }
-  writer.text(')');
-}
+// The OGC's standard puts parentheses around each point of a MULTIPOINT.
+constexpr Notation kNotation{{"POLYGON ", "MULTIPOLYGON ", "LINESTRING ", "MULTILINESTRING ",
+                              "POINT ", "MULTIPOINT ", "GEOMETRYCOLLECTION "},
+                             "",
+                             '(',
+                             ')',
+                             "EMPTY",
+                             ' ',
+                             true};
 
 }  // namespace
 
@@ -310,8 +249,7 @@ Geometry read_wkt(std::string_view text, const ReadLimits& limits, Rules rules) 
 
 void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
-  append_kinds(writer, geometry, "GEOMETRYCOLLECTION (", ")", append_region,
-               append_polylines, append_multipoint);
+  write_nested(writer, geometry, kNotation);
   writer.flush();
 }
 

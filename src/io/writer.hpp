@@ -51,43 +51,4 @@ class Writer {
   std::string buffer_;
 };
 
-/// Calls `append(item)` for each item, and writes commas between.
-template <class Items, class Append>
-void append_separated(Writer& writer, const Items& items, Append append) {
-  bool first = true;
-  for (const auto& item : items) {
-    if (!first) writer.text(", ");
-    first = false;
-    append(item);
-  }
-}
-
-/// Writes the region, polylines and points of a geometry, each kind by its own function. Several
-/// kinds stand between `open` and `close`. An empty geometry is written as an empty region.
-template <class AppendRegion, class AppendPolylines, class AppendPoints>
-void append_kinds(Writer& writer, const GeometryView& geometry, std::string_view open,
-                  std::string_view close, AppendRegion append_region,
-                  AppendPolylines append_polylines, AppendPoints append_points) {
-  const bool collection = geometry.kinds() > 1;
-  if (collection) writer.text(open);
-  const char* separator = "";
-  const auto separate = [&] {
-    writer.text(separator);
-    separator = ", ";
-  };
-  if (!geometry.region.empty() || geometry.kinds() == 0) {
-    separate();
-    append_region(writer, geometry.region);
-  }
-  if (!geometry.polylines.empty()) {
-    separate();
-    append_polylines(writer, geometry.polylines);
-  }
-  if (!geometry.points.empty()) {
-    separate();
-    append_points(writer, geometry.points);
-  }
-  if (collection) writer.text(close);
-}
-
 }  // namespace minksum::io
