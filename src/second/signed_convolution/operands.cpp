@@ -107,21 +107,9 @@ std::uint64_t work_of_vertex(const BigInteger& scale) {
   return 16 + 16 * work_of_product(bit_length(scale) + 64);
 }
 
-IntegerRing make_walk(const ExactRing& exact, const BigInteger& scale, Cancellation& cancellation) {
-  IntegerRing ring;
-  for (const Point& point : exact) {
-    cancellation.check(work_of_vertex(scale));
-    ring.vertices.push_back(
-        {scaled(point.x, scale, cancellation), scaled(point.y, scale, cancellation)});
-  }
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    cancellation.check(work_of_cross(ring.vertices[i]));
-    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) >= 0);
-  }
-  return ring;
-}
+enum class RingKind { kOuter, kHole, kWalk };
 
-IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool counter_clockwise,
+IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, RingKind kind,
                       Cancellation& cancellation) {
   IntegerRing ring;
   for (const Point& point : exact) {
@@ -129,14 +117,19 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, bool coun
     ring.vertices.push_back(
         {scaled(point.x, scale, cancellation), scaled(point.y, scale, cancellation)});
   }
-  drop_repeated_vertices(ring.vertices);
-  drop_straight_vertices(ring, cancellation);
-  const BigInteger area = doubled_area(ring, cancellation);
-  if (ring.size() < 3 || area == 0) broken("an operand has a ring without area");
-  if ((area > 0) != counter_clockwise) std::reverse(ring.vertices.begin(), ring.vertices.end());
+  if (kind != RingKind::kWalk) {
+    drop_repeated_vertices(ring.vertices);
+    drop_straight_vertices(ring, cancellation);
+    const BigInteger area = doubled_area(ring, cancellation);
+    if (ring.size() < 3 || area == 0) broken("an operand has a ring without area");
+    if ((area > 0) != (kind == RingKind::kOuter)) {
+      std::reverse(ring.vertices.begin(), ring.vertices.end());
+    }
+  }
+  // No vertex is straight. At both ends of a walk, its edges are parallel.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     cancellation.check(work_of_cross(ring.vertices[i]));
-    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) > 0);
+    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) >= 0);
   }
   return ring;
 }
@@ -147,13 +140,10 @@ std::vector<IntegerPart> make_parts(const std::vector<ExactPolygon>& polygons,
   for (const auto& [is_walk, rings] : polygons) {
     if (rings.empty()) broken("an operand has a polygon without rings");
     IntegerPart& part = parts.emplace_back();
-    if (is_walk) {
-      part.outer = make_walk(rings.front(), scale, cancellation);
-      continue;
-    }
-    part.outer = make_ring(rings.front(), scale, true, cancellation);
+    part.outer =
+        make_ring(rings.front(), scale, is_walk ? RingKind::kWalk : RingKind::kOuter, cancellation);
     for (std::size_t i = 1; i < rings.size(); ++i) {
-      part.holes.push_back(make_ring(rings[i], scale, false, cancellation));
+      part.holes.push_back(make_ring(rings[i], scale, RingKind::kHole, cancellation));
     }
   }
   return parts;

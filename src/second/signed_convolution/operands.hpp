@@ -53,10 +53,14 @@ struct IntegerOperands {
   DirectionRank direction_count = 0;
 };
 
-/// An operand as given, not empty: a valid region, or polylines as in a resolved Geometry.
+/// An operand as given: a valid region, or polylines as in a resolved Geometry.
 struct CallerOperand {
   CallerOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
-  explicit CallerOperand(std::span<const Polyline> given) : polylines(given) {}
+  CallerOperand(std::span<const Polyline> given)          // NOLINT(google-explicit-constructor)
+      : polylines(given) {}
+  [[nodiscard]] bool empty() const {
+    return region != nullptr ? region->empty() : polylines.empty();
+  }
   const Region* region = nullptr;  ///< null if there are polylines instead
   std::span<const Polyline> polylines;
 };

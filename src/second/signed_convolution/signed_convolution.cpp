@@ -5,7 +5,6 @@
 #include "region/point_arithmetic.hpp"
 #include "second/signed_convolution/arrangement.hpp"
 #include "second/signed_convolution/broken.hpp"
-#include "second/signed_convolution/operands.hpp"
 #include "second/signed_convolution/rings.hpp"
 #include "second/signed_convolution/segments.hpp"
 #include "second/signed_convolution/winding.hpp"
@@ -98,16 +97,6 @@ void compute(const CallerOperand& p, const CallerOperand& q, const SumSettings& 
   }
 }
 
-void compute_or_clear(const CallerOperand& p, const CallerOperand& q, const SumSettings& options,
-                      Statistics& statistics, Region& result) {
-  try {
-    compute(p, q, options, statistics, result);
-  } catch (...) {
-    result.clear();
-    throw;
-  }
-}
-
 bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d) {
   return cross(minus(b, a), minus(d, c)).sign() == 0;
 }
@@ -132,28 +121,23 @@ void add_parallel_sums(const Polyline& p, const Polyline& q, Cancellation& cance
 }  // namespace
 }  // namespace signed_sum
 
-void signed_convolution_sum(const Region& p, const Region& q, const SumSettings& options,
-                            Statistics& statistics, Region& result) {
+void signed_convolution_sum(const signed_sum::CallerOperand& p, const signed_sum::CallerOperand& q,
+                            const SumSettings& options, Statistics& statistics, Region& result) {
   result.clear();
   if (p.empty() || q.empty()) return;
-  signed_sum::compute_or_clear(p, q, options, statistics, result);
-}
-
-void signed_convolution_sum(const Region& p, std::span<const Polyline> q,
-                            const SumSettings& options, Region& result) {
-  result.clear();
-  if (p.empty() || q.empty()) return;
-  Statistics unasked;
-  signed_sum::compute_or_clear(p, signed_sum::CallerOperand(q), options, unasked, result);
+  try {
+    signed_sum::compute(p, q, options, statistics, result);
+  } catch (...) {
+    result.clear();
+    throw;
+  }
 }
 
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
                             const SumSettings& options, Geometry& result) {
   result = {};
-  if (p.empty() || q.empty()) return;
   Statistics unasked;
-  signed_sum::compute_or_clear(signed_sum::CallerOperand(p), signed_sum::CallerOperand(q), options,
-                               unasked, result.region);
+  signed_convolution_sum(p, q, options, unasked, result.region);
   Cancellation cancellation(options);
   for (const Polyline& a : p) {
     for (const Polyline& b : q) {
