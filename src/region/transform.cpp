@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "machine/cancellation.hpp"
+#include "region/map_points.hpp"
 #include "region/turned.hpp"
 
 namespace minksum {
@@ -17,6 +18,15 @@ std::optional<int> quarters_of(const Affine& map) {
   if (map.yx.sign() == 0 && map.xx == -1) return 2;
   if (map.xx.sign() == 0 && map.yx == -1) return 3;
   return std::nullopt;
+}
+
+/// Returns the map, which counts its work.
+auto counting(const Affine& map, Cancellation& cancellation) {
+  return [&](const Point& point) {
+    const Point image = map(point);
+    cancellation.check(4 * work_of(image));
+    return image;
+  };
 }
 
 }  // namespace
@@ -77,34 +87,12 @@ Region transform(const Region& region, const Affine& map, const Options& options
   if (const std::optional<int> quarters = quarters_of(map)) {
     return turned_in_order(region, *quarters, cancellation);
   }
-  Region image;
-  for (const std::size_t polygon : region.polygons()) {
-    image.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      image.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        const Point point = map(region.point(v));
-        cancellation.check(4 * work_of(point));
-        image.add_vertex(point.x, point.y);
-      }
-    }
-  }
-  return image;
+  return mapped(region, counting(map, cancellation));
 }
 
 Geometry transform(const Geometry& geometry, const Affine& map, const Options& options) {
   Cancellation cancellation(options);
-  const auto mapped = [&](const Point& point) {
-    cancellation.check(4 * work_of(point));
-    return map(point);
-  };
-  Geometry image{transform(geometry.region, map, options), {}, {}};
-  for (const Polyline& line : geometry.polylines) {
-    Polyline& its_image = image.polylines.emplace_back();
-    for (const Point& point : line) its_image.push_back(mapped(point));
-  }
-  for (const Point& point : geometry.points) image.points.push_back(mapped(point));
-  return image;
+  return mapped(geometry, transform(geometry.region, map, options), counting(map, cancellation));
 }
 
 Region reflect(const Region& region, const Options& options) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "region/map_points.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
@@ -160,18 +161,10 @@ void add_vertex(Region& region, const RoundedCoordinate& x, const RoundedCoordin
 
 Region with_vertices(const Region& region, const RoundedVertices& vertices, const Target& target,
                      Cancellation& cancellation) {
-  Region result;
-  for (const std::size_t polygon : region.polygons()) {
-    result.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      result.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        cancellation.check(32);
-        add_vertex(result, vertices[v].x, vertices[v].y, target);
-      }
-    }
-  }
-  return result;
+  return with_same_rings(region, [&](Region& result, std::size_t v) {
+    cancellation.check(32);
+    add_vertex(result, vertices[v].x, vertices[v].y, target);
+  });
 }
 
 double largest_move(const RoundedVertices& vertices) {

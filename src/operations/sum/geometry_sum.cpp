@@ -9,6 +9,7 @@
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
+#include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
 #include "region/region_access.hpp"
 
@@ -17,31 +18,11 @@ namespace {
 
 /// Returns the moved geometry. A resolved one stays resolved, as all orders stay the same.
 Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancellation) {
-  Geometry result;
-  const Region& region = geometry.region;
-  for (const std::size_t polygon : region.polygons()) {
-    result.region.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      result.region.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        const Point at = plus(region.point(v), by);
-        cancellation.check(work_of(at));
-        result.region.add_vertex(at.x, at.y);
-      }
-    }
-  }
-  for (const Polyline& polyline : geometry.polylines) {
-    Polyline& path = result.polylines.emplace_back();
-    for (const Point& at : polyline) {
-      cancellation.check(work_of(at));
-      path.push_back(plus(at, by));
-    }
-  }
-  for (const Point& at : geometry.points) {
+  const auto move = [&](const Point& at) {
     cancellation.check(work_of(at));
-    result.points.push_back(plus(at, by));
-  }
-  return result;
+    return plus(at, by);
+  };
+  return mapped(geometry, mapped(geometry.region, move), move);
 }
 
 /// Appends a polyline as walks without repeated or straight vertices. Each walk ends where the
