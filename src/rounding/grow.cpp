@@ -2,19 +2,13 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/boolean.hpp"
-#include "minksum/measure.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "region/boxes.hpp"
 
 namespace minksum {
 namespace {
 
-Region box(const Point& low, const Point& high) {
-  Polygon polygon;
-  polygon.outer = {low, {high.x, low.y}, high, {low.x, high.y}};
-  return Region(polygon);
-}
-
-Region square(const Rational& half) { return box({-half, -half}, {half, half}); }
+Region square(const Rational& half) { return as_region(widened(Box{}, half)); }
 
 }  // namespace
 
@@ -30,9 +24,7 @@ Region shrunk(const Region& region, const Rational& half, const Options& options
   const auto around = bounding_box(region, options);
   if (!around) return {};
   // Any frame that the region does not touch will do.
-  const Rational margin = half + half;
-  const Region frame = box({around->min.x - margin, around->min.y - margin},
-                           {around->max.x + margin, around->max.y + margin});
+  const Region frame = as_region(widened(*around, half + half));
   return subtract(frame, grown(subtract(frame, region, options), half, options), options);
 }
 

@@ -13,6 +13,7 @@
 #include "operations/configuration_space/free_part.hpp"
 #include "operations/sum/fixed_sum.hpp"
 #include "overlay/resolve_area.hpp"
+#include "region/boxes.hpp"
 
 namespace minksum {
 
@@ -54,38 +55,9 @@ Rational radius_of(const Region& robot, const Options& options) {
   return largest * Rational(3, 2);
 }
 
-void enlarge(std::optional<Box>& box, const Point& point) {
-  if (!box) box = Box{point, point};
-  box->min = {std::min(box->min.x, point.x), std::min(box->min.y, point.y)};
-  box->max = {std::max(box->max.x, point.x), std::max(box->max.y, point.y)};
-}
-
-std::optional<Box> box_of(const Geometry& geometry, const Options& options) {
-  Cancellation cancellation(options, Stage::kSearch);
-  std::optional<Box> box = bounding_box(geometry.region, options);
-  const auto add = [&](const Point& point) {
-    cancellation.check(4 * work_of(point));
-    enlarge(box, point);
-  };
-  for (const Polyline& line : geometry.polylines) {
-    for (const Point& point : line) add(point);
-  }
-  for (const Point& point : geometry.points) add(point);
-  return box;
-}
-
-Box widened(const Box& box, const Rational& by) {
-  return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
-}
-
 /// Returns −R(turn).
 Region turned_mirror(const Region& robot, const Turn& turn, const Options& options) {
   return transform(robot, Affine::scaling(Rational(-1)).after(turn.map()), options);
-}
-
-Region as_region(const Box& box) {
-  return Region(Polygon{
-      {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
 }
 
 /// Makes one slice. `shared` is for these obstacles, or null.
@@ -152,7 +124,8 @@ void ConfigurationSpace::set_up(State state) {
     const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, options), {}, {}}};
     state.forbidden = unite(both, options);
   } else {
-    const auto box = box_of(state.obstacles, options);
+    Cancellation cancellation(options, Stage::kSearch);
+    const auto box = bounding_box(state.obstacles, cancellation);
     boundary_ = widened(box ? *box : Box{}, state.radius * Rational(2));
   }
   state.prepared = PreparedRegion(state.forbidden.region, options);

@@ -6,9 +6,9 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/check.hpp"
-#include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/testing.hpp"
+#include "region/boxes.hpp"
 #include "region/point_arithmetic.hpp"
 #include "second/check/placed_operand.hpp"
 
@@ -23,14 +23,7 @@ constexpr std::int64_t kBeside = std::int64_t{1} << 20;
 
 /// Returns the square of the points at most `reach` > 0 away from the origin in x and in y.
 Geometry square_around_origin(const Rational& reach) {
-  Geometry square;
-  square.region.begin_polygon();
-  square.region.begin_ring();
-  const Rational less = -reach;
-  for (const auto& [x, y] : {std::pair{less, less}, {reach, less}, {reach, reach}, {less, reach}}) {
-    square.region.add_vertex(x, y);
-  }
-  return square;
+  return {as_region(widened(Box{}, reach)), {}, {}};
 }
 
 /// The second method's settings, for a part of the check.
@@ -110,42 +103,14 @@ void ask_thin_parts(const Geometry& geometry, Witness& witness) {
   for (const Point& point : geometry.points) witness.ask(point);
 }
 
-struct Span {
-  Rational low;
-  Rational high;
-  void add(const Rational& value) {
-    if (value < low) low = value;
-    if (high < value) high = value;
-  }
-};
-
-/// Returns the box of all points of a geometry that is not empty.
-std::pair<Span, Span> spans(const Geometry& geometry, Cancellation& cancellation) {
-  std::vector<Point> points = geometry.points;
-  for (const Polyline& line : geometry.polylines) {
-    points.insert(points.end(), line.begin(), line.end());
-  }
-  if (const auto box = bounding_box(geometry.region, cancellation.options())) {
-    points.push_back(box->min);
-    points.push_back(box->max);
-  }
-  std::pair<Span, Span> result{{points[0].x, points[0].x}, {points[0].y, points[0].y}};
-  for (const Point& point : points) {
-    cancellation.check(work_of(point));
-    result.first.add(point.x);
-    result.second.add(point.y);
-  }
-  return result;
-}
-
 /// Returns a random point of a box, on a grid of 2^53 lines.
-Point pick(const Span& x, const Span& y, std::mt19937_64& random) {
-  const auto pick_one = [&random](const Span& span) {
+Point pick(const Box& box, std::mt19937_64& random) {
+  const auto pick_one = [&random](const Rational& low, const Rational& high) {
     const auto at = static_cast<std::int64_t>(random() >> 11);
-    return span.low + (span.high - span.low) * Rational(at, std::int64_t{1} << 53);
+    return low + (high - low) * Rational(at, std::int64_t{1} << 53);
   };
-  Rational at_x = pick_one(x);
-  return {std::move(at_x), pick_one(y)};
+  Rational at_x = pick_one(box.min.x, box.max.x);
+  return {std::move(at_x), pick_one(box.min.y, box.max.y)};
 }
 
 // Asks in the box of the sum, made wider by a twentieth on each side.
@@ -153,28 +118,24 @@ void ask_at_random(const Geometry& p, const Geometry& q, const CheckOptions& how
                    Cancellation& cancellation, Witness& witness) {
   if (p.empty() || q.empty()) return;
   std::mt19937_64 random(how.seed);
-  const auto [px, py] = spans(p, cancellation);
-  const auto [qx, qy] = spans(q, cancellation);
-  const auto wider = [](const Span& a, const Span& b) {
-    const Span sum{a.low + b.low, a.high + b.high};
-    const Rational more = (sum.high - sum.low) / Rational(20);
-    return Span{sum.low - more, sum.high + more};
-  };
-  const Span x = wider(px, qx);
-  const Span y = wider(py, qy);
-  for (std::uint64_t i = 0; i < how.samples; ++i) witness.ask(pick(x, y, random));
+  const Box of_p = *bounding_box(p, cancellation);
+  const Box of_q = *bounding_box(q, cancellation);
+  const Box sum{plus(of_p.min, of_q.min), plus(of_p.max, of_q.max)};
+  const Point size = minus(sum.max, sum.min);
+  const Point more{size.x / Rational(20), size.y / Rational(20)};
+  const Box wider{minus(sum.min, more), plus(sum.max, more)};
+  for (std::uint64_t i = 0; i < how.samples; ++i) witness.ask(pick(wider, random));
 }
 
-using Room = std::pair<Span, Span>;
 constexpr std::size_t kMostRooms = 10'000;
 constexpr std::size_t kMostTries = 1'000'000;
 
 /// Adds boxes of placements at which a part of one operand is within the box of a hole of the
 /// other. A hole of the sum is in one of these, or surrounded by several parts.
 void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& cancellation,
-               std::vector<Room>& rooms) {
-  const auto box_of = [&](const Geometry& part) { return spans(part, cancellation); };
-  std::vector<Room> parts;
+               std::vector<Box>& rooms) {
+  const auto box_of = [&](const Geometry& part) { return *bounding_box(part, cancellation); };
+  std::vector<Box> parts;
   for (const std::size_t polygon : other.region.polygons()) {
     parts.push_back(box_of({Region(Polygon{other.region.polygon(polygon).outer, {}}), {}, {}}));
   }
@@ -183,14 +144,12 @@ void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& 
   std::size_t tries = 0;
   for (const std::size_t polygon : with_holes.region.polygons()) {
     for (const Ring& hole : with_holes.region.polygon(polygon).holes) {
-      const auto [hx, hy] = box_of({Region(Polygon{hole, {}}), {}, {}});
-      for (const auto& [x, y] : parts) {
-        cancellation.check(8 * work_of_product(x.low.bits()));
+      const Box space = box_of({Region(Polygon{hole, {}}), {}, {}});
+      for (const Box& part : parts) {
+        cancellation.check(8 * work_of_product(part.min.x.bits()));
         if (rooms.size() == kMostRooms || ++tries > kMostTries) return;
-        const Room room{{hx.low + x.high, hx.high + x.low}, {hy.low + y.high, hy.high + y.low}};
-        if (room.first.low < room.first.high && room.second.low < room.second.high) {
-          rooms.push_back(room);
-        }
+        const Box room{plus(space.min, part.max), plus(space.max, part.min)};
+        if (room.min.x < room.max.x && room.min.y < room.max.y) rooms.push_back(room);
       }
     }
   }
@@ -200,14 +159,13 @@ void add_rooms(const Geometry& with_holes, const Geometry& other, Cancellation& 
 // edges of a result that lacks it.
 void ask_in_holes(const Geometry& p, const Geometry& q, const CheckOptions& how,
                   Cancellation& cancellation, Witness& witness) {
-  std::vector<Room> rooms;
+  std::vector<Box> rooms;
   add_rooms(p, q, cancellation, rooms);
   add_rooms(q, p, cancellation, rooms);
   if (rooms.empty()) return;
   std::mt19937_64 random(how.seed);
   for (std::uint64_t i = 0; i < how.samples; ++i) {
-    const Room& room = rooms[i * rooms.size() / how.samples];
-    witness.ask(pick(room.first, room.second, random));
+    witness.ask(pick(rooms[i * rooms.size() / how.samples], random));
   }
 }
 

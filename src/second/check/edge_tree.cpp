@@ -10,21 +10,14 @@ namespace minksum::checking {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Box kNothing{kInfinity, kInfinity, -kInfinity, -kInfinity};
+constexpr DoubleBox kNothing{kInfinity, kInfinity, -kInfinity, -kInfinity};
 
-Box around(const Corner& c) {
+DoubleBox around(const Corner& c) {
   if (!std::isfinite(c.error)) return kEverything;
   return {c.x - c.error, c.y - c.error, c.x + c.error, c.y + c.error};
 }
 
 }  // namespace
-
-void Box::add(const Box& other) {
-  x0 = std::min(x0, other.x0);
-  y0 = std::min(y0, other.y0);
-  x1 = std::max(x1, other.x1);
-  y1 = std::max(y1, other.y1);
-}
 
 Corner::Corner(const Point& point)
     : vertex(&point),
@@ -87,7 +80,7 @@ void EdgeTree::build(Cancellation& cancellation) {
   boxes_.assign(2 * leaves_, kNothing);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     cancellation.check(2);
-    Box& box = boxes_[leaves_ + e / kLeaf];
+    DoubleBox& box = boxes_[leaves_ + e / kLeaf];
     box.add(around(corners_[edges_[e].from]));
     box.add(around(corners_[edges_[e].to]));
   }

@@ -7,22 +7,15 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
+#include "spatial/box.hpp"
 
 namespace minksum::checking {
 
-/// A box in doubles that certainly contains the corners or edges for which it stands.
-struct Box {
-  double x0, y0, x1, y1;
-  void add(const Box& other);
-  [[nodiscard]] bool meets(const Box& other) const {
-    return x0 <= other.x1 && other.x0 <= x1 && y0 <= other.y1 && other.y0 <= y1;
-  }
-};
-
-inline constexpr Box kEverything{-std::numeric_limits<double>::infinity(),
-                                 -std::numeric_limits<double>::infinity(),
-                                 std::numeric_limits<double>::infinity(),
-                                 std::numeric_limits<double>::infinity()};
+/// A box that certainly contains the corners or edges for which it stands.
+using DoubleBox = BoxOf<double>;
+inline constexpr DoubleBox kEverything{
+    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
 /// A vertex v of P, or the corner x − v of x − Q: in doubles, and exactly on demand.
 struct Corner {
@@ -68,7 +61,7 @@ class EdgeTree {
   [[nodiscard]] const std::vector<std::size_t>& heads() const { return heads_; }
 
   // Node 1 is the root; node i has the children 2i and 2i + 1, if it is no leaf.
-  [[nodiscard]] const Box& box(std::size_t node) const { return boxes_[node]; }
+  [[nodiscard]] const DoubleBox& box(std::size_t node) const { return boxes_[node]; }
   [[nodiscard]] bool is_leaf(std::size_t node) const { return node >= leaves_; }
   [[nodiscard]] std::size_t first_edge(std::size_t leaf) const { return (leaf - leaves_) * kLeaf; }
   [[nodiscard]] std::size_t last_edge(std::size_t leaf) const;
@@ -82,7 +75,7 @@ class EdgeTree {
   std::vector<Corner> corners_;
   std::vector<Edge> edges_;
   std::vector<std::size_t> heads_;
-  std::vector<Box> boxes_;
+  std::vector<DoubleBox> boxes_;
   std::size_t leaves_ = 1;
 };
 

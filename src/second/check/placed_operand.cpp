@@ -23,7 +23,7 @@ bool edges_share_point(const Corner& a, const Corner& b, const Corner& c, const 
 }
 
 /// Returns a box that contains x − v for each v in `box`.
-Box placed(const Corner& x, const Box& box) {
+DoubleBox placed(const Corner& x, const DoubleBox& box) {
   const double reach = std::max({std::abs(x.x), std::abs(x.y), std::abs(box.x0), std::abs(box.x1),
                                  std::abs(box.y0), std::abs(box.y1)});
   const double slack = 2 * x.error + 0x1p-51 * reach;
@@ -41,7 +41,7 @@ bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation)
     cancellation.check(2);
     const std::size_t node = stack.back();
     stack.pop_back();
-    const Box& box = tree.box(node);
+    const DoubleBox& box = tree.box(node);
     const double slack = 2 * c.error;
     if (box.y0 > c.y + slack || box.y1 < c.y - slack || box.x1 < c.x - slack) continue;
     if (!tree.is_leaf(node)) {
