@@ -1,8 +1,8 @@
 // Finds the winding numbers on both sides of every piece.
 #include <algorithm>
 
-#include "overlay/status.hpp"
 #include "overlay/subdivision.hpp"
+#include "spatial/sweep_status.hpp"
 
 namespace minksum::overlay {
 namespace {
@@ -40,7 +40,7 @@ class Sweep {
         !ended_.empty() || s_.nodes[v].belongs || s_.first_piece[v] != s_.first_piece[v + 1];
     const SlotId under = !ended_.empty() ? status_.below(ended_.front())
                          : met           ? search(v)
-                                         : Status::kGround;
+                                         : SweepStatus::kGround;
     Winding winding = winding_above(under);
     PieceId ground = ground_above(under);
     s_.inside_left.push_back(rule_.inside(winding) ? 1 : 0);
@@ -50,7 +50,7 @@ class Sweep {
       start(p, winding, ground);
     }
     for (std::size_t i = ended_.size(); i-- > 0;) {
-      const PieceId p = status_.piece(ended_[i]);
+      const PieceId p = status_.segment(ended_[i]);
       s_.pieces[p].place_at_high = static_cast<std::uint32_t>(s_.around.size());
       s_.around.push_back(p);
     }
@@ -62,7 +62,7 @@ class Sweep {
   [[nodiscard]] bool is_kept(NodeId v, SlotId under) const {
     const auto keeps_in = [&](const Winding& face) { return rule_.keeps({face, face, true, 0}); };
     const auto keeps_above = [&](PieceId p) { return keeps_in(above_[p]); };
-    const auto ends_kept = [&](SlotId slot) { return keeps_above(status_.piece(slot)); };
+    const auto ends_kept = [&](SlotId slot) { return keeps_above(status_.segment(slot)); };
     if (keeps_in(winding_above(under))) return true;
     if (std::any_of(ended_.begin(), ended_.end(), ends_kept)) return true;
     for (PieceId p = s_.first_piece[v]; p < s_.first_piece[v + 1]; ++p) {
@@ -76,7 +76,7 @@ class Sweep {
     ended_.clear();
     if (ending_[v] == kNone) return;
     const auto ends_here = [&](SlotId slot) {
-      return slot != Status::kGround && slot != kNone && s_.pieces[status_.piece(slot)].high == v;
+      return slot != SweepStatus::kGround && slot != kNone && s_.pieces[status_.segment(slot)].high == v;
     };
     SlotId slot = slot_of_[ending_[v]];
     while (ends_here(status_.below(slot))) slot = status_.below(slot);
@@ -95,10 +95,10 @@ class Sweep {
   }
 
   [[nodiscard]] Winding winding_above(SlotId slot) const {
-    return slot == Status::kGround ? Winding{} : above_[status_.piece(slot)];
+    return slot == SweepStatus::kGround ? Winding{} : above_[status_.segment(slot)];
   }
   [[nodiscard]] PieceId ground_above(SlotId slot) const {
-    return slot == Status::kGround ? kNone : ground_above_piece(status_.piece(slot));
+    return slot == SweepStatus::kGround ? kNone : ground_above_piece(status_.segment(slot));
   }
   [[nodiscard]] PieceId ground_above_piece(PieceId p) const {
     const Piece& piece = s_.pieces[p];
@@ -130,7 +130,7 @@ class Sweep {
     for (PieceId p = s_.first_piece[v]; p < s_.first_piece[v + 1]; ++p) {
       if (used < ended_.size()) {
         last = ended_[used++];
-        status_.set_piece(last, p);
+        status_.set_segment(last, p);
       } else {
         last = status_.insert_above(last, p);
       }
@@ -143,7 +143,7 @@ class Sweep {
   const Rule& rule_;
   Cancellation& cancellation_;
   Subdivision& s_;
-  Status status_;
+  SweepStatus status_;
   std::vector<SlotId> slot_of_;  // by piece
   std::vector<Winding> above_;   // by piece
   std::vector<PieceId> ending_;  // by node

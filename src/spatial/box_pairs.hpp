@@ -56,12 +56,18 @@ class BoxPairs {
   }
 
   /// Calls visit(a, b) once for each pair that overlaps, or nearly so. Neighbours are boxes added
-  /// one right after the other. With `neighbours_touch`, their pairs may be left out.
+  /// one right after the other. With `neighbours_touch`, their pairs may be left out. Visits none
+  /// and returns false if more than `most` pairs overlap in x.
   template <class Visit>
-  void for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false) {
-    if (scratch_.boxes.size() <= kFew) return for_each_of_few(visit, neighbours_touch ? 2 : 1);
+  bool for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false,
+                std::size_t most = std::numeric_limits<std::size_t>::max()) {
+    if (scratch_.boxes.size() <= kFew) {
+      for_each_of_few(visit, neighbours_touch ? 2 : 1);
+      return true;
+    }
     sort();
     cancellation.check(4 * scratch_.boxes.size());
+    if (most != std::numeric_limits<std::size_t>::max() && count_in_columns() > most) return false;
     const std::size_t count = scratch_.boxes.size();
     const auto visit_pairs_of = [&](std::size_t i) {
       const BoxPairScratch::Box box = scratch_.in_order[i];
@@ -87,6 +93,7 @@ class BoxPairs {
       // Some of the boxes that are passed overlap, and visiting them takes longer.
       cancellation.check(kCountedAtOnce + passed / 2);
     }
+    return true;
   }
 
  private:
@@ -155,6 +162,15 @@ class BoxPairs {
   }
   [[nodiscard]] std::size_t column(std::int16_t x) const {
     return static_cast<std::size_t>(x) >> shift_;
+  }
+
+  /// Counts the pairs of boxes that share a column.
+  [[nodiscard]] std::size_t count_in_columns() const {
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < scratch_.in_order.size(); ++i) {
+      pairs += scratch_.column_end[column(scratch_.in_order[i].right)] - i - 1;
+    }
+    return pairs;
   }
 
   void sort() {

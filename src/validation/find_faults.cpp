@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <utility>
 
 #include "machine/make_room.hpp"
 #include "spatial/box_pairs.hpp"
 #include "spatial/uniform_grid.hpp"
 #include "validation/bin_edges.hpp"
 #include "validation/fault_list.hpp"
+#include "validation/misplaced_rings.hpp"
 #include "validation/prepared_operand.hpp"
 
 namespace minksum {
@@ -28,35 +28,27 @@ class ContactFinder {
   void find_contacts() {
     scratch_.touches.clear();
     const Vec<double> extent = this->extent();
-    if (o_.rings.size() == 1 && few_in_columns(extent.x)) return sweep(extent);
-    // Comparing all pairs of a few edges costs less than cells.
-    const double edges = o_.size();
-    const double cells = edges < 100 ? edges / 4 : edges;
-    const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
-    grid_ = UniformGrid::over(extent.x, extent.y, side);
-    bin_edges(o_, grid_, cancellation_, scratch_);
-    const auto& begin = scratch_.cell_begin;
-    in_pieces(begin.size() - 1, cancellation_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t cell = first; cell < last; ++cell) {
-        const std::uint32_t count = begin[cell + 1] - begin[cell];
-        if (count < 2) continue;
-        if (list_.full()) return;
-        find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
-      }
-    });
+    const bool in_columns = o_.rings.size() == 1 && few_in_columns(extent.x);
+    if (in_columns && compare_boxes(extent, kMostInColumn)) return;
+    sweep_rings(o_, cancellation_, scratch_);
+    if (!scratch_.sweep.any_suspect) return;
+    suspects_known_ = true;
+    if (in_columns) {
+      compare_boxes(extent, o_.size());
+    } else {
+      compare_in_cells(extent);
+    }
   }
 
-  /// Finds rings in the wrong place. Rings do not cross here, so any point of a ring that is not on
-  /// the other ring decides.
+  /// Finds rings in the wrong place, where no rings cross.
   void find_misplaced_rings() {
-    scratch_.stamp.assign(o_.size(), kNoSite);
+    const std::vector<Misplacement> misplaced =
+        misplaced_rings(o_.rings, scratch_.sweep.parent, cancellation_);
     for (std::size_t r = 0; r < o_.rings.size() && !list_.full(); ++r) {
-      list_rings_around(r);
-      if (o_.rings[r].is_hole()) {
-        check_hole(r);
-      } else {
-        check_outer(r);
-      }
+      const SiteId first = o_.rings[r].begin;
+      if (misplaced[r].in_other_hole) list_.add_vertex("hole lies inside another hole", first);
+      if (misplaced[r].out_of_outer) list_.add_vertex("hole lies outside its outer ring", first);
+      if (misplaced[r].in_other_outer) list_.add_vertex("polygons overlap", first);
     }
   }
 
@@ -70,17 +62,18 @@ class ContactFinder {
     for (const double y : o_.sites.y) extent.y = std::max(extent.y, y);
     return extent;
   }
-  /// Tells whether few edges overlap in x, so that a sweep costs less than cells. With several
-  /// rings, cells are needed anyway, to find which rings lie in others.
+  /// Comparing an edge with so many takes about as long as passing it in a sweep.
+  static constexpr std::size_t kMostInColumn = 200;
+  /// Tells whether few edges overlap in x.
   [[nodiscard]] bool few_in_columns(double width) const {
-    constexpr std::size_t kMostInColumn = 200;
     if (o_.size() <= kMostInColumn) return true;
     double across = 0;
     for (const double dx : o_.sites.dx) across += std::abs(dx);
     return across <= static_cast<double>(kMostInColumn) * width;
   }
-  /// Tests all pairs of edges whose boxes overlap.
-  void sweep(const Vec<double>& extent) {
+  /// Tests all pairs of edges whose boxes overlap. Returns false, and tests none, if an edge shares
+  /// its columns with more than `most` others, on average.
+  bool compare_boxes(const Vec<double>& extent, std::size_t most) {
     const auto& [x, y, dx, dy, next] = o_.sites;
     BoxPairs pairs(extent.x, extent.y, o_.bounds.position, scratch_.pairs);
     for (SiteId e = 0; e < o_.size(); ++e) {
@@ -88,15 +81,34 @@ class ContactFinder {
       pairs.add(std::min(x[e], x[f]), std::min(y[e], y[f]), std::max(x[e], x[f]),
                 std::max(y[e], y[f]));
     }
-    pairs.for_each(
+    return pairs.for_each(
         [&](SiteId e, SiteId f) {
           if (!list_.full()) contact(std::min(e, f), std::max(e, f));
         },
-        cancellation_, true);
+        cancellation_, true, most * o_.size());
   }
-  /// Tests all pairs of a cell's edges that overlap in x, from left to right, because cells may be
-  /// crowded.
+  /// Tests the suspect edges with all edges, cell by cell.
+  void compare_in_cells(const Vec<double>& extent) {
+    // Comparing all pairs of a few edges costs less than cells.
+    const double edges = o_.size();
+    const double cells = edges < 100 ? edges / 4 : edges;
+    const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
+    bin_edges(o_, UniformGrid::over(extent.x, extent.y, side), cancellation_, scratch_);
+    const auto& begin = scratch_.cell_begin;
+    in_pieces(begin.size() - 1, cancellation_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t cell = first; cell < last && !list_.full(); ++cell) {
+        const std::uint32_t count = begin[cell + 1] - begin[cell];
+        find_contacts_in(std::span(scratch_.in_cells).subspan(begin[cell], count));
+      }
+    });
+  }
+  [[nodiscard]] bool is_suspect(SiteId e) const {
+    return !suspects_known_ || scratch_.sweep.suspect[e] != 0;
+  }
+  /// Tests the suspects of a cell with its other edges that overlap in x, from left to right.
   void find_contacts_in(std::span<SiteId> edges) {
+    cancellation_.check(edges.size());
+    if (std::ranges::none_of(edges, [&](SiteId e) { return is_suspect(e); })) return;
     const auto& x = o_.sites.x;
     const auto& next = o_.sites.next;
     const auto left = [&](SiteId e) { return std::min(x[e], x[next[e]]); };
@@ -138,7 +150,8 @@ class ContactFinder {
   void contact(SiteId e, SiteId f) {
     const SiteId e1 = o_.sites.next[e];
     const SiteId f1 = o_.sites.next[f];
-    if (e == f || e1 == f || f1 == e || boxes_apart(e, f)) return;
+    if (e == f || e1 == f || f1 == e) return;
+    if ((!is_suspect(e) && !is_suspect(f)) || boxes_apart(e, f)) return;
     const Sign fs = predicates_.orientation(e, e1, f);
     const Sign ft = predicates_.orientation(e, e1, f1);
     if (fs == ft && fs != kZero) return;
@@ -222,144 +235,10 @@ class ContactFinder {
                                                  : left_of_out || left_of_in;
   }
 
-  // -- Rings in their places -------------------------------------------------------------------
-  /// Probes and lines are made of sums, so they need a second site. Any one moves both alike.
-  static constexpr SiteId kFixedSite = 0;
-
-  /// How a ray from a probe to the right meets an edge. Edges are half-open: an end at the probe's
-  /// own height counts as below it.
-  enum class Meeting { kMisses, kPasses, kStartsOn };
-  [[nodiscard]] Meeting meeting(const Probe& probe, SiteId e) const {
-    cancellation_.check(2 * o_.kernel->work());
-    const SiteId f = o_.sites.next[e];
-    const ExactKernel& kernel = *o_.kernel;
-    const Sign at_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kY);
-    const Sign at_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kY);
-    if (at_e == at_f && at_e != kZero) return Meeting::kMisses;
-    const Sign side = kernel.probe_orientation(e, sum_vertex(e, kFixedSite), probe);
-    if (side == kZero) {
-      const Sign x_e = kernel.probe_compare(probe, sum_vertex(e, kFixedSite), Axis::kX);
-      const Sign x_f = kernel.probe_compare(probe, sum_vertex(f, kFixedSite), Axis::kX);
-      const bool on = x_e * x_f != kPositive && at_e * at_f != kPositive;
-      return on ? Meeting::kStartsOn : Meeting::kMisses;
-    }
-    const bool e_above = at_e == kNegative;
-    const bool f_above = at_f == kNegative;
-    return e_above != f_above && (side == kPositive) == f_above ? Meeting::kPasses
-                                                                 : Meeting::kMisses;
-  }
-
-  /// Returns the coordinates of a probe, which are off by at most `doubt()`.
-  [[nodiscard]] Vec<double> place_of(const Probe& probe) const {
-    const Vec<double> sum = predicates_.position(probe);
-    return {sum.x - o_.sites.x[kFixedSite], sum.y - o_.sites.y[kFixedSite]};
-  }
-  [[nodiscard]] double doubt() const { return 8 * o_.bounds.position; }
-
-  /// Lists the rings that contain ring `inner` in `scratch_.around`, by parity along a row of
-  /// cells.
-  void list_rings_around(std::size_t inner) {
-    auto& around = scratch_.around;
-    around.clear();
-    const Probe probe{{o_.rings[inner].begin, kFixedSite}, 1, 1};
-    const Vec<double> at = place_of(probe);
-    const double low = at.y - doubt();
-    const double high = at.y + doubt();
-    std::vector<std::size_t>& on = scratch_.on;
-    on.clear();
-    const auto stamp = static_cast<SiteId>(inner);
-    for (std::int32_t j = grid_.row(low); j <= grid_.row(high); ++j) {
-      for (std::int32_t i = grid_.column(at.x - doubt()); i < grid_.columns; ++i) {
-        const std::size_t cell =
-            static_cast<std::size_t>(j) * static_cast<std::size_t>(grid_.columns) +
-            static_cast<std::size_t>(i);
-        const std::uint32_t cell_end = scratch_.cell_begin[cell + 1];
-        cancellation_.check(1 + cell_end - scratch_.cell_begin[cell]);
-        for (std::uint32_t k = scratch_.cell_begin[cell]; k < cell_end; ++k) {
-          const SiteId e = scratch_.in_cells[k];
-          const double y0 = o_.sites.y[e];
-          const double y1 = o_.sites.y[o_.sites.next[e]];
-          if (std::max(y0, y1) < low || std::min(y0, y1) > high) continue;
-          if (std::exchange(scratch_.stamp[e], stamp) == stamp) continue;
-          const std::size_t ring = ring_of(e);
-          if (ring == inner) continue;
-          const Meeting found = meeting(probe, e);
-          if (found == Meeting::kPasses) around.push_back(ring);
-          if (found == Meeting::kStartsOn) on.push_back(ring);
-        }
-      }
-    }
-    keep_odd(around);
-    for (const std::size_t ring : on) {
-      std::erase(around, ring);
-      if (lies_inside(inner, ring)) around.push_back(ring);
-    }
-  }
-  /// Keeps one of each ring that occurs an odd number of times.
-  static void keep_odd(std::vector<std::size_t>& rings) {
-    std::sort(rings.begin(), rings.end());
-    std::size_t kept = 0;
-    for (std::size_t i = 0, j = 0; i < rings.size(); i = j) {
-      for (j = i; j < rings.size() && rings[j] == rings[i]; ++j) {
-      }
-      if ((j - i) % 2 != 0) rings[kept++] = rings[i];
-    }
-    rings.resize(kept);
-  }
-
-  /// Tells whether ring `inner` lies inside ring `outer`, which it does not cross. Only finitely
-  /// many points of an edge lie on the other ring, so some dyadic point does not.
-  bool lies_inside(std::size_t inner, std::size_t outer) {
-    const Segment edge{o_.rings[inner].begin, kFixedSite};
-    for (int shift = 1; shift < Probe::kMaxShift; ++shift) {
-      for (std::int64_t k = 1; k < (std::int64_t{1} << std::min(shift, 12)); k += 2) {
-        const Probe probe{edge, k, shift};
-        bool inside = false;
-        bool on = false;
-        for (SiteId e = o_.rings[outer].begin; e < o_.rings[outer].end && !on; ++e) {
-          const Meeting found = meeting(probe, e);
-          inside ^= found == Meeting::kPasses;
-          on = found == Meeting::kStartsOn;
-        }
-        if (!on) return inside;
-      }
-    }
-    throw Error(ErrorCode::kInternal, "no point of a ring lies off another ring", {}, "operands");
-  }
-
-  void check_hole(std::size_t hole) {
-    const OperandRing& own = o_.rings[hole];
-    bool in_outer = false;
-    cancellation_.check(scratch_.around.size());
-    for (const std::size_t r : scratch_.around) {
-      const OperandRing& ring = o_.rings[r];
-      if (ring.polygon != own.polygon) continue;
-      in_outer |= !ring.is_hole();
-      if (ring.is_hole()) list_.add_vertex("hole lies inside another hole", own.begin);
-    }
-    if (!in_outer) list_.add_vertex("hole lies outside its outer ring", own.begin);
-  }
-
-  void check_outer(std::size_t outer) {
-    const auto in_hole_of = [&](std::uint32_t polygon) {
-      cancellation_.check(scratch_.around.size());
-      return std::any_of(scratch_.around.begin(), scratch_.around.end(), [&](std::size_t r) {
-        return o_.rings[r].is_hole() && o_.rings[r].polygon == polygon;
-      });
-    };
-    cancellation_.check(scratch_.around.size());
-    for (const std::size_t r : scratch_.around) {
-      const OperandRing& ring = o_.rings[r];
-      if (!ring.is_hole() && !in_hole_of(ring.polygon)) {
-        list_.add_vertex("polygons overlap", o_.rings[outer].begin);
-      }
-    }
-  }
-
   OperandScratch& scratch_;
   const PreparedOperand& o_;
   Cancellation& cancellation_;
-  UniformGrid grid_;
+  bool suspects_known_ = false;  ///< whether only suspect edges can be faulty
   Predicates predicates_;
   FaultList list_;
 };

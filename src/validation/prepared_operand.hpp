@@ -12,6 +12,7 @@
 #include "minksum/testing.hpp"
 #include "minksum/validity.hpp"
 #include "spatial/box_pairs.hpp"
+#include "validation/ring_sweep.hpp"
 
 namespace minksum {
 
@@ -57,10 +58,9 @@ struct OperandScratch {
   std::vector<std::uint32_t> cell_begin;
   std::vector<SiteId> in_cells;
   BoxPairScratch pairs;
-  std::vector<SiteId> stamp;       ///< by edge: the ring that last looked at it
-  std::vector<std::size_t> around;  ///< rings
-  std::vector<std::size_t> on;
-  std::vector<RingTouch> touches;  ///< touches without crossing; may repeat
+  RingSweep sweep;
+  /// Where rings of one polygon touch, if no edges meet wrongly (see `sweep_rings`).
+  std::vector<RingTouch> touches;
 };
 
 /// All that can be known of an operand before the other one is known.

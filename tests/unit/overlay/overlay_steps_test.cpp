@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "overlay/bounded.hpp"
 #include "overlay/chains.hpp"
 #include "overlay/exact_points_of.hpp"
-#include "overlay/status.hpp"
 #include "overlay/subdivision.hpp"
 #include "reference/exact.hpp"
 #include "support/messes.hpp"
@@ -267,42 +265,6 @@ TEST(OverlaySteps, CheckerRejects) {
   };
   EXPECT_EQ(uncut(cross), "two pieces cross");
   EXPECT_EQ(uncut({{}, {{{0, 0}, {4, 0}}, {{2, 0}, {2, 3}}}, {}}), "a node lies inside a piece");
-}
-
-TEST(OverlayStatus, KeepsItsOrder) {
-  Random random(3);
-  Status status;
-  std::vector<std::pair<SlotId, PieceId>> expected;  // from below
-  PieceId next = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const bool grow = expected.empty() || random.below(1000) < 520;
-    const int place = random.below(static_cast<int>(expected.size()) + 1);
-    const auto at = expected.begin() + place;
-    if (grow) {
-      const SlotId below = place == 0 ? Status::kGround : (at - 1)->first;
-      expected.insert(at, {status.insert_above(below, next), next});
-      ++next;
-    } else if (at != expected.end()) {
-      status.erase(at->first);
-      expected.erase(at);
-    }
-    if (i % 100 != 0) continue;
-    SlotId slot = Status::kGround;
-    for (const auto& [expected_slot, piece] : expected) {
-      ASSERT_EQ(status.above(slot), expected_slot);
-      ASSERT_EQ(status.below(expected_slot), slot);
-      slot = expected_slot;
-      ASSERT_EQ(status.piece(slot), piece);
-    }
-    ASSERT_EQ(status.above(slot), kNone);
-    // The search must find the pieces up to some height.
-    const int height = random.below(static_cast<int>(expected.size()) + 1);
-    std::set<PieceId> lower;
-    for (int k = 0; k < height; ++k) lower.insert(expected[static_cast<std::size_t>(k)].second);
-    const SlotId found = status.search([&](PieceId p) { return lower.contains(p); });
-    EXPECT_EQ(found,
-              height == 0 ? Status::kGround : expected[static_cast<std::size_t>(height - 1)].first);
-  }
 }
 
 }  // namespace

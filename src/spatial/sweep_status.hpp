@@ -1,36 +1,42 @@
-// Keeps the pieces that a sweep line meets, from bottom to top.
+// Keeps the segments that a sweep line meets, from bottom to top.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "overlay/subdivision.hpp"
-
-namespace minksum::overlay {
+namespace minksum {
 
 using SlotId = std::uint32_t;
 
-/// An ordered list of pieces, with insertion and removal at known places, and search. The list is a
-/// treap whose nodes are linked in their order. Priorities are a fixed hash of the slots' numbers.
-/// So operations take O(log n) expected time, and are alike in every run.
-class Status {
+/// An ordered list of segments' numbers, with insertion and removal at known places, and search.
+/// The list is a treap whose nodes are linked in their order. Priorities are a fixed hash of the
+/// slots' numbers. So operations take O(log n) expected time, and are alike in every run.
+class SweepStatus {
  public:
-  Status() { slots_.emplace_back(); }  // slot 0 is the ground: below everything, and in no tree
+  SweepStatus() { clear(); }
 
-  static constexpr SlotId kGround = 0;
+  static constexpr SlotId kGround = 0;  ///< below everything, and in no tree
+  static constexpr SlotId kNone = 0xFFFFFFFFU;
 
-  [[nodiscard]] PieceId piece(SlotId slot) const { return slots_[slot].piece; }
-  void set_piece(SlotId slot, PieceId piece) { slots_[slot].piece = piece; }
+  /// Forgets all segments, and keeps the memory.
+  void clear() {
+    slots_.assign(1, {});
+    free_.clear();
+    root_ = kNone;
+  }
+
+  [[nodiscard]] std::uint32_t segment(SlotId slot) const { return slots_[slot].segment; }
+  void set_segment(SlotId slot, std::uint32_t segment) { slots_[slot].segment = segment; }
   [[nodiscard]] SlotId below(SlotId slot) const { return slots_[slot].below; }
   [[nodiscard]] SlotId above(SlotId slot) const { return slots_[slot].above; }
 
-  /// Returns the highest slot whose piece `is_below` accepts, or the ground. `is_below` must accept
-  /// the pieces up to some height, and no others.
+  /// Returns the highest slot whose segment `is_below` accepts, or the ground. `is_below` must accept
+  /// the segments up to some height, and no others.
   template <class IsBelow>
   [[nodiscard]] SlotId search(IsBelow is_below) const {
     SlotId best = kGround;
     for (SlotId at = root_; at != kNone;) {
-      if (is_below(slots_[at].piece)) {
+      if (is_below(slots_[at].segment)) {
         best = at;
         at = slots_[at].high;
       } else {
@@ -40,11 +46,11 @@ class Status {
     return best;
   }
 
-  /// Inserts a piece right above a slot (or the ground).
-  SlotId insert_above(SlotId slot, PieceId piece) {
+  /// Inserts a segment right above a slot (or the ground).
+  SlotId insert_above(SlotId slot, std::uint32_t segment) {
     const SlotId added = take_slot();
     Slot& own = slots_[added];
-    own.piece = piece;
+    own.segment = segment;
     const SlotId next = slots_[slot].above;
     own.below = slot;
     own.above = next;
@@ -87,7 +93,7 @@ class Status {
 
  private:
   struct Slot {
-    PieceId piece = kNone;
+    std::uint32_t segment = kNone;
     SlotId parent = kNone;
     SlotId low = kNone;
     SlotId high = kNone;
@@ -139,4 +145,4 @@ class Status {
   SlotId root_ = kNone;
 };
 
-}  // namespace minksum::overlay
+}  // namespace minksum

@@ -1,0 +1,362 @@
+#include "validation/ring_sweep.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "machine/make_room.hpp"
+#include "validation/prepared_operand.hpp"
+
+namespace minksum {
+namespace {
+
+class Sweeper {
+ public:
+  Sweeper(const PreparedOperand& operand, Cancellation& cancellation, OperandScratch& scratch)
+      : o_(operand),
+        cancellation_(cancellation),
+        predicates_(operand.sites, *operand.kernel, operand.bounds, cancellation),
+        touches_(scratch.touches),
+        s_(scratch.sweep) {}
+
+  void run() {
+    prepare();
+    sort_sites();
+    for (std::size_t begin = 0, end = 0; begin < s_.order.size(); begin = end) {
+      while (end < s_.order.size() && s_.place[s_.order[end]] == begin) ++end;
+      cancellation_.check(8 * (end - begin));
+      pass(std::span(s_.order).subspan(begin, end - begin));
+    }
+  }
+
+ private:
+  using Spoke = RingSweep::Spoke;
+  static constexpr SlotId kGround = SweepStatus::kGround;
+  static constexpr SlotId kNone = SweepStatus::kNone;
+
+  void prepare() {
+    s_.any_suspect = false;
+    s_.status.clear();
+    assign_in_pieces(s_.suspect, o_.size(), std::uint8_t{0}, cancellation_);
+    assign_in_pieces(s_.is_open, o_.size(), std::uint8_t{0}, cancellation_);
+    assign_in_pieces(s_.slot_of, o_.size(), kNone, cancellation_);
+    assign_in_pieces(s_.parent, o_.rings.size(), kUnknown, cancellation_);
+    resize_in_pieces(s_.ring_of, o_.size(), cancellation_);
+    for (std::uint32_t r = 0; r < o_.rings.size(); ++r) {
+      const OperandRing& ring = o_.rings[r];
+      cancellation_.check(1 + (ring.end - ring.begin) / 4);
+      std::fill(s_.ring_of.begin() + ring.begin, s_.ring_of.begin() + ring.end, r);
+    }
+  }
+
+  // -- Order -------------------------------------------------------------------------------------
+  [[nodiscard]] Sign order_of(SiteId a, SiteId b) {
+    const Sign by_x = predicates_.compare(a, b, Axis::kX);
+    return by_x != kZero ? by_x : predicates_.compare(a, b, Axis::kY);
+  }
+  void sort_sites() {
+    auto& order = s_.order;
+    resize_in_pieces(order, o_.size(), cancellation_);
+    std::iota(order.begin(), order.end(), SiteId{0});
+    sort_in_pieces(order.begin(), order.end(), cancellation_, [this](SiteId a, SiteId b) {
+      const Sign sign = order_of(a, b);
+      return sign != kZero ? sign == kNegative : a < b;
+    });
+    resize_in_pieces(s_.place, o_.size(), cancellation_);
+    std::uint32_t first = 0;
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      cancellation_.check();
+      if (i > 0 && order_of(order[i - 1], order[i]) != kZero) first = i;
+      s_.place[order[i]] = first;
+    }
+  }
+  [[nodiscard]] bool runs_right(SiteId e) const {
+    return s_.place[e] < s_.place[o_.sites.next[e]];
+  }
+  [[nodiscard]] SiteId low_end(SiteId e) const { return runs_right(e) ? e : o_.sites.next[e]; }
+  [[nodiscard]] SiteId high_end(SiteId e) const { return runs_right(e) ? o_.sites.next[e] : e; }
+  /// Returns on which side of an edge a vertex lies: kPositive is above.
+  [[nodiscard]] Sign side(SiteId e, SiteId v) {
+    return predicates_.orientation(low_end(e), high_end(e), v);
+  }
+
+  // -- Suspects ----------------------------------------------------------------------------------
+  void suspect_edge(SiteId e) {
+    s_.suspect[e] = 1;
+    s_.any_suspect = true;
+  }
+  /// Suspects an edge that has a slot, which is free from here on.
+  void displace(SiteId e) {
+    suspect_edge(e);
+    s_.slot_of[e] = kNone;
+  }
+  void suspect_vertex(SiteId v) {
+    suspect_edge(v);
+    suspect_edge(o_.previous[v]);
+  }
+  /// Tells whether a vertex has no edge left that is not suspect.
+  [[nodiscard]] bool is_out(SiteId v) const {
+    return s_.suspect[v] != 0 && s_.suspect[o_.previous[v]] != 0;
+  }
+
+  // -- One point ---------------------------------------------------------------------------------
+  void pass(std::span<const SiteId> here) {
+    const SlotId under = find_place(here);
+    const SlotId over = s_.status.above(s_.at.empty() ? under : s_.at.back());
+    list_spokes(here);
+    const SiteId passing = passing_edge(here[0]);
+    if (here.size() > 1 || passing != kNoSite) meet(here, passing);
+    list_after(passing);
+    exchange(under);
+    part_neighbours(under, over);
+  }
+
+  /// Lists the slots of the edges through this point in `at`, from bottom to top. Returns the slot
+  /// below them.
+  [[nodiscard]] SlotId find_place(std::span<const SiteId> here) {
+    const SiteId point = here[0];
+    const SlotId ending = slot_that_ends(here);
+    SlotId under = ending;
+    if (ending == kNone) {
+      under = s_.status.search([&](SiteId e) {
+        cancellation_.check(2);
+        return side(e, point) == kPositive;
+      });
+    }
+    while (goes_through(under, point)) under = s_.status.below(under);
+    s_.at.clear();
+    for (SlotId slot = s_.status.above(under); goes_through(slot, point);
+         slot = s_.status.above(slot)) {
+      s_.at.push_back(slot);
+    }
+    return under;
+  }
+  /// Returns the slot of some edge that ends here, or kNone.
+  [[nodiscard]] SlotId slot_that_ends(std::span<const SiteId> here) const {
+    for (const SiteId v : here) {
+      for (const SiteId e : {v, o_.previous[v]}) {
+        if (high_end(e) == v && s_.slot_of[e] != kNone) return s_.slot_of[e];
+      }
+    }
+    return kNone;
+  }
+  [[nodiscard]] bool ends_at(SiteId e, SiteId v) const {
+    return s_.place[high_end(e)] == s_.place[v];
+  }
+  [[nodiscard]] bool goes_through(SlotId slot, SiteId point) {
+    if (slot == kGround || slot == kNone) return false;
+    const SiteId e = s_.status.segment(slot);
+    return ends_at(e, point) || side(e, point) == kZero;
+  }
+  /// Returns the edge that this point lies inside of, or kNoSite. Several such edges are suspect.
+  [[nodiscard]] SiteId passing_edge(SiteId point) {
+    SiteId found = kNoSite;
+    bool several = false;
+    for (const SlotId slot : s_.at) {
+      const SiteId e = s_.status.segment(slot);
+      if (ends_at(e, point)) continue;
+      if (found != kNoSite) {
+        displace(found);
+        displace(e);
+        several = true;
+      }
+      found = e;
+    }
+    return several ? kNoSite : found;
+  }
+
+  // -- Spokes ------------------------------------------------------------------------------------
+  /// Lists the directions to the right, and to the left, each counter-clockwise.
+  void list_spokes(std::span<const SiteId> here) {
+    s_.right.clear();
+    s_.left.clear();
+    for (const SiteId v : here) {
+      if (is_out(v)) continue;
+      const SiteId in = o_.previous[v];
+      (runs_right(v) ? s_.right : s_.left).push_back({o_.sites.next[v], v, v});
+      (runs_right(in) ? s_.left : s_.right).push_back({in, in, v});
+    }
+    sort_spokes(here[0], s_.right);
+    if (here.size() > 1) sort_spokes(here[0], s_.left);
+  }
+  void sort_spokes(SiteId point, std::vector<Spoke>& spokes) {
+    sort_in_pieces(spokes.begin(), spokes.end(), cancellation_,
+                   [&](const Spoke& a, const Spoke& b) {
+                     const Sign sign = predicates_.orientation(point, a.far, b.far);
+                     return sign != kZero ? sign == kPositive : a.edge < b.edge;
+                   });
+  }
+
+  // -- Meetings at one point ---------------------------------------------------------------------
+  /// Tests vertices with each other, and with an edge through them.
+  void meet(std::span<const SiteId> here, SiteId passing) {
+    meet_own_ring(here);
+    if (passing != kNoSite) meet_passing(here, passing);
+    meet_same_direction(here[0], s_.right);
+    meet_same_direction(here[0], s_.left);
+    meet_crosswise();
+    list_touches(here, passing);
+  }
+  /// Suspects the vertices of a ring that touches itself here, but for one. Vertices of a ring
+  /// stand next to each other.
+  void meet_own_ring(std::span<const SiteId> here) {
+    SiteId last = kNoSite;
+    for (const SiteId v : here) {
+      if (is_out(v)) continue;
+      if (last != kNoSite && s_.ring_of[last] == s_.ring_of[v]) {
+        suspect_vertex(v);
+      } else {
+        last = v;
+      }
+    }
+  }
+  /// Suspects the vertices whose edges do not both lie on one side of an edge through this point.
+  void meet_passing(std::span<const SiteId> here, SiteId passing) {
+    cancellation_.check(4 * here.size());
+    for (const SiteId v : here) {
+      if (is_out(v)) continue;
+      const bool parted =
+          side(passing, o_.previous[v]) * side(passing, o_.sites.next[v]) != kPositive;
+      if (parted || s_.ring_of[v] == s_.ring_of[passing]) suspect_vertex(v);
+    }
+  }
+  /// Suspects all but one of the vertices that have edges in one direction.
+  void meet_same_direction(SiteId point, std::span<const Spoke> spokes) {
+    cancellation_.check(4 * spokes.size());
+    const Spoke* last = nullptr;
+    for (const Spoke& spoke : spokes) {
+      if (is_out(spoke.vertex)) continue;
+      if (last != nullptr && predicates_.orientation(point, last->far, spoke.far) == kZero) {
+        suspect_vertex(spoke.vertex);
+      } else {
+        last = &spoke;
+      }
+    }
+  }
+  /// Goes once around the point. A vertex whose second edge comes while another vertex has shown
+  /// one edge since its own first crosses that vertex, and is suspect.
+  void meet_crosswise() {
+    s_.open.clear();
+    for (const std::vector<Spoke>* const half : {&s_.right, &s_.left}) {
+      cancellation_.check(half->size());
+      for (const Spoke& spoke : *half) {
+        const SiteId v = spoke.vertex;
+        if (is_out(v)) continue;
+        while (!s_.open.empty() && is_out(s_.open.back())) close();
+        if (s_.is_open[v] == 0) {
+          s_.is_open[v] = 1;
+          s_.open.push_back(v);
+        } else if (s_.open.back() == v) {
+          close();
+        } else {
+          suspect_vertex(v);
+        }
+      }
+    }
+    while (!s_.open.empty()) close();
+  }
+  void close() {
+    s_.is_open[s_.open.back()] = 0;
+    s_.open.pop_back();
+  }
+  void list_touches(std::span<const SiteId> here, SiteId passing) {
+    const auto polygon = [&](SiteId v) { return o_.rings[s_.ring_of[v]].polygon; };
+    cancellation_.check(2 * here.size());
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (i > 0 && polygon(here[i - 1]) == polygon(here[i])) {
+        append(touches_, {here[i], here[i - 1], true}, cancellation_);
+      }
+      if (passing != kNoSite && polygon(passing) == polygon(here[i])) {
+        append(touches_, {here[i], passing, false}, cancellation_);
+      }
+    }
+  }
+
+  // -- From one point to the next ----------------------------------------------------------------
+  /// Lists the edges that go on to the right in `after`, from bottom to top.
+  void list_after(SiteId passing) {
+    s_.after.clear();
+    bool listed = passing == kNoSite;
+    for (const Spoke& spoke : s_.right) {
+      if (s_.suspect[spoke.edge] != 0) continue;
+      if (!listed && side(passing, spoke.far) == kPositive) {
+        s_.after.push_back(passing);
+        listed = true;
+      }
+      s_.after.push_back(spoke.edge);
+    }
+    if (!listed) s_.after.push_back(passing);
+    cancellation_.check(s_.after.size());
+  }
+  /// Gives the slots of the edges through this point to those that go on.
+  void exchange(SlotId under) {
+    std::size_t used = 0;
+    SlotId last = under;
+    for (const SiteId e : s_.after) {
+      if (used < s_.at.size()) {
+        last = s_.at[used++];
+        s_.status.set_segment(last, e);
+      } else {
+        last = s_.status.insert_above(last, e);
+      }
+      s_.slot_of[e] = last;
+      std::uint32_t& parent = s_.parent[s_.ring_of[e]];
+      if (parent == kUnknown) parent = ring_above(s_.status.below(last));
+    }
+    while (used < s_.at.size()) s_.status.erase(s_.at[used++]);
+  }
+  /// Returns the smallest ring around the points right above an edge.
+  [[nodiscard]] std::uint32_t ring_above(SlotId slot) const {
+    if (slot == kGround) return RingSweep::kNoRing;
+    const SiteId e = s_.status.segment(slot);
+    const std::uint32_t ring = s_.ring_of[e];
+    return runs_right(e) != o_.rings[ring].is_hole() ? ring : s_.parent[ring];
+  }
+  /// Suspects neighbours between two slots that cross farther to the right, and leaves them out,
+  /// until none do.
+  void part_neighbours(SlotId under, SlotId over) {
+    for (SlotId low = under; low != over;) {
+      const SlotId high = s_.status.above(low);
+      if (low == kGround || high == kNone || !cross(low, high)) {
+        low = high;
+        continue;
+      }
+      if (high == over) over = s_.status.above(over);
+      const SlotId below = s_.status.below(low);
+      leave_out(low);
+      leave_out(high);
+      low = below;
+    }
+  }
+  void leave_out(SlotId slot) {
+    displace(s_.status.segment(slot));
+    s_.status.erase(slot);
+  }
+  /// Tells whether the edges of two slots, one above the other, change their order.
+  [[nodiscard]] bool cross(SlotId low, SlotId high) {
+    const SiteId a = s_.status.segment(low);
+    const SiteId b = s_.status.segment(high);
+    const SiteId a_end = high_end(a);
+    const SiteId b_end = high_end(b);
+    if (s_.place[a_end] == s_.place[b_end]) return false;
+    return s_.place[a_end] < s_.place[b_end] ? side(b, a_end) == kPositive
+                                             : side(a, b_end) == kNegative;
+  }
+
+  static constexpr std::uint32_t kUnknown = RingSweep::kNoRing - 1;
+
+  const PreparedOperand& o_;
+  Cancellation& cancellation_;
+  Predicates predicates_;
+  std::vector<RingTouch>& touches_;
+  RingSweep& s_;
+};
+
+}  // namespace
+
+void sweep_rings(const PreparedOperand& operand, Cancellation& cancellation,
+                 OperandScratch& scratch) {
+  Sweeper(operand, cancellation, scratch).run();
+}
+
+}  // namespace minksum
