@@ -58,6 +58,7 @@ class ContactFinder {
 
  private:
   friend MedianDivision<ContactFinder>;
+  static constexpr std::size_t kPairsOfASweep = 128;  ///< pairs that cost what a segment's sweep does
   static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
 
   [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
@@ -127,7 +128,10 @@ class ContactFinder {
   }
 
   // What the division asks for.
-  [[nodiscard]] bool enter(const BoxOf<double>& /*part*/) const { return !too_many(); }
+  [[nodiscard]] bool enter(std::size_t begin, std::size_t end,
+                           const BoxOf<double>& /*part*/) const {
+    return !too_many() && has_suspects(begin, end);
+  }
   template <Axis axis>
   [[nodiscard]] bool cut(SegmentId segment, double at, LineCut& result) const {
     constexpr bool kByX = axis == Axis::kX;
@@ -150,14 +154,19 @@ class ContactFinder {
 
   /// Tests pairs whose boxes overlap, from left to right.
   void test_all(std::size_t begin, std::size_t end) {
+    if (!has_suspects(begin, end)) return;
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(first, items_.begin() + static_cast<std::ptrdiff_t>(end),
               cancellation_.counting(
                   [](const BoxedSegment& a, const BoxedSegment& b) { return a.x0 < b.x0; }));
+    if (swept_) list_suspects(begin, end);
     for (std::size_t i = begin; i < end; ++i) {
       const BoxedSegment a = items_[i];
-      std::size_t j = i + 1;
-      for (; j < end && items_[j].x0 <= a.x1; ++j) {
+      const bool with_all = is_suspect(a.segment);
+      const auto from = [&](std::size_t k) { return with_all ? k : next_suspect_[k - begin]; };
+      std::size_t tested = 1;
+      for (std::size_t j = from(i + 1); j < end && items_[j].x0 <= a.x1; j = from(j + 1)) {
+        ++tested;
         const BoxedSegment& b = items_[j];
         if (b.y0 > a.y1 || a.y0 > b.y1) continue;
         if (beside(a.segment, b.segment)) continue;
@@ -165,8 +174,42 @@ class ContactFinder {
         test(a.segment, b.segment);
       }
       if (too_many()) return;
-      cancellation_.check(1 + 2 * (j - i));
+      cancellation_.check(2 * tested);
+      if (is_sweep_due(tested)) {
+        sweep();
+        list_suspects(begin, end);
+      }
     }
+  }
+
+  /// Tells whether a segment may meet others in a way that is not listed yet.
+  [[nodiscard]] bool is_suspect(SegmentId s) const { return !swept_ || suspect_[s] != 0; }
+  [[nodiscard]] bool has_suspects(std::size_t begin, std::size_t end) const {
+    const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = items_.begin() + static_cast<std::ptrdiff_t>(end);
+    return std::any_of(first, last, [&](const BoxedSegment& item) { return is_suspect(item.segment); });
+  }
+  /// Lists, for each item and for the end, the next suspect from there on.
+  void list_suspects(std::size_t begin, std::size_t end) {
+    next_suspect_.resize(end - begin + 1);
+    next_suspect_.back() = end;
+    for (std::size_t i = end; i-- > begin;) {
+      const bool suspect = is_suspect(items_[i].segment);
+      next_suspect_[i - begin] = suspect ? i : next_suspect_[i - begin + 1];
+    }
+  }
+  /// Counts pairs, and tells whether more have been tested in vain than a sweep costs.
+  [[nodiscard]] bool is_sweep_due(std::size_t pairs) {
+    tested_ += pairs;
+    const auto& [touches, crossings] = contacts_;
+    const std::size_t paid = segments_.list.size() + touches.size() + crossings.size();
+    return !swept_ && tested_ > kPairsOfASweep * paid;
+  }
+  /// Sweeps over all segments. From here on, only pairs with a suspect are left to test.
+  void sweep() {
+    suspect_ = sweep_contacts(segments_, contacts_.touches);
+    suspect_.resize(slants_.size(), 0);
+    swept_ = true;
   }
 
   /// Tells whether t certainly lies on one side of the line of s. One end of t may be shared with
@@ -253,6 +296,10 @@ class ContactFinder {
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
   std::size_t look_again_at_ = kMaxCrossings;
+  std::size_t tested_ = 0;               // pairs
+  bool swept_ = false;                   // whether `suspect_` is known
+  std::vector<std::uint8_t> suspect_;    // by segment, lone points included
+  std::vector<std::size_t> next_suspect_;
   std::vector<BoxedSegment> items_;
 };
 

@@ -118,6 +118,11 @@ struct Subdivision {
 [[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
                                  Contacts& contacts);
 
+/// Finds all touches of segments that neither cross nor overlap, in O(n log n). Such segments are
+/// those that the returned list, which is by segment, has 0 for.
+[[nodiscard]] std::vector<std::uint8_t> sweep_contacts(const Segments& segments,
+                                                       std::vector<Touch>& touches);
+
 /// Replaces segments that overlap on one line by segments that do not. If k segments contain each
 /// other, they have up to k² touches, and become at most 2k segments. Joining pays only for such
 /// crowds. O(n log n).

@@ -29,8 +29,8 @@ struct LineCut {
 /// dividing does not pay. Boxes are cut to each part.
 ///
 /// A User has these functions. [begin, end) are indices of items.
-/// - `bool enter(const BoxOf<double>& part)` is told of each part. If it returns false, the part is
-///   left out.
+/// - `bool enter(begin, end, const BoxOf<double>& part)` is told of each part. If it returns false,
+///   the part is left out.
 /// - `bool cut<axis>(segment, at, LineCut&)` tells where a segment meets the line axis = at.
 ///   Returns false if the segment runs so nearly along that line that the place is not known.
 /// - `void meet_few(begin, end)` handles the items of a part that are few.
@@ -132,7 +132,7 @@ class MedianDivision {
 
   void divide(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
     const std::size_t count = end - begin;
-    if (count < 2 || !user_.enter(part)) return;
+    if (count < 2 || !user_.enter(begin, end, part)) return;
     if (count <= kFew) return user_.meet_few(begin, end);
     const BoxOf<double> box = bounds_of(begin, end);
     const Axis longer = box.longer();

@@ -118,15 +118,22 @@ class ContactFinder {
     if (sorted) {
       std::sort(edges.begin(), edges.end(), [&](SiteId a, SiteId b) { return left(a) < left(b); });
     }
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    next_suspect_.resize(edges.size() + 1);
+    next_suspect_.back() = edges.size();
+    for (std::size_t i = edges.size(); i-- > 0;) {
+      next_suspect_[i] = is_suspect(edges[i]) ? i : next_suspect_[i + 1];
+    }
+    for (std::size_t i = 0; i < edges.size() && !list_.full(); ++i) {
       const double reach = right(edges[i]) + o_.bounds.difference;
-      std::size_t j = i + 1;
-      for (; j < edges.size(); ++j) {
+      const bool with_all = is_suspect(edges[i]);
+      const auto from = [&](std::size_t k) { return with_all ? k : next_suspect_[k]; };
+      std::size_t compared = 1;
+      for (std::size_t j = from(i + 1); j < edges.size(); j = from(j + 1)) {
         if (sorted && left(edges[j]) > reach) break;
         contact(edges[i], edges[j]);
+        ++compared;
       }
-      cancellation_.check(4 * (j - i));
-      if (list_.full()) return;
+      cancellation_.check(4 * compared);
     }
   }
 
@@ -238,6 +245,7 @@ class ContactFinder {
   OperandScratch& scratch_;
   const PreparedOperand& o_;
   Cancellation& cancellation_;
+  std::vector<std::size_t> next_suspect_;  // in a cell's edges: the next suspect from there on
   bool suspects_known_ = false;  ///< whether only suspect edges can be faulty
   Predicates predicates_;
   FaultList list_;

@@ -17,7 +17,8 @@ class Sweeper {
         cancellation_(cancellation),
         predicates_(operand.sites, *operand.kernel, operand.bounds, cancellation),
         touches_(scratch.touches),
-        s_(scratch.sweep) {}
+        s_(scratch.sweep),
+        sweep_(*this, cancellation, scratch.sweep.segments) {}
 
   void run() {
     prepare();
@@ -29,17 +30,32 @@ class Sweeper {
     }
   }
 
+  // -- What SegmentSweep asks for ------------------------------------------------------------------
+  [[nodiscard]] SiteId low_end(SiteId e) const { return runs_right(e) ? e : o_.sites.next[e]; }
+  [[nodiscard]] SiteId high_end(SiteId e) const { return runs_right(e) ? o_.sites.next[e] : e; }
+  /// Returns on which side of an edge a vertex lies: kPositive is above.
+  [[nodiscard]] Sign side(SiteId e, SiteId v) {
+    return predicates_.orientation(low_end(e), high_end(e), v);
+  }
+  [[nodiscard]] std::uint32_t place(SiteId v) const { return s_.place[v]; }
+  void suspect(SiteId e) {
+    s_.suspect[e] = 1;
+    s_.any_suspect = true;
+  }
+  [[nodiscard]] bool is_suspect(SiteId e) const { return s_.suspect[e] != 0; }
+  void started(SiteId e, SlotId below) {
+    std::uint32_t& parent = s_.parent[s_.ring_of[e]];
+    if (parent == kUnknown) parent = ring_above(below);
+  }
+
  private:
   using Spoke = RingSweep::Spoke;
-  static constexpr SlotId kGround = SweepStatus::kGround;
-  static constexpr SlotId kNone = SweepStatus::kNone;
 
   void prepare() {
     s_.any_suspect = false;
-    s_.status.clear();
+    sweep_.start(o_.size());
     assign_in_pieces(s_.suspect, o_.size(), std::uint8_t{0}, cancellation_);
     assign_in_pieces(s_.is_open, o_.size(), std::uint8_t{0}, cancellation_);
-    assign_in_pieces(s_.slot_of, o_.size(), kNone, cancellation_);
     assign_in_pieces(s_.parent, o_.rings.size(), kUnknown, cancellation_);
     resize_in_pieces(s_.ring_of, o_.size(), cancellation_);
     for (std::uint32_t r = 0; r < o_.rings.size(); ++r) {
@@ -73,96 +89,34 @@ class Sweeper {
   [[nodiscard]] bool runs_right(SiteId e) const {
     return s_.place[e] < s_.place[o_.sites.next[e]];
   }
-  [[nodiscard]] SiteId low_end(SiteId e) const { return runs_right(e) ? e : o_.sites.next[e]; }
-  [[nodiscard]] SiteId high_end(SiteId e) const { return runs_right(e) ? o_.sites.next[e] : e; }
-  /// Returns on which side of an edge a vertex lies: kPositive is above.
-  [[nodiscard]] Sign side(SiteId e, SiteId v) {
-    return predicates_.orientation(low_end(e), high_end(e), v);
-  }
 
   // -- Suspects ----------------------------------------------------------------------------------
-  void suspect_edge(SiteId e) {
-    s_.suspect[e] = 1;
-    s_.any_suspect = true;
-  }
-  /// Suspects an edge that has a slot, which is free from here on.
-  void displace(SiteId e) {
-    suspect_edge(e);
-    s_.slot_of[e] = kNone;
-  }
   void suspect_vertex(SiteId v) {
-    suspect_edge(v);
-    suspect_edge(o_.previous[v]);
+    suspect(v);
+    suspect(o_.previous[v]);
   }
   /// Tells whether a vertex has no edge left that is not suspect.
   [[nodiscard]] bool is_out(SiteId v) const {
-    return s_.suspect[v] != 0 && s_.suspect[o_.previous[v]] != 0;
+    return is_suspect(v) && is_suspect(o_.previous[v]);
   }
 
   // -- One point ---------------------------------------------------------------------------------
   void pass(std::span<const SiteId> here) {
-    const SlotId under = find_place(here);
-    const SlotId over = s_.status.above(s_.at.empty() ? under : s_.at.back());
+    const SiteId passing = sweep_.arrive(here[0], ending_at(here));
     list_spokes(here);
-    const SiteId passing = passing_edge(here[0]);
     if (here.size() > 1 || passing != kNoSite) meet(here, passing);
-    list_after(passing);
-    exchange(under);
-    part_neighbours(under, over);
+    sweep_.leave(passing, [&](auto visit) {
+      for (const Spoke& spoke : s_.right) visit(spoke.edge, spoke.far);
+    });
   }
-
-  /// Lists the slots of the edges through this point in `at`, from bottom to top. Returns the slot
-  /// below them.
-  [[nodiscard]] SlotId find_place(std::span<const SiteId> here) {
-    const SiteId point = here[0];
-    const SlotId ending = slot_that_ends(here);
-    SlotId under = ending;
-    if (ending == kNone) {
-      under = s_.status.search([&](SiteId e) {
-        cancellation_.check(2);
-        return side(e, point) == kPositive;
-      });
-    }
-    while (goes_through(under, point)) under = s_.status.below(under);
-    s_.at.clear();
-    for (SlotId slot = s_.status.above(under); goes_through(slot, point);
-         slot = s_.status.above(slot)) {
-      s_.at.push_back(slot);
-    }
-    return under;
-  }
-  /// Returns the slot of some edge that ends here, or kNone.
-  [[nodiscard]] SlotId slot_that_ends(std::span<const SiteId> here) const {
+  /// Returns some edge that ends here and has a place, or kNoSite.
+  [[nodiscard]] SiteId ending_at(std::span<const SiteId> here) const {
     for (const SiteId v : here) {
       for (const SiteId e : {v, o_.previous[v]}) {
-        if (high_end(e) == v && s_.slot_of[e] != kNone) return s_.slot_of[e];
+        if (high_end(e) == v && sweep_.has_place(e)) return e;
       }
     }
-    return kNone;
-  }
-  [[nodiscard]] bool ends_at(SiteId e, SiteId v) const {
-    return s_.place[high_end(e)] == s_.place[v];
-  }
-  [[nodiscard]] bool goes_through(SlotId slot, SiteId point) {
-    if (slot == kGround || slot == kNone) return false;
-    const SiteId e = s_.status.segment(slot);
-    return ends_at(e, point) || side(e, point) == kZero;
-  }
-  /// Returns the edge that this point lies inside of, or kNoSite. Several such edges are suspect.
-  [[nodiscard]] SiteId passing_edge(SiteId point) {
-    SiteId found = kNoSite;
-    bool several = false;
-    for (const SlotId slot : s_.at) {
-      const SiteId e = s_.status.segment(slot);
-      if (ends_at(e, point)) continue;
-      if (found != kNoSite) {
-        displace(found);
-        displace(e);
-        several = true;
-      }
-      found = e;
-    }
-    return several ? kNoSite : found;
+    return kNoSite;
   }
 
   // -- Spokes ------------------------------------------------------------------------------------
@@ -272,75 +226,12 @@ class Sweeper {
     }
   }
 
-  // -- From one point to the next ----------------------------------------------------------------
-  /// Lists the edges that go on to the right in `after`, from bottom to top.
-  void list_after(SiteId passing) {
-    s_.after.clear();
-    bool listed = passing == kNoSite;
-    for (const Spoke& spoke : s_.right) {
-      if (s_.suspect[spoke.edge] != 0) continue;
-      if (!listed && side(passing, spoke.far) == kPositive) {
-        s_.after.push_back(passing);
-        listed = true;
-      }
-      s_.after.push_back(spoke.edge);
-    }
-    if (!listed) s_.after.push_back(passing);
-    cancellation_.check(s_.after.size());
-  }
-  /// Gives the slots of the edges through this point to those that go on.
-  void exchange(SlotId under) {
-    std::size_t used = 0;
-    SlotId last = under;
-    for (const SiteId e : s_.after) {
-      if (used < s_.at.size()) {
-        last = s_.at[used++];
-        s_.status.set_segment(last, e);
-      } else {
-        last = s_.status.insert_above(last, e);
-      }
-      s_.slot_of[e] = last;
-      std::uint32_t& parent = s_.parent[s_.ring_of[e]];
-      if (parent == kUnknown) parent = ring_above(s_.status.below(last));
-    }
-    while (used < s_.at.size()) s_.status.erase(s_.at[used++]);
-  }
-  /// Returns the smallest ring around the points right above an edge.
+  /// Returns the smallest ring around the points right above a slot.
   [[nodiscard]] std::uint32_t ring_above(SlotId slot) const {
-    if (slot == kGround) return RingSweep::kNoRing;
-    const SiteId e = s_.status.segment(slot);
+    if (slot == SweepStatus::kGround) return RingSweep::kNoRing;
+    const SiteId e = sweep_.status().segment(slot);
     const std::uint32_t ring = s_.ring_of[e];
     return runs_right(e) != o_.rings[ring].is_hole() ? ring : s_.parent[ring];
-  }
-  /// Suspects neighbours between two slots that cross farther to the right, and leaves them out,
-  /// until none do.
-  void part_neighbours(SlotId under, SlotId over) {
-    for (SlotId low = under; low != over;) {
-      const SlotId high = s_.status.above(low);
-      if (low == kGround || high == kNone || !cross(low, high)) {
-        low = high;
-        continue;
-      }
-      if (high == over) over = s_.status.above(over);
-      const SlotId below = s_.status.below(low);
-      leave_out(low);
-      leave_out(high);
-      low = below;
-    }
-  }
-  void leave_out(SlotId slot) {
-    displace(s_.status.segment(slot));
-    s_.status.erase(slot);
-  }
-  /// Tells whether the edges of two slots, one above the other, change their order.
-  [[nodiscard]] bool cross(SlotId low, SlotId high) {
-    const SiteId a = s_.status.segment(low);
-    const SiteId b = s_.status.segment(high);
-    const SiteId a_end = high_end(a);
-    const SiteId b_end = high_end(b);
-    if (s_.place[a_end] == s_.place[b_end]) return false;
-    return s_.place[a_end] < s_.place[b_end] ? side(b, a_end) == kPositive
-                                             : side(a, b_end) == kNegative;
   }
 
   static constexpr std::uint32_t kUnknown = RingSweep::kNoRing - 1;
@@ -350,6 +241,7 @@ class Sweeper {
   Predicates predicates_;
   std::vector<RingTouch>& touches_;
   RingSweep& s_;
+  SegmentSweep<Sweeper> sweep_;
 };
 
 }  // namespace

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "exact/sum_geometry.hpp"
-#include "spatial/sweep_status.hpp"
+#include "spatial/segment_sweep.hpp"
 
 namespace minksum {
 
 struct OperandScratch;
 struct PreparedOperand;
-class Cancellation;
 
 /// What a sweep finds, and its memory.
 struct RingSweep {
@@ -34,10 +33,7 @@ struct RingSweep {
   std::vector<SiteId> order;            ///< sites from left to right, and from bottom to top
   std::vector<std::uint32_t> place;     ///< by site: where its point stands in `order`
   std::vector<std::uint32_t> ring_of;   ///< by site
-  std::vector<SlotId> slot_of;          ///< by edge
-  SweepStatus status;
-  std::vector<SlotId> at;
-  std::vector<SiteId> after;
+  SegmentSweepScratch segments;
   std::vector<Spoke> right;
   std::vector<Spoke> left;
   std::vector<SiteId> open;
@@ -49,9 +45,9 @@ struct RingSweep {
 /// several do, each but the first is listed with the one before, and with an edge through the
 /// point.
 ///
-/// An edge that meets another one wrongly is suspect, and is left out from there on, and so is the
-/// other one. The edges that stay never change their order (Shamos, Hoey 1976). So time and memory
-/// do not depend on how often edges meet: O(n log n) decisions for n edges.
+/// Edges that meet another one wrongly are suspect, and are left out from there on (see
+/// SegmentSweep). So time and memory do not depend on how often edges meet: O(n log n) decisions for
+/// n edges.
 void sweep_rings(const PreparedOperand& operand, Cancellation& cancellation,
                  OperandScratch& scratch);
 

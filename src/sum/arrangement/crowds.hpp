@@ -42,7 +42,7 @@ class CrowdFinder {
   friend Division;
 
   // What the division asks for.
-  bool enter(const BoxOf<double>& part) {
+  bool enter(std::size_t /*begin*/, std::size_t /*end*/, const BoxOf<double>& part) {
     meeter_.enter(part);
     return true;
   }
