@@ -43,22 +43,16 @@ class ContactFinder {
     MedianDivision(*this, items_, 0, cancellation_)
         .divide({-HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL});
     if (too_many()) return false;
-    const auto touch_order = [](const Touch& a, const Touch& b) {
-      return a.segment != b.segment ? a.segment < b.segment : a.point < b.point;
-    };
-    const auto same_touch = [](const Touch& a, const Touch& b) {
-      return a.segment == b.segment && a.point == b.point;
-    };
-    auto& [touches, crossings] = contacts_;
-    std::sort(touches.begin(), touches.end(), cancellation_.counting(touch_order));
-    touches.erase(std::unique(touches.begin(), touches.end(), same_touch), touches.end());
+    auto& touches = contacts_.touches;
+    std::sort(touches.begin(), touches.end(), cancellation_.counting(std::less<>()));
+    touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
     sort_crossings();
     return true;
   }
 
  private:
   friend MedianDivision<ContactFinder>;
-  static constexpr std::size_t kPairsOfASweep = 128;  ///< pairs that cost what a segment's sweep does
+  static constexpr std::size_t kPairsOfASweep = 128;  ///< take as long as sweeping one segment
   static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
 
   [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
@@ -296,9 +290,9 @@ class ContactFinder {
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
   std::size_t look_again_at_ = kMaxCrossings;
-  std::size_t tested_ = 0;               // pairs
-  bool swept_ = false;                   // whether `suspect_` is known
-  std::vector<std::uint8_t> suspect_;    // by segment, lone points included
+  std::size_t tested_ = 0;             // pairs
+  bool swept_ = false;                 // whether `suspect_` is known
+  std::vector<std::uint8_t> suspect_;  // by segment, lone points included
   std::vector<std::size_t> next_suspect_;
   std::vector<BoxedSegment> items_;
 };

@@ -46,6 +46,7 @@ struct Segments {
 struct Touch {
   SegmentId segment;
   PointId point;
+  friend auto operator<=>(const Touch&, const Touch&) = default;
 };
 /// Two segments whose insides cross, first < second.
 struct Crossing {

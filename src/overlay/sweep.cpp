@@ -76,7 +76,8 @@ class Sweep {
     ended_.clear();
     if (ending_[v] == kNone) return;
     const auto ends_here = [&](SlotId slot) {
-      return slot != SweepStatus::kGround && slot != kNone && s_.pieces[status_.segment(slot)].high == v;
+      return slot != SweepStatus::kGround && slot != kNone &&
+             s_.pieces[status_.segment(slot)].high == v;
     };
     SlotId slot = slot_of_[ending_[v]];
     while (ends_here(status_.below(slot))) slot = status_.below(slot);

@@ -29,7 +29,8 @@ class ContactSweeper {
     return std::move(suspect_);
   }
 
-  // -- What SegmentSweep asks for ------------------------------------------------------------------
+  // -- What SegmentSweep asks for
+  // ------------------------------------------------------------------
   [[nodiscard]] PointId low_end(SegmentId s) const { return segments_.list[s].ends.low; }
   [[nodiscard]] PointId high_end(SegmentId s) const { return segments_.list[s].ends.high; }
   [[nodiscard]] static PointId place(PointId p) { return p; }
@@ -59,8 +60,8 @@ class ContactSweeper {
   void pass(PointId p, std::span<SegmentId> starting, std::span<const SegmentId> ending) {
     if (starting.empty() && ending.empty() && segments_.belongs[p] == 0) return;
     cancellation_.check(starting.size() + ending.size());
-    const auto placed = std::ranges::find_if(
-        ending, [&](SegmentId s) { return sweep_.has_place(s); });
+    const auto placed =
+        std::ranges::find_if(ending, [&](SegmentId s) { return sweep_.has_place(s); });
     const SegmentId passing = sweep_.arrive(p, placed != ending.end() ? *placed : kNone);
     if (passing != kNone) touches_.push_back({passing, p});
     sort(starting);
@@ -94,7 +95,7 @@ class ContactSweeper {
   const Segments& segments_;
   Cancellation& cancellation_;
   std::vector<Touch>& touches_;
-  std::vector<std::uint8_t> suspect_;  // by segment
+  std::vector<std::uint8_t> suspect_;          // by segment
   std::vector<std::uint32_t> first_starting_;  // by point: its segments in `starting_`
   std::vector<SegmentId> starting_;
   std::vector<std::uint32_t> first_ending_;

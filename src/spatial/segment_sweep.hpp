@@ -1,4 +1,5 @@
-// Sweeps a line over segments, and leaves out those that cross, so that the others keep their order.
+// Sweeps a line over segments, and leaves out those that cross, so that the others keep their
+// order.
 #pragma once
 
 #include <cstddef>
@@ -51,9 +52,7 @@ class SegmentSweep {
 
   [[nodiscard]] const SweepStatus& status() const { return s_.status; }
   /// Returns whether a segment that has started and not ended has a place.
-  [[nodiscard]] bool has_place(std::uint32_t segment) const {
-    return s_.slot_of[segment] != kNone;
-  }
+  [[nodiscard]] bool has_place(std::uint32_t segment) const { return s_.slot_of[segment] != kNone; }
 
   /// Moves the line to a point. `ending` is some segment with a place that ends there, or
   /// kNoSegment. Returns the only segment that has the point inside. Returns kNoSegment if there is

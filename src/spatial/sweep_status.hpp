@@ -30,8 +30,8 @@ class SweepStatus {
   [[nodiscard]] SlotId below(SlotId slot) const { return slots_[slot].below; }
   [[nodiscard]] SlotId above(SlotId slot) const { return slots_[slot].above; }
 
-  /// Returns the highest slot whose segment `is_below` accepts, or the ground. `is_below` must accept
-  /// the segments up to some height, and no others.
+  /// Returns the highest slot whose segment `is_below` accepts, or the ground. `is_below` must
+  /// accept the segments up to some height, and no others.
   template <class IsBelow>
   [[nodiscard]] SlotId search(IsBelow is_below) const {
     SlotId best = kGround;

@@ -246,7 +246,7 @@ class ContactFinder {
   const PreparedOperand& o_;
   Cancellation& cancellation_;
   std::vector<std::size_t> next_suspect_;  // in a cell's edges: the next suspect from there on
-  bool suspects_known_ = false;  ///< whether only suspect edges can be faulty
+  bool suspects_known_ = false;            ///< whether only suspect edges can be faulty
   Predicates predicates_;
   FaultList list_;
 };

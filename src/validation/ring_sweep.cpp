@@ -30,7 +30,8 @@ class Sweeper {
     }
   }
 
-  // -- What SegmentSweep asks for ------------------------------------------------------------------
+  // -- What SegmentSweep asks for
+  // ------------------------------------------------------------------
   [[nodiscard]] SiteId low_end(SiteId e) const { return runs_right(e) ? e : o_.sites.next[e]; }
   [[nodiscard]] SiteId high_end(SiteId e) const { return runs_right(e) ? o_.sites.next[e] : e; }
   /// Returns on which side of an edge a vertex lies: kPositive is above.
@@ -86,9 +87,7 @@ class Sweeper {
       s_.place[order[i]] = first;
     }
   }
-  [[nodiscard]] bool runs_right(SiteId e) const {
-    return s_.place[e] < s_.place[o_.sites.next[e]];
-  }
+  [[nodiscard]] bool runs_right(SiteId e) const { return s_.place[e] < s_.place[o_.sites.next[e]]; }
 
   // -- Suspects ----------------------------------------------------------------------------------
   void suspect_vertex(SiteId v) {
@@ -96,9 +95,7 @@ class Sweeper {
     suspect(o_.previous[v]);
   }
   /// Tells whether a vertex has no edge left that is not suspect.
-  [[nodiscard]] bool is_out(SiteId v) const {
-    return is_suspect(v) && is_suspect(o_.previous[v]);
-  }
+  [[nodiscard]] bool is_out(SiteId v) const { return is_suspect(v) && is_suspect(o_.previous[v]); }
 
   // -- One point ---------------------------------------------------------------------------------
   void pass(std::span<const SiteId> here) {

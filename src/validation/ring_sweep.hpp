@@ -30,14 +30,14 @@ struct RingSweep {
   };
 
   // -- Memory ------------------------------------------------------------------------------------
-  std::vector<SiteId> order;            ///< sites from left to right, and from bottom to top
-  std::vector<std::uint32_t> place;     ///< by site: where its point stands in `order`
-  std::vector<std::uint32_t> ring_of;   ///< by site
+  std::vector<SiteId> order;           ///< sites from left to right, and from bottom to top
+  std::vector<std::uint32_t> place;    ///< by site: where its point stands in `order`
+  std::vector<std::uint32_t> ring_of;  ///< by site
   SegmentSweepScratch segments;
   std::vector<Spoke> right;
   std::vector<Spoke> left;
   std::vector<SiteId> open;
-  std::vector<std::uint8_t> is_open;    ///< by site
+  std::vector<std::uint8_t> is_open;  ///< by site
 };
 
 /// Sweeps a vertical line from left to right over the edges of all rings, and fills
@@ -46,8 +46,8 @@ struct RingSweep {
 /// point.
 ///
 /// Edges that meet another one wrongly are suspect, and are left out from there on (see
-/// SegmentSweep). So time and memory do not depend on how often edges meet: O(n log n) decisions for
-/// n edges.
+/// SegmentSweep). So time and memory do not depend on how often edges meet: O(n log n) decisions
+/// for n edges.
 void sweep_rings(const PreparedOperand& operand, Cancellation& cancellation,
                  OperandScratch& scratch);
 

@@ -45,8 +45,8 @@ TEST(SweepStatus, KeepsItsOrder) {
     std::set<std::uint32_t> lower;
     for (int k = 0; k < height; ++k) lower.insert(expected[static_cast<std::size_t>(k)].second);
     const SlotId found = status.search([&](std::uint32_t p) { return lower.contains(p); });
-    EXPECT_EQ(found,
-              height == 0 ? SweepStatus::kGround : expected[static_cast<std::size_t>(height - 1)].first);
+    EXPECT_EQ(found, height == 0 ? SweepStatus::kGround
+                                 : expected[static_cast<std::size_t>(height - 1)].first);
   }
 }
 
