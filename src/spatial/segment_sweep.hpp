@@ -54,6 +54,18 @@ class SegmentSweep {
   /// Returns whether a segment that has started and not ended has a place.
   [[nodiscard]] bool has_place(std::uint32_t segment) const { return s_.slot_of[segment] != kNone; }
 
+  /// Passes a point where one segment with a place ends and another one starts. Does nothing, and
+  /// returns false, if a third one passes the point.
+  [[nodiscard]] bool go_on(std::uint32_t point, std::uint32_t ending, std::uint32_t starting) {
+    const SlotId slot = s_.slot_of[ending];
+    under_ = s_.status.below(slot);
+    over_ = s_.status.above(slot);
+    if (goes_through(under_, point) || goes_through(over_, point)) return false;
+    s_.status.set_segment(slot, starting);
+    s_.slot_of[starting] = slot;
+    part_neighbours();
+    return true;
+  }
   /// Moves the line to a point. `ending` is some segment with a place that ends there, or
   /// kNoSegment. Returns the only segment that has the point inside. Returns kNoSegment if there is
   /// none; several are suspect.

@@ -1,7 +1,6 @@
 #include "validation/ring_sweep.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "machine/make_room.hpp"
@@ -67,24 +66,31 @@ class Sweeper {
   }
 
   // -- Order -------------------------------------------------------------------------------------
-  [[nodiscard]] Sign order_of(SiteId a, SiteId b) {
-    const Sign by_x = predicates_.compare(a, b, Axis::kX);
-    return by_x != kZero ? by_x : predicates_.compare(a, b, Axis::kY);
+  using Key = RingSweep::Key;
+  [[nodiscard]] Sign order_of(const Key& a, const Key& b) {
+    const double doubt = o_.bounds.difference;
+    if (a.x + doubt < b.x) return kNegative;
+    if (b.x + doubt < a.x) return kPositive;
+    const Sign by_x = predicates_.compare(a.site, b.site, Axis::kX);
+    return by_x != kZero ? by_x : predicates_.compare(a.site, b.site, Axis::kY);
   }
   void sort_sites() {
-    auto& order = s_.order;
-    resize_in_pieces(order, o_.size(), cancellation_);
-    std::iota(order.begin(), order.end(), SiteId{0});
-    sort_in_pieces(order.begin(), order.end(), cancellation_, [this](SiteId a, SiteId b) {
+    auto& keys = s_.keys;
+    resize_in_pieces(keys, o_.size(), cancellation_);
+    for (SiteId v = 0; v < o_.size(); ++v) keys[v] = {o_.sites.x[v], v};
+    cancellation_.check(keys.size());
+    sort_in_pieces(keys.begin(), keys.end(), cancellation_, [this](const Key& a, const Key& b) {
       const Sign sign = order_of(a, b);
-      return sign != kZero ? sign == kNegative : a < b;
+      return sign != kZero ? sign == kNegative : a.site < b.site;
     });
+    resize_in_pieces(s_.order, o_.size(), cancellation_);
     resize_in_pieces(s_.place, o_.size(), cancellation_);
     std::uint32_t first = 0;
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
+    for (std::uint32_t i = 0; i < keys.size(); ++i) {
       cancellation_.check();
-      if (i > 0 && order_of(order[i - 1], order[i]) != kZero) first = i;
-      s_.place[order[i]] = first;
+      if (i > 0 && order_of(keys[i - 1], keys[i]) != kZero) first = i;
+      s_.order[i] = keys[i].site;
+      s_.place[keys[i].site] = first;
     }
   }
   [[nodiscard]] bool runs_right(SiteId e) const { return s_.place[e] < s_.place[o_.sites.next[e]]; }
@@ -99,12 +105,21 @@ class Sweeper {
 
   // -- One point ---------------------------------------------------------------------------------
   void pass(std::span<const SiteId> here) {
+    if (here.size() == 1 && pass_within_chain(here[0])) return;
     const SiteId passing = sweep_.arrive(here[0], ending_at(here));
     list_spokes(here);
     if (here.size() > 1 || passing != kNoSite) meet(here, passing);
     sweep_.leave(passing, [&](auto visit) {
       for (const Spoke& spoke : s_.right) visit(spoke.edge, spoke.far);
     });
+  }
+  /// Passes a vertex between an edge from the left and an edge to the right, if it is alone.
+  [[nodiscard]] bool pass_within_chain(SiteId v) {
+    const SiteId in = o_.previous[v];
+    const bool to_right = runs_right(v);
+    if (runs_right(in) != to_right) return false;
+    const SiteId ending = to_right ? in : v;
+    return sweep_.has_place(ending) && sweep_.go_on(v, ending, to_right ? v : in);
   }
   /// Returns some edge that ends here and has a place, or kNoSite.
   [[nodiscard]] SiteId ending_at(std::span<const SiteId> here) const {
@@ -131,6 +146,7 @@ class Sweeper {
     if (here.size() > 1) sort_spokes(here[0], s_.left);
   }
   void sort_spokes(SiteId point, std::vector<Spoke>& spokes) {
+    if (spokes.size() < 2) return;
     sort_in_pieces(spokes.begin(), spokes.end(), cancellation_,
                    [&](const Spoke& a, const Spoke& b) {
                      const Sign sign = predicates_.orientation(point, a.far, b.far);

@@ -29,7 +29,14 @@ struct RingSweep {
     SiteId vertex;
   };
 
+  /// A site with its rounded place, by which most pairs are in order.
+  struct Key {
+    double x;
+    SiteId site;
+  };
+
   // -- Memory ------------------------------------------------------------------------------------
+  std::vector<Key> keys;
   std::vector<SiteId> order;           ///< sites from left to right, and from bottom to top
   std::vector<std::uint32_t> place;    ///< by site: where its point stands in `order`
   std::vector<std::uint32_t> ring_of;  ///< by site

@@ -205,7 +205,7 @@ TEST(AllPairs, AgreeWithTheSweep) {
   int valid = 0;
   int misplaced = 0;
   int touching = 0;
-  for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 10000; ++seed) {
     test::Random random(seed);
     Polygons polygons = random_polygons(random);
     const Region region = test::make_region(polygons);
@@ -232,8 +232,8 @@ TEST(AllPairs, AgreeWithTheSweep) {
     valid += expected.empty() ? 1 : 0;
     misplaced += only_places && !expected.empty() ? 1 : 0;
   }
-  EXPECT_GT(valid, 1000);
-  EXPECT_GT(misplaced, 100);
+  EXPECT_GT(valid, 500);
+  EXPECT_GT(misplaced, 50);
   EXPECT_GT(touching, 100);
 }
 
