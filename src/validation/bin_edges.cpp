@@ -5,32 +5,17 @@
 #include <cstdint>
 #include <limits>
 
+#include "machine/make_room.hpp"
+
 namespace minksum {
 namespace {
 
-/// Throws if all cells together have too many entries. One cell cannot, because it has an edge
-/// once.
-void limit_entries(const OperandScratch& scratch) {
-  if (scratch.cell_entries.size() <= std::numeric_limits<std::uint32_t>::max()) return;
-  throw Error(ErrorCode::kLimitExceeded,
-              "the edges of an operand pass 2^32 cells of a grid or more");
-}
-
-}  // namespace
-
-void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancellation& cancellation,
-               OperandScratch& scratch) {
-  auto& entries = scratch.cell_entries;
-  auto& begin = scratch.cell_begin;
-  entries.clear();
-  begin.assign(static_cast<std::size_t>(grid.size()) + 2, 0);
+/// Calls visit(edge, cell) for the cells of all edges, edge by edge.
+template <class Visit>
+void for_each_entry(const PreparedOperand& operand, const UniformGrid& grid, Visit visit) {
   const auto columns = static_cast<std::uint32_t>(grid.columns);
   const auto enter = [&](std::int32_t i, std::int32_t j, SiteId e) {
-    const std::uint32_t cell =
-        static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i);
-    cancellation.check();
-    entries.emplace_back(cell, e);
-    ++begin[cell + 2];
+    visit(e, static_cast<std::uint32_t>(j) * columns + static_cast<std::uint32_t>(i));
     return true;
   };
   const auto& [x, y, dx, dy, next] = operand.sites;
@@ -51,11 +36,31 @@ void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancella
                 [&](std::int32_t i, std::int32_t j) { return enter(i, j, e); });
     }
   }
-  limit_entries(scratch);
-  cancellation.check(entries.size());
+}
+
+}  // namespace
+
+void bin_edges(const PreparedOperand& operand, const UniformGrid& grid, Cancellation& cancellation,
+               OperandScratch& scratch) {
+  auto& begin = scratch.cell_begin;
+  assign_in_pieces(begin, static_cast<std::size_t>(grid.size()) + 2, 0U, cancellation);
+  std::uint64_t entries = 0;
+  for_each_entry(operand, grid, [&](SiteId, std::uint32_t cell) {
+    cancellation.check();
+    ++begin[cell + 2];
+    ++entries;
+  });
+  if (entries > std::numeric_limits<std::uint32_t>::max()) {
+    throw Error(ErrorCode::kLimitExceeded,
+                "the edges of an operand pass 2^32 cells of a grid or more");
+  }
+  cancellation.check(begin.size());
   for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  scratch.in_cells.resize(entries.size());
-  for (const auto& [cell, e] : entries) scratch.in_cells[begin[cell + 1]++] = e;
+  resize_in_pieces(scratch.in_cells, entries, cancellation);
+  for_each_entry(operand, grid, [&](SiteId e, std::uint32_t cell) {
+    cancellation.check();
+    scratch.in_cells[begin[cell + 1]++] = e;
+  });
   begin.pop_back();
 }
 

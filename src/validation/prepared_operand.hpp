@@ -54,7 +54,6 @@ struct OperandScratch {
   RationalCoordinates picked_rationals;
   std::vector<KeyedEdge> keyed;
   std::vector<std::uint32_t> counts;
-  std::vector<std::pair<std::uint32_t, SiteId>> cell_entries;
   std::vector<std::uint32_t> cell_begin;
   std::vector<SiteId> in_cells;
   BoxPairScratch pairs;

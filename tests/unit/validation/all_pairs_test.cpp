@@ -104,10 +104,10 @@ Texts faults_of_pairs(const std::vector<Corner>& corners, bool& overlaps) {
         const auto before = [](const Vertex& a, const Vertex& b) {
           return a.x != b.x ? a.x < b.x : a.y < b.y;
         };
-        const Vertex low = std::max(std::min(e.at, e.after, before),
-                                    std::min(f.at, f.after, before), before);
-        const Vertex high = std::min(std::max(e.at, e.after, before),
-                                     std::max(f.at, f.after, before), before);
+        const Vertex low =
+            std::max(std::min(e.at, e.after, before), std::min(f.at, f.after, before), before);
+        const Vertex high =
+            std::min(std::max(e.at, e.after, before), std::max(f.at, f.after, before), before);
         if (before(low, high)) {
           overlaps = true;
           faults.insert(text("edges overlap", point(low)));
@@ -160,7 +160,8 @@ Texts faults_of_places(const Polygons& polygons) {
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     for (std::size_t r = 0; r < polygons[p].size(); ++r) {
       const Outline& ring = polygons[p][r];
-      if (r > 0 && !lies_in(ring, polygons[p][0])) faults.insert("hole lies outside its outer ring");
+      if (r > 0 && !lies_in(ring, polygons[p][0]))
+        faults.insert("hole lies outside its outer ring");
       for (std::size_t q = 0; q < polygons.size(); ++q) {
         bool in_hole = false;
         for (std::size_t h = 1; h < polygons[q].size(); ++h) {
@@ -185,7 +186,8 @@ Polygons random_polygons(test::Random& random) {
     if (random.below(3) == 0) {
       const int size = random.between(1, 4);
       const Vertex low{x + random.below(side), random.below(side)};
-      return Outline{low, {low.x + size, low.y}, {low.x + size, low.y + size}, {low.x, low.y + size}};
+      return Outline{
+          low, {low.x + size, low.y}, {low.x + size, low.y + size}, {low.x, low.y + size}};
     }
     for (int i = random.below(2) == 0 ? 3 : random.between(3, 9); i > 0; --i) {
       points.push_back({x + random.between(0, side), random.between(0, side)});
