@@ -38,8 +38,11 @@ struct Fault {
 /// Orientation, repeated vertices, and vertices in the middle of straight edges do not matter. One
 /// rule is wider than the OGC's: rings of one polygon may touch at several points.
 ///
-/// O(n log n + k) for n vertices and k close pairs of edges. Throws Error(kLimitExceeded) for more
-/// than 2^30 vertices, or for somewhat fewer if edges are long. Throws Error(kCancelled).
+/// Takes O(n log n) time and O(n) memory for n vertices of a valid region, wherever they lie. In
+/// other regions, an edge that meets another one wrongly is compared with all edges in the cells
+/// that it passes, until enough faults are found. Up to sqrt(n) cells lie along a side. Throws
+/// Error(kLimitExceeded) for more than 2^30 vertices, or for somewhat fewer if edges are long and
+/// some meet wrongly. Throws Error(kCancelled).
 [[nodiscard]] MINKSUM_API std::vector<Fault> validate(const Region& region,
                                                       std::size_t max_faults = 100,
                                                       const Options& options = {});

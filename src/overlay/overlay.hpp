@@ -68,8 +68,9 @@ struct Chain {
 /// list_segments directs chains and merges equal segments. find_contacts finds where segments meet.
 /// subdivide makes nodes and pieces. sweep finds winding numbers on both sides of each piece.
 /// extract_area and extract_thin write the result. Takes O((n + c) log n) for n vertices and c
-/// contacts where segments are not much crowded. Pairs are sought in cells. A cell is divided until
-/// it holds a few segments, or dividing does not part them.
+/// contacts where segments are not much crowded, or do not cross. Pairs are sought in cells. A cell
+/// is divided until it holds a few segments, or dividing does not part them. In such crowds only
+/// pairs with a segment that crosses or overlaps another one are tested.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
                               const Options& options);
 

@@ -91,8 +91,8 @@ struct PreparedOperand {
 };
 
 /// Fills all of `operand` but its directions from `region`, which must live as long. Lists at most
-/// `max_faults` faults. Only `arithmetic` and `filter` of `options` are used. Takes O(n log n) for
-/// n vertices, plus close pairs of edges.
+/// `max_faults` faults. Only `arithmetic` and `filter` of `options` are used. Takes the time
+/// of `validate`.
 void load_and_validate(const Region& region, const SumSettings& options, std::size_t max_faults,
                        Cancellation& cancellation, OperandScratch& scratch,
                        PreparedOperand& operand, std::vector<Fault>& faults);
