@@ -124,12 +124,6 @@ struct LinePosition {
   KeptId id;
 };
 
-/// The distance of a segment's line from (0, 0), which has a sign, and a bound on its error.
-struct LineOffset {
-  double value;
-  double error;
-};
-
 /// A segment that passes a strip from one side to the other: where it enters and leaves.
 struct StripLine {
   double left;
@@ -179,7 +173,6 @@ struct ArrangementScratch {
   std::vector<KeptId> hash_table;
   std::vector<std::pair<KeptId, KeptId>> near;  ///< pairs of a cell whose boxes overlap
   CrowdScratch crowds;
-  std::vector<LineOffset> offsets;  ///< by kept segment, once parallel ones are met
   std::vector<Crossing> crossings;
   std::vector<Event> events;
   std::vector<Incident> incidents;

@@ -25,6 +25,8 @@ class CrossingFinder {
   void run() {
     scratch_.crossings.clear();
     scratch_.events.clear();
+    scratch_.parent.clear();
+    make_room(scratch_.parent, 3 * kept_.size(), cancellation_);  // crossings follow
     start_forest(scratch_.parent, 2 * kept_.size());
     start_forest(scratch_.line_parent, kept_.size());
     scratch_.lines_shared = false;
@@ -66,6 +68,15 @@ class CrossingFinder {
            2 * across * up <= kMostOverlaps * static_cast<double>(segments.size()) * width * height;
   }
 
+  /// Tells whether the boxes of two segments are farther apart than `doubt`. Those of BoxPairs are
+  /// coarse where segments are short beside the sum.
+  [[nodiscard]] static bool are_apart(const KeptSegment& s, const KeptSegment& t, double doubt) {
+    const auto gap = [](double a, double b, double c, double d) {
+      return std::max(std::min(c, d) - std::max(a, b), std::min(a, b) - std::max(c, d));
+    };
+    return std::max(gap(s.a.x, s.b.x, t.a.x, t.b.x), gap(s.a.y, s.b.y, t.a.y, t.b.y)) > doubt;
+  }
+
   /// Meets all segments, where nothing is covered.
   void solve_all() {
     const std::span lines(kept_.data(), scratch_.line_count);
@@ -79,8 +90,11 @@ class CrossingFinder {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
                 std::max(s.a.y, s.b.y));
     });
-    pairs.for_each([&](KeptId s, KeptId t) { meeter_.meet(std::min(s, t), std::max(s, t)); },
-                   cancellation_);
+    const double doubt = 4 * meeter_.doubt();  // places are off by one doubt, and rounded
+    const auto meet = [&](KeptId s, KeptId t) {
+      if (!are_apart(kept_[s], kept_[t], doubt)) meeter_.meet(std::min(s, t), std::max(s, t));
+    };
+    pairs.for_each(meet, cancellation_);
   }
   void solve_cells() {
     std::uint32_t begin = 0;

@@ -117,33 +117,34 @@ void SegmentMeeter::touch(KeptId s, const Sides& of_s, std::uint32_t point) {
   add_vertex_event(s, point);
 }
 
-/// Measures how far from (0, 0) each segment's line is, on the left of its direction or the
-/// opposite one, whichever goes right, or straight up.
+/// Whether doubles show that a segment does not start on the line of a parallel one.
+bool SegmentMeeter::clearly_apart(KeptId s, KeptId t) const {
+  const KeptSegment& ks = kept_[s];
+  const Vec<double> v{kept_[t].a.x - ks.a.x, kept_[t].a.y - ks.a.y};
+  const double left = ks.d.x * v.y;
+  const double right = ks.d.y * v.x;
+  const double bound = predicates_.cross_bound(ks.d, v, left, right, bounds_.difference);
+  return std::abs(left - right) > bound;
+}
+
+/// Returns how far from (0, 0) a segment's line is, on the left of its direction or the opposite
+/// one, whichever goes right, or straight up.
 ///
 /// An offset is a cross product divided by a length. Its roundings, and the error of the segment's
 /// place, are off by as much wherever the segment is. An error of the direction grows with the
 /// distance from (0, 0), and the shorter the segment, the more.
-void SegmentMeeter::measure_offsets() {
-  const KeptId count = scratch_.line_count;
-  Cancellation& cancellation = predicates_.cancellation();
-  resize_in_pieces(scratch_.offsets, count, cancellation);
-  in_pieces(count, cancellation, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const KeptSegment& s = kept_[i];
-      const double length = std::sqrt(s.d.x * s.d.x + s.d.y * s.d.y);
-      const bool goes_left = s.d.x != 0 ? s.d.x < 0 : s.d.y < 0;
-      const double error = extent_ * (0x1p-49 + 4 * bounds_.direction / length);
-      scratch_.offsets[i] = {cross(s.d, s.a) / (goes_left ? -length : length),
-                             error + 2 * bounds_.difference};
-    }
-  });
-  offsets_measured_ = true;
+SegmentMeeter::LineOffset SegmentMeeter::offset_of(KeptId segment) const {
+  const KeptSegment& s = kept_[segment];
+  const double length = std::sqrt(s.d.x * s.d.x + s.d.y * s.d.y);
+  const bool goes_left = s.d.x != 0 ? s.d.x < 0 : s.d.y < 0;
+  const double error = extent_ * (0x1p-49 + 4 * bounds_.direction / length);
+  return {cross(s.d, s.a) / (goes_left ? -length : length), error + 2 * bounds_.difference};
 }
 
 void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
-  if (!offsets_measured_) measure_offsets();
-  const LineOffset& of_s = scratch_.offsets[s];
-  const LineOffset& of_t = scratch_.offsets[t];
+  if (clearly_apart(s, t)) return;
+  const LineOffset of_s = offset_of(s);
+  const LineOffset of_t = offset_of(t);
   // If the vector of a segment is 0 in doubles, its offset is not a number, and says nothing.
   if (std::abs(of_s.value - of_t.value) > of_s.error + of_t.error) return;
   double value = 0;

@@ -49,6 +49,11 @@ class SegmentMeeter {
     Sign end;
     [[nodiscard]] bool apart() const { return start == end && start != kZero; }
   };
+  /// The distance of a segment's line from (0, 0), which has a sign, and a bound on its error.
+  struct LineOffset {
+    double value;
+    double error;
+  };
   struct Parameter {
     double lambda;
     double error;
@@ -74,7 +79,8 @@ class SegmentMeeter {
   [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool meet_at_ends(KeptId s, KeptId t);
   void touch(KeptId s, const Sides& of_s, std::uint32_t point);
-  void measure_offsets();
+  [[nodiscard]] bool clearly_apart(KeptId s, KeptId t) const;
+  [[nodiscard]] LineOffset offset_of(KeptId segment) const;
   void meet_parallel(KeptId s, KeptId t);
   void meet_on_line(KeptId s, std::uint32_t point);
   void cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides& of_t);
@@ -94,7 +100,6 @@ class SegmentMeeter {
   std::uint64_t most_crossings_;
   double extent_;
   double slack_;
-  bool offsets_measured_ = false;
   bool exact_;  ///< whether cross products have no rounding
   bool trust_;
   PlanePart part_;
