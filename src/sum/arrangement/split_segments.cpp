@@ -35,6 +35,11 @@ class Splitter {
       assign_in_pieces(scratch_.first_piece, scratch_.parent.size(), kNoPiece, cancellation_);
     }
     scratch_.next_piece.clear();
+    // So lists seldom move. Memory that is not used costs nothing.
+    const std::size_t most = scratch_.line_count + scratch_.events.size();
+    make_room(result_.nodes, most, cancellation_);
+    make_room(result_.pieces, most, cancellation_);
+    if (may_coincide_) make_room(scratch_.next_piece, most, cancellation_);
     assign_in_pieces(scratch_.node_of_point, scratch_.parent.size(), kNoNode, cancellation_);
     for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
     result_.slits.clear();

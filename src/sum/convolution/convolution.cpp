@@ -136,6 +136,7 @@ class Lister {
 void list(const Operands& o, Vertices which, const Limits& limits, std::uint64_t many,
           Cancellation& cancellation, ConvolutionScratch& scratch, Convolution& convolution) {
   Lister lister(limits, many, cancellation, convolution);
+  make_room(convolution.segments, 8 * std::size_t{o.size()}, cancellation);  // seldom more
   cancellation.check(2 * o.size());
   const auto append = [&](std::span<const SiteId> edges, SiteId v) {
     cancellation.check(edges.size());
