@@ -1,9 +1,12 @@
 // Groups rings into polygons, in canonical order.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "machine/make_room.hpp"
 #include "sum/output/node_order.hpp"
 #include "sum/output/output.hpp"
 
@@ -55,7 +58,6 @@ class PolygonBuilder {
   void assign_holes() {
     const auto rings = static_cast<std::uint32_t>(b_.rings.size());
     scratch_.outer_of.assign(rings, kNoRing);
-    scratch_.rows.begin.clear();
     std::uint32_t outers = 0;
     std::uint32_t some_outer = kNoRing;
     for (std::uint32_t r = 0; r < rings; ++r) {
@@ -68,6 +70,7 @@ class PolygonBuilder {
       std::fill(scratch_.outer_of.begin(), scratch_.outer_of.end(), some_outer);
       return;
     }
+    scratch_.lone.clear();
     // Rings of one walk lie next to each other in the list.
     for (std::uint32_t first = 0; first < rings;) {
       std::uint32_t last = first;
@@ -75,7 +78,9 @@ class PolygonBuilder {
       assign_walk(first, last);
       first = last;
     }
+    if (!scratch_.lone.empty()) assign_lone_walks();
   }
+  /// Assigns the rings of a walk to its outer ring. A walk without one is only listed.
   void assign_walk(std::uint32_t first, std::uint32_t last) {
     std::uint32_t outer = kNoRing;
     std::uint32_t leftmost = first;
@@ -88,18 +93,35 @@ class PolygonBuilder {
       }
       if (order_.compare(node(r, 0), node(leftmost, 0)) == kNegative) leftmost = r;
     }
-    if (outer == kNoRing) outer = surrounding(node(leftmost, 0));
+    if (outer == kNoRing) return scratch_.lone.push_back({first, last, node(leftmost, 0)});
     for (std::uint32_t r = first; r < last; ++r) scratch_.outer_of[r] = outer;
   }
 
-  /// Returns the innermost outer ring around the point just left of (and less far below) a node.
-  /// That point is inside the sum if the node is the smallest of its hole.
-  std::uint32_t surrounding(NodeId at) {
+  /// Assigns walks without an outer ring to the innermost ring around the point just left of (and
+  /// less far below) their leftmost node. That point is inside the sum.
+  void assign_lone_walks() {
+    list_passes();
+    auto& passes = scratch_.passes;
+    std::sort(passes.begin(), passes.end(), cancellation_.counting(std::less<>()));
     auto& around = scratch_.around;
-    list_around(at, around);
+    std::size_t i = 0;
+    for (std::uint32_t w = 0; w < scratch_.lone.size(); ++w) {
+      // The rings that are passed an odd number of times are around the point.
+      around.clear();
+      while (i < passes.size() && passes[i].first == w) {
+        const std::size_t begin = i;
+        while (i < passes.size() && passes[i] == passes[begin]) ++i;
+        if ((i - begin) % 2 != 0) around.push_back(passes[begin].second);
+      }
+      const LoneWalk& walk = scratch_.lone[w];
+      const std::uint32_t outer = innermost(around);
+      for (std::uint32_t r = walk.first; r < walk.last; ++r) scratch_.outer_of[r] = outer;
+    }
+  }
+  /// Returns the innermost of the rings around a point, which lie in each other.
+  std::uint32_t innermost(std::span<const std::uint32_t> around) {
     std::uint32_t best = kNoRing;
     std::uint32_t best_depth = 0;
-    // Outer rings around one point lie in each other.
     for (const std::uint32_t r : around) {
       std::uint32_t depth = 1;
       if (around.size() > 1) {
@@ -118,75 +140,63 @@ class PolygonBuilder {
     return best;
   }
 
-  /// Lists the outer rings that contain the point just left of a node.
-  void list_around(NodeId at, std::vector<std::uint32_t>& around) {
-    if (scratch_.rows.begin.empty()) build_rows();
-    const RowIndex& rows = scratch_.rows;
-    around.clear();
-    const std::size_t row = row_of(arrangement_.nodes[at].at.y);
-    for (std::uint32_t i = rows.begin[row]; i < rows.begin[row + 1]; ++i) {
-      const RowIndex::Edge& edge = rows.edges[i];
-      if (!passes(b_.rings[edge.ring], edge.vertex, at)) continue;
-      scratch_.odd[edge.ring] ^= 1;
-      around.push_back(edge.ring);
-    }
-    // This keeps the rings that were passed an odd number of times, once each.
-    std::erase_if(around, [&](std::uint32_t r) { return std::exchange(scratch_.odd[r], 0) == 0; });
-  }
-
-  [[nodiscard]] std::size_t row_of(double y) const {
-    const RowIndex& rows = scratch_.rows;
-    const double row = (y - rows.bottom) * rows.inverse;
-    const auto last = static_cast<double>(rows.count - 1);
-    return static_cast<std::size_t>(std::clamp(row, 0.0, last));
-  }
-  void build_rows() {
-    RowIndex& rows = scratch_.rows;
-    double top = -HUGE_VAL;
-    std::size_t edges = 0;
-    rows.bottom = HUGE_VAL;
-    rows.error = 0;
-    for_each_outer_edge([&](RowIndex::Edge, const Node& v, const Node&) {
-      rows.bottom = std::min(rows.bottom, v.at.y);
-      top = std::max(top, v.at.y);
-      rows.error = std::max(rows.error, v.error);
-      ++edges;
-    });
-    const std::size_t count = std::clamp<std::size_t>(edges / 4, 1, 1U << 20U);
-    const double height = top - rows.bottom;
-    rows.inverse = height > 0x1p-900 ? static_cast<double>(count) / height : 0;
-    rows.count = count;
-    rows.begin.assign(count + 2, 0);
-    // The edge's end and the point that is asked about each have that error.
-    const auto for_each_row = [&](const Node& v, const Node& w, auto visit) {
-      const std::size_t first = row_of(std::min(v.at.y, w.at.y) - 2 * rows.error);
-      const std::size_t last = row_of(std::max(v.at.y, w.at.y) + 2 * rows.error);
-      cancellation_.check(last - first);
-      for (std::size_t row = first; row <= last; ++row) visit(row);
-    };
-    for_each_outer_edge([&](RowIndex::Edge, const Node& v, const Node& w) {
-      for_each_row(v, w, [&](std::size_t row) { ++rows.begin[row + 2]; });
-    });
-    for (std::size_t i = 2; i < rows.begin.size(); ++i) rows.begin[i] += rows.begin[i - 1];
-    rows.edges.resize(rows.begin.back());
-    for_each_outer_edge([&](RowIndex::Edge edge, const Node& v, const Node& w) {
-      for_each_row(v, w, [&](std::size_t row) { rows.edges[rows.begin[row + 1]++] = edge; });
-    });
-    rows.begin.pop_back();
-    scratch_.odd.assign(b_.rings.size(), 0);
-  }
-  template <class Visit>
-  void for_each_outer_edge(Visit visit) const {
+  /// Lists which outer rings the rays from lone walks pass, as often as they do.
+  void list_passes() {
+    build_rows();
+    const WalkRows& rows = scratch_.rows;
+    scratch_.passes.clear();
     for (std::uint32_t r = 0; r < b_.rings.size(); ++r) {
       const BoundaryRing& ring = b_.rings[r];
       if (!ring.positive) continue;
-      for (std::uint32_t i = ring.begin; i < ring.end; ++i) {
-        const std::uint32_t next = i + 1 == ring.end ? ring.begin : i + 1;
-        cancellation_.check();
-        visit(RowIndex::Edge{r, i}, arrangement_.nodes[b_.vertices[i].node],
-              arrangement_.nodes[b_.vertices[next].node]);
+      const Node* v = &arrangement_.nodes[b_.vertices[ring.end - 1].node];
+      std::uint32_t from = ring.end - 1;
+      for (std::uint32_t i = ring.begin; i < ring.end; from = i++) {
+        const Node* const w = &arrangement_.nodes[b_.vertices[i].node];
+        // The edge's ends and the node that is asked about each have that error.
+        const double error = rows.error + std::max(v->error, w->error);
+        const std::size_t first = rows.row_of(std::min(v->at.y, w->at.y) - error);
+        const std::size_t last = rows.row_of(std::max(v->at.y, w->at.y) + error);
+        const std::uint32_t begin = rows.begin[first];
+        const std::uint32_t end = rows.begin[last + 1];
+        cancellation_.check(1 + (end - begin));
+        for (std::uint32_t k = begin; k < end; ++k) {
+          const std::uint32_t walk = rows.walks[k];
+          if (passes(ring, from, scratch_.lone[walk].leftmost)) {
+            append(scratch_.passes, {walk, r}, cancellation_);
+          }
+        }
+        v = w;
       }
     }
+  }
+  /// Puts lone walks into rows of the plane, by the heights of their leftmost nodes.
+  void build_rows() {
+    WalkRows& rows = scratch_.rows;
+    const auto& lone = scratch_.lone;
+    double top = -HUGE_VAL;
+    rows.bottom = HUGE_VAL;
+    rows.error = 0;
+    for (const LoneWalk& walk : lone) {
+      const Node& at = arrangement_.nodes[walk.leftmost];
+      rows.bottom = std::min(rows.bottom, at.at.y);
+      top = std::max(top, at.at.y);
+      rows.error = std::max(rows.error, at.error);
+    }
+    // Edges between the lowest and the highest of these nodes look at a row or more. Outside lie
+    // the first row and the last, which hold no walk.
+    rows.count = std::min<std::size_t>(4 * lone.size(), 1U << 20U);
+    const double height = top - rows.bottom;
+    rows.inverse = height > 0x1p-900 ? static_cast<double>(rows.count) / height : 1;
+    rows.begin.assign(rows.count + 4, 0);
+    const auto row = [&](const LoneWalk& walk) {
+      return rows.row_of(arrangement_.nodes[walk.leftmost].at.y);
+    };
+    cancellation_.check(2 * lone.size() + rows.count);
+    for (const LoneWalk& walk : lone) ++rows.begin[row(walk) + 2];
+    for (std::size_t i = 2; i < rows.begin.size(); ++i) rows.begin[i] += rows.begin[i - 1];
+    rows.walks.resize(lone.size());
+    for (std::uint32_t w = 0; w < lone.size(); ++w) rows.walks[rows.begin[row(lone[w]) + 1]++] = w;
+    rows.begin.pop_back();
   }
 
   /// Whether the point (−ε, −ε²) off a node is inside a ring, by parity along a ray to the right.

@@ -1,9 +1,11 @@
 // Stage 7: turns accepted loops into a region.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "minksum/region.hpp"
@@ -33,19 +35,28 @@ struct Boundary {
   std::vector<std::uint32_t> polygon_begin;  ///< by polygon: index in ring_order; one entry more
 };
 
-/// The edges of outer rings, by rows of the plane. Only one row's edges may pass a given height.
-struct RowIndex {
+/// A walk without an outer ring: its rings are [first, last). The point just left of its leftmost
+/// node is inside the sum.
+struct LoneWalk {
+  std::uint32_t first;
+  std::uint32_t last;
+  NodeId leftmost;
+};
+
+/// Walks without an outer ring, by rows of the plane. An edge of an outer ring looks at its rows
+/// only.
+struct WalkRows {
   double bottom = 0;
   double inverse = 0;                ///< rows per unit
-  double error = 0;                  ///< bound on the error of any node's place
-  std::size_t count = 0;             ///< number of rows
-  /// By row: where its edges begin in `edges`; and one entry more. Empty until the index is built.
-  std::vector<std::uint32_t> begin;
-  struct Edge {
-    std::uint32_t ring;
-    std::uint32_t vertex;
-  };
-  std::vector<Edge> edges;
+  double error = 0;                  ///< bound on the error of any leftmost node's place
+  std::size_t count = 0;             ///< number of rows beside the lowest and the highest
+  std::vector<std::uint32_t> begin;  ///< by row: where its walks begin; and one entry more
+  std::vector<std::uint32_t> walks;
+
+  [[nodiscard]] std::size_t row_of(double y) const {
+    const auto last = static_cast<double>(count + 1);
+    return static_cast<std::size_t>(std::clamp((y - bottom) * inverse + 1, 0.0, last));
+  }
 };
 
 struct OutputScratch {
@@ -55,14 +66,16 @@ struct OutputScratch {
   std::vector<std::uint32_t> stack_place;  ///< by node
   std::vector<PieceId> stack;
   std::vector<std::uint32_t> outer_of;     ///< by ring
-  RowIndex rows;
-  std::vector<std::uint8_t> odd;           ///< by ring: parity of the times that a ray passed it
+  std::vector<LoneWalk> lone;
+  WalkRows rows;
+  /// Lone walks, and the outer rings that their rays pass.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> passes;
   std::vector<std::uint32_t> around;       ///< outer rings around a point
   Vec<ExactCoordinate> coordinates;
 };
 
-/// Links the pieces of accepted loops into rings and polygons. O(c log c), and a search along one
-/// row of edges for each hole if there are several outer rings.
+/// Links the pieces of accepted loops into rings and polygons. O(c log c). If there are several
+/// outer rings, their edges also look at the holes in their rows of the plane.
 void extract_rings(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                    const FilteredLoops& filtered, Predicates& predicates, OutputScratch& scratch,
                    Boundary& boundary);
