@@ -1,5 +1,6 @@
 // Makes polygons for discs.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kMaxEdgesOfQuarter = 1 << 18;
+constexpr double kLeast = 0x1p-200;  ///< doubles hold products of two lengths from this one on
 
 /// Returns the angle whose cosine is 1 − gap/whole. Unlike acos, it loses nothing for small angles.
 double angle_of(double gap, double whole) { return 2 * std::asin(std::sqrt(gap / (2 * whole))); }
@@ -72,20 +74,36 @@ class Quarter {
   /// Verifies the quarter. It goes left around the origin within its quadrant, so D is star-shaped.
   /// All vertices are within the outer circle, and all edges' lines outside of the inner one.
   void verify() const {
-    const Rational inner = inner_ * inner_;
-    const Rational outer = outer_ * outer_;
     const Point next{-vertices_[0].y, vertices_[0].x};
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const Point& a = vertices_[i];
       const Point& b = i + 1 < vertices_.size() ? vertices_[i + 1] : next;
-      const Rational x = b.x - a.x;
-      const Rational y = b.y - a.y;
-      const Rational cross = a.x * b.y - a.y * b.x;
-      if (a.x.sign() < 0 || a.y.sign() < 0 || cross.sign() <= 0 || a.x * a.x + a.y * a.y > outer ||
-          cross * cross < inner * (x * x + y * y)) {
+      if (!is_clearly_right(a, b) && !is_right(a, b)) {
         throw Error(ErrorCode::kInternal, "a disc is not within its tolerance", {}, "offset");
       }
     }
+  }
+  /// Whether doubles show that a vertex and the edge to the next one are right. They do so as
+  /// long as a step, which vertices and edges keep from the circles, is no smaller than roundings.
+  [[nodiscard]] bool is_clearly_right(const Point& a, const Point& b) const {
+    constexpr double kRounding = 0x1p-50;  // a relative error of a few operations
+    const auto [ax, ay, bx, by, inner, outer] =
+        std::array{a.x.to_double(), a.y.to_double(),    b.x.to_double(),
+                   b.y.to_double(), inner_.to_double(), outer_.to_double()};
+    const double x = std::abs(bx - ax) + kRounding * (std::abs(ax) + std::abs(bx));
+    const double y = std::abs(by - ay) + kRounding * (std::abs(ay) + std::abs(by));
+    const double cross = ax * by - ay * bx - kRounding * (std::abs(ax * by) + std::abs(ay * bx));
+    return ax >= 0 && ay >= 0 && inner >= kLeast && outer <= 1 / kLeast && cross > 0 &&
+           (ax * ax + ay * ay) * (1 + 4 * kRounding) <= outer * outer &&
+           cross >= inner * std::sqrt(x * x + y * y) * (1 + 4 * kRounding);
+  }
+  [[nodiscard]] bool is_right(const Point& a, const Point& b) const {
+    const Rational x = b.x - a.x;
+    const Rational y = b.y - a.y;
+    const Rational cross = a.x * b.y - a.y * b.x;
+    return a.x.sign() >= 0 && a.y.sign() >= 0 && cross.sign() > 0 &&
+           a.x * a.x + a.y * a.y <= outer_ * outer_ &&
+           cross * cross >= inner_ * inner_ * (x * x + y * y);
   }
 
   Rational radius_;
