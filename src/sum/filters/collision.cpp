@@ -130,9 +130,8 @@ bool CollisionTest::one_inside_other() {
   });
 }
 
-/// Whether x − `other` certainly lies outside a ring of the other operand.
-bool CollisionTest::outside_box(SiteId other, std::size_t ring) const {
-  const BoxTree::Box& box = trees_.ring_boxes[ring];
+/// Whether x − `other` certainly lies outside a box of the other operand.
+bool CollisionTest::outside(const BoxTree::Box& box, SiteId other) const {
   const double x = at_.x - o_.sites.x[other];
   const double y = at_.y - o_.sites.y[other];
   return x < box.x0 - doubt_ || x > box.x1 + doubt_ || y < box.y0 - doubt_ || y > box.y1 + doubt_;
@@ -172,6 +171,7 @@ bool CollisionTest::passes_odd_times(SiteId other, BoxTree::Range leaves) {
 /// parity along a ray to the right decides.
 bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring) {
   const BoxTree& tree = trees_.tree[1 - o_.operand_of(other)];
+  if (outside(tree.whole(), other)) return false;
   if (!o_.holes_filled || o_.connected) return passes_odd_times(other, tree.leaves());
   // Polygons are taken one by one, because filled holes may contain further polygons.
   bool inside = false;
@@ -179,7 +179,7 @@ bool CollisionTest::inside_operand(SiteId other, std::size_t first_ring, std::si
   for (std::size_t r = first_ring; r < last_ring; ++r) {
     const OperandRing& ring = o_.rings[r];
     if (!ring.is_hole() && inside) return true;
-    if (!outside_box(other, r)) inside ^= passes_odd_times(other, tree.leaves_of(r));
+    if (!outside(trees_.ring_boxes[r], other)) inside ^= passes_odd_times(other, tree.leaves_of(r));
   }
   return inside;
 }

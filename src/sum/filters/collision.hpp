@@ -164,7 +164,7 @@ class CollisionTest {
   [[nodiscard]] BoxTree::Box box_of(SiteId e) const;
   [[nodiscard]] bool edges_cross(SiteId e, SiteId f);
   [[nodiscard]] bool one_inside_other();
-  [[nodiscard]] bool outside_box(SiteId other, std::size_t ring) const;
+  [[nodiscard]] bool outside(const BoxTree::Box& box, SiteId other) const;
   [[nodiscard]] bool passes_odd_times(SiteId other, BoxTree::Range leaves);
   [[nodiscard]] bool inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
