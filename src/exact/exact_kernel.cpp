@@ -58,9 +58,15 @@ class GridKernel final : public KernelOf<Rung> {
       set(at.y + offset_.y, out.y);
       return;
     }
-    const auto h = this->homogeneous(node);
-    set(h.x, h.denominator, offset_.x, out.x);
-    set(h.y, h.denominator, offset_.y, out.y);
+    const auto t = this->crossing_of(node.first, node.second);
+    const auto at = this->start(node.first);
+    const auto d = this->direction(node.first.edge);
+    const auto coordinate = [&](const Int128& from, const Coord& along) {
+      return product<Lexicographic>(from, t.denominator) +
+             product<Lexicographic>(along, t.numerator);
+    };
+    set(coordinate(at.x + offset_.x, d.x), as_limbs(t.denominator), out.x);
+    set(coordinate(at.y + offset_.y, d.y), as_limbs(t.denominator), out.y);
   }
   bool integer_coordinates(const SumVertex& v, Vec<std::int64_t>& out) const override {
     const auto at = this->position(v);
@@ -104,13 +110,13 @@ class GridKernel final : public KernelOf<Rung> {
     }
   }
 
-  void set(const Lexicographic& numerator, const Lexicographic& denominator, const Int128& offset,
+  template <std::size_t N>
+  void set(const Lexicographic& numerator, const WideInt<N>& denominator,
            ExactCoordinate& out) const {
-    const Lexicographic moved = numerator + Lexicographic(offset) * denominator;
-    out.negative = moved.negative() != denominator.negative() && sign_of(moved) != kZero;
-    set_limbs(moved.magnitude(), out.numerator);
+    out.negative = numerator.negative() != denominator.negative() && sign_of(numerator) != kZero;
+    set_limbs(numerator.magnitude(), out.numerator);
     if (unit_.divisor == 1) return set_limbs(denominator.magnitude(), out.denominator);
-    set_limbs((denominator * Lexicographic(unit_.divisor)).magnitude(), out.denominator);
+    set_limbs(product<Lexicographic>(denominator, unit_.divisor).magnitude(), out.denominator);
   }
 
   /// Sets a value in lowest terms, but for the powers in the unit.

@@ -169,12 +169,13 @@ class KernelOf : public ExactKernel {
       return {Lexicographic(at.x), Lexicographic(at.y), Lexicographic(1)};
     }
     const auto t = crossing_of(node.first, node.second);
-    const Vec<Lexicographic> at = as<Lexicographic>(start(node.first));
-    const Vec<Lexicographic> d = as<Lexicographic>(direction(node.first.edge));
-    const Lexicographic denominator(t.denominator);
-    const Lexicographic numerator(t.numerator);
-    return {at.x * denominator + numerator * d.x, at.y * denominator + numerator * d.y,
-            denominator};
+    const Vec<Coord> at = start(node.first);
+    const Vec<Coord> d = direction(node.first.edge);
+    const auto coordinate = [&](const Coord& from, const Coord& along) {
+      return Lexicographic(product<Lexicographic>(from, t.denominator) +
+                           product<Lexicographic>(along, t.numerator));
+    };
+    return {coordinate(at.x, d.x), coordinate(at.y, d.y), Lexicographic(t.denominator)};
   }
   static Vec<Fraction> big(const Vec<Coord>& v) { return as<Fraction>(v); }
   [[nodiscard]] Vec<Fraction> exact_point(const NodePoint& node) const {

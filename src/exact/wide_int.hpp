@@ -1,6 +1,7 @@
 // Defines signed integers of a fixed number of 64-bit limbs, for exact predicates beyond 128 bits.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <compare>
@@ -91,6 +92,24 @@ class WideInt {
     }
     return product;
   }
+  /// Returns a · b modulo 2^(64·N).
+  template <std::size_t K, std::size_t M>
+  static constexpr WideInt product_of(const WideInt<K>& a, const WideInt<M>& b) {
+    const WideInt<K> p = a.magnitude();
+    const WideInt<M> q = b.magnitude();
+    WideInt product;
+    for (std::size_t i = 0; i < std::min(K, N); ++i) {
+      std::uint64_t carry = 0;
+      for (std::size_t j = 0; j < M && i + j < N; ++j) {
+        const Uint128 t =
+            static_cast<Uint128>(p.limb(i)) * q.limb(j) + product.limbs_[i + j] + carry;
+        product.limbs_[i + j] = static_cast<std::uint64_t>(t);
+        carry = static_cast<std::uint64_t>(t >> 64);
+      }
+      if (i + M < N) product.limbs_[i + M] = carry;
+    }
+    return a.negative() != b.negative() ? -product : product;
+  }
   friend constexpr bool operator==(const WideInt&, const WideInt&) = default;
   friend constexpr std::strong_ordering operator<=>(const WideInt& a, const WideInt& b) {
     if (a.negative() != b.negative()) {
@@ -122,6 +141,24 @@ constexpr std::int64_t short_quotient(const WideInt<N>& n, const WideInt<N>& d) 
   auto quotient = static_cast<std::int64_t>(high / divisor.limb(top));
   while (WideInt<N + 1>(quotient) * divisor > rest) --quotient;
   return quotient;
+}
+
+template <std::size_t N>
+constexpr const WideInt<N>& as_limbs(const WideInt<N>& value) {
+  return value;
+}
+constexpr WideInt<2> as_limbs(Int128 value) { return WideInt<2>(value); }
+constexpr WideInt<1> as_limbs(std::int64_t value) { return WideInt<1>(value); }
+
+/// Returns the product of two numbers, which `Wide` holds. It takes as many steps as they have
+/// limbs, not `Wide`.
+template <class Wide, class A, class B>
+constexpr Wide product(const A& a, const B& b) {
+  if constexpr (requires { Wide::product_of(as_limbs(a), as_limbs(b)); }) {
+    return Wide::product_of(as_limbs(a), as_limbs(b));
+  } else {
+    return Wide(Wide(a) * Wide(b));
+  }
 }
 
 /// Returns the same value in a type at least as wide; without a copy where the type is the same.

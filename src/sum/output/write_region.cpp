@@ -1,6 +1,7 @@
 // Writes the boundary's nodes as exact coordinates.
 #include <algorithm>
 
+#include "machine/make_room.hpp"
 #include "region/region_access.hpp"
 #include "sum/output/node_order.hpp"
 #include "sum/output/output.hpp"
@@ -79,6 +80,23 @@ EdgeOrigin origin_of(const Operands& o, const Segment& segment) {
   }
 }
 
+/// Returns how many limbs the coordinates may take. A crossing lies at (p·t + d·s) / t on its
+/// segment, where t is a cross product of directions: 2B + 3 bits for coordinates of B bits, and so
+/// 3B + 5 above. Other nodes take limbs if they are longer than 63 bits.
+std::size_t limbs_of_nodes(const Operands& operands, const Arrangement& arrangement,
+                           const Boundary& boundary, Cancellation& cancellation) {
+  if (operands.kernel->rung() == Arithmetic::kArbitrary) return 0;
+  const auto limbs = [](std::size_t bits) { return (bits + 63) / 64; };
+  const std::size_t bits = operands.bits;
+  const std::size_t of_crossing = 2 * (limbs(2 * bits + 3) + limbs(3 * bits + 5));
+  const std::size_t of_vertex = bits > 63 ? 2 * (limbs(bits + 1) + 1) : 0;
+  std::size_t count = 0;
+  visit_in_pieces(boundary.vertices, cancellation, [&](const BoundaryVertex& v) {
+    count += arrangement.nodes[v.node].point.is_crossing ? of_crossing : of_vertex;
+  });
+  return count;
+}
+
 }  // namespace
 
 void write_region(const Operands& operands, const Arrangement& arrangement,
@@ -88,7 +106,8 @@ void write_region(const Operands& operands, const Arrangement& arrangement,
   region.clear();
   const std::size_t vertices = boundary.vertices.size();
   const std::size_t rings = boundary.ring_order.size();
-  RegionAccess::reserve(region, {vertices, vertices, rings, rings});
+  RegionAccess::reserve(region, {vertices, vertices, rings, rings,
+                                 limbs_of_nodes(operands, arrangement, boundary, cancellation)});
   // It counts as many vertices at a time as it writes between two looks.
   const std::uint64_t work = 4 * operands.kernel->work();
   const auto units = static_cast<std::uint64_t>(Cancellation::kUnits);

@@ -1,6 +1,7 @@
 // Tests fixed-width integers against Boost's, the laws of the predicates, and that rungs agree.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "exact/kernel_of.hpp"
@@ -40,6 +41,24 @@ TEST(WideInt, AgreesWithBigIntegers) {
     const double expected = to_double(x * y);
     ASSERT_LE(std::abs(approximate - expected), std::abs(expected) * 0x1p-50);
   }
+}
+
+TEST(WideInt, MultipliesShorterNumbers) {
+  std::mt19937_64 random(2604);
+  const auto limb = [&] { return static_cast<std::int64_t>(random() << (random() % 64)); };
+  for (int i = 0; i < 2000; ++i) {
+    const std::int64_t a = limb();
+    const Int128 b = static_cast<Int128>(limb()) * limb();
+    const WideInt<3> c = WideInt<3>(b) * WideInt<3>(limb());
+    ASSERT_EQ((product<WideInt<4>>(a, b)), WideInt<4>(a) * WideInt<4>(b));
+    ASSERT_EQ((product<WideInt<6>>(b, c)), WideInt<6>(b) * WideInt<6>(c));
+    ASSERT_EQ((product<WideInt<4>>(c, b)), WideInt<4>(c) * WideInt<4>(b)) << "wraps";
+    ASSERT_EQ((product<WideInt<2>>(c, c)).limb(0), (c * c).limb(0)) << "wraps";
+    ASSERT_EQ((product<Int128>(a, std::int64_t{-3})), Int128{a} * -3);
+  }
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+  EXPECT_EQ((product<WideInt<2>>(kLeast, kLeast)), WideInt<2>(kLeast) * WideInt<2>(kLeast));
+  EXPECT_EQ((product<WideInt<2>>(kLeast, std::int64_t{0})), WideInt<2>());
 }
 
 TEST(WideInt, DividesWithAShortQuotient) {
