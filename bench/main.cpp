@@ -22,7 +22,7 @@ constexpr const char* kUsage =
     "usage: minksum_bench [--set NAME[,NAME...]]... [--only TEXT] [--out FILE] [--quick]\n"
     "                     [--budget SECONDS]\n"
     "  --set     what to measure (default: all): paper kin named figures spiky nesting\n"
-    "            tables gis doubles families\n"
+    "            tables gis outlines doubles families\n"
     "  --only    only pairs, families, or instances, with this in their names\n"
     "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
@@ -164,6 +164,8 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
     std::printf("  no folder of shapes: left out\n");
   } else if (set == "doubles") {
     measure_doubles(*data, effort, arguments.quick, take);
+  } else if (set == "outlines") {
+    measure_outline_offsets(*data, effort, arguments.quick, arguments.only, take);
   } else if (set == "tables") {
     measure_nesting_tables(*data, effort, arguments.quick, arguments.only, take);
   } else {

@@ -30,6 +30,9 @@ void measure_doubles(const std::filesystem::path& data, const Effort& effort, bo
 /// sample of the table by CGAL.
 void measure_nesting_tables(const std::filesystem::path& data, const Effort& effort, bool quick,
                             const std::string& only, const std::function<void(const Json&)>& take);
+/// Measures offsets of outlines with `only` in their names, in turn with GEOS's buffer.
+void measure_outline_offsets(const std::filesystem::path& data, const Effort& effort, bool quick,
+                             const std::string& only, const std::function<void(const Json&)>& take);
 /// Returns files of nesting parts without holes and of so many vertices, sorted by name.
 [[nodiscard]] std::vector<std::string> nesting_parts(const std::filesystem::path& data,
                                                      std::size_t least, std::size_t most);
