@@ -293,26 +293,19 @@ def gis_section(records):
 
 
 def outlines_section(records):
-    def ratios(members, kind):
-        return sorted(dig(r, "geos", kind) for r in members if dig(r, "geos", kind))
-
     rows, summary = [], []
-    for r in records.of("outlines"):
-        if own_seconds(r) is None:
-            rows.append([r["name"], failure_text(r), "", "", "", "", "", ""])
-            continue
+    measured = [r for r in records.of("outlines") if dig(r, "geos", "ratio")]
+    for r in measured:
         rows.append([r["name"], count_text(r["vertices"]), count_text(r["result_vertices"]),
                      count_text(r["decisions"]), seconds_text(own_seconds(r)),
                      seconds_text(dig(r, "geos", "median")), times_text(dig(r, "geos", "ratio")),
                      times_text(dig(r, "geos", "ratio_reusing"))])
-    for distance in sorted({r["distance"] for r in records.of("outlines")}):
-        members = [r for r in records.of("outlines") if r["distance"] == distance]
+    for distance in sorted({r["distance"] for r in measured}):
         for kind, name in (("ratio", "as called"), ("ratio_reusing", "memory reused")):
-            found = ratios(members, kind)
-            if found:
-                summary.append([f"{distance:g}", name, len(found),
-                                f"{statistics.geometric_mean(found):.2f}",
-                                f"{found[len(found) // 20]:.2f}", f"{found[0]:.2f}"])
+            found = sorted(r["geos"][kind] for r in measured if r["distance"] == distance)
+            summary.append([f"{distance:g}", name, len(found),
+                            f"{statistics.geometric_mean(found):.2f}",
+                            f"{found[len(found) // 20]:.2f}", f"{found[0]:.2f}"])
     if not rows:
         return ""
     return "\n\n".join([
