@@ -1,7 +1,9 @@
 // Finds the touches of segments that do not cross, and the segments that do.
 #include <algorithm>
+#include <numeric>
 #include <span>
 
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 #include "spatial/segment_sweep.hpp"
 
@@ -45,12 +47,16 @@ class ContactSweeper {
   /// Lists the segments by one of their ends.
   template <class End>
   void list_by(End end, std::vector<std::uint32_t>& first, std::vector<SegmentId>& list) {
-    first.assign(segments_.sources.size() + 2, 0);
-    cancellation_.check(2 * (first.size() + segments_.list.size()));
-    for (const Segment& s : segments_.list) ++first[end(s.ends) + 2];
-    for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
-    list.resize(segments_.list.size());
-    for (SegmentId s = 0; s < list.size(); ++s) list[first[end(segments_.list[s].ends) + 1]++] = s;
+    assign_in_pieces(first, segments_.sources.size() + 2, 0U, cancellation_);
+    visit_in_pieces(segments_.list, cancellation_,
+                    [&](const Segment& s) { ++first[end(s.ends) + 2]; });
+    cancellation_.check(first.size() / 4);
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    resize_in_pieces(list, segments_.list.size(), cancellation_);
+    SegmentId s = 0;
+    visit_in_pieces(segments_.list, cancellation_, [&](const Segment& segment) {
+      list[first[end(segment.ends) + 1]++] = s++;
+    });
   }
   [[nodiscard]] static std::span<SegmentId> at(PointId p, const std::vector<std::uint32_t>& first,
                                                std::vector<SegmentId>& list) {

@@ -83,7 +83,10 @@ class SegmentSweep {
     }
     s_.at.clear();
     over_ = s_.status.above(under_);
-    for (; goes_through(over_, point); over_ = s_.status.above(over_)) s_.at.push_back(over_);
+    for (; goes_through(over_, point); over_ = s_.status.above(over_)) {
+      cancellation_.check();
+      s_.at.push_back(over_);
+    }
     return passing_at(point);
   }
 
@@ -142,6 +145,7 @@ class SegmentSweep {
     std::size_t used = 0;
     SlotId last = under_;
     for (const std::uint32_t segment : s_.after) {
+      cancellation_.check(2);
       if (used < s_.at.size()) {
         last = s_.at[used++];
         s_.status.set_segment(last, segment);
@@ -151,11 +155,13 @@ class SegmentSweep {
       s_.slot_of[segment] = last;
       line_.started(segment, s_.status.below(last));
     }
+    cancellation_.check(4 * (s_.at.size() - used));
     while (used < s_.at.size()) s_.status.erase(s_.at[used++]);
   }
   /// Leaves out neighbours around the point that cross farther to the right, until none do.
   void part_neighbours() {
     for (SlotId low = under_; low != over_;) {
+      cancellation_.check(2);
       const SlotId high = s_.status.above(low);
       if (low == kGround || high == kNone || !cross(low, high)) {
         low = high;

@@ -1,5 +1,11 @@
 #include "validation/misplaced_rings.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "machine/make_room.hpp"
+
 namespace minksum {
 namespace {
 
@@ -44,12 +50,17 @@ class Walk {
   }
   /// Lists the rings directly inside of each ring.
   void list_inner(std::span<const std::uint32_t> parent, Cancellation& cancellation) {
-    cancellation.check(4 * rings_.size());
-    first_inner_.assign(rings_.size() + 3, 0);
-    for (std::uint32_t r = 0; r < root(); ++r) ++first_inner_[parent_of(parent, r) + 2];
-    for (std::size_t i = 2; i < first_inner_.size(); ++i) first_inner_[i] += first_inner_[i - 1];
-    inner_.resize(rings_.size());
-    for (std::uint32_t r = 0; r < root(); ++r) inner_[first_inner_[parent_of(parent, r) + 1]++] = r;
+    assign_in_pieces(first_inner_, rings_.size() + 3, 0U, cancellation);
+    for (std::uint32_t r = 0; r < root(); ++r) {
+      cancellation.check();
+      ++first_inner_[parent_of(parent, r) + 2];
+    }
+    std::partial_sum(first_inner_.begin(), first_inner_.end(), first_inner_.begin());
+    resize_in_pieces(inner_, rings_.size(), cancellation);
+    for (std::uint32_t r = 0; r < root(); ++r) {
+      cancellation.check();
+      inner_[first_inner_[parent_of(parent, r) + 1]++] = r;
+    }
     first_inner_.pop_back();
   }
   void enter(std::uint32_t r) {

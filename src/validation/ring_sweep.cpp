@@ -77,8 +77,9 @@ class Sweeper {
   void sort_sites() {
     auto& keys = s_.keys;
     resize_in_pieces(keys, o_.size(), cancellation_);
-    for (SiteId v = 0; v < o_.size(); ++v) keys[v] = {o_.sites.x[v], v};
-    cancellation_.check(keys.size());
+    in_pieces(keys.size(), cancellation_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) keys[v] = {o_.sites.x[v], static_cast<SiteId>(v)};
+    });
     sort_in_pieces(keys.begin(), keys.end(), cancellation_, [this](const Key& a, const Key& b) {
       const Sign sign = order_of(a, b);
       return sign != kZero ? sign == kNegative : a.site < b.site;

@@ -23,7 +23,8 @@ ROOMS = [
                      "formula of a predicate, and the ladder of number types that decides it."),
     ("src/region", 2, "The public values and what needs nothing else: rationals, regions, "
                       "transformation, measures, locating points."),
-    ("src/spatial", 2, "Grids of cells, pairs of overlapping boxes, division at medians."),
+    ("src/spatial", 2, "Grids of cells, pairs of overlapping boxes, division at medians, a sweep "
+                       "over segments."),
     ("src/validation", 3, "Reads an operand into exact coordinates and finds every fault, with its "
                           "place."),
     ("src/overlay", 4, "Fill rules, boolean operations and complements."),

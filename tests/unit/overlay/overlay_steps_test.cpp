@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "minksum/resolve.hpp"
 #include "overlay/bounded.hpp"
 #include "overlay/chains.hpp"
 #include "overlay/exact_points_of.hpp"
@@ -265,6 +266,71 @@ TEST(OverlaySteps, CheckerRejects) {
   };
   EXPECT_EQ(uncut(cross), "two pieces cross");
   EXPECT_EQ(uncut({{}, {{{0, 0}, {4, 0}}, {{2, 0}, {2, 3}}}, {}}), "a node lies inside a piece");
+}
+
+/// Tells whether two segments meet elsewhere than at ends of theirs, or overlap.
+bool crosses(const Segments& segments, SegmentId s, SegmentId t) {
+  const Ends a = segments.list[s].ends;
+  const Ends b = segments.list[t].ends;
+  const auto side = [&](const Ends& line, PointId p) {
+    return int{segments.predicates.orientation(line, p)};
+  };
+  if (side(a, b.low) == 0 && side(a, b.high) == 0) {
+    return std::max(a.low, b.low) < std::min(a.high, b.high);
+  }
+  return side(a, b.low) * side(a, b.high) < 0 && side(b, a.low) * side(b, a.high) < 0;
+}
+
+TEST(OverlaySteps, ASweepListsAllContactsOfSegmentsThatStay) {
+  std::size_t stay = 0;
+  std::size_t touching = 0;
+  for (std::uint64_t seed = 1; seed <= 2000 && !HasFailure(); ++seed) {
+    Random random(seed);
+    Geometry mess = test::random_mess(random);
+    if (random.one_in(4)) mess = test::transformed(mess, test::random_projection(random));
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + test::to_text(mess));
+    const Steps steps = run_steps(mess);
+    const Segments& segments = steps.segments;
+    std::vector<Touch> swept;
+    const std::vector<std::uint8_t> suspect = sweep_contacts(segments, swept);
+    std::sort(swept.begin(), swept.end());
+    EXPECT_TRUE(std::ranges::includes(steps.contacts.touches, swept));
+    std::vector<std::uint8_t> ends(segments.sources.size(), 0);  // by point: of one that stays
+    for (SegmentId s = 0; s < suspect.size(); ++s) {
+      bool meets_wrongly = false;
+      for (SegmentId t = 0; t < suspect.size(); ++t) {
+        const bool wrong = s != t && crosses(segments, s, t);
+        meets_wrongly |= wrong;
+        EXPECT_FALSE(wrong && suspect[s] == 0 && suspect[t] == 0);
+      }
+      EXPECT_TRUE(meets_wrongly || suspect[s] == 0);
+      if (suspect[s] != 0) continue;
+      ++stay;
+      ends[segments.list[s].ends.low] = ends[segments.list[s].ends.high] = 1;
+    }
+    for (const Touch& touch : steps.contacts.touches) {
+      if (suspect[touch.segment] != 0 || ends[touch.point] == 0) continue;
+      ++touching;
+      EXPECT_TRUE(std::ranges::binary_search(swept, touch));
+    }
+  }
+  EXPECT_GT(stay, 1000U);
+  EXPECT_GT(touching, 100U);
+}
+
+TEST(OverlaySteps, CrowdsThatDoNotCrossAreSwept) {
+  // No cut parts these segments, and few of their pairs meet.
+  Geometry crowd;
+  constexpr int kCount = 3000;
+  for (int i = 0; i < kCount; ++i) crowd.polylines.push_back({{i, 0}, {1'000'000 + i, 1'000'000}});
+  crowd.polylines.push_back({{0, 10}, {200, 0}});
+  std::uint64_t looks = 0;
+  Options options;
+  options.progress = [&](const Progress&) { return ++looks != 0; };
+  const Geometry result = resolve(crowd, options);
+  EXPECT_GT(result.polylines.size(), std::size_t{kCount});
+  // All pairs would take some 500 looks.
+  EXPECT_LT(looks, 200U);
 }
 
 }  // namespace
