@@ -17,8 +17,9 @@ namespace minksum {
 /// Any number of threads may use one at the same time, as it never changes. Copies share one state.
 class MINKSUM_API PreparedRegion {
  public:
-  /// Prepares a region. An empty region is valid. O(n log n) for n vertices. Throws Error: kBadInput if `region` is not valid (see `validate`), whose culprit has
-  /// polygon, ring and vertex, but no operand; kLimitExceeded as `validate` does; kCancelled.
+  /// Prepares a region. An empty region is valid. O(n log n) for n vertices. Throws Error:
+  /// kBadInput if `region` is not valid (see `validate`), whose culprit has polygon, ring and
+  /// vertex, but no operand; kLimitExceeded as `validate` does; kCancelled.
   explicit PreparedRegion(Region region, const Options& options = {});
 
   /// Returns the operand as it was given.

@@ -54,9 +54,8 @@ class ContactSweeper {
     std::partial_sum(first.begin(), first.end(), first.begin());
     resize_in_pieces(list, segments_.list.size(), cancellation_);
     SegmentId s = 0;
-    visit_in_pieces(segments_.list, cancellation_, [&](const Segment& segment) {
-      list[first[end(segment.ends) + 1]++] = s++;
-    });
+    visit_in_pieces(segments_.list, cancellation_,
+                    [&](const Segment& segment) { list[first[end(segment.ends) + 1]++] = s++; });
   }
   [[nodiscard]] static std::span<SegmentId> at(PointId p, const std::vector<std::uint32_t>& first,
                                                std::vector<SegmentId>& list) {
