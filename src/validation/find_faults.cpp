@@ -42,8 +42,8 @@ class ContactFinder {
 
   /// Finds rings in the wrong place, where no rings cross.
   void find_misplaced_rings() {
-    const std::vector<Misplacement> misplaced =
-        misplaced_rings(o_.rings, scratch_.sweep.parent, cancellation_);
+    minksum::find_misplaced_rings(o_.rings, scratch_.sweep.parent, cancellation_, scratch_.nesting);
+    const std::vector<Misplacement>& misplaced = scratch_.nesting.misplaced;
     for (std::size_t r = 0; r < o_.rings.size() && !list_.full(); ++r) {
       const SiteId first = o_.rings[r].begin;
       if (misplaced[r].in_other_hole) list_.add_vertex("hole lies inside another hole", first);

@@ -5,9 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "validation/prepared_operand.hpp"
+#include "machine/cancellation.hpp"
 
 namespace minksum {
+
+struct OperandRing;
 
 /// What is wrong with a ring's place.
 struct Misplacement {
@@ -16,10 +18,27 @@ struct Misplacement {
   bool in_other_outer = false;  ///< an outer ring in another polygon, and in no hole of that
 };
 
-/// Returns the misplacement of each ring. `parent` has the smallest ring around each, or
+/// What `find_misplaced_rings` finds, and its memory.
+struct RingNesting {
+  /// The rings of a polygon that lie around the present ring.
+  struct Around {
+    bool outer = false;
+    std::uint32_t holes = 0;
+    [[nodiscard]] bool is_inside() const { return outer && holes == 0; }
+  };
+
+  std::vector<Misplacement> misplaced;  ///< by ring
+
+  // -- Memory ------------------------------------------------------------------------------------
+  std::vector<Around> polygons;            ///< by polygon
+  std::vector<std::uint32_t> first_inner;  ///< by ring, and then the root: where its rings begin
+  std::vector<std::uint32_t> inner;
+  std::vector<std::uint32_t> next;
+};
+
+/// Finds the misplacement of each ring. `parent` has the smallest ring around each, or
 /// RingSweep::kNoRing. Takes linear time.
-[[nodiscard]] std::vector<Misplacement> misplaced_rings(std::span<const OperandRing> rings,
-                                                        std::span<const std::uint32_t> parent,
-                                                        Cancellation& cancellation);
+void find_misplaced_rings(std::span<const OperandRing> rings, std::span<const std::uint32_t> parent,
+                          Cancellation& cancellation, RingNesting& nesting);
 
 }  // namespace minksum

@@ -12,6 +12,7 @@
 #include "minksum/testing.hpp"
 #include "minksum/validity.hpp"
 #include "spatial/box_pairs.hpp"
+#include "validation/misplaced_rings.hpp"
 #include "validation/ring_sweep.hpp"
 
 namespace minksum {
@@ -58,6 +59,7 @@ struct OperandScratch {
   std::vector<SiteId> in_cells;
   BoxPairScratch pairs;
   RingSweep sweep;
+  RingNesting nesting;
   /// Where rings of one polygon touch, if no edges meet wrongly (see `sweep_rings`).
   std::vector<RingTouch> touches;
 };
