@@ -73,10 +73,10 @@ class NestedWriter {
     point(notation_.bare_points, region, vertices.front());
     writer_.text(notation_.close);
   }
-  template <class... Place>
-  void point(bool is_bare, const Place&... place) {
+  template <class... Vertex>
+  void point(bool is_bare, const Vertex&... vertex) {
     if (!is_bare) writer_.text(notation_.open);
-    writer_.point(place..., notation_.separator);
+    writer_.point(vertex..., notation_.separator);
     if (!is_bare) writer_.text(notation_.close);
   }
 
