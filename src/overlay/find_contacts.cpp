@@ -181,7 +181,8 @@ class ContactFinder {
   [[nodiscard]] bool has_suspects(std::size_t begin, std::size_t end) const {
     const auto first = items_.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = items_.begin() + static_cast<std::ptrdiff_t>(end);
-    return std::any_of(first, last, [&](const BoxedSegment& item) { return is_suspect(item.segment); });
+    return std::any_of(first, last,
+                       [&](const BoxedSegment& item) { return is_suspect(item.segment); });
   }
   /// Lists, for each item and for the end, the next suspect from there on.
   void list_suspects(std::size_t begin, std::size_t end) {

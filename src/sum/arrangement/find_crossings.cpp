@@ -122,8 +122,8 @@ class CrossingFinder {
     const auto bound = [&](std::int32_t i, std::int32_t count) {
       return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
     };
-    return PlanePart{bound(column, grid_.columns), bound(row, grid_.rows),
-                     bound(column + 1, grid_.columns), bound(row + 1, grid_.rows)};
+    return BoxOf<double>{bound(column, grid_.columns), bound(row, grid_.rows),
+                         bound(column + 1, grid_.columns), bound(row + 1, grid_.rows)};
   }
 
   /// Lists the pairs whose boxes overlap. Returns false if these are many.
