@@ -9,7 +9,6 @@
 
 #include "sum/arrangement/place_segments.hpp"
 #include "sum/arrangement/visible_segments.hpp"
-#include "sum/cover/uncovered_counts.hpp"
 
 namespace minksum {
 namespace {

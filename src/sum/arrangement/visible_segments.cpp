@@ -8,7 +8,6 @@
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 #include "spatial/uniform_grid.hpp"
-#include "sum/cover/uncovered_counts.hpp"
 
 namespace minksum {
 namespace {

@@ -191,6 +191,25 @@ std::uint64_t Cover::covered_count() const {
   return count;
 }
 
+UncoveredCounts::UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts)
+    : last_column_(cover.grid.columns - 1), last_row_(cover.grid.rows - 1),
+      stride_(static_cast<std::size_t>(cover.grid.columns) + 1) {
+  counts.resize(stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1));
+  std::fill_n(counts.begin(), stride_, 0);
+  for (std::int32_t j = 0; j <= last_row_; ++j) {
+    const std::uint32_t* below = counts.data() + stride_ * static_cast<std::size_t>(j);
+    std::uint32_t* above = counts.data() + stride_ * static_cast<std::size_t>(j + 1);
+    const std::uint64_t* covered = cover.covered.row(j);
+    std::uint32_t in_row = 0;
+    above[0] = 0;
+    for (std::int32_t i = 0; i <= last_column_; ++i) {
+      in_row += static_cast<std::uint32_t>(~covered[i >> 6] >> (i & 63)) & 1U;
+      above[i + 1] = below[i + 1] + in_row;
+    }
+  }
+  counts_ = counts.data();
+}
+
 std::optional<std::string> check(const Cover& cover, const Operands& operands) {
   const UniformGrid& grid = cover.grid;
   const Vec<double> extent = operands.sum_extent();

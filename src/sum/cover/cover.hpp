@@ -1,6 +1,7 @@
 // Stage 3: finds cells of a grid that certainly lie inside the sum.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -29,6 +30,33 @@ struct Cover {
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
     return active && covered.get(column, row);
   }
+};
+
+/// By corner of a cover's grid, the number of uncovered cells below and to the left. A sum of four
+/// of these is the number in a box of cells.
+class UncoveredCounts {
+ public:
+  /// Counts in O(cells). `counts` is the memory for that, and must outlive this.
+  UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts);
+  /// Whether no cell of these columns and rows is uncovered, the last ones included. Cells beyond
+  /// the grid's right and top sides are taken for the last ones of the grid.
+  [[nodiscard]] bool none_in(std::int32_t left, std::int32_t bottom, std::int32_t right,
+                             std::int32_t top) const {
+    const auto column = [&](std::int32_t i) {
+      return static_cast<std::size_t>(std::min(i, last_column_));
+    };
+    const auto row = [&](std::int32_t j) { return static_cast<std::size_t>(std::min(j, last_row_)); };
+    const std::size_t end = column(right) + 1;
+    const std::uint32_t* below = counts_ + stride_ * row(bottom);
+    const std::uint32_t* above = counts_ + stride_ * (row(top) + 1);
+    return above[end] - above[column(left)] == below[end] - below[column(left)];
+  }
+
+ private:
+  std::int32_t last_column_;
+  std::int32_t last_row_;
+  std::size_t stride_;
+  const std::uint32_t* counts_ = nullptr;
 };
 
 /// An edge in units of cells.

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "reference/membership.hpp"
-#include "sum/cover/uncovered_counts.hpp"
 #include "support/polygon_kinds.hpp"
 #include "unit/sum/prepare_operands.hpp"
 
