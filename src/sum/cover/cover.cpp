@@ -192,7 +192,8 @@ std::uint64_t Cover::covered_count() const {
 }
 
 UncoveredCounts::UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts)
-    : last_column_(cover.grid.columns - 1), last_row_(cover.grid.rows - 1),
+    : last_column_(cover.grid.columns - 1),
+      last_row_(cover.grid.rows - 1),
       stride_(static_cast<std::size_t>(cover.grid.columns) + 1) {
   counts.resize(stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1));
   std::fill_n(counts.begin(), stride_, 0);

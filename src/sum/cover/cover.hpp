@@ -45,7 +45,9 @@ class UncoveredCounts {
     const auto column = [&](std::int32_t i) {
       return static_cast<std::size_t>(std::min(i, last_column_));
     };
-    const auto row = [&](std::int32_t j) { return static_cast<std::size_t>(std::min(j, last_row_)); };
+    const auto row = [&](std::int32_t j) {
+      return static_cast<std::size_t>(std::min(j, last_row_));
+    };
     const std::size_t end = column(right) + 1;
     const std::uint32_t* below = counts_ + stride_ * row(bottom);
     const std::uint32_t* above = counts_ + stride_ * (row(top) + 1);
