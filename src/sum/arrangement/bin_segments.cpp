@@ -80,7 +80,7 @@ class Binner {
   void list_all_cells() {
     std::optional<UncoveredCounts> uncovered;
     if (rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
-      uncovered.emplace(cover_, scratch_.visible.uncovered);
+      uncovered.emplace(cover_, cancellation_, scratch_.visible.uncovered);
     }
     KeptId count = 0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {

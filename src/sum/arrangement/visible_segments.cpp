@@ -304,7 +304,7 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
   visible.resize(count);
   // Many of these may be too long for blocks.
   if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
-    const UncoveredCounts uncovered(cover, scratch.uncovered);
+    const UncoveredCounts uncovered(cover, cancellation, scratch.uncovered);
     count = 0;
     visit_in_pieces(visible, cancellation, [&](const Segment& segment) {
       if (hides(uncovered, sites[segment.edge].box, point_box(sites[segment.vertex]))) return;
@@ -334,7 +334,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
   }
   const RankCircle circle(operands.rank_count);
-  const UncoveredCounts uncovered(cover, scratch.uncovered);
+  const UncoveredCounts uncovered(cover, cancellation, scratch.uncovered);
   TreeBuilder builder(operands, circle, scratch);
   scratch.found.clear();
   for (const int operand : {0, 1}) {

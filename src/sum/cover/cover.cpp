@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "machine/make_room.hpp"
+
 namespace minksum {
 namespace {
 
@@ -114,7 +116,9 @@ class GridBuyer {
     return segments_ <= 4.0 * static_cast<double>(operands_.size()) &&
            sample_.expected_crossings(operands_) <= kFewCrossings * segments_;
   }
-  [[nodiscard]] Visibility see() { return look(operands_, sample_, cover_, scratch_); }
+  [[nodiscard]] Visibility see() {
+    return look(operands_, sample_, cover_, cancellation_, scratch_);
+  }
   /// Segments and crossings take some four times as long where sums are not exact in doubles.
   [[nodiscard]] double price_of(const Visibility& left) const {
     const double inexact = operands_.bounds.difference == 0 ? 1 : 4;
@@ -191,13 +195,15 @@ std::uint64_t Cover::covered_count() const {
   return count;
 }
 
-UncoveredCounts::UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts)
+UncoveredCounts::UncoveredCounts(const Cover& cover, Cancellation& cancellation,
+                                 std::vector<std::uint32_t>& counts)
     : last_column_(cover.grid.columns - 1),
       last_row_(cover.grid.rows - 1),
       stride_(static_cast<std::size_t>(cover.grid.columns) + 1) {
-  counts.resize(stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1));
+  resize_in_pieces(counts, stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1), cancellation);
   std::fill_n(counts.begin(), stride_, 0);
   for (std::int32_t j = 0; j <= last_row_; ++j) {
+    cancellation.check(stride_);
     const std::uint32_t* below = counts.data() + stride_ * static_cast<std::size_t>(j);
     std::uint32_t* above = counts.data() + stride_ * static_cast<std::size_t>(j + 1);
     const std::uint64_t* covered = cover.covered.row(j);

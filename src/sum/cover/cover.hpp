@@ -37,7 +37,8 @@ struct Cover {
 class UncoveredCounts {
  public:
   /// Counts in O(cells). `counts` is the memory for that, and must outlive this.
-  UncoveredCounts(const Cover& cover, std::vector<std::uint32_t>& counts);
+  UncoveredCounts(const Cover& cover, Cancellation& cancellation,
+                  std::vector<std::uint32_t>& counts);
   /// Whether no cell of these columns and rows is uncovered, the last ones included. Cells beyond
   /// the grid's right and top sides are taken for the last ones of the grid.
   [[nodiscard]] bool none_in(std::int32_t left, std::int32_t bottom, std::int32_t right,
@@ -114,9 +115,9 @@ struct Sample {
   std::span<const Segment> segments;
   double step = 1;
 
-  /// Estimates the number of crossings of all segments from their extents in x and y. The estimate
-  /// would be the exact expectation if half of the segments were horizontal, half vertical, and all
-  /// anywhere in the sum's box.
+  /// Estimates the number of crossings of all segments from their extents in x and y, and from how
+  /// unevenly they are spread. The estimate would be the exact expectation if half of the segments
+  /// were horizontal, half vertical, all short, and anywhere in each of 32 by 32 cells.
   [[nodiscard]] double expected_crossings(const Operands& operands) const;
 };
 /// Takes every so-manieth segment, so that an estimate takes a small share of the time of a sum.
@@ -124,7 +125,7 @@ struct Sample {
 /// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
 /// segments, so that crossings are found even if few segments are visible.
 [[nodiscard]] Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
-                              CoverScratch& scratch);
+                              Cancellation& cancellation, CoverScratch& scratch);
 
 /// Returns the words of a row of each raster, and of a cover of so many columns. An operand's raster
 /// may have one column more, but all rows must be equally long.

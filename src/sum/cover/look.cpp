@@ -1,5 +1,6 @@
 // Estimates from a sample what a cover leaves of the segments.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -70,22 +71,38 @@ Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
 }
 
 double Sample::expected_crossings(const Operands& operands) const {
+  constexpr std::int32_t kSide = 32;
+  const auto& [x, y, dx, dy, next] = operands.sites;
+  const Vec<double> extent = operands.sum_extent();
+  const double area = extent.x * extent.y;
+  if (!(area > 0)) return 0;
+  std::array<std::uint32_t, kSide * kSide> in_cell{};
+  const auto cell = [](double at, double size) {
+    return std::clamp(static_cast<std::int32_t>(at / size * kSide), 0, kSide - 1);
+  };
   double across = 0;
   double up = 0;
-  for (const Segment& segment : segments) {
-    across += std::abs(operands.sites.dx[segment.edge]);
-    up += std::abs(operands.sites.dy[segment.edge]);
+  std::uint64_t pairs = 0;
+  for (const auto& [e, v] : segments) {
+    across += std::abs(dx[e]);
+    up += std::abs(dy[e]);
+    const std::int32_t column = cell(x[e] + x[v] + dx[e] / 2, extent.x);
+    const std::int32_t row = cell(y[e] + y[v] + dy[e] / 2, extent.y);
+    pairs += in_cell[static_cast<std::size_t>(row * kSide + column)]++;
   }
-  const double area = operands.sum_extent().x * operands.sum_extent().y;
-  return area > 0 ? step * across * step * up / area : 0;
+  // Of segments that are evenly spread, one of so many pairs would lie in one cell.
+  const auto count = static_cast<double>(segments.size());
+  const double unevenness = 2 * static_cast<double>(pairs) * kSide * kSide / (count * count);
+  return std::max(1.0, unevenness) * step * across * step * up / area;
 }
 
 Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
-                CoverScratch& scratch) {
+                Cancellation& cancellation, CoverScratch& scratch) {
   const auto at = [&](SiteId v) { return Vec<double>{operands.sites.x[v], operands.sites.y[v]}; };
   auto& visible = scratch.visible;
   visible.clear();
   for (const auto& [e, v] : sample.segments) {
+    cancellation.check(static_cast<std::uint64_t>(cover.grid.rows));
     const Vec<double> a = at(e);
     const Vec<double> b = at(operands.sites.next[e]);
     const Vec<double> q = at(v);

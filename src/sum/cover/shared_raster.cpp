@@ -35,7 +35,8 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   if (!is_usable(shared.cell) || !is_usable(operands.trace_unit)) return std::nullopt;
   const double columns = operands.extent[0].x * cover.grid.inverse + widest / shared.cell + 1;
   if (!(columns < UniformGrid::kMaxSide)) return std::nullopt;
-  const Visibility typical = look(operands, take_sample(convolution, scratch), cover, scratch);
+  const Visibility typical =
+      look(operands, take_sample(convolution, scratch), cover, cancellation, scratch);
   shared.visible = typical.share * static_cast<double>(convolution.size);
   shared.crossings = typical.crossings;
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
@@ -61,7 +62,8 @@ void cover_interior(const Operands& operands, const SharedRaster& shared,
   cover.covered.reset(cover.grid.columns, cover.grid.rows, words);
   cover_by_translates(operands, shared.first, cancellation, scratch, cover);
   const auto size = static_cast<double>(convolution.size);
-  const Visibility seen = look(operands, take_sample(convolution, scratch), cover, scratch);
+  const Visibility seen =
+      look(operands, take_sample(convolution, scratch), cover, cancellation, scratch);
   if (!cover.covered.has_any() || seen.share * size > 1.5 * shared.visible + 0.1 * size ||
       seen.crossings > 2 * shared.crossings + 0.5 * size) {
     cover_without();

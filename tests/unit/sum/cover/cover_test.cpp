@@ -220,7 +220,7 @@ TEST(Cover, CrossingsAreEstimated) {
     for (const int grid : {1, 100}) {
       Covered c(p, q, grid);
       const Visibility seen =
-          look(c.operands, take_sample(c.convolution, c.scratch), c.cover, c.scratch);
+          look(c.operands, take_sample(c.convolution, c.scratch), c.cover, c.never, c.scratch);
       const double counted = count_all(c);
       EXPECT_GT(counted, 1000);
       EXPECT_GT(seen.crossings, counted / 4) << spikes << " spikes on grid " << grid;
@@ -241,7 +241,8 @@ TEST(Cover, UncoveredCountsTellCoveredBoxes) {
     cover.covered.set(column, static_cast<std::int32_t>(random.below(20)));
   }
   std::vector<std::uint32_t> memory;
-  const UncoveredCounts uncovered(cover, memory);
+  Cancellation never;
+  const UncoveredCounts uncovered(cover, never, memory);
   int covered_boxes = 0;
   for (std::int32_t left = 0; left < 75; left += 3) {
     for (std::int32_t right = left; right < 75 && right < left + 4; ++right) {
