@@ -31,8 +31,7 @@ class ContactSweeper {
     return std::move(suspect_);
   }
 
-  // -- What SegmentSweep asks for
-  // ------------------------------------------------------------------
+  // What SegmentSweep asks for.
   [[nodiscard]] PointId low_end(SegmentId s) const { return segments_.list[s].ends.low; }
   [[nodiscard]] PointId high_end(SegmentId s) const { return segments_.list[s].ends.high; }
   [[nodiscard]] static PointId place(PointId p) { return p; }

@@ -29,8 +29,7 @@ class Sweeper {
     }
   }
 
-  // -- What SegmentSweep asks for
-  // ------------------------------------------------------------------
+  // What SegmentSweep asks for.
   [[nodiscard]] SiteId low_end(SiteId e) const { return runs_right(e) ? e : o_.sites.next[e]; }
   [[nodiscard]] SiteId high_end(SiteId e) const { return runs_right(e) ? o_.sites.next[e] : e; }
   /// Returns on which side of an edge a vertex lies: kPositive is above.
