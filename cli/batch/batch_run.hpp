@@ -27,8 +27,8 @@ class BatchRun {
   /// Takes over what an earlier run has written; with --restart, discards it. Throws a Failure, and
   /// changes nothing, if a line is not the result of its job. With --restart, any result passes.
   void go_on(const Jobs& jobs);
-  /// Does the work, but sets its `consume` itself. `share` returns which share of the work is done,
-  /// if that is known.
+  /// Runs the tasks of `work` and writes their results, so `work.consume` must be empty. `share`
+  /// returns which share of the work is done, if that is known.
   void run(Work work, const std::function<std::optional<double>()>& share);
   /// Ends the output, writes statistics with `more` among them, and returns the exit code.
   [[nodiscard]] int finish(const Json& more, OutputFiles& files);

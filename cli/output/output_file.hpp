@@ -28,7 +28,7 @@ class OutputFiles {
   /// Registers an output whose name the program chose, in a folder that the user named. The user
   /// did not ask for a link, a device or a pipe of that name, so this throws a Failure for one.
   void expect_own(const std::string& name, const std::string& path);
-  /// Does the same as `expect`, but nothing for an empty path.
+  /// Does the same as `expect`, but ignores an empty path.
   void expect_if_any(const std::string& name, const std::string& path);
   /// Registers a file that no output may replace.
   void reserve(const std::string& name, const std::string& path);

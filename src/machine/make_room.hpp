@@ -89,8 +89,8 @@ void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
   resize_in_pieces(list, size, cancellation, value);
 }
 
-/// Sorts by an order in which no two different elements are equal, so the result is that of any
-/// sort. A comparison must be cheap: a unit of work or two.
+/// Sorts a list. The order must tell any two different elements apart, so that every way of sorting
+/// gives the same result. A comparison must be cheap: a unit of work or two.
 template <class Iterator, class Less>
 void sort_in_pieces(Iterator first, Iterator last, Cancellation& cancellation, Less less) {
   constexpr std::ptrdiff_t kAtOnce = 1 << 15;  // std::sort takes some five milliseconds for these

@@ -55,8 +55,8 @@ struct Chain {
   Direction direction = Direction::kAsGiven;
   Winding weight;        ///< added by one turn around to the left
   bool belongs = false;  ///< whether its own points are in the result, if the rule keeps them
-  /// For a ring that takes points away, but not its own: on how many of a piece's two sides it does
-  /// so. Only `Rule::keeps` uses it.
+  /// Set for a ring that takes the points on some of its sides away, but not the ring itself: on
+  /// how many of its two sides. Only `Rule::keeps` uses it.
   std::int32_t spared = 0;
 };
 

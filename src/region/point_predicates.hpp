@@ -8,9 +8,9 @@
 
 namespace minksum {
 
-/// Bounds the error of the nearest double of a coordinate up to `magnitude`; never 0. The bound is
-/// twice half a unit in the last place. So rounding is covered where the bound is added or
-/// subtracted.
+/// Returns a bound on the error of a coordinate's nearest double, for coordinates up to
+/// `magnitude`. It is never 0. It is twice the error itself, so that adding it to a double, or
+/// subtracting it, may round as well.
 inline double rounding_error(double magnitude) { return 0x1p-52 * magnitude + 0x1p-1073; }
 
 // The type `Rounded` must have doubles x and y, an `error` that bounds how far each is off, and

@@ -8,11 +8,13 @@
 
 namespace minksum {
 
-/// Returns region ⊕ B, where B is the square |x| ≤ half, |y| ≤ half. Distances here are the larger
-/// difference of coordinates. Every boundary point of the result has at least the distance `half`
-/// from every point of the region, and more from every inner point. Let boundary points then move
-/// by at most `half` along each axis, in straight lines. None passes an inner point of the region,
-/// whose winding number stays 1. So the moved rings enclose the region.
+/// Returns region ⊕ B, where B is the square |x| ≤ half, |y| ≤ half.
+///
+/// The moved rings of the result still enclose the region if boundary points move by at most `half`
+/// along each axis. Proof: let the distance of two points be the larger difference of their
+/// coordinates. A boundary point of the result is at least `half` away from each point of the
+/// region, and farther from each inner point. So a boundary point that moves in a straight line
+/// passes no inner point of the region, and the winding number of such a point stays 1.
 [[nodiscard]] Region grown(const Region& region, const Rational& half, const Options& options);
 
 /// Does the same with thin parts, which become area. The moved rings lose no point x of these

@@ -26,7 +26,7 @@ struct RoundRequest {
 [[nodiscard]] Region canonical(const Region& region, const RoundRequest& request);
 
 /// Rounds vertex by vertex. Returns nothing if the result is not valid or not on the right side.
-/// The report lacks `topology_kept`, as do those of the next two functions.
+/// This function and the next two leave `topology_kept` of the report unset.
 [[nodiscard]] std::optional<Region> round_by_vertices(const Region& region, const Target& target,
                                                       const RoundRequest& request,
                                                       RoundingReport& report);

@@ -55,9 +55,9 @@ class BoxPairs {
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
-  /// Calls visit(a, b) once for each pair that overlaps, or nearly so. Neighbours are boxes added
-  /// one right after the other. With `neighbours_touch`, their pairs may be left out. Visits none
-  /// and returns false if more than `most` pairs overlap in x.
+  /// Calls visit(a, b) once for each pair of boxes that overlap, and for some that nearly do. With
+  /// `neighbours_touch`, a pair of boxes that were added one right after the other may be left out.
+  /// If more than `most` pairs overlap in x, visits no pair and returns false.
   template <class Visit>
   bool for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false,
                 std::size_t most = std::numeric_limits<std::size_t>::max()) {

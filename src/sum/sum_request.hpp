@@ -5,8 +5,9 @@
 
 namespace minksum {
 
-/// The settings of a sum, and where to put what is wanted beside the sum itself; null = not wanted.
-/// The stages see the settings alone. `Options::tight` is true if tight places have a place.
+/// The settings of a sum, and where to put what the caller wants beside the sum. A null pointer
+/// means that it is not wanted. The stages see the settings alone, so `Options::tight` is true
+/// exactly if `tight_places` is not null.
 struct SumRequest : SumSettings {
   SumRequest() = default;
   explicit SumRequest(const Options& options) : SumRequest(SumSettings{options}) {}

@@ -164,8 +164,8 @@ class Sweeper {
     meet_crosswise();
     list_touches(here, passing);
   }
-  /// Suspects the vertices of a ring that touches itself here, but for one. Vertices of a ring
-  /// stand next to each other.
+  /// Suspects all but one of the vertices that a ring has at this point. `here` lists the vertices
+  /// of one ring one after the other.
   void meet_own_ring(std::span<const SiteId> here) {
     SiteId last = kNoSite;
     for (const SiteId v : here) {

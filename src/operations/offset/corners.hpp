@@ -19,13 +19,12 @@ struct OffsetEdge {
 
 /// The outline of the offset at a vertex, from the first edge's side to the second's.
 ///
-/// Seen from the vertex, each vector is to the left of the one before it, or in line with it. Else
-/// one of the two is (0, 0). So the triangles between the vertex and two successive vectors go
-/// counter-clockwise or have no area.
+/// The triangle of the vertex and two successive vectors is counter-clockwise, or it has no area:
+/// each vector is to the left of the one before it or in line with it, or one of the two is (0, 0).
 struct CornerOutline {
   std::vector<Point> full;  ///< from the first edge's `outwards` to the second's
-  /// The same without these two, if the rest starts and ends on the lines of the moved edges. Then
-  /// the outlines of the edges go there directly.
+  /// `full` without its first and last vector, if what is left starts and ends on the lines of the
+  /// two moved edges. Then these edges can lead straight to it. Else the same as `full`.
   std::vector<Point> direct;
 };
 

@@ -197,8 +197,8 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 void arrange_convex(const Operands& operands, Cancellation& cancellation, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Whether to join lines: so many segments share directions that many may share lines, and their
-/// places in doubles are exact (B ≤ 52).
+/// Tells whether to join lines. That pays if many segments may lie on one line, which the number of
+/// segments of each direction tells. It also needs coordinates that doubles hold (B ≤ 52).
 [[nodiscard]] bool lines_are_joined(const Operands& operands, std::size_t segments);
 /// If wanted, joins segments that overlap or touch on one line in one direction, and drops segments
 /// that others contain. O(k log k).

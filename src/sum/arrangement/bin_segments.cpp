@@ -54,8 +54,8 @@ class Binner {
   }
 
  private:
-  /// So many rows may take longer to visit than it takes to count a cell: some 60 instructions a
-  /// row, and 16 a cell.
+  /// How many rows of cells cost as much as counting one cell, with a margin: a row takes some 60
+  /// instructions, a cell 16.
   static constexpr double kRowsPerCell = 0.5;
   static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyway
 

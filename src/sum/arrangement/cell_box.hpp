@@ -54,8 +54,8 @@ class CellBox {
   static constexpr std::uint64_t kOnes = 0x0001'0001'0001'0001;
   static constexpr std::uint64_t kTops = 0x8000 * kOnes;
 
-  // Truncation rounds down. One more unit outwards makes up for the rounding of the given values,
-  // which is below 4 · UniformGrid::kSlack.
+  // Truncation rounds down. The given values were rounded, too, by less than 4 ·
+  // UniformGrid::kSlack. One more unit outwards makes up for that.
   static std::uint64_t low(double value) { return units(value) - 1; }
   static std::uint64_t high(double value) { return units(value) + 2; }
   static std::uint64_t units(double value) {

@@ -123,8 +123,8 @@ double CrowdFinder::list_lines(std::size_t begin, std::size_t end, const BoxOf<d
   return cut_error_ * (2 + steepest);
 }
 
-/// Meets segments that end in the strip with those that pass it, by their heights on the left. On
-/// the way to the right, none changes its height by more than the one that changes it most.
+/// Meets segments that end in the strip with those that pass it. A passing segment is sought by its
+/// height at the strip's left side. The steepest one bounds how far heights differ farther right.
 void CrowdFinder::meet_ending_with_lines(std::size_t begin, std::size_t end, Axis axis,
                                          double error) {
   const auto& lines = scratch_.lines;

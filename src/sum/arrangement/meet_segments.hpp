@@ -20,9 +20,9 @@ struct PlanePart : BoxOf<double> {
 
 /// Finds the points that pairs of segments share, in one part after the other.
 ///
-/// A pair may be listed in several parts. Each point is taken in its own part, where both segments
-/// are listed. A point may be known only roughly, beyond the slack with which segments were listed.
-/// It is taken in each part, which costs nothing but repeated events.
+/// A pair may be listed in several parts. A shared point is added in the part that contains it:
+/// both segments are listed there. If doubles do not tell the point well enough to choose a part,
+/// it is added in each of them. Then the same events are listed more than once, which does no harm.
 class SegmentMeeter {
  public:
   /// All coordinates are in [0, extent].

@@ -343,8 +343,8 @@ class Splitter {
   ArrangementScratch& scratch_;
   Arrangement& result_;
   std::uint32_t ends_;  ///< points of lower numbers are ends of segments
-  /// Whether pieces may have the same ends, because segments overlap on one line. Only if
-  /// nothing is covered, so that all pairs were met, is it known whether any do.
+  /// Whether two pieces may have the same ends. That happens where segments overlap on one line.
+  /// If something is covered, not all pairs were met, so this is true to be safe.
   bool may_coincide_;
 };
 

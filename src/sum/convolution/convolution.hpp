@@ -52,8 +52,8 @@ struct ConvolutionScratch {
 void reduced_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                          ConvolutionScratch& scratch, Convolution& convolution);
 
-/// Lists the reduced convolution, but if there are more than `many` segments only a sample of them.
-/// The sample has `kSample` to 2 · `kSample` segments, if there are so many.
+/// Lists the reduced convolution if it has at most `many` segments, and else a sample of it. The
+/// sample has `kSample` to 2 · `kSample` segments.
 /// O(n + m + min(k, many)).
 void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
                                    std::uint64_t many, Cancellation& cancellation,

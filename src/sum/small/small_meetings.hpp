@@ -36,8 +36,8 @@ class SmallMeetings {
     add_all(m.at_end, kAtEnd);
     if (block != other) add_all_of_other(m.at_end_of_other, kAtEnd);
   }
-  /// Whether there is room for the meetings of two more blocks. Room is bounded because the stages
-  /// are faster where segments have many meetings at ends, as segments on few lines have.
+  /// Whether there is room for the meetings of two more blocks. Segments that lie on few lines have
+  /// many meetings at ends. The stages are faster for them, so the room is bounded.
   [[nodiscard]] bool has_room(std::uint32_t segments) const {
     return size_ + 4 * kLanes * kLanes <= kMax && size_ <= 6 * segments + 64;
   }

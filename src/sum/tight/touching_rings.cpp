@@ -138,8 +138,8 @@ class TouchFinder {
     result_.end.push_back(static_cast<std::uint32_t>(result_.corners.size()));
     join_rings(around);
   }
-  /// Joins the rings at a touching point. Rings that are joined already, by way of other points,
-  /// enclose something together.
+  /// Joins the rings at a touching point. If other touching points have joined two of these rings
+  /// before, the two enclose something between them.
   void join_rings(std::span<const Member> around) {
     const std::uint32_t first = root(ring_parent_, ring_index(around.front().edge));
     for (const Member& member : around.subspan(1)) {
