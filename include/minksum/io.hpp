@@ -14,13 +14,14 @@
 
 namespace minksum::io {
 
-/// Names a text format. docs/formats.md describes all of them.
+/// Names a format. docs/formats.md describes all of them.
 enum class Format {
   kWkt,      ///< Well-Known Text of the Open Geospatial Consortium
   kGeoJson,  ///< RFC 7946
   kPoly,     ///< `.poly`: chains of points, and which of them are holes
   kDat,      ///< `.dat`: CGAL's plain polygons, which are only read
   kSvg,      ///< a picture, which is only written
+  kWkb,  ///< Well-Known Binary; when read, also PostGIS's form, and either in hexadecimal digits
 };
 
 /// An error in a text, with its place. Lines and columns count from 1; 0 means not known.
@@ -52,14 +53,14 @@ struct ReadLimits {
 /// Returns the format in which the text seems to be, by its first characters, or else WKT.
 [[nodiscard]] MINKSUM_API Format detect_format(std::string_view text);
 
-/// Returns the areas, polylines and points of a text. The text is WKT, GeoJSON, `.poly` or `.dat`,
-/// which its content tells.
+/// Returns the areas, polylines and points of a text. The text is WKT, GeoJSON, WKB, `.poly` or
+/// `.dat`, which its content tells.
 ///
 /// Numbers are read exactly. Only the form of the text is checked. Rings may cross themselves and
 /// each other, and may have one vertex or two; `resolve` tells what they mean. In `.dat`, rings of
 /// fewer than three vertices are expected only if the text makes no sense without them. O(n) for n
-/// characters. Throws ReadError: kBadInput with line and column; kLimitExceeded. Throws
-/// Error(kCancelled).
+/// characters. Throws ReadError: kBadInput with line and column, or with the number of the byte in
+/// the message if the text is WKB; kLimitExceeded. Throws Error(kCancelled).
 [[nodiscard]] MINKSUM_API Geometry read_geometry(std::string_view text,
                                                  const ReadLimits& limits = {});
 /// Returns the same from a file, or from standard input for "-". A file that cannot be read is a
@@ -96,10 +97,11 @@ struct Coordinates {
   std::optional<CancelToken> cancel = {};
 };
 
-/// Writes a region as WKT, GeoJSON, `.poly` or a plain SVG. O(n) for n vertices. Throws Error:
-/// kBadInput for `.dat`, which is only read, and for a number of digits that is out of range;
-/// kLimitExceeded for a coordinate beyond the range of doubles that has to be written as one;
-/// kCancelled.
+/// Writes a region as WKT, GeoJSON, WKB, `.poly` or a plain SVG. WKB is little-endian and holds
+/// doubles. O(n) for n vertices. Throws Error:
+/// kBadInput for `.dat`, which is only read, for WKB in another style than kDouble, and for a
+/// number of digits that is out of range; kLimitExceeded for a coordinate beyond the range of
+/// doubles that has to be written as one; kCancelled.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});
 /// Returns the region as WKT. This and all functions below throw as `write` does.
@@ -118,6 +120,11 @@ MINKSUM_API void write(std::ostream& out, const Geometry& geometry, Format forma
 /// Returns the same for a geometry with thin parts.
 [[nodiscard]] MINKSUM_API std::string to_geojson(const Geometry& geometry,
                                                  const Coordinates& style = {});
+/// Returns the region as WKB: bytes, not digits.
+[[nodiscard]] MINKSUM_API std::string to_wkb(const Region& region, const Coordinates& style = {});
+/// Returns the same for a geometry with thin parts.
+[[nodiscard]] MINKSUM_API std::string to_wkb(const Geometry& geometry,
+                                             const Coordinates& style = {});
 
 }  // namespace minksum::io
 

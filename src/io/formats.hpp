@@ -16,6 +16,14 @@ namespace minksum::io {
 [[nodiscard]] Geometry read_geojson(std::string_view text, const ReadLimits& limits, Rules rules);
 [[nodiscard]] Geometry read_poly(std::string_view text, const ReadLimits& limits, Rules rules);
 [[nodiscard]] Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules);
+[[nodiscard]] Geometry read_wkb(std::string_view bytes, const ReadLimits& limits, Rules rules);
+/// Reads WKB whose bytes are written as hexadecimal digits.
+[[nodiscard]] Geometry read_hex_wkb(std::string_view text, const ReadLimits& limits, Rules rules);
+
+/// Tells whether the bytes begin with a byte order and the code of a geometry.
+[[nodiscard]] bool looks_like_wkb(std::string_view bytes);
+/// Tells whether hexadecimal digits say so, and are more than a number would have.
+[[nodiscard]] bool looks_like_hex_wkb(std::string_view text);
 
 /// Returns the same as `feature_properties`, for a text that is GeoJSON.
 [[nodiscard]] std::optional<std::string> geojson_properties(std::string_view text,
@@ -35,6 +43,7 @@ struct GeometryView {
 void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
 void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
 void write_poly(std::ostream& out, const Region& region, const Coordinates& style);
+void write_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
 void write_svg(std::ostream& out, const GeometryView& geometry);
 
 }  // namespace minksum::io

@@ -1,4 +1,4 @@
-// Loads files as texts, and finds out which format a text is in.
+// Loads files, and finds out which format a text is in.
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -80,6 +80,7 @@ std::string read_all(std::FILE* file, const ReadLimits& limits, std::size_t expe
 
 Geometry read_by_rules(std::string_view text, const ReadLimits& limits, Rules rules) {
   if (text.size() > limits.max_bytes) fail_too_large(limits.max_bytes);
+  if (looks_like_wkb(text)) return read_wkb(text, limits, rules);
   check_encoding(text);
   const std::string_view content = without_mark(text);
   TextCursor cursor(content);
@@ -96,6 +97,8 @@ Geometry read_by_rules(std::string_view text, const ReadLimits& limits, Rules ru
       return read_poly(content, limits, rules);
     case Format::kDat:
       return read_dat(content, limits, rules);
+    case Format::kWkb:
+      return read_hex_wkb(content, limits, rules);
     default:
       return read_wkt(content, limits, rules);
   }
@@ -117,6 +120,7 @@ std::string load_text(const std::string& path, const ReadLimits& limits) {
 }
 
 Format detect_format(std::string_view text) {
+  if (looks_like_wkb(text) || looks_like_hex_wkb(without_mark(text))) return Format::kWkb;
   TextCursor cursor(without_mark(text));
   cursor.skip_space();
   const char first = cursor.peek();

@@ -42,6 +42,9 @@ std::string TextCursor::found() const {
 
 void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t position,
                       const std::optional<ExceededLimit>& limit) const {
+  if (places_ == Places::kBytes) {
+    throw ReadError(code, "byte " + std::to_string(position + 1) + ": " + message, 0, 0, limit);
+  }
   const std::string_view before = text_.substr(0, position);
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0

@@ -1,4 +1,4 @@
-// Keeps a position in a text, and reports errors there.
+// Keeps a position in a text or in bytes, and reports errors there.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,10 @@ namespace minksum::io {
 
 class TextCursor {
  public:
-  explicit TextCursor(std::string_view text) : text_(text) {}
+  /// Says how errors name a place: by line and column, or by the number of the byte.
+  enum class Places { kLines, kBytes };
+  explicit TextCursor(std::string_view text, Places places = Places::kLines)
+      : text_(text), places_(places) {}
 
   [[nodiscard]] bool at_end() const { return position_ == text_.size(); }
   /// Returns the character here, or NUL at the end. No format knows a NUL, so the two do not clash.
@@ -55,6 +58,7 @@ class TextCursor {
 
  private:
   std::string_view text_;
+  Places places_;
   std::size_t position_ = 0;
 };
 

@@ -19,6 +19,8 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
         throw Error(ErrorCode::kBadInput, "polylines and points have no form in .poly");
       }
       return write_poly(out, geometry.region, style);
+    case Format::kWkb:
+      return write_wkb(out, geometry, style);
     case Format::kSvg:
       return write_svg(out, geometry);
     case Format::kDat:
@@ -63,6 +65,14 @@ std::string to_geojson(const Region& region, const Coordinates& style) {
 
 std::string to_geojson(const Geometry& geometry, const Coordinates& style) {
   return to_text(geometry, Format::kGeoJson, style);
+}
+
+std::string to_wkb(const Region& region, const Coordinates& style) {
+  return to_text(region, Format::kWkb, style);
+}
+
+std::string to_wkb(const Geometry& geometry, const Coordinates& style) {
+  return to_text(geometry, Format::kWkb, style);
 }
 
 }  // namespace minksum::io

@@ -62,6 +62,12 @@ std::optional<int> finite_decimal_digits(const Rational& value) {
 
 }  // namespace
 
+void check_finite(double value) {
+  if (std::isfinite(value)) return;
+  throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", {}, {},
+              ExceededLimit{"doubles"});
+}
+
 Writer::Writer(std::ostream& out, const Coordinates& style)
     : out_(out), style_(style), options_{.cancel = style.cancel}, cancellation_(options_) {
   const bool has_digits = style.style == Coordinates::Style::kDecimal;
@@ -88,10 +94,7 @@ void Writer::exact(const Rational& value) {
 }
 
 void Writer::nearest(double value) {
-  if (!std::isfinite(value)) {
-    throw Error(ErrorCode::kLimitExceeded, "a coordinate is beyond the range of doubles", {}, {},
-                ExceededLimit{"doubles"});
-  }
+  check_finite(value);
   real(value);
 }
 

@@ -11,6 +11,9 @@
 
 namespace minksum::io {
 
+/// Throws Error(kLimitExceeded) for a coordinate that no double is near to.
+void check_finite(double value);
+
 class Writer {
  public:
   Writer(std::ostream& out, const Coordinates& style);

@@ -67,7 +67,9 @@ auto try_to_read(const std::string& text, Read read_it) -> std::optional<decltyp
   } catch (const ReadError& error) {
     require(error.code() == ErrorCode::kBadInput || error.code() == ErrorCode::kLimitExceeded,
             "a fault of the text has a code for that");
-    require(error.line() >= 1 && error.column() >= 1, "a fault has a place");
+    require((error.line() >= 1 && error.column() >= 1) ||
+                std::string_view(error.what()).starts_with("byte "),
+            "a fault has a place");
     require(std::string_view(error.what()).find('\n') == std::string_view::npos,
             "a message is one line");
     return {};
