@@ -170,12 +170,13 @@ MINKSUM_API minksum_status minksum_geometry_get_polylines(const minksum_geometry
 MINKSUM_API minksum_status minksum_geometry_get_points(const minksum_geometry *geometry, double *xy,
                                                        minksum_error *error);
 
-/** Names a text format that is written: see `minksum::io::Format`. */
+/** Names a format that is written: see `minksum::io::Format`. */
 typedef enum minksum_format {
   MINKSUM_WKT = 0, /**< Well-Known Text */
   MINKSUM_GEOJSON, /**< GeoJSON */
   MINKSUM_POLY,    /**< `.poly`, only without polylines and points */
-  MINKSUM_SVG      /**< a picture, which is only written */
+  MINKSUM_SVG,     /**< a picture, which is only written */
+  MINKSUM_WKB      /**< Well-Known Binary: bytes, with MINKSUM_DOUBLES only */
 } minksum_format;
 /** Says as which numbers coordinates are written. */
 typedef enum minksum_style {
@@ -184,8 +185,8 @@ typedef enum minksum_style {
   MINKSUM_DECIMALS     /**< decimals with a number of digits after the point */
 } minksum_style;
 
-/** Reads a text whose content tells its format. Numbers are read exactly. For a text that is not
- * well formed, the error has line and column. */
+/** Reads a text or WKB, whose content tells its format. Numbers are read exactly. For what is not
+ * well formed, the error has line and column, or for WKB the number of the byte in its message. */
 MINKSUM_API minksum_status minksum_read(const char *text, size_t length, minksum_geometry **result,
                                         minksum_error *error);
 /** Writes a text. It ends with a zero byte, which `length` does not count; `length` may be NULL.

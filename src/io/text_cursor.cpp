@@ -42,7 +42,7 @@ std::string TextCursor::found() const {
 
 void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t position,
                       const std::optional<ExceededLimit>& limit) const {
-  if (places_ == Places::kBytes) {
+  if (counts_ == Counts::kBytes) {
     throw ReadError(code, "byte " + std::to_string(position + 1) + ": " + message, 0, 0, limit);
   }
   const std::string_view before = text_.substr(0, position);

@@ -20,9 +20,9 @@ namespace minksum::io {
 class TextCursor {
  public:
   /// Says how errors name a place: by line and column, or by the number of the byte.
-  enum class Places { kLines, kBytes };
-  explicit TextCursor(std::string_view text, Places places = Places::kLines)
-      : text_(text), places_(places) {}
+  enum class Counts { kLines, kBytes };
+  explicit TextCursor(std::string_view text, Counts counts = Counts::kLines)
+      : text_(text), counts_(counts) {}
 
   [[nodiscard]] bool at_end() const { return position_ == text_.size(); }
   /// Returns the character here, or NUL at the end. No format knows a NUL, so the two do not clash.
@@ -58,7 +58,7 @@ class TextCursor {
 
  private:
   std::string_view text_;
-  Places places_;
+  Counts counts_;
   std::size_t position_ = 0;
 };
 

@@ -79,7 +79,7 @@ Value load(std::string_view bytes, bool little) {
 class WkbReader {
  public:
   WkbReader(std::string_view bytes, const ReadLimits& limits, Rules rules)
-      : cursor_(bytes, TextCursor::Places::kBytes),
+      : cursor_(bytes, TextCursor::Counts::kBytes),
         limits_(limits),
         builder_(cursor_, limits, rules) {}
 

@@ -112,6 +112,19 @@ static void test_geometries(void) {
   EXPECT(strlen(minksum_version()) >= 5);
 }
 
+static void test_binary(void) {
+  minksum_geometry *tile = read("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"), *out = NULL;
+  char *bytes = NULL;
+  size_t length = 0;
+  EXPECT(minksum_write(tile, MINKSUM_WKB, MINKSUM_DOUBLES, 0, &bytes, &length, NULL) == MINKSUM_OK);
+  EXPECT(length == 93);
+  EXPECT_WKT(minksum_read(bytes, length, &out, &error), "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  minksum_text_free(bytes);
+  EXPECT(minksum_write(tile, MINKSUM_WKB, MINKSUM_EXACT, 0, &bytes, NULL, NULL) ==
+         MINKSUM_BAD_INPUT);
+  minksum_geometry_free(tile);
+}
+
 static void test_sums(void) {
   minksum_geometry *square = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
   minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3, 0 0))");
@@ -312,6 +325,7 @@ static void test_robots(void) {
 
 int main(void) {
   test_geometries();
+  test_binary();
   test_sums();
   test_shapes();
   test_pairs();
