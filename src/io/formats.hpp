@@ -20,6 +20,10 @@ namespace minksum::io {
 /// Reads WKB whose bytes are written as hexadecimal digits.
 [[nodiscard]] Geometry read_hex_wkb(std::string_view text, const ReadLimits& limits, Rules rules);
 
+/// Throws a ReadError that names the format, if the text begins as files of a format that is not
+/// read.
+void refuse_other_formats(std::string_view text);
+
 /// Tells whether the bytes begin with a byte order and the code of a geometry.
 [[nodiscard]] bool looks_like_wkb(std::string_view bytes);
 /// Tells whether hexadecimal digits say so, and are more than a number would have.

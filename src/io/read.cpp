@@ -83,6 +83,7 @@ Geometry read_by_rules(std::string_view text, const ReadLimits& limits, Rules ru
   if (looks_like_wkb(text)) return read_wkb(text, limits, rules);
   check_encoding(text);
   const std::string_view content = without_mark(text);
+  refuse_other_formats(content);
   TextCursor cursor(content);
   cursor.skip_space();
   if (cursor.at_end()) {

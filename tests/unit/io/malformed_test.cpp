@@ -93,7 +93,7 @@ std::vector<Malformed> wkt_table() {
        "expected a number, found "
        "'('"},
       {"missing_parenthesis", "MULTIPOLYGON ((0 0, 1 0, 0 1, 0 0))", kBad, "expected '('"},
-      {"binary", std::string("\x89PNG\r\n\x1A\n\0\0", 10), kBad, "found byte 0x89", 1, 1},
+      {"binary", std::string("\x8A\r\n\x1A\n\0\0", 7), kBad, "found byte 0x8a", 1, 1},
       {"nul_bytes", std::string("POLYGON ((0 0, \0 1))", 20), kBad, "found byte 0x00", 1, 16},
       {"utf16", std::string("\xFF\xFEP\0O\0", 6), kBad, "UTF-16"},
       {"utf16_unmarked", std::string("P\0O\0L\0", 6), kBad, "UTF-16"},

@@ -1,0 +1,138 @@
+// Names formats that are not read, by how files of them begin, and says what to do.
+#include <algorithm>
+#include <array>
+
+#include "io/formats.hpp"
+#include "io/text_cursor.hpp"
+
+namespace minksum::io {
+
+namespace {
+
+constexpr const char* kByGdal =
+    "convert it first, for example with GDAL: ogr2ogr -f GeoJSON result.json FILE";
+constexpr const char* kUnpack = "unpack it first";
+constexpr const char* kPicture =
+    "a picture has no coordinates that could be read; take the file that it was made from";
+constexpr const char* kDrawing =
+    "export its outlines as WKT or GeoJSON, with curves replaced by short lines";
+
+struct Other {
+  std::string_view begin;
+  const char* name;
+  const char* advice;
+};
+
+using namespace std::string_view_literals;
+
+// The first bytes of files, as their specifications have them.
+constexpr std::array kOthers = {
+    Other{"\x1F\x8B"sv, "a gzip archive", kUnpack},
+    Other{"BZh"sv, "a bzip2 archive", kUnpack},
+    Other{"\xFD"
+          "7zXZ\0"sv,
+          "an xz archive", kUnpack},
+    Other{"\x28\xB5\x2F\xFD"sv, "a Zstandard archive", kUnpack},
+    Other{"7z\xBC\xAF"sv, "a 7z archive", kUnpack},
+    Other{"PK\3\4"sv, "a zip archive, or a file that is one, such as KMZ or a zipped Shapefile",
+          kUnpack},
+    Other{"\0\0\x27\x0A"sv, "a Shapefile", kByGdal},
+    Other{"SQLite format 3\0"sv, "an SQLite database, such as GeoPackage or SpatiaLite", kByGdal},
+    Other{"fgb\3"sv, "FlatGeobuf", kByGdal},
+    Other{"PAR1"sv, "Parquet", kByGdal},
+    Other{"ARROW1"sv, "Arrow", kByGdal},
+    Other{"Version "sv, "a MapInfo file (MIF)", kByGdal},
+    Other{"AutoCAD Binary DXF"sv, "a binary DXF drawing", kDrawing},
+    Other{"AC10"sv, "a DWG drawing", kDrawing},
+    Other{"ISO-10303-21"sv, "a STEP model", kDrawing},
+    Other{"%PDF-"sv, "PDF", kDrawing},
+    Other{"%!PS"sv, "PostScript", kDrawing},
+    Other{"\x89PNG"sv, "a PNG picture", kPicture},
+    Other{"\xFF\xD8\xFF"sv, "a JPEG picture", kPicture},
+    Other{"GIF8"sv, "a GIF picture", kPicture},
+    Other{"II*\0"sv, "a TIFF picture", kPicture},
+    Other{"MM\0*"sv, "a TIFF picture", kPicture},
+};
+
+// By the name of a document's first element, without its prefix and in lower case.
+constexpr std::array kElements = {
+    Other{"svg", "SVG", kDrawing},
+    Other{"kml", "KML", kByGdal},
+    Other{"featurecollection", "GML", kByGdal},
+    Other{"gml", "GML", kByGdal},
+    Other{"gpx", "GPX", kByGdal},
+    Other{"osm", "OpenStreetMap data", kByGdal},
+    Other{"html", "a page in HTML", "perhaps an error page was saved in place of the file"},
+};
+
+/// Returns the name of the first element of an XML document, or "" if it has none.
+std::string first_element(TextCursor cursor) {
+  const auto skip_past = [&cursor](std::string_view end) {
+    const std::size_t found = cursor.rest().find(end);
+    cursor.advance(found == std::string_view::npos ? cursor.rest().size() : found + end.size());
+  };
+  for (;;) {
+    cursor.skip_space();
+    if (cursor.rest().starts_with("<!--")) {
+      skip_past("-->");
+    } else if (cursor.rest().starts_with("<?") || cursor.rest().starts_with("<!")) {
+      skip_past(">");
+    } else {
+      break;
+    }
+  }
+  if (!cursor.accept('<')) return {};
+  std::string name;
+  for (; is_letter(cursor.peek()) || is_digit(cursor.peek()) || cursor.peek() == ':';
+       cursor.advance()) {
+    const char c = cursor.peek();
+    if (c == ':') {
+      name.clear();
+    } else {
+      name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  return name;
+}
+
+/// A DXF drawing has pairs of lines, a number and its value; the first pair begins a section. Pairs
+/// with 999 are comments.
+bool looks_like_dxf(TextCursor cursor) {
+  const auto take_line = [&cursor] {
+    const std::string_view rest = cursor.rest();
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    cursor.advance(std::min(line.size() + 1, rest.size()));
+    const std::size_t from = line.find_first_not_of(" \t\r");
+    if (from == std::string_view::npos) return std::string_view();
+    return line.substr(from, line.find_last_not_of(" \t\r") + 1 - from);
+  };
+  for (;;) {
+    const std::string_view number = take_line();
+    const std::string_view value = take_line();
+    if (number != "999") return number == "0" && value == "SECTION";
+  }
+}
+
+[[noreturn]] void fail_other(const std::string& name, const std::string& advice) {
+  throw ReadError(ErrorCode::kBadInput,
+                  "this looks like " + name + ", which is not read: " + advice, 1, 1);
+}
+
+}  // namespace
+
+void refuse_other_formats(std::string_view text) {
+  for (const Other& other : kOthers) {
+    if (text.starts_with(other.begin)) fail_other(other.name, other.advice);
+  }
+  TextCursor cursor(text);
+  if (looks_like_dxf(cursor)) fail_other("a DXF drawing", kDrawing);
+  cursor.skip_space();
+  if (cursor.peek() != '<') return;
+  const std::string element = first_element(cursor);
+  for (const Other& other : kElements) {
+    if (element == other.begin) fail_other(other.name, other.advice);
+  }
+  fail_other("XML", kByGdal);
+}
+
+}  // namespace minksum::io
