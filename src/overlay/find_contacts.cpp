@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "machine/exceeded.hpp"
 #include "overlay/subdivision.hpp"
 #include "spatial/median_division.hpp"
 
@@ -27,12 +28,15 @@ struct Slant {
 
 class ContactFinder {
  public:
-  ContactFinder(const Segments& segments, std::size_t max_touches, Contacts& contacts)
+  ContactFinder(const Segments& segments, std::size_t max_touches, Contacts& contacts,
+                const CrossingCount* limit)
       : segments_(segments),
         predicates_(segments.predicates),
         max_touches_(max_touches),
         cancellation_(segments.cancellation()),
-        contacts_(contacts) {}
+        contacts_(contacts),
+        limited_(limit != nullptr),
+        max_crossings_(limited_ ? std::min(limit->most, kMostNumbered) : kMaxCrossings) {}
 
   bool run() {
     measure();
@@ -53,7 +57,8 @@ class ContactFinder {
  private:
   friend MedianDivision<ContactFinder>;
   static constexpr std::size_t kPairsOfASweep = 128;  ///< take as long as sweeping one segment
-  static constexpr std::size_t kMaxCrossings = std::size_t{1} << 28U;
+  static constexpr std::uint64_t kMaxCrossings = std::uint64_t{1} << 28U;
+  static constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30U;  ///< NodeId numbers them
 
   [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
   [[nodiscard]] const Ends& ends(SegmentId s) const {
@@ -269,16 +274,19 @@ class ContactFinder {
 
   void limit_crossings() {
     if (contacts_.crossings.size() <= look_again_at_) return;
-    sort_crossings();  // those found in several cells count once
-    if (contacts_.crossings.size() > kMaxCrossings) {
-      throw Error(ErrorCode::kLimitExceeded, "more than 2^28 crossings in one overlay");
-    }
-    look_again_at_ = std::max(kMaxCrossings, 2 * contacts_.crossings.size());
+    sort_crossings();
+    look_again_at_ = std::max<std::uint64_t>(max_crossings_, 2 * contacts_.crossings.size());
   }
+  /// Those found in several cells count once.
   void sort_crossings() {
     auto& crossings = contacts_.crossings;
     std::sort(crossings.begin(), crossings.end(), cancellation_.counting(std::less<>()));
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+    if (crossings.size() <= max_crossings_) return;
+    if (limited_) {
+      throw exceeded("Limits::max_crossings", max_crossings_, "the arrangement has", "crossings");
+    }
+    throw Error(ErrorCode::kLimitExceeded, "more than 2^28 crossings in one overlay");
   }
 
   const Segments& segments_;
@@ -286,11 +294,13 @@ class ContactFinder {
   std::size_t max_touches_;
   Cancellation& cancellation_;
   Contacts& contacts_;
+  bool limited_;  // by the caller's Limits
+  std::uint64_t max_crossings_;
   double extent_ = 0;          // the largest magnitude of a coordinate
   double position_error_ = 0;  // the largest error of a coordinate
   std::vector<Ends> lone_points_;
   std::vector<Slant> slants_;  // by segment, lone points included
-  std::size_t look_again_at_ = kMaxCrossings;
+  std::uint64_t look_again_at_ = max_crossings_;  // crossings with repetitions
   std::size_t tested_ = 0;             // pairs
   bool swept_ = false;                 // whether `suspect_` is known
   std::vector<std::uint8_t> suspect_;  // by segment, lone points included
@@ -300,8 +310,9 @@ class ContactFinder {
 
 }  // namespace
 
-bool find_contacts(const Segments& segments, std::size_t max_touches, Contacts& contacts) {
-  return ContactFinder(segments, max_touches, contacts).run();
+bool find_contacts(const Segments& segments, std::size_t max_touches, Contacts& contacts,
+                   const CrossingCount* limit) {
+  return ContactFinder(segments, max_touches, contacts, limit).run();
 }
 
 }  // namespace minksum::overlay

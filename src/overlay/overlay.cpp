@@ -7,16 +7,16 @@ namespace minksum::overlay {
 namespace {
 
 // Lists the contacts. Far more touches than ends mean that many segments overlap on one line.
-Contacts list_contacts(Segments& segments) {
+Contacts list_contacts(Segments& segments, const CrossingCount* crossings) {
   constexpr std::size_t kMany = 8;
   constexpr std::size_t kMaxTouches = std::size_t{1} << 28U;
   Contacts contacts;
-  if (find_contacts(segments, kMany * (segments.list.size() + 64), contacts)) {
+  if (find_contacts(segments, kMany * (segments.list.size() + 64), contacts, crossings)) {
     return contacts;
   }
   join_lines(segments);
   contacts = {};
-  if (!find_contacts(segments, kMaxTouches, contacts)) {
+  if (!find_contacts(segments, kMaxTouches, contacts, crossings)) {
     throw Error(ErrorCode::kLimitExceeded, "more than 2^28 touches of segments in one overlay");
   }
   return contacts;
@@ -24,11 +24,13 @@ Contacts list_contacts(Segments& segments) {
 
 }  // namespace
 
-Geometry select(std::span<const Chain> chains, const Rule& rule, const Options& options) {
+Geometry select(std::span<const Chain> chains, const Rule& rule, const Options& options,
+                CrossingCount* crossings) {
   Cancellation cancellation(options, Stage::kOverlay);
   cancellation.look();
   Segments segments = list_segments(chains, cancellation);
-  const Contacts contacts = list_contacts(segments);
+  const Contacts contacts = list_contacts(segments, crossings);
+  if (crossings != nullptr) crossings->found = contacts.crossings.size();
   Subdivision subdivision = subdivide(segments, contacts);
   sweep(segments, rule, subdivision);
   Geometry result;

@@ -60,6 +60,12 @@ struct Chain {
   std::int32_t spared = 0;
 };
 
+/// Limits the crossings of an overlay, and counts them.
+struct CrossingCount {
+  std::uint64_t most = 0;   ///< as Limits::max_crossings says
+  std::uint64_t found = 0;  ///< pairs of segments that cross, without those that only touch
+};
+
 /// Returns the closure of the points that `rule.inside` accepts, and the parts of chains that
 /// `rule.keeps` accepts, resolved (see Geometry). The result is exact for all coordinates that a
 /// region holds; origins are not kept.
@@ -70,8 +76,9 @@ struct Chain {
 /// extract_area and extract_thin write the result. Takes O((n + c) log n) for n vertices and c
 /// contacts where segments are not much crowded, or do not cross. Pairs are sought in cells. A cell
 /// is divided until it holds a few segments, or dividing does not part them. In such crowds only
-/// pairs with a segment that crosses or overlaps another one are tested.
+/// pairs with a segment that crosses or overlaps another one are tested. Throws
+/// Error(kLimitExceeded) for more crossings than `crossings` allows, or than 2^28 if it is null.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
-                              const Options& options);
+                              const Options& options, CrossingCount* crossings = nullptr);
 
 }  // namespace minksum::overlay

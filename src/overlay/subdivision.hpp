@@ -115,9 +115,10 @@ struct Subdivision {
 
 /// Finds all touches and crossings. Cells are divided at medians, and each segment's box is cut to
 /// its cell. If two segments meet, they do so in some cell where both boxes hold the point. Gives
-/// up and returns false if there are more than `max_touches` touches.
+/// up and returns false if there are more than `max_touches` touches. Throws Error(kLimitExceeded)
+/// as `select` does.
 [[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
-                                 Contacts& contacts);
+                                 Contacts& contacts, const CrossingCount* limit = nullptr);
 
 /// Finds all touches of segments that neither cross nor overlap, in O(n log n). Such segments are
 /// those that the returned list, which is by segment, has 0 for.

@@ -196,6 +196,30 @@ TEST(OverlaySteps, NestedSegmentsHaveFewTouchesOnceJoined) {
   EXPECT_FALSE(find_contacts(plain.segments, 9000, contacts));
 }
 
+TEST(OverlaySteps, CrossingsAreLimitedAndCounted) {
+  Geometry grid;  // 20 lines cross 20 others
+  for (int i = 0; i < 20; ++i) {
+    grid.polylines.push_back({{0, 2 * i + 1}, {40, 2 * i + 1}});
+    grid.polylines.push_back({{2 * i + 1, 0}, {2 * i + 1, 40}});
+  }
+  ThinStore store;
+  const std::vector<Chain> chains = chains_of(grid, store);
+  const Rule rule{[](const Winding& w) { return w.first != 0; }};
+  CrossingCount count{400};
+  (void)select(chains, rule, {}, &count);
+  EXPECT_EQ(count.found, 400U);
+  for (const std::uint64_t most : {0U, 200U, 399U}) {
+    CrossingCount fewer{most};
+    try {
+      (void)select(chains, rule, {}, &fewer);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
+      EXPECT_EQ(error.limit()->value, most);
+    }
+  }
+}
+
 // Here cells are divided often; the expected contacts come from all pairs.
 TEST(OverlaySteps, NoContactIsMissed) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
