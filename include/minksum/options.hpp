@@ -31,8 +31,8 @@ enum class FillRule {
 /// Returns the rule's name: "automatic", "evenodd", "nonzero", "positive", "negative" or "strict".
 [[nodiscard]] MINKSUM_API const char* to_string(FillRule rule);
 
-/// Limits on one sum. Exceeding one is an Error(kLimitExceeded) that names the limit. Apart from
-/// Method::kSigned, no method takes more than 2^30 of either, whatever is set.
+/// Limits on one sum. Exceeding one is an Error(kLimitExceeded) that names the limit. No method
+/// takes more than 2^30 of either, whatever is set.
 struct Limits {
   /// Convolution segments that are listed. All segments are listed, unless there are very many:
   /// then only those are listed that may touch an uncovered cell. Segments that are only counted
@@ -50,7 +50,7 @@ enum class Stage {
   kLoops,        ///< orientable loops are extracted
   kFilters,      ///< false loops are rejected
   kOutput,       ///< the result is written
-  kOverlay,      ///< fill rules and boolean operations are computed
+  kOverlay,      ///< fill rules, boolean operations and winding numbers are computed
   kRounding,     ///< exact numbers become doubles or decimals
   kChecking,     ///< a result is verified
   kSearch,       ///< paths, distances and contacts are searched for

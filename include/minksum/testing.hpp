@@ -11,8 +11,9 @@ namespace minksum {
 enum class Method {
   /// Reduced convolution, cover and orientable loops (Behar and Lien, IROS 2011), which is fast.
   kReduced,
-  /// Signed convolution and winding numbers (Guibas, Ramshaw, Stolfi 1983). As it has code of its
-  /// own, it is an independent check. It is meant for operands of small and middle size.
+  /// Signed convolution and winding numbers (Guibas, Ramshaw, Stolfi 1983). It shares nothing with
+  /// the other two but what boolean operations use, so it is an independent check. It is meant for
+  /// operands of small and middle size. Of the settings below, only `check` concerns it.
   kSigned,
   /// The full convolution of Wein (ESA 2006), with reflex vertices and without a cover. It is slow,
   /// and serves the comparisons of the paper.

@@ -102,6 +102,16 @@ BigInteger doubled_area(const IntegerRing& ring, Cancellation& cancellation) {
   return sum;
 }
 
+IntegerPoint extent_of(const std::vector<IntegerPoint>& points) {
+  const auto [left, right] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const IntegerPoint& a, const IntegerPoint& b) { return a.x < b.x; });
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const IntegerPoint& a, const IntegerPoint& b) { return a.y < b.y; });
+  return {right->x - left->x, high->y - low->y};
+}
+
 /// Returns the units of work of making a vertex of a ring.
 std::uint64_t work_of_vertex(const BigInteger& scale) {
   return 16 + 16 * work_of_product(bit_length(scale) + 64);
@@ -126,6 +136,7 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, RingKind 
       std::reverse(ring.vertices.begin(), ring.vertices.end());
     }
   }
+  ring.extent = extent_of(ring.vertices);
   // No vertex is straight. At both ends of a walk, its edges are parallel.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     cancellation.check(work_of_cross(ring.vertices[i]));
@@ -158,27 +169,6 @@ std::vector<IntegerRing*> rings_of(std::vector<IntegerPart>& parts) {
   return rings;
 }
 
-// Moves the box of the parts to the origin. Returns where it was, and its larger side.
-std::pair<IntegerPoint, BigInteger> move_to_origin(std::vector<IntegerPart>& parts) {
-  IntegerPoint low = parts.front().outer.vertices.front();
-  IntegerPoint high = low;
-  for (const IntegerPart& part : parts) {
-    for (const IntegerPoint& point : part.outer.vertices) {
-      low.x = std::min(low.x, point.x);
-      low.y = std::min(low.y, point.y);
-      high.x = std::max(high.x, point.x);
-      high.y = std::max(high.y, point.y);
-    }
-  }
-  for (IntegerRing* ring : rings_of(parts)) {
-    for (IntegerPoint& point : ring->vertices) {
-      point.x -= low.x;
-      point.y -= low.y;
-    }
-  }
-  return {low, std::max(high.x - low.x, high.y - low.y)};
-}
-
 struct DirectedEdge {
   IntegerPoint direction;
   const IntegerRing* ring;
@@ -198,7 +188,7 @@ bool direction_less(const DirectedEdge& a, const DirectedEdge& b) {
 }
 
 DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPart>& q,
-                              unsigned bits, Cancellation& cancellation) {
+                              Cancellation& cancellation) {
   std::vector<DirectedEdge> edges;
   std::vector<IntegerRing*> owners;
   std::vector<std::size_t> owner_of;
@@ -212,9 +202,8 @@ DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPa
   }
   std::vector<std::size_t> order(edges.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::uint64_t work = 4 * work_of_product(bits);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    cancellation.check(work);
+    cancellation.check(2 * work_of_cross(edges[a].direction));
     return direction_less(edges[a], edges[b]);
   });
   DirectionRank rank = 0;
@@ -265,13 +254,7 @@ IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
   operands.scale = common_denominator(exact_p, exact_q, cancellation);
   operands.p = make_parts(exact_p, operands.scale, cancellation);
   operands.q = make_parts(exact_q, operands.scale, cancellation);
-  const auto [p_low, p_side] = move_to_origin(operands.p);
-  const auto [q_low, q_side] = move_to_origin(operands.q);
-  operands.origin = {p_low.x + q_low.x, p_low.y + q_low.y};
-  operands.operand_bits = static_cast<unsigned>(std::max(bit_length(p_side), bit_length(q_side)));
-  operands.bits = static_cast<unsigned>(bit_length(p_side + q_side));
-  operands.direction_count =
-      rank_directions(operands.p, operands.q, operands.operand_bits, cancellation);
+  operands.direction_count = rank_directions(operands.p, operands.q, cancellation);
   for (auto* parts : {&operands.p, &operands.q}) {
     for (IntegerRing* ring : rings_of(*parts)) sort_edges(*ring, cancellation);
   }

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "exact/big_integer.hpp"
 #include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
-#include "second/signed_convolution/numbers.hpp"
 
 namespace minksum::signed_sum {
 
@@ -27,6 +27,7 @@ struct IntegerPoint {
 /// boundary of the polyline made a little wider. The walk turns left by half a circle at both ends.
 struct IntegerRing {
   std::vector<IntegerPoint> vertices;
+  IntegerPoint extent;                      ///< of its box
   std::vector<DirectionRank> directions;    ///< by edge
   std::vector<bool> convex;                 ///< by vertex: a left turn, up to half a circle
   std::vector<std::uint32_t> by_direction;  ///< the edges, sorted by rank
@@ -41,15 +42,11 @@ struct IntegerPart {
   std::vector<IntegerRing> holes;  ///< clockwise
 };
 
-/// The operands in integers. A point (x, y) of the sum's integer plane stands for ((x + origin.x) /
-/// scale, (y + origin.y) / scale).
+/// The operands in integers. A point (x, y) of the sum of integers stands for (x, y) / scale.
 struct IntegerOperands {
   std::vector<IntegerPart> p;
   std::vector<IntegerPart> q;
   BigInteger scale;
-  IntegerPoint origin;
-  unsigned operand_bits = 0;  ///< coordinates of operands are below 2^operand_bits
-  unsigned bits = 0;          ///< coordinates of the sum are below 2^bits
   DirectionRank direction_count = 0;
 };
 

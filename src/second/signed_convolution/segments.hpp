@@ -1,61 +1,63 @@
-// Step 2 of the signed method: lists pairs of loops and their signed convolutions, by indices
-// alone.
+// Step 2 of the signed method: the signed convolutions of pairs of rings, as closed chains.
 //
 // The source is Guibas, Ramshaw, Stolfi, "A kinetic framework for computational geometry", FOCS
 // 1983.
 #pragma once
 
-#include <cstddef>
+#include <compare>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "machine/cancellation.hpp"
-#include "minksum/testing.hpp"
+#include "minksum/region.hpp"
 #include "second/signed_convolution/operands.hpp"
 
 namespace minksum::signed_sum {
 
-/// Index of a Layer.
-using LayerId = std::uint32_t;
-/// Index of a pair of parts, one of each operand.
-using PairId = std::uint32_t;
-
-/// A pair of loops whose convolution has winding numbers of its own.
-///
-/// For two outer rings, the winding number at x is positive if and only if x is in the sum of the
-/// filled parts. For a hole and the other part's outer ring, it is -1 if and only if the filled
-/// part fits into the hole at x. Then x is not in the sum. Only holes wider and higher than the
-/// other part have a layer.
-struct Layer {
-  PairId pair = 0;
-  bool is_hole = false;
-  const IntegerRing* p = nullptr;
-  const IntegerRing* q = nullptr;
+/// The sum of a vertex of one ring and a vertex of another.
+struct VertexSum {
+  std::uint32_t p = 0;
+  std::uint32_t q = 0;
+  friend auto operator<=>(const VertexSum&, const VertexSum&) = default;
 };
 
-/// An edge of one loop, moved by a vertex of the other, that counts `multiplicity` times in the
-/// edge's direction.
+/// An edge of one ring, moved by a vertex of the other. At a convex vertex it has the edge's
+/// direction, and at a reflex vertex the reverse.
 struct SignedSegment {
-  LayerId layer = 0;
-  std::uint32_t p_index = 0;  ///< edge of p if edge_of_p, otherwise vertex of p
-  std::uint32_t q_index = 0;
-  bool edge_of_p = false;
-  std::int8_t multiplicity = 0;
+  VertexSum from;
+  VertexSum to;
 };
 
-[[nodiscard]] std::vector<Layer> make_layers(const IntegerOperands& operands,
-                                             Cancellation& cancellation);
-
-/// Returns the signed convolutions of all layers, layer after layer.
-[[nodiscard]] std::vector<SignedSegment> signed_segments(const IntegerOperands& operands,
-                                                         std::span<const Layer> layers,
-                                                         const SumSettings& options,
+/// Returns the segments of the signed convolution of two rings. `count` is how many directions
+/// there are. Throws Error(kLimitExceeded) if there are more than `most`.
+[[nodiscard]] std::vector<SignedSegment> signed_segments(const IntegerRing& p, const IntegerRing& q,
+                                                         DirectionRank count, std::uint64_t most,
                                                          Cancellation& cancellation);
 
-/// Tells whether the segments form closed cycles in every layer: at each pair of vertices, as many
-/// come in as go out. The half-open rules for parallel edges must achieve this.
-[[nodiscard]] bool is_closed(std::span<const Layer> layers, std::span<const SignedSegment> segments,
-                             Cancellation& cancellation);
+/// Links segments into closed chains, and adds them to the last polygon of `chains` as its rings.
+/// Throws Error(kInternal) unless at each sum of vertices as many segments come in as go out. The
+/// half-open rules for parallel edges must achieve this.
+void link_segments(const IntegerRing& p, const IntegerRing& q, std::vector<SignedSegment> segments,
+                   Cancellation& cancellation, Region& chains);
+
+/// Returns the signed convolutions of all pairs of parts. Each ring is a closed chain, and the
+/// region is a store of points only. Let ω be the sum of the chains' winding numbers at a point x
+/// that lies on no chain. Then x is in the sum if ω > 0, and otherwise ω is 0.
+///
+/// Proof. Take a part A of P and a part B of Q. For two rings, the winding number around x is an
+/// integral with respect to the Euler characteristic. It is that of the product of two winding
+/// numbers: of the first ring, and of x minus the second. Holes of A count only if they are wider
+/// and higher than B, and holes of B only if they are wider and higher than A. So at most one of
+/// the two has holes that count; let it be A. Let A' be A with its other holes filled, and B' be
+/// x - B with all its holes filled. Then all rings together have as winding number the Euler
+/// characteristic of A' ∩ B'. A bounded component of the complement of A' ∩ B' would lie in B',
+/// which has no holes, and would be a whole hole of A'. But that is wider than B'. So the Euler
+/// characteristic is the count of components of A' ∩ B', which is 0 or more. It is 0 if and only if
+/// A' and B' do not meet. Filling these holes does not change A ⊕ B. So x is not in A ⊕ B then.
+///
+/// A part that is a polyline has the winding number of the path: the integral counts the stretches
+/// of x - path inside the other part, or its crossings with another path.
+[[nodiscard]] Region signed_convolutions(const IntegerOperands& operands, std::uint64_t most,
+                                         Cancellation& cancellation);
 
 }  // namespace minksum::signed_sum

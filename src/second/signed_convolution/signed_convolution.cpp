@@ -2,12 +2,12 @@
 
 #include <chrono>
 
+#include "overlay/chains.hpp"
+#include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
-#include "second/signed_convolution/arrangement.hpp"
+#include "region/rational_access.hpp"
 #include "second/signed_convolution/broken.hpp"
-#include "second/signed_convolution/rings.hpp"
 #include "second/signed_convolution/segments.hpp"
-#include "second/signed_convolution/winding.hpp"
 
 namespace minksum {
 namespace signed_sum {
@@ -29,42 +29,10 @@ class StageTimer {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-struct Input {
-  const IntegerOperands& operands;
-  std::span<const Layer> layers;
-  std::span<const SignedSegment> segments;
-};
-
-template <class N>
-void solve(const Input& input, const SumSettings& options, Cancellation& cancellation,
-           Statistics& statistics, StageTimer& timer, Region& result) {
-  cancellation.enter(Stage::kArrangement);
-  Geometry<N> geometry(input.operands.bits, cancellation);
-  const Arrangement arrangement =
-      ArrangementBuilder<N>(geometry, options, statistics).run(input.layers, input.segments);
-  if (options.check && !is_balanced(arrangement)) {
-    broken("the pieces of the arrangement do not form cycles");
-  }
-  timer.charge(Stage::kArrangement);
-  // All pieces of polylines along one direction cancel.
-  if (arrangement.pieces.empty()) return;
-  cancellation.enter(Stage::kLoops);
-  const InsideFlags inside = WindingTrace<N>(geometry, arrangement, input.layers).run();
-  const BoundaryRings boundary = RingBuilder<N>(geometry, arrangement, inside).run();
-  const auto polygons = PolygonBuilder<N>(geometry, arrangement, boundary).run();
-  statistics.loops = boundary.rings.size();
-  timer.charge(Stage::kLoops);
-  cancellation.enter(Stage::kOutput);
-  write_region(geometry, arrangement, boundary, polygons, input.operands, result);
-  timer.charge(Stage::kOutput);
-}
-
-// Returns the narrowest set of numbers that holds the sum, or a wider one on request.
-Arithmetic pick(unsigned bits, Arithmetic least) {
-  const bool wider = least == Arithmetic::kWide || least == Arithmetic::kArbitrary;
-  if (wider || bits > MediumNumbers::kBits) return Arithmetic::kArbitrary;
-  if (least == Arithmetic::kMedium || bits > NarrowNumbers::kBits) return Arithmetic::kMedium;
-  return Arithmetic::kNarrow;
+/// Tells whether points are in the sum (see `signed_convolutions`).
+bool is_covered(const overlay::Winding& winding) {
+  if (winding.first < 0) broken("a winding number is smaller than it can be");
+  return winding.first > 0;
 }
 
 void compute(const CallerOperand& p, const CallerOperand& q, const SumSettings& options,
@@ -74,31 +42,30 @@ void compute(const CallerOperand& p, const CallerOperand& q, const SumSettings& 
   cancellation.enter(Stage::kOperands);
   const IntegerOperands operands = make_operands(p, q, cancellation);
   if (options.check) check(operands);
-  statistics.coordinate_bits = operands.operand_bits;
   timer.charge(Stage::kOperands);
   cancellation.enter(Stage::kConvolution);
-  const std::vector<Layer> layers = make_layers(operands, cancellation);
-  const std::vector<SignedSegment> segments =
-      signed_segments(operands, layers, options, cancellation);
-  // This is always checked, because it costs little, and all later steps depend on it.
-  if (!is_closed(layers, segments, cancellation)) broken("the signed convolution is not closed");
-  statistics.convolution_segments = segments.size();
-  statistics.segments_kept = segments.size();
+  const Region convolutions =
+      signed_convolutions(operands, options.limits.max_segments, cancellation);
+  statistics.convolution_segments = convolutions.vertex_count();
+  statistics.segments_kept = convolutions.vertex_count();
   timer.charge(Stage::kConvolution);
-  const Input input{operands, layers, segments};
-  statistics.arithmetic = pick(operands.bits, options.arithmetic);
-  switch (statistics.arithmetic) {
-    case Arithmetic::kNarrow:
-      return solve<NarrowNumbers>(input, options, cancellation, statistics, timer, result);
-    case Arithmetic::kMedium:
-      return solve<MediumNumbers>(input, options, cancellation, statistics, timer, result);
-    default:
-      return solve<ArbitraryNumbers>(input, options, cancellation, statistics, timer, result);
-  }
-}
-
-bool are_parallel(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return cross(minus(b, a), minus(d, c)).sign() == 0;
+  std::vector<overlay::Chain> chains;
+  overlay::for_each_ring(convolutions, [&](overlay::Chain chain, bool) {
+    cancellation.check();
+    chain.weight.first = 1;
+    chains.push_back(chain);
+  });
+  overlay::CrossingCount crossings{options.limits.max_crossings};
+  const Region sum = overlay::select(chains, {is_covered}, options, &crossings).region;
+  statistics.crossings = crossings.found;
+  timer.charge(Stage::kArrangement);
+  cancellation.enter(Stage::kOutput);
+  const Rational unit = RationalAccess::make_reduced(1, operands.scale);
+  result = mapped(sum, [&](const Point& at) {
+    cancellation.check(2 * work_of(at));
+    return Point{at.x * unit, at.y * unit};
+  });
+  timer.charge(Stage::kOutput);
 }
 
 /// Adds the sums of parallel edges.
@@ -111,8 +78,10 @@ void add_parallel_sums(const Polyline& p, const Polyline& q, Cancellation& cance
       const Point& c = q[j - 1];
       const Point& d = q[j];
       cancellation.check(2 * (work_of(a) + work_of(c)));
-      if (!are_parallel(a, b, c, d)) continue;
-      const bool same_way = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) > Rational(0);
+      const Point e = minus(b, a);
+      const Point f = minus(d, c);
+      if (cross(e, f).sign() != 0) continue;
+      const bool same_way = dot(e, f).sign() > 0;
       sums.push_back({plus(a, same_way ? c : d), plus(b, same_way ? d : c)});
     }
   }

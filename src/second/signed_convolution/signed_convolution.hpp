@@ -1,12 +1,12 @@
 // Declares the signed method: an independent way to the Minkowski sum, which checks the fast
 // method.
 //
-//   operands ─► segments ─► arrangement ─► winding ─► rings
+//   operands ─► segments ─► closed chains ─► overlay
 //
-// It shares no code with the fast method but the numbers and regions at the library's boundary. The
-// fast method keeps only segments that can bound the sum, and tests its loops for collisions. The
-// signed method keeps all segments, with signs, and counts how often they wind around each face.
-// The signed method is slower, because it builds the whole arrangement, and simpler to be sure of.
+// It shares nothing with the fast method but the rooms below both. The fast method keeps only
+// segments that can bound the sum, and tests its loops for collisions. The signed method keeps all
+// segments, with signs, and the overlay counts how often they wind around each face. The signed
+// method is slower, because it builds the whole arrangement, and simpler to be sure of.
 #pragma once
 
 #include <span>

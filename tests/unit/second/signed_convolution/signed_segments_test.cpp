@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "minksum/error.hpp"
-#include "minksum/testing.hpp"
 #include "second/signed_convolution/operands.hpp"
 #include "second/signed_convolution/segments.hpp"
 #include "support/data.hpp"
@@ -10,25 +9,40 @@
 namespace minksum::signed_sum {
 namespace {
 
+/// The convolution of the outer rings of the first parts.
 struct Convolution {
   explicit Convolution(const char* p, const char* q)
-      : Convolution(test::parse_wkt(p), test::parse_wkt(q)) {}
-  Convolution(const Region& p, const Region& q)
-      : operands(make_operands(p, q, never)),
-        layers(make_layers(operands, never)),
-        segments(signed_segments(operands, layers, SumSettings{}, never)) {}
+      : operands(make_operands(test::parse_wkt(p), test::parse_wkt(q), never)),
+        segments(signed_segments(operands.p[0].outer, operands.q[0].outer, operands.direction_count,
+                                 UINT64_MAX, never)) {}
   Convolution(const Convolution&) = delete;
   Convolution& operator=(const Convolution&) = delete;
 
+  /// Tells whether segments between sums of these rings' vertices form closed chains.
+  [[nodiscard]] bool closes(const std::vector<SignedSegment>& changed) {
+    Region chains;
+    chains.begin_polygon();
+    try {
+      link_segments(operands.p[0].outer, operands.q[0].outer, changed, never, chains);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kInternal);
+      return false;
+    }
+    EXPECT_EQ(chains.vertex_count(), changed.size());
+    return true;
+  }
+
   Cancellation never;
   IntegerOperands operands;
-  std::vector<Layer> layers;
   std::vector<SignedSegment> segments;
 };
 
-bool are_closed(const std::vector<Layer>& layers, const std::vector<SignedSegment>& segments) {
+Region convolutions_of(const Region& p, const Region& q) {
   Cancellation never;
-  return is_closed(layers, segments, never);
+  return signed_convolutions(make_operands(p, q, never), UINT64_MAX, never);
+}
+std::size_t segments_of(const char* p, const char* q) {
+  return convolutions_of(test::parse_wkt(p), test::parse_wkt(q)).vertex_count();
 }
 
 constexpr const char* kSquare = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))";
@@ -44,7 +58,7 @@ TEST(SignedOperands, AreOrientedAndCleaned) {
   ASSERT_EQ(operands.p.size(), 1U);
   EXPECT_EQ(operands.p[0].outer.size(), 4U);
   EXPECT_EQ(operands.direction_count, 4U);
-  EXPECT_EQ(operands.bits, 4U);  // 4 + 9 = 13
+  EXPECT_EQ(operands.p[0].outer.extent.x, 4);
 }
 
 TEST(SignedOperands, HaveOneScale) {
@@ -53,8 +67,8 @@ TEST(SignedOperands, HaveOneScale) {
       make_operands(test::parse_wkt("POLYGON ((0.1 0.1, 0.3 0.1, 0.1 0.4, 0.1 0.1))"),
                     test::parse_wkt("POLYGON ((5 5, 5.25 5, 5 7, 5 5))"), never);
   EXPECT_EQ(operands.scale, 20);
-  EXPECT_EQ(operands.origin.x, 102);
-  EXPECT_EQ(operands.bits, 6U);  // heights 6 and 40
+  EXPECT_EQ(operands.p[0].outer.vertices[0].x, 2);
+  EXPECT_EQ(operands.q[0].outer.extent.y, 40);
 }
 
 TEST(SignedOperands, CheckRejects) {
@@ -74,64 +88,65 @@ TEST(SignedOperands, CheckRejects) {
 }
 
 TEST(SignedSegments, ConvexPairsMergeTheirEdges) {
-  const Convolution convolution(kSquare, "POLYGON ((0 0, 2 1, 0 3, 0 0))");
-  EXPECT_EQ(convolution.segments.size(), 7U);
-  for (const SignedSegment& segment : convolution.segments) EXPECT_EQ(segment.multiplicity, 1);
+  EXPECT_EQ(
+      convolutions_of(test::parse_wkt(kSquare), test::parse_wkt("POLYGON ((0 0, 2 1, 0 3, 0 0))")),
+      test::parse_wkt("POLYGON ((0 0, 4 0, 6 1, 6 5, 4 7, 0 7, 0 3, 0 0))"));
 }
 
-TEST(SignedSegments, ParallelEdgesCountOnce) {
-  EXPECT_EQ(Convolution(kSquare, kSquare).segments.size(), 8U);
-}
+TEST(SignedSegments, ParallelEdgesCountOnce) { EXPECT_EQ(segments_of(kSquare, kSquare), 8U); }
 
 TEST(SignedSegments, AreClosed) {
   for (const char* p : {kSquare, kDart, kFrame}) {
     for (const char* q : {kSquare, kDart, kFrame}) {
-      const Convolution convolution(p, q);
-      EXPECT_TRUE(are_closed(convolution.layers, convolution.segments)) << p << q;
+      Convolution convolution(p, q);
+      EXPECT_TRUE(convolution.closes(convolution.segments)) << p << q;
     }
   }
   for (int i = 0; i < 500; ++i) {
     test::Random random(static_cast<std::uint64_t>(i));
     const test::Pair pair = test::random_pair(random);
-    const Convolution convolution(pair.p, pair.q);
-    EXPECT_TRUE(are_closed(convolution.layers, convolution.segments)) << i << pair.kind;
+    EXPECT_NO_THROW((void)convolutions_of(pair.p, pair.q)) << i << pair.kind;
   }
 }
 
-TEST(SignedSegments, ClosednessCheckRejectsEveryDamage) {
-  const Convolution convolution(kDart, kDart);
+TEST(SignedSegments, LinkingRejectsEveryDamage) {
+  Convolution convolution(kDart, kDart);
+  ASSERT_TRUE(convolution.closes(convolution.segments));
   for (std::size_t i = 0; i < convolution.segments.size(); ++i) {
     std::vector<SignedSegment> damaged = convolution.segments;
-    damaged[i].multiplicity = static_cast<std::int8_t>(-damaged[i].multiplicity);
-    EXPECT_FALSE(are_closed(convolution.layers, damaged)) << "turned " << i;
+    std::swap(damaged[i].from, damaged[i].to);
+    EXPECT_FALSE(convolution.closes(damaged)) << "turned " << i;
     damaged = convolution.segments;
     damaged.erase(damaged.begin() + static_cast<std::ptrdiff_t>(i));
-    EXPECT_FALSE(are_closed(convolution.layers, damaged)) << "dropped " << i;
+    EXPECT_FALSE(convolution.closes(damaged)) << "dropped " << i;
     damaged = convolution.segments;
     damaged.push_back(damaged[i]);
-    EXPECT_FALSE(are_closed(convolution.layers, damaged)) << "doubled " << i;
+    EXPECT_FALSE(convolution.closes(damaged)) << "doubled " << i;
   }
 }
 
 TEST(SignedSegments, HolesCountOnlyIfTheOtherCanFitByWidths) {
-  EXPECT_EQ(Convolution(kFrame, kSquare).layers.size(), 2U);  // 4 wide in a hole of 5
-  EXPECT_EQ(Convolution(kSquare, kFrame).layers.size(), 2U);
-  EXPECT_EQ(Convolution(kFrame, "POLYGON ((0 0, 5 0, 5 1, 0 1, 0 0))").layers.size(), 1U);
-  EXPECT_EQ(Convolution(kFrame, kFrame).layers.size(), 1U);
+  const std::size_t outer = segments_of("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))", kSquare);
+  EXPECT_GT(segments_of(kFrame, kSquare), outer);  // 4 wide in a hole of 5
+  EXPECT_GT(segments_of(kSquare, kFrame), outer);
+  EXPECT_EQ(segments_of(kFrame, "POLYGON ((0 0, 5 0, 5 1, 0 1, 0 0))"), outer);
+  EXPECT_EQ(segments_of(kFrame, kFrame), outer);
 }
 
 TEST(SignedSegments, LimitIsAnError) {
   Cancellation never;
   const IntegerOperands operands =
       make_operands(test::parse_wkt(kDart), test::parse_wkt(kFrame), never);
-  const std::vector<Layer> layers = make_layers(operands, never);
-  SumSettings options;
-  options.limits.max_segments = 5;
-  try {
-    (void)signed_segments(operands, layers, options, never);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
+  const std::size_t count = signed_convolutions(operands, UINT64_MAX, never).vertex_count();
+  EXPECT_NO_THROW((void)signed_convolutions(operands, count, never));
+  for (const std::size_t most : {std::size_t{5}, count - 1}) {
+    try {
+      (void)signed_convolutions(operands, most, never);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
+      EXPECT_EQ(error.limit()->value, most);
+    }
   }
 }
 
