@@ -175,8 +175,7 @@ class Sums final : public PartialSums {
   void sweep(int operand, std::span<const Polyline> polylines, Region& sum) override {
     const CallerOperand area = taken(static_cast<std::size_t>(operand));
     if (options_.method == Method::kSigned) {
-      Statistics unasked;
-      signed_convolution_sum(area.region, polylines, quiet_, unasked, sum);
+      signed_convolution_sum(area.region, polylines, quiet_, sum);
     } else if (operand == 0) {
       run(area, walk(0, polylines), quiet_, state_, sum);
     } else {  // what is prepared now takes this operand's memory, not the other's

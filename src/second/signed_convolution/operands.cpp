@@ -1,9 +1,8 @@
 #include "second/signed_convolution/operands.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
-#include "minksum/error.hpp"
 #include "region/common_scale.hpp"
 #include "region/fraction_sum.hpp"
 #include "region/rational_access.hpp"
@@ -12,51 +11,6 @@
 
 namespace minksum::signed_sum {
 namespace {
-
-using ExactRing = std::vector<Point>;
-struct ExactPolygon {
-  bool is_walk = false;
-  std::vector<ExactRing> rings;  // the outer ring first
-};
-
-std::vector<ExactPolygon> read(const CallerOperand& given, Cancellation& cancellation) {
-  std::vector<ExactPolygon> polygons;
-  for (const Polyline& polyline : given.polylines) {
-    ExactRing walk(polyline);
-    walk.insert(walk.end(), polyline.rbegin() + 1, polyline.rend() - 1);
-    polygons.push_back({true, {std::move(walk)}});
-  }
-  if (given.region == nullptr) return polygons;
-  const Region& region = *given.region;
-  for (const std::size_t polygon : region.polygons()) {
-    std::vector<ExactRing>& rings = polygons.emplace_back().rings;
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      ExactRing& points = rings.emplace_back();
-      for (const std::size_t vertex : region.vertices_of(ring)) {
-        cancellation.check(4 + 8 * work_of_product(RegionAccess::bits(region, vertex)));
-        points.push_back(region.point(vertex));
-      }
-    }
-  }
-  return polygons;
-}
-
-BigInteger common_denominator(const std::vector<ExactPolygon>& p,
-                              const std::vector<ExactPolygon>& q, Cancellation& cancellation) {
-  std::vector<BigInteger> denominators;
-  for (const auto* polygons : {&p, &q}) {
-    for (const ExactPolygon& polygon : *polygons) {
-      for (const ExactRing& ring : polygon.rings) {
-        for (const Point& point : ring) {
-          cancellation.check();
-          denominators.push_back(RationalAccess::denominator(point.x));
-          denominators.push_back(RationalAccess::denominator(point.y));
-        }
-      }
-    }
-  }
-  return least_common_multiple(1, std::move(denominators), cancellation);
-}
 
 BigInteger scaled(const Rational& value, const BigInteger& scale, Cancellation& cancellation) {
   return RationalAccess::numerator(value) *
@@ -117,25 +71,21 @@ std::uint64_t work_of_vertex(const BigInteger& scale) {
   return 16 + 16 * work_of_product(bit_length(scale) + 64);
 }
 
-enum class RingKind { kOuter, kHole, kWalk };
-
-IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, RingKind kind,
-                      Cancellation& cancellation) {
+/// A ring without area is a walk, whose ends are its only straight vertices.
+IntegerRing make_ring(const Region& region, std::size_t index, const BigInteger& scale,
+                      bool is_hole, Cancellation& cancellation) {
   IntegerRing ring;
-  for (const Point& point : exact) {
-    cancellation.check(work_of_vertex(scale));
+  for (const std::size_t v : region.vertices_of(index)) {
+    cancellation.check(8 * work_of_product(RegionAccess::bits(region, v)) + work_of_vertex(scale));
+    const Point point = region.point(v);
     ring.vertices.push_back(
         {scaled(point.x, scale, cancellation), scaled(point.y, scale, cancellation)});
   }
-  if (kind != RingKind::kWalk) {
-    drop_repeated_vertices(ring.vertices);
-    drop_straight_vertices(ring, cancellation);
-    const BigInteger area = doubled_area(ring, cancellation);
-    if (ring.size() < 3 || area == 0) broken("an operand has a ring without area");
-    if ((area > 0) != (kind == RingKind::kOuter)) {
-      std::reverse(ring.vertices.begin(), ring.vertices.end());
-    }
-  }
+  drop_repeated_vertices(ring.vertices);
+  const BigInteger area = doubled_area(ring, cancellation);
+  if (area != 0) drop_straight_vertices(ring, cancellation);
+  if (ring.size() < 2 || (is_hole && area == 0)) broken("an operand has a ring without area");
+  if (area != 0 && (area < 0) != is_hole) std::reverse(ring.vertices.begin(), ring.vertices.end());
   ring.extent = extent_of(ring.vertices);
   // No vertex is straight. At both ends of a walk, its edges are parallel.
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -145,84 +95,61 @@ IntegerRing make_ring(const ExactRing& exact, const BigInteger& scale, RingKind 
   return ring;
 }
 
-std::vector<IntegerPart> make_parts(const std::vector<ExactPolygon>& polygons,
-                                    const BigInteger& scale, Cancellation& cancellation) {
+std::vector<IntegerPart> make_parts(const Region& region, const BigInteger& scale,
+                                    Cancellation& cancellation) {
   std::vector<IntegerPart> parts;
-  for (const auto& [is_walk, rings] : polygons) {
-    if (rings.empty()) broken("an operand has a polygon without rings");
+  for (const std::size_t polygon : region.polygons()) {
     IntegerPart& part = parts.emplace_back();
-    part.outer =
-        make_ring(rings.front(), scale, is_walk ? RingKind::kWalk : RingKind::kOuter, cancellation);
-    for (std::size_t i = 1; i < rings.size(); ++i) {
-      part.holes.push_back(make_ring(rings[i], scale, RingKind::kHole, cancellation));
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      part.push_back(make_ring(region, ring, scale, !part.empty(), cancellation));
     }
+    if (part.empty()) broken("an operand has a polygon without rings");
   }
   return parts;
 }
 
-std::vector<IntegerRing*> rings_of(std::vector<IntegerPart>& parts) {
-  std::vector<IntegerRing*> rings;
-  for (IntegerPart& part : parts) {
-    rings.push_back(&part.outer);
-    for (IntegerRing& hole : part.holes) rings.push_back(&hole);
-  }
-  return rings;
-}
-
-struct DirectedEdge {
-  IntegerPoint direction;
-  const IntegerRing* ring;
-  std::size_t edge;
-};
-
-void collect_edges(const IntegerRing& ring, std::vector<DirectedEdge>& edges) {
-  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({edge(ring, i), &ring, i});
-}
-
 bool in_first_half(const IntegerPoint& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
 
-bool direction_less(const DirectedEdge& a, const DirectedEdge& b) {
-  const bool a_first = in_first_half(a.direction);
-  if (a_first != in_first_half(b.direction)) return a_first;
-  return cross(a.direction, b.direction) > 0;
+bool direction_less(const IntegerPoint& a, const IntegerPoint& b) {
+  const bool a_first = in_first_half(a);
+  if (a_first != in_first_half(b)) return a_first;
+  return cross(a, b) > 0;
 }
 
-DirectionRank rank_directions(std::vector<IntegerPart>& p, std::vector<IntegerPart>& q,
-                              Cancellation& cancellation) {
-  std::vector<DirectedEdge> edges;
-  std::vector<IntegerRing*> owners;
-  std::vector<std::size_t> owner_of;
-  for (auto* parts : {&p, &q}) {
-    for (IntegerRing* ring : rings_of(*parts)) {
-      collect_edges(*ring, edges);
-      owners.push_back(ring);
-      owner_of.resize(edges.size(), owners.size() - 1);
-      ring->directions.resize(ring->size());
+/// Calls visit(ring, is_hole) for each ring of both operands.
+template <class Operands, class Visit>
+void for_each_ring(Operands& operands, Visit visit) {
+  for (auto* const parts : {&operands.p, &operands.q}) {
+    for (auto& part : *parts) {
+      for (auto& ring : part) visit(ring, &ring != &part.front());
     }
   }
-  std::vector<std::size_t> order(edges.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    cancellation.check(2 * work_of_cross(edges[a].direction));
-    return direction_less(edges[a], edges[b]);
-  });
-  DirectionRank rank = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && direction_less(edges[order[i - 1]], edges[order[i]])) ++rank;
-    owners[owner_of[order[i]]]->directions[edges[order[i]].edge] = rank;
-  }
-  return rank + 1;
 }
 
-void sort_edges(IntegerRing& ring, Cancellation& cancellation) {
-  ring.by_direction.resize(ring.size());
-  std::iota(ring.by_direction.begin(), ring.by_direction.end(), 0U);
-  std::sort(
-      ring.by_direction.begin(), ring.by_direction.end(), [&](std::uint32_t a, std::uint32_t b) {
-        cancellation.check();
-        return ring.directions[a] != ring.directions[b] ? ring.directions[a] < ring.directions[b]
-                                                        : a < b;
-      });
+void rank_directions(IntegerOperands& operands, Cancellation& cancellation) {
+  struct DirectedEdge {
+    IntegerPoint direction;
+    IntegerRing* ring;
+    std::uint32_t index;
+  };
+  std::vector<DirectedEdge> edges;
+  for_each_ring(operands, [&](IntegerRing& ring, bool) {
+    cancellation.check(4 * ring.size());
+    for (std::uint32_t i = 0; i < ring.size(); ++i) edges.push_back({edge(ring, i), &ring, i});
+    ring.directions.resize(ring.size());
+  });
+  std::sort(edges.begin(), edges.end(), [&](const DirectedEdge& a, const DirectedEdge& b) {
+    cancellation.check(4 + 2 * work_of_cross(a.direction));
+    return direction_less(a.direction, b.direction);
+  });
+  DirectionRank rank = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    cancellation.check(4 + 2 * work_of_cross(edges[i].direction));
+    if (i > 0 && direction_less(edges[i - 1].direction, edges[i].direction)) ++rank;
+    edges[i].ring->directions[edges[i].index] = rank;
+    edges[i].ring->by_direction.push_back(edges[i].index);
+  }
+  operands.direction_count = rank + 1;
 }
 
 void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank count) {
@@ -246,40 +173,46 @@ void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank c
 
 }  // namespace
 
-IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
-                              Cancellation& cancellation) {
-  const std::vector<ExactPolygon> exact_p = read(p, cancellation);
-  const std::vector<ExactPolygon> exact_q = read(q, cancellation);
+IntegerOperands make_operands(const Region& p, const Region& q, Cancellation& cancellation) {
   IntegerOperands operands;
-  operands.scale = common_denominator(exact_p, exact_q, cancellation);
-  operands.p = make_parts(exact_p, operands.scale, cancellation);
-  operands.q = make_parts(exact_q, operands.scale, cancellation);
-  operands.direction_count = rank_directions(operands.p, operands.q, cancellation);
-  for (auto* parts : {&operands.p, &operands.q}) {
-    for (IntegerRing* ring : rings_of(*parts)) sort_edges(*ring, cancellation);
-  }
+  operands.scale = least_common_multiple(least_common_denominator(p, cancellation),
+                                         {least_common_denominator(q, cancellation)}, cancellation);
+  operands.p = make_parts(p, operands.scale, cancellation);
+  operands.q = make_parts(q, operands.scale, cancellation);
+  rank_directions(operands, cancellation);
   return operands;
 }
 
-void check(const IntegerOperands& operands) {
-  std::vector<DirectedEdge> edges;
-  for (const auto* parts : {&operands.p, &operands.q}) {
-    for (const IntegerPart& part : *parts) {
-      check_ring(part.outer, true, operands.direction_count);
-      collect_edges(part.outer, edges);
-      for (const IntegerRing& hole : part.holes) {
-        check_ring(hole, false, operands.direction_count);
-        collect_edges(hole, edges);
-      }
-    }
+Region walks_along(std::span<const Polyline> polylines, Cancellation& cancellation) {
+  Region walks;
+  for (const Polyline& polyline : polylines) {
+    walks.begin_polygon();
+    walks.begin_ring();
+    const auto add = [&](const Point& at) {
+      cancellation.check(work_of(at));
+      walks.add_vertex(at.x, at.y);
+    };
+    std::for_each(polyline.begin(), polyline.end(), add);
+    std::for_each(polyline.rbegin() + 1, polyline.rend() - 1, add);
   }
-  const auto rank = [](const DirectedEdge& e) { return e.ring->directions[e.edge]; };
+  return walks;
+}
+
+void check(const IntegerOperands& operands) {
+  std::vector<std::pair<DirectionRank, IntegerPoint>> edges;
+  for_each_ring(operands, [&](const IntegerRing& ring, bool is_hole) {
+    check_ring(ring, !is_hole, operands.direction_count);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      edges.emplace_back(ring.directions[i], edge(ring, i));
+    }
+  });
   std::sort(edges.begin(), edges.end(),
-            [&](const DirectedEdge& a, const DirectedEdge& b) { return rank(a) < rank(b); });
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 1; i < edges.size(); ++i) {
-    const bool same_rank = rank(edges[i - 1]) == rank(edges[i]);
-    if (direction_less(edges[i - 1], edges[i]) == same_rank ||
-        direction_less(edges[i], edges[i - 1])) {
+    const auto& [rank, direction] = edges[i - 1];
+    const auto& [next_rank, next_direction] = edges[i];
+    if (direction_less(direction, next_direction) != (rank < next_rank) ||
+        direction_less(next_direction, direction)) {
       broken("the directions of the operands are not in order");
     }
   }

@@ -37,10 +37,9 @@ struct IntegerRing {
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
 };
 
-struct IntegerPart {
-  IntegerRing outer;               ///< counter-clockwise, or a walk
-  std::vector<IntegerRing> holes;  ///< clockwise
-};
+/// The rings of a polygon: the outer one, which is counter-clockwise or a walk, and clockwise
+/// holes.
+using IntegerPart = std::vector<IntegerRing>;
 
 /// The operands in integers. A point (x, y) of the sum of integers stands for (x, y) / scale.
 struct IntegerOperands {
@@ -50,20 +49,12 @@ struct IntegerOperands {
   DirectionRank direction_count = 0;
 };
 
-/// An operand as given: a valid region, or polylines as in a resolved Geometry.
-struct CallerOperand {
-  CallerOperand(const Region& given) : region(&given) {}  // NOLINT(google-explicit-constructor)
-  CallerOperand(std::span<const Polyline> given)          // NOLINT(google-explicit-constructor)
-      : polylines(given) {}
-  [[nodiscard]] bool empty() const {
-    return region != nullptr ? region->empty() : polylines.empty();
-  }
-  const Region* region = nullptr;  ///< null if there are polylines instead
-  std::span<const Polyline> polylines;
-};
-
-[[nodiscard]] IntegerOperands make_operands(const CallerOperand& p, const CallerOperand& q,
+/// Reads valid regions, in which polygons may also be walks.
+[[nodiscard]] IntegerOperands make_operands(const Region& p, const Region& q,
                                             Cancellation& cancellation);
+
+/// Returns polylines, which must be those of a resolved Geometry, as walks.
+[[nodiscard]] Region walks_along(std::span<const Polyline> polylines, Cancellation& cancellation);
 
 /// Throws Error(kInternal) unless the operands are as described above. Rings must be oriented or
 /// walks, without straight or repeated vertices. Ranks must be in cyclic order of the directions.

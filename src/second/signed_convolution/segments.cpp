@@ -141,10 +141,10 @@ Region signed_convolutions(const IntegerOperands& operands, std::uint64_t most,
                            Cancellation& cancellation) {
   // Lists the rings of a part that count beside another part.
   const auto rings_beside = [&](const IntegerPart& part, const IntegerPart& other) {
-    std::vector<const IntegerRing*> rings{&part.outer};
-    for (const IntegerRing& hole : part.holes) {
+    std::vector<const IntegerRing*> rings;
+    for (const IntegerRing& ring : part) {
       cancellation.check();
-      if (may_fit(other.outer, hole)) rings.push_back(&hole);
+      if (&ring == &part.front() || may_fit(other.front(), ring)) rings.push_back(&ring);
     }
     return rings;
   };

@@ -35,8 +35,8 @@ bool is_covered(const overlay::Winding& winding) {
   return winding.first > 0;
 }
 
-void compute(const CallerOperand& p, const CallerOperand& q, const SumSettings& options,
-             Statistics& statistics, Region& result) {
+void compute(const Region& p, const Region& q, const SumSettings& options, Statistics& statistics,
+             Region& result) {
   StageTimer timer(statistics);
   Cancellation cancellation(options);
   cancellation.enter(Stage::kOperands);
@@ -90,24 +90,25 @@ void add_parallel_sums(const Polyline& p, const Polyline& q, Cancellation& cance
 }  // namespace
 }  // namespace signed_sum
 
-void signed_convolution_sum(const signed_sum::CallerOperand& p, const signed_sum::CallerOperand& q,
-                            const SumSettings& options, Statistics& statistics, Region& result) {
+void signed_convolution_sum(const Region& p, const Region& q, const SumSettings& options,
+                            Statistics& statistics, Region& result) {
   result.clear();
   if (p.empty() || q.empty()) return;
-  try {
-    signed_sum::compute(p, q, options, statistics, result);
-  } catch (...) {
-    result.clear();
-    throw;
-  }
+  signed_sum::compute(p, q, options, statistics, result);
+}
+
+void signed_convolution_sum(const Region& p, std::span<const Polyline> q,
+                            const SumSettings& options, Region& result) {
+  Cancellation cancellation(options);
+  Statistics unasked;
+  signed_convolution_sum(p, signed_sum::walks_along(q, cancellation), options, unasked, result);
 }
 
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
                             const SumSettings& options, Geometry& result) {
-  result = {};
-  Statistics unasked;
-  signed_convolution_sum(p, q, options, unasked, result.region);
   Cancellation cancellation(options);
+  result = {};
+  signed_convolution_sum(signed_sum::walks_along(p, cancellation), q, options, result.region);
   for (const Polyline& a : p) {
     for (const Polyline& b : q) {
       signed_sum::add_parallel_sums(a, b, cancellation, result.polylines);

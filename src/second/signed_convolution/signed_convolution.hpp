@@ -16,13 +16,16 @@
 
 namespace minksum {
 
-/// Sets `result` to P ⊕ Q by signed convolution and winding numbers. A region must be valid (see
-/// `validate`). Polylines are those of a resolved Geometry, and each is a ring that is traversed
-/// there and back. The result is in canonical form, without origins.
-void signed_convolution_sum(const signed_sum::CallerOperand& p, const signed_sum::CallerOperand& q,
-                            const SumSettings& options, Statistics& statistics, Region& result);
+/// Sets `result` to P ⊕ Q by signed convolution and winding numbers. The regions must be valid (see
+/// `validate`). The result is in canonical form, without origins.
+void signed_convolution_sum(const Region& p, const Region& q, const SumSettings& options,
+                            Statistics& statistics, Region& result);
 
-/// Sets `result` to the sum of two unions of polylines. Edges of different directions sweep
+/// Sets `result` to the sum of a valid region and polylines. They are those of a resolved Geometry.
+void signed_convolution_sum(const Region& p, std::span<const Polyline> q,
+                            const SumSettings& options, Region& result);
+
+/// Sets `result` to the sum of two unions of such polylines. Edges of different directions sweep
 /// the region. Each pair of parallel edges adds a segment, which may overlap with others and the
 /// region.
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,

@@ -131,12 +131,13 @@ TEST(SignedThinOperand, IsClosedAndChecked) {
   using namespace minksum::signed_sum;
   const Geometry hook = make_lines(kHook);
   Cancellation never;
-  const IntegerOperands operands = make_operands(kTriangle, CallerOperand(hook.polylines), never);
+  const Region walks = walks_along(hook.polylines, never);
+  const IntegerOperands operands = make_operands(kTriangle, walks, never);
   EXPECT_NO_THROW(check(operands));
   EXPECT_NO_THROW((void)signed_convolutions(operands, UINT64_MAX, never));
   const auto rejects = [&](auto damage) {
-    IntegerOperands damaged = make_operands(kTriangle, CallerOperand(hook.polylines), never);
-    damage(damaged.q[0].outer);
+    IntegerOperands damaged = make_operands(kTriangle, walks, never);
+    damage(damaged.q[0][0]);
     try {
       check(damaged);
     } catch (const Error&) {

@@ -13,7 +13,7 @@ namespace {
 struct Convolution {
   explicit Convolution(const char* p, const char* q)
       : operands(make_operands(test::parse_wkt(p), test::parse_wkt(q), never)),
-        segments(signed_segments(operands.p[0].outer, operands.q[0].outer, operands.direction_count,
+        segments(signed_segments(operands.p[0][0], operands.q[0][0], operands.direction_count,
                                  UINT64_MAX, never)) {}
   Convolution(const Convolution&) = delete;
   Convolution& operator=(const Convolution&) = delete;
@@ -23,7 +23,7 @@ struct Convolution {
     Region chains;
     chains.begin_polygon();
     try {
-      link_segments(operands.p[0].outer, operands.q[0].outer, changed, never, chains);
+      link_segments(operands.p[0][0], operands.q[0][0], changed, never, chains);
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kInternal);
       return false;
@@ -56,9 +56,9 @@ TEST(SignedOperands, AreOrientedAndCleaned) {
   const IntegerOperands operands = make_operands(messy, test::parse_wkt(kFrame), never);
   EXPECT_NO_THROW(check(operands));
   ASSERT_EQ(operands.p.size(), 1U);
-  EXPECT_EQ(operands.p[0].outer.size(), 4U);
+  EXPECT_EQ(operands.p[0][0].size(), 4U);
   EXPECT_EQ(operands.direction_count, 4U);
-  EXPECT_EQ(operands.p[0].outer.extent.x, 4);
+  EXPECT_EQ(operands.p[0][0].extent.x, 4);
 }
 
 TEST(SignedOperands, HaveOneScale) {
@@ -67,8 +67,8 @@ TEST(SignedOperands, HaveOneScale) {
       make_operands(test::parse_wkt("POLYGON ((0.1 0.1, 0.3 0.1, 0.1 0.4, 0.1 0.1))"),
                     test::parse_wkt("POLYGON ((5 5, 5.25 5, 5 7, 5 5))"), never);
   EXPECT_EQ(operands.scale, 20);
-  EXPECT_EQ(operands.p[0].outer.vertices[0].x, 2);
-  EXPECT_EQ(operands.q[0].outer.extent.y, 40);
+  EXPECT_EQ(operands.p[0][0].vertices[0].x, 2);
+  EXPECT_EQ(operands.q[0][0].extent.y, 40);
 }
 
 TEST(SignedOperands, CheckRejects) {
@@ -77,13 +77,13 @@ TEST(SignedOperands, CheckRejects) {
     return make_operands(test::parse_wkt(kDart), test::parse_wkt(kFrame), never);
   };
   IntegerOperands operands = fresh();
-  std::swap(operands.p[0].outer.vertices[0], operands.p[0].outer.vertices[1]);
+  std::swap(operands.p[0][0].vertices[0], operands.p[0][0].vertices[1]);
   EXPECT_THROW(check(operands), Error);
   operands = fresh();
-  operands.p[0].outer.convex[3] = !operands.p[0].outer.convex[3];
+  operands.p[0][0].convex[3] = !operands.p[0][0].convex[3];
   EXPECT_THROW(check(operands), Error);
   operands = fresh();
-  std::swap(operands.p[0].outer.directions[0], operands.p[0].outer.directions[1]);
+  std::swap(operands.p[0][0].directions[0], operands.p[0][0].directions[1]);
   EXPECT_THROW(check(operands), Error);
 }
 
