@@ -3,117 +3,114 @@
 #include <algorithm>
 #include <utility>
 
-#include "region/common_scale.hpp"
-#include "region/fraction_sum.hpp"
+#include "region/point_arithmetic.hpp"
 #include "region/rational_access.hpp"
-#include "region/region_access.hpp"
 #include "second/signed_convolution/broken.hpp"
 
 namespace minksum::signed_sum {
 namespace {
 
-BigInteger scaled(const Rational& value, const BigInteger& scale, Cancellation& cancellation) {
-  return RationalAccess::numerator(value) *
-         divided(scale, RationalAccess::denominator(value), cancellation).quotient;
-}
-
-BigInteger cross(const IntegerPoint& a, const IntegerPoint& b) { return a.x * b.y - a.y * b.x; }
+BigInteger cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
 /// Returns the units of work of such a product.
-std::uint64_t work_of_cross(const IntegerPoint& a) {
+std::uint64_t work_of_cross(const Direction& a) {
   return 2 * work_of_product(64 * std::max(a.x.limb_count(), a.y.limb_count()));
 }
 
-IntegerPoint edge(const IntegerRing& ring, std::size_t i) {
-  const IntegerPoint& a = ring.vertices[i];
-  const IntegerPoint& b = ring.vertices[ring.next(i)];
-  return {b.x - a.x, b.y - a.y};
+Direction direction(const Point& from, const Point& to) {
+  const Point edge = minus(to, from);
+  return {RationalAccess::numerator(edge.x) * RationalAccess::denominator(edge.y),
+          RationalAccess::numerator(edge.y) * RationalAccess::denominator(edge.x)};
 }
 
-bool same(const IntegerPoint& a, const IntegerPoint& b) { return a.x == b.x && a.y == b.y; }
+bool in_first_half(const Direction& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
 
-void drop_repeated_vertices(std::vector<IntegerPoint>& points) {
-  points.erase(std::unique(points.begin(), points.end(), same), points.end());
-  while (points.size() > 1 && same(points.front(), points.back())) points.pop_back();
+bool direction_less(const Direction& a, const Direction& b) {
+  const bool a_first = in_first_half(a);
+  if (a_first != in_first_half(b)) return a_first;
+  return cross(a, b) > 0;
 }
 
-// In a simple ring, a straight vertex goes straight on. Dropping it keeps the directions of its
-// neighbours' edges, so one pass is enough.
-void drop_straight_vertices(IntegerRing& ring, Cancellation& cancellation) {
-  std::vector<IntegerPoint> kept;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    cancellation.check(work_of_cross(ring.vertices[i]));
-    if (cross(edge(ring, ring.previous(i)), edge(ring, i)) != 0) kept.push_back(ring.vertices[i]);
+/// A vertex of a region.
+struct Vertex {
+  std::size_t index;
+  Point at;
+};
+
+/// Lists the vertices of a ring without repetitions.
+std::vector<Vertex> vertices_of(const Region& region, std::size_t ring,
+                                Cancellation& cancellation) {
+  std::vector<Vertex> vertices;
+  for (const std::size_t v : region.vertices_of(ring)) {
+    Point at = region.point(v);
+    cancellation.check(work_of(at));
+    if (vertices.empty() || vertices.back().at != at) vertices.push_back({v, std::move(at)});
   }
-  ring.vertices = std::move(kept);
+  while (vertices.size() > 1 && vertices.front().at == vertices.back().at) vertices.pop_back();
+  if (vertices.size() < 2) broken("an operand has a ring without area");
+  return vertices;
 }
 
-BigInteger doubled_area(const IntegerRing& ring, Cancellation& cancellation) {
-  BigInteger sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    cancellation.check(work_of_cross(ring.vertices[i]));
-    sum += cross(ring.vertices[i], ring.vertices[ring.next(i)]);
+/// Returns 1 for a counter-clockwise ring, -1 for a clockwise ring, and 0 for a walk. A walk reads
+/// the same from both sides. Elsewhere, the turn at the smallest vertex is that of the ring.
+int turn_of(std::span<const Vertex> ring, Cancellation& cancellation) {
+  const auto same = [](const Vertex& a, const Vertex& b) { return a.at == b.at; };
+  if (std::equal(ring.begin() + 1, ring.end(), ring.rbegin(), same)) return 0;
+  const auto least = std::min_element(ring.begin(), ring.end(),
+                                      cancellation.counting([](const Vertex& a, const Vertex& b) {
+                                        return comes_before(a.at, b.at);
+                                      }));
+  const Vertex& before = least == ring.begin() ? ring.back() : *(least - 1);
+  const Vertex& after = least + 1 == ring.end() ? ring.front() : *(least + 1);
+  return minksum::cross(minus(least->at, before.at), minus(after.at, least->at)).sign();
+}
+
+Point extent_of(std::span<const Vertex> ring, Cancellation& cancellation) {
+  const auto [left, right] = std::minmax_element(
+      ring.begin(), ring.end(),
+      cancellation.counting([](const Vertex& a, const Vertex& b) { return a.at.x < b.at.x; }));
+  const auto [low, high] = std::minmax_element(
+      ring.begin(), ring.end(),
+      cancellation.counting([](const Vertex& a, const Vertex& b) { return a.at.y < b.at.y; }));
+  return {right->at.x - left->at.x, high->at.y - low->at.y};
+}
+
+DirectedRing make_ring(const Region& region, std::size_t index, bool is_hole,
+                       Cancellation& cancellation) {
+  std::vector<Vertex> vertices = vertices_of(region, index, cancellation);
+  const int turn = turn_of(vertices, cancellation);
+  if (is_hole && turn == 0) broken("an operand has a hole without area");
+  if (turn != 0 && (turn < 0) != is_hole) std::reverse(vertices.begin(), vertices.end());
+  std::vector<Direction> edges;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    cancellation.check(work_of(vertices[i].at));
+    edges.push_back(direction(vertices[i].at, vertices[i + 1 == vertices.size() ? 0 : i + 1].at));
   }
-  return sum;
-}
-
-IntegerPoint extent_of(const std::vector<IntegerPoint>& points) {
-  const auto [left, right] =
-      std::minmax_element(points.begin(), points.end(),
-                          [](const IntegerPoint& a, const IntegerPoint& b) { return a.x < b.x; });
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(),
-                          [](const IntegerPoint& a, const IntegerPoint& b) { return a.y < b.y; });
-  return {right->x - left->x, high->y - low->y};
-}
-
-/// Returns the units of work of making a vertex of a ring.
-std::uint64_t work_of_vertex(const BigInteger& scale) {
-  return 16 + 16 * work_of_product(bit_length(scale) + 64);
-}
-
-/// A ring without area is a walk, whose ends are its only straight vertices.
-IntegerRing make_ring(const Region& region, std::size_t index, const BigInteger& scale,
-                      bool is_hole, Cancellation& cancellation) {
-  IntegerRing ring;
-  for (const std::size_t v : region.vertices_of(index)) {
-    cancellation.check(8 * work_of_product(RegionAccess::bits(region, v)) + work_of_vertex(scale));
-    const Point point = region.point(v);
-    ring.vertices.push_back(
-        {scaled(point.x, scale, cancellation), scaled(point.y, scale, cancellation)});
-  }
-  drop_repeated_vertices(ring.vertices);
-  const BigInteger area = doubled_area(ring, cancellation);
-  if (area != 0) drop_straight_vertices(ring, cancellation);
-  if (ring.size() < 2 || (is_hole && area == 0)) broken("an operand has a ring without area");
-  if (area != 0 && (area < 0) != is_hole) std::reverse(ring.vertices.begin(), ring.vertices.end());
-  ring.extent = extent_of(ring.vertices);
-  // No vertex is straight. At both ends of a walk, its edges are parallel.
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    cancellation.check(work_of_cross(ring.vertices[i]));
-    ring.convex.push_back(cross(edge(ring, ring.previous(i)), edge(ring, i)) >= 0);
+  DirectedRing ring;
+  ring.region = &region;
+  ring.extent = extent_of(vertices, cancellation);
+  // In a simple ring, a straight vertex goes straight on. Leaving it out keeps the directions of
+  // its neighbours' edges. No vertex of a walk goes on, and at both ends its edges are parallel.
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    cancellation.check(4 + work_of_cross(edges[i]));
+    const int here = cross(edges[(i == 0 ? edges.size() : i) - 1], edges[i]).sign();
+    if (turn != 0 && here == 0) continue;
+    ring.vertices.push_back(vertices[i].index);
+    ring.edges.push_back(edges[i]);
+    ring.convex.push_back(here >= 0);
   }
   return ring;
 }
 
-std::vector<IntegerPart> make_parts(const Region& region, const BigInteger& scale,
-                                    Cancellation& cancellation) {
-  std::vector<IntegerPart> parts;
+std::vector<Part> make_parts(const Region& region, Cancellation& cancellation) {
+  std::vector<Part> parts;
   for (const std::size_t polygon : region.polygons()) {
-    IntegerPart& part = parts.emplace_back();
+    Part& part = parts.emplace_back();
     for (const std::size_t ring : region.rings_of(polygon)) {
-      part.push_back(make_ring(region, ring, scale, !part.empty(), cancellation));
+      part.push_back(make_ring(region, ring, !part.empty(), cancellation));
     }
     if (part.empty()) broken("an operand has a polygon without rings");
   }
   return parts;
-}
-
-bool in_first_half(const IntegerPoint& d) { return d.x > 0 || (d.x == 0 && d.y > 0); }
-
-bool direction_less(const IntegerPoint& a, const IntegerPoint& b) {
-  const bool a_first = in_first_half(a);
-  if (a_first != in_first_half(b)) return a_first;
-  return cross(a, b) > 0;
 }
 
 /// Calls visit(ring, is_hole) for each ring of both operands.
@@ -126,59 +123,61 @@ void for_each_ring(Operands& operands, Visit visit) {
   }
 }
 
-void rank_directions(IntegerOperands& operands, Cancellation& cancellation) {
-  struct DirectedEdge {
-    IntegerPoint direction;
-    IntegerRing* ring;
+void rank_directions(DirectedOperands& operands, Cancellation& cancellation) {
+  struct Edge {
+    DirectedRing* ring;
     std::uint32_t index;
+    [[nodiscard]] const Direction& direction() const { return ring->edges[index]; }
   };
-  std::vector<DirectedEdge> edges;
-  for_each_ring(operands, [&](IntegerRing& ring, bool) {
-    cancellation.check(4 * ring.size());
-    for (std::uint32_t i = 0; i < ring.size(); ++i) edges.push_back({edge(ring, i), &ring, i});
-    ring.directions.resize(ring.size());
+  std::vector<Edge> edges;
+  for_each_ring(operands, [&](DirectedRing& ring, bool) {
+    cancellation.check(ring.size());
+    for (std::uint32_t i = 0; i < ring.size(); ++i) edges.push_back({&ring, i});
+    ring.ranks.resize(ring.size());
   });
-  std::sort(edges.begin(), edges.end(), [&](const DirectedEdge& a, const DirectedEdge& b) {
-    cancellation.check(4 + 2 * work_of_cross(a.direction));
-    return direction_less(a.direction, b.direction);
+  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
+    cancellation.check(2 + work_of_cross(a.direction()));
+    return direction_less(a.direction(), b.direction());
   });
   DirectionRank rank = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    cancellation.check(4 + 2 * work_of_cross(edges[i].direction));
-    if (i > 0 && direction_less(edges[i - 1].direction, edges[i].direction)) ++rank;
-    edges[i].ring->directions[edges[i].index] = rank;
-    edges[i].ring->by_direction.push_back(edges[i].index);
+    const auto [ring, index] = edges[i];
+    cancellation.check(4 + work_of_cross(edges[i].direction()));
+    if (i > 0 && direction_less(edges[i - 1].direction(), edges[i].direction())) ++rank;
+    ring->ranks[index] = rank;
+    ring->by_direction.push_back(index);
   }
   operands.direction_count = rank + 1;
 }
 
-void check_ring(const IntegerRing& ring, bool counter_clockwise, DirectionRank count) {
-  Cancellation nobody;
-  const BigInteger area = doubled_area(ring, nobody);
-  if (ring.size() < 2 || (area != 0 && (area > 0) != counter_clockwise)) {
-    broken("a ring of an operand has the wrong orientation");
-  }
+void check_ring(const DirectedRing& ring, bool counter_clockwise, DirectionRank count) {
+  Rational area;
   std::size_t ends = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const IntegerPoint in = edge(ring, ring.previous(i));
-    const IntegerPoint out = edge(ring, i);
-    const BigInteger turn = cross(in, out);
-    if (turn == 0 && in.x * out.x + in.y * out.y >= 0) broken("a vertex of an operand is straight");
+    const Point at = ring.point(i);
+    const Point in = minus(at, ring.point(ring.previous(i)));
+    const Point out = minus(ring.point(ring.next(i)), at);
+    const int turn = minksum::cross(in, out).sign();
+    area = area + minksum::cross(at, out);
+    if (turn == 0 && dot(in, out).sign() >= 0) broken("a vertex of an operand is straight");
     ends += turn == 0 ? 1U : 0U;
     if ((turn >= 0) != ring.convex[i]) broken("a vertex of an operand is misjudged");
-    if (ring.directions[i] >= count) broken("a direction of an operand has no rank");
+    if (ring.ranks[i] >= count) broken("a direction of an operand has no rank");
   }
-  if (ends != (area == 0 ? 2U : 0U)) broken("an operand is neither a polygon nor a polyline");
+  if (area.sign() != 0 && (area.sign() > 0) != counter_clockwise) {
+    broken("a ring of an operand has the wrong orientation");
+  }
+  if (ends != (area.sign() == 0 ? 2U : 0U)) {
+    broken("an operand is neither a polygon nor a polyline");
+  }
 }
 
 }  // namespace
 
-IntegerOperands make_operands(const Region& p, const Region& q, Cancellation& cancellation) {
-  IntegerOperands operands;
-  operands.scale = least_common_multiple(least_common_denominator(p, cancellation),
-                                         {least_common_denominator(q, cancellation)}, cancellation);
-  operands.p = make_parts(p, operands.scale, cancellation);
-  operands.q = make_parts(q, operands.scale, cancellation);
+DirectedOperands make_operands(const Region& p, const Region& q, Cancellation& cancellation) {
+  DirectedOperands operands;
+  operands.p = make_parts(p, cancellation);
+  operands.q = make_parts(q, cancellation);
   rank_directions(operands, cancellation);
   return operands;
 }
@@ -198,12 +197,12 @@ Region walks_along(std::span<const Polyline> polylines, Cancellation& cancellati
   return walks;
 }
 
-void check(const IntegerOperands& operands) {
-  std::vector<std::pair<DirectionRank, IntegerPoint>> edges;
-  for_each_ring(operands, [&](const IntegerRing& ring, bool is_hole) {
+void check(const DirectedOperands& operands) {
+  std::vector<std::pair<DirectionRank, Direction>> edges;
+  for_each_ring(operands, [&](const DirectedRing& ring, bool is_hole) {
     check_ring(ring, !is_hole, operands.direction_count);
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      edges.emplace_back(ring.directions[i], edge(ring, i));
+      edges.emplace_back(ring.ranks[i], direction(ring.point(i), ring.point(ring.next(i))));
     }
   });
   std::sort(edges.begin(), edges.end(),

@@ -1,5 +1,5 @@
-// Step 1 of the signed method: turns both operands into oriented integer rings, and ranks the
-// directions of all edges once.
+// Step 1 of the signed method: turns both operands into oriented rings, and ranks the directions of
+// all edges once.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@ namespace minksum::signed_sum {
 /// counter-clockwise order. Equal directions have equal ranks. The order is cyclic.
 using DirectionRank = std::uint32_t;
 
-struct IntegerPoint {
+/// A vector of integers in an edge's direction.
+struct Direction {
   BigInteger x;
   BigInteger y;
 };
@@ -25,39 +26,41 @@ struct IntegerPoint {
 /// A simple ring without repeated or straight vertices, with material on its left, or a walk along
 /// a polyline and back. Edge i runs from vertex i to vertex i + 1. In the limit, a walk is the
 /// boundary of the polyline made a little wider. The walk turns left by half a circle at both ends.
-struct IntegerRing {
-  std::vector<IntegerPoint> vertices;
-  IntegerPoint extent;                      ///< of its box
-  std::vector<DirectionRank> directions;    ///< by edge
+struct DirectedRing {
+  const Region* region = nullptr;
+  std::vector<std::size_t> vertices;  ///< of the region
+  Point extent;                       ///< of its box
+  std::vector<Direction> edges;
+  std::vector<DirectionRank> ranks;         ///< by edge
   std::vector<bool> convex;                 ///< by vertex: a left turn, up to half a circle
   std::vector<std::uint32_t> by_direction;  ///< the edges, sorted by rank
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
   [[nodiscard]] std::size_t previous(std::size_t i) const { return (i == 0 ? size() : i) - 1; }
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  [[nodiscard]] Point point(std::size_t i) const { return region->point(vertices[i]); }
 };
 
 /// The rings of a polygon: the outer one, which is counter-clockwise or a walk, and clockwise
 /// holes.
-using IntegerPart = std::vector<IntegerRing>;
+using Part = std::vector<DirectedRing>;
 
-/// The operands in integers. A point (x, y) of the sum of integers stands for (x, y) / scale.
-struct IntegerOperands {
-  std::vector<IntegerPart> p;
-  std::vector<IntegerPart> q;
-  BigInteger scale;
+struct DirectedOperands {
+  std::vector<Part> p;
+  std::vector<Part> q;
   DirectionRank direction_count = 0;
 };
 
-/// Reads valid regions, in which polygons may also be walks.
-[[nodiscard]] IntegerOperands make_operands(const Region& p, const Region& q,
-                                            Cancellation& cancellation);
+/// Reads valid regions, in which polygons may also be walks. The regions must live as long as the
+/// result.
+[[nodiscard]] DirectedOperands make_operands(const Region& p, const Region& q,
+                                             Cancellation& cancellation);
 
 /// Returns polylines, which must be those of a resolved Geometry, as walks.
 [[nodiscard]] Region walks_along(std::span<const Polyline> polylines, Cancellation& cancellation);
 
 /// Throws Error(kInternal) unless the operands are as described above. Rings must be oriented or
 /// walks, without straight or repeated vertices. Ranks must be in cyclic order of the directions.
-void check(const IntegerOperands& operands);
+void check(const DirectedOperands& operands);
 
 }  // namespace minksum::signed_sum

@@ -1,17 +1,20 @@
 #include "second/signed_convolution/segments.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "exact/wide_int.hpp"
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
-#include "region/rational_access.hpp"
+#include "region/point_arithmetic.hpp"
+#include "region/region_access.hpp"
 #include "second/signed_convolution/broken.hpp"
 
 namespace minksum::signed_sum {
 namespace {
 
 // A closed set fits into an open one only if it is strictly narrower and strictly lower.
-bool may_fit(const IntegerRing& set, const IntegerRing& hole) {
+bool may_fit(const DirectedRing& set, const DirectedRing& hole) {
   return set.extent.x < hole.extent.x && set.extent.y < hole.extent.y;
 }
 
@@ -40,29 +43,51 @@ Range edges_of_q_between(DirectionRank a, DirectionRank b, DirectionRank count) 
 
 /// The directions of the tangent at a vertex, less than a half turn. At a left turn, the directions
 /// go from the incoming edge to the outgoing one; at a right turn, the other way.
-Range sector(const IntegerRing& ring, std::size_t vertex) {
-  const DirectionRank in = ring.directions[ring.previous(vertex)];
-  const DirectionRank out = ring.directions[vertex];
+Range sector(const DirectedRing& ring, std::size_t vertex) {
+  const DirectionRank in = ring.ranks[ring.previous(vertex)];
+  const DirectionRank out = ring.ranks[vertex];
   return ring.convex[vertex] ? Range{in, out} : Range{out, in};
 }
 
 template <class Visit>
-void for_run(const IntegerRing& ring, DirectionRank first, DirectionRank last, Visit visit) {
-  auto edge = std::lower_bound(
-      ring.by_direction.begin(), ring.by_direction.end(), first,
-      [&](std::uint32_t e, DirectionRank rank) { return ring.directions[e] < rank; });
-  for (; edge != ring.by_direction.end() && ring.directions[*edge] <= last; ++edge) visit(*edge);
+void for_run(const DirectedRing& ring, DirectionRank first, DirectionRank last, Visit visit) {
+  auto edge =
+      std::lower_bound(ring.by_direction.begin(), ring.by_direction.end(), first,
+                       [&](std::uint32_t e, DirectionRank rank) { return ring.ranks[e] < rank; });
+  for (; edge != ring.by_direction.end() && ring.ranks[*edge] <= last; ++edge) visit(*edge);
 }
 template <class Visit>
-void for_edges(const IntegerRing& ring, Range range, DirectionRank count, Visit visit) {
+void for_edges(const DirectedRing& ring, Range range, DirectionRank count, Visit visit) {
   if (range.first <= range.last) return for_run(ring, range.first, range.last, visit);
   for_run(ring, range.first, count - 1, visit);
   for_run(ring, 0, range.last, visit);
 }
 
+/// Returns the sum of two short numbers, or nothing if it is not as short.
+std::optional<StoredCoordinate> short_sum(const StoredCoordinate& a, const StoredCoordinate& b) {
+  if (a.denominator_limbs != 0 || b.denominator_limbs != 0) return std::nullopt;
+  if (a.payload == 0) return b;
+  if (b.payload == 0) return a;
+  StoredCoordinate sum;
+  sum.exp2 = std::min(a.exp2, b.exp2);
+  sum.exp10 = std::min(a.exp10, b.exp10);
+  Int128 whole = 0;
+  for (const StoredCoordinate* c : {&a, &b}) {
+    const int twos = c->exp2 - sum.exp2;
+    const int tens = c->exp10 - sum.exp10;
+    if (twos + bits_of_ten_to(tens) > 62) return std::nullopt;
+    Int128 value = Int128{c->payload} * (Int128{1} << twos);
+    for (int i = 0; i < tens; ++i) value *= 10;
+    whole += value;
+  }
+  sum.payload = static_cast<std::int64_t>(whole);
+  if (sum.payload != whole) return std::nullopt;
+  return sum;
+}
+
 }  // namespace
 
-std::vector<SignedSegment> signed_segments(const IntegerRing& p, const IntegerRing& q,
+std::vector<SignedSegment> signed_segments(const DirectedRing& p, const DirectedRing& q,
                                            DirectionRank count, std::uint64_t most,
                                            Cancellation& cancellation) {
   std::vector<SignedSegment> segments;
@@ -88,18 +113,19 @@ std::vector<SignedSegment> signed_segments(const IntegerRing& p, const IntegerRi
   return segments;
 }
 
-void link_segments(const IntegerRing& p, const IntegerRing& q, std::vector<SignedSegment> segments,
-                   Cancellation& cancellation, Region& chains) {
+void link_segments(const DirectedRing& p, const DirectedRing& q,
+                   std::vector<SignedSegment> segments, Cancellation& cancellation,
+                   Region& chains) {
   const auto add_vertex = [&](const VertexSum& at) {
-    BigInteger x = p.vertices[at.p].x + q.vertices[at.q].x;
-    BigInteger y = p.vertices[at.p].y + q.vertices[at.q].y;
-    cancellation.check(4 + work_of_product(64 * std::max(x.limb_count(), y.limb_count())));
-    if (bit_length(x) < 64 && bit_length(y) < 64) {
-      chains.add_vertex(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y));
-    } else {
-      chains.add_vertex(RationalAccess::make_reduced(std::move(x), 1),
-                        RationalAccess::make_reduced(std::move(y), 1));
-    }
+    const std::size_t v = p.vertices[at.p];
+    const std::size_t w = q.vertices[at.q];
+    cancellation.check(2);
+    const auto x = short_sum(RegionAccess::x(*p.region, v), RegionAccess::x(*q.region, w));
+    const auto y = short_sum(RegionAccess::y(*p.region, v), RegionAccess::y(*q.region, w));
+    if (x && y) return RegionAccess::add_vertex(chains, *x, *y);
+    const Point sum = plus(p.region->point(v), q.region->point(w));
+    cancellation.check(work_of(sum));
+    chains.add_vertex(sum.x, sum.y);
   };
   const auto starts_before = [](const SignedSegment& segment, const VertexSum& at) {
     return segment.from < at;
@@ -137,12 +163,12 @@ void link_segments(const IntegerRing& p, const IntegerRing& q, std::vector<Signe
   }
 }
 
-Region signed_convolutions(const IntegerOperands& operands, std::uint64_t most,
+Region signed_convolutions(const DirectedOperands& operands, std::uint64_t most,
                            Cancellation& cancellation) {
   // Lists the rings of a part that count beside another part.
-  const auto rings_beside = [&](const IntegerPart& part, const IntegerPart& other) {
-    std::vector<const IntegerRing*> rings;
-    for (const IntegerRing& ring : part) {
+  const auto rings_beside = [&](const Part& part, const Part& other) {
+    std::vector<const DirectedRing*> rings;
+    for (const DirectedRing& ring : part) {
       cancellation.check();
       if (&ring == &part.front() || may_fit(other.front(), ring)) rings.push_back(&ring);
     }
@@ -150,10 +176,10 @@ Region signed_convolutions(const IntegerOperands& operands, std::uint64_t most,
   };
   Region chains;
   chains.begin_polygon();
-  for (const IntegerPart& a : operands.p) {
-    for (const IntegerPart& b : operands.q) {
-      for (const IntegerRing* const p : rings_beside(a, b)) {
-        for (const IntegerRing* const q : rings_beside(b, a)) {
+  for (const Part& a : operands.p) {
+    for (const Part& b : operands.q) {
+      for (const DirectedRing* const p : rings_beside(a, b)) {
+        for (const DirectedRing* const q : rings_beside(b, a)) {
           std::vector<SignedSegment> segments =
               signed_segments(*p, *q, operands.direction_count, most, cancellation);
           limit(chains.vertex_count() + segments.size(), most);

@@ -30,15 +30,16 @@ struct SignedSegment {
 
 /// Returns the segments of the signed convolution of two rings. `count` is how many directions
 /// there are. Throws Error(kLimitExceeded) if there are more than `most`.
-[[nodiscard]] std::vector<SignedSegment> signed_segments(const IntegerRing& p, const IntegerRing& q,
-                                                         DirectionRank count, std::uint64_t most,
+[[nodiscard]] std::vector<SignedSegment> signed_segments(const DirectedRing& p,
+                                                         const DirectedRing& q, DirectionRank count,
+                                                         std::uint64_t most,
                                                          Cancellation& cancellation);
 
 /// Links segments into closed chains, and adds them to the last polygon of `chains` as its rings.
 /// Throws Error(kInternal) unless at each sum of vertices as many segments come in as go out. The
 /// half-open rules for parallel edges must achieve this.
-void link_segments(const IntegerRing& p, const IntegerRing& q, std::vector<SignedSegment> segments,
-                   Cancellation& cancellation, Region& chains);
+void link_segments(const DirectedRing& p, const DirectedRing& q,
+                   std::vector<SignedSegment> segments, Cancellation& cancellation, Region& chains);
 
 /// Returns the signed convolutions of all pairs of parts. Each ring is a closed chain, and the
 /// region is a store of points only. Let ω be the sum of the chains' winding numbers at a point x
@@ -57,7 +58,7 @@ void link_segments(const IntegerRing& p, const IntegerRing& q, std::vector<Signe
 ///
 /// A part that is a polyline has the winding number of the path: the integral counts the stretches
 /// of x - path inside the other part, or its crossings with another path.
-[[nodiscard]] Region signed_convolutions(const IntegerOperands& operands, std::uint64_t most,
+[[nodiscard]] Region signed_convolutions(const DirectedOperands& operands, std::uint64_t most,
                                          Cancellation& cancellation);
 
 }  // namespace minksum::signed_sum

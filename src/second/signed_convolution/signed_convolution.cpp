@@ -3,9 +3,7 @@
 #include <chrono>
 
 #include "overlay/chains.hpp"
-#include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
-#include "region/rational_access.hpp"
 #include "second/signed_convolution/broken.hpp"
 #include "second/signed_convolution/segments.hpp"
 
@@ -40,7 +38,7 @@ void compute(const Region& p, const Region& q, const SumSettings& options, Stati
   StageTimer timer(statistics);
   Cancellation cancellation(options);
   cancellation.enter(Stage::kOperands);
-  const IntegerOperands operands = make_operands(p, q, cancellation);
+  const DirectedOperands operands = make_operands(p, q, cancellation);
   if (options.check) check(operands);
   timer.charge(Stage::kOperands);
   cancellation.enter(Stage::kConvolution);
@@ -56,16 +54,9 @@ void compute(const Region& p, const Region& q, const SumSettings& options, Stati
     chains.push_back(chain);
   });
   overlay::CrossingCount crossings{options.limits.max_crossings};
-  const Region sum = overlay::select(chains, {is_covered}, options, &crossings).region;
+  result = overlay::select(chains, {is_covered}, options, &crossings).region;
   statistics.crossings = crossings.found;
   timer.charge(Stage::kArrangement);
-  cancellation.enter(Stage::kOutput);
-  const Rational unit = RationalAccess::make_reduced(1, operands.scale);
-  result = mapped(sum, [&](const Point& at) {
-    cancellation.check(2 * work_of(at));
-    return Point{at.x * unit, at.y * unit};
-  });
-  timer.charge(Stage::kOutput);
 }
 
 /// Adds the sums of parallel edges.

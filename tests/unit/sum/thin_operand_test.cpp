@@ -132,11 +132,11 @@ TEST(SignedThinOperand, IsClosedAndChecked) {
   const Geometry hook = make_lines(kHook);
   Cancellation never;
   const Region walks = walks_along(hook.polylines, never);
-  const IntegerOperands operands = make_operands(kTriangle, walks, never);
+  const DirectedOperands operands = make_operands(kTriangle, walks, never);
   EXPECT_NO_THROW(check(operands));
   EXPECT_NO_THROW((void)signed_convolutions(operands, UINT64_MAX, never));
   const auto rejects = [&](auto damage) {
-    IntegerOperands damaged = make_operands(kTriangle, walks, never);
+    DirectedOperands damaged = make_operands(kTriangle, walks, never);
     damage(damaged.q[0][0]);
     try {
       check(damaged);
@@ -145,11 +145,11 @@ TEST(SignedThinOperand, IsClosedAndChecked) {
     }
     return false;
   };
-  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.convex[0] = false; }));
-  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.convex[4] = true; }));
-  EXPECT_TRUE(rejects([](IntegerRing& walk) { walk.vertices[4].x += 1; }));
-  EXPECT_TRUE(rejects([](IntegerRing& walk) { std::reverse(walk.vertices.begin(),
-                                                           walk.vertices.end()); }));
+  EXPECT_TRUE(rejects([](DirectedRing& walk) { walk.convex[0] = false; }));
+  EXPECT_TRUE(rejects([](DirectedRing& walk) { walk.convex[4] = true; }));
+  EXPECT_TRUE(rejects([](DirectedRing& walk) { std::swap(walk.vertices[4], walk.vertices[0]); }));
+  EXPECT_TRUE(rejects(
+      [](DirectedRing& walk) { std::reverse(walk.vertices.begin(), walk.vertices.end()); }));
 }
 
 }  // namespace

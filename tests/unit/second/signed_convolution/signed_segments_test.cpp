@@ -12,7 +12,9 @@ namespace {
 /// The convolution of the outer rings of the first parts.
 struct Convolution {
   explicit Convolution(const char* p, const char* q)
-      : operands(make_operands(test::parse_wkt(p), test::parse_wkt(q), never)),
+      : first(test::parse_wkt(p)),
+        second(test::parse_wkt(q)),
+        operands(make_operands(first, second, never)),
         segments(signed_segments(operands.p[0][0], operands.q[0][0], operands.direction_count,
                                  UINT64_MAX, never)) {}
   Convolution(const Convolution&) = delete;
@@ -33,7 +35,9 @@ struct Convolution {
   }
 
   Cancellation never;
-  IntegerOperands operands;
+  Region first;
+  Region second;
+  DirectedOperands operands;
   std::vector<SignedSegment> segments;
 };
 
@@ -53,7 +57,8 @@ TEST(SignedOperands, AreOrientedAndCleaned) {
   // The ring is clockwise, with a repeated vertex, and with straight vertices also at the start.
   const Region messy = test::parse_wkt("POLYGON ((2 0, 0 0, 0 4, 0 4, 2 4, 4 4, 4 0, 3 0, 2 0))");
   Cancellation never;
-  const IntegerOperands operands = make_operands(messy, test::parse_wkt(kFrame), never);
+  const Region frame = test::parse_wkt(kFrame);
+  const DirectedOperands operands = make_operands(messy, frame, never);
   EXPECT_NO_THROW(check(operands));
   ASSERT_EQ(operands.p.size(), 1U);
   EXPECT_EQ(operands.p[0][0].size(), 4U);
@@ -61,29 +66,31 @@ TEST(SignedOperands, AreOrientedAndCleaned) {
   EXPECT_EQ(operands.p[0][0].extent.x, 4);
 }
 
-TEST(SignedOperands, HaveOneScale) {
+TEST(SignedOperands, HaveOneOrderOfDirections) {
   Cancellation never;
-  const IntegerOperands operands =
-      make_operands(test::parse_wkt("POLYGON ((0.1 0.1, 0.3 0.1, 0.1 0.4, 0.1 0.1))"),
-                    test::parse_wkt("POLYGON ((5 5, 5.25 5, 5 7, 5 5))"), never);
-  EXPECT_EQ(operands.scale, 20);
-  EXPECT_EQ(operands.p[0][0].vertices[0].x, 2);
-  EXPECT_EQ(operands.q[0][0].extent.y, 40);
+  const Region p = test::parse_wkt("POLYGON ((0.1 0.1, 0.3 0.1, 0.1 0.4, 0.1 0.1))");
+  const Region q = test::parse_wkt("POLYGON ((5 5, 5.5 5, 5 5.75, 5 5))");
+  const DirectedOperands operands = make_operands(p, q, never);
+  EXPECT_EQ(operands.direction_count, 3U);
+  EXPECT_EQ(operands.p[0][0].ranks, operands.q[0][0].ranks);
+  EXPECT_EQ(operands.q[0][0].extent, (Point{Rational(1, 2), Rational(3, 4)}));
 }
 
 TEST(SignedOperands, CheckRejects) {
-  const auto fresh = [] {
+  const Region dart = test::parse_wkt(kDart);
+  const Region frame = test::parse_wkt(kFrame);
+  const auto fresh = [&] {
     Cancellation never;
-    return make_operands(test::parse_wkt(kDart), test::parse_wkt(kFrame), never);
+    return make_operands(dart, frame, never);
   };
-  IntegerOperands operands = fresh();
+  DirectedOperands operands = fresh();
   std::swap(operands.p[0][0].vertices[0], operands.p[0][0].vertices[1]);
   EXPECT_THROW(check(operands), Error);
   operands = fresh();
   operands.p[0][0].convex[3] = !operands.p[0][0].convex[3];
   EXPECT_THROW(check(operands), Error);
   operands = fresh();
-  std::swap(operands.p[0][0].directions[0], operands.p[0][0].directions[1]);
+  std::swap(operands.p[0][0].ranks[0], operands.p[0][0].ranks[1]);
   EXPECT_THROW(check(operands), Error);
 }
 
@@ -135,8 +142,9 @@ TEST(SignedSegments, HolesCountOnlyIfTheOtherCanFitByWidths) {
 
 TEST(SignedSegments, LimitIsAnError) {
   Cancellation never;
-  const IntegerOperands operands =
-      make_operands(test::parse_wkt(kDart), test::parse_wkt(kFrame), never);
+  const Region dart = test::parse_wkt(kDart);
+  const Region frame = test::parse_wkt(kFrame);
+  const DirectedOperands operands = make_operands(dart, frame, never);
   const std::size_t count = signed_convolutions(operands, UINT64_MAX, never).vertex_count();
   EXPECT_NO_THROW((void)signed_convolutions(operands, count, never));
   for (const std::size_t most : {std::size_t{5}, count - 1}) {
