@@ -30,6 +30,7 @@ struct SumSettings : Options {
   int grid = 0;        ///< cells along the longer side of the cover's grid; 0 = the library chooses
   bool check = false;  ///< true = each stage's checker tests its result, which is slow
   bool small = true;   ///< false = small operands take the stages, too
+  bool share_all = false;  ///< true = threads share even work that is too little to gain
 };
 
 /// Returns the sum of two valid regions, computed as the settings say. Complexity and errors are

@@ -73,6 +73,16 @@ class Predicates {
         cancellation_(&cancellation),
         work_(kernel.work()) {}
 
+  /// Returns one for another thread, which counts its decisions from 0 on.
+  [[nodiscard]] Predicates for_thread(Cancellation& cancellation) const {
+    return {*sites_, *kernel_, bounds_, cancellation};
+  }
+  /// Adds decisions that were taken on another thread.
+  void add(const LadderCounts& counts) {
+    counts_.by_filter += counts.by_filter;
+    counts_.by_kernel += counts.by_kernel;
+  }
+
   [[nodiscard]] const RoundingBounds& bounds() const { return bounds_; }
   [[nodiscard]] const ExactKernel& kernel() const { return *kernel_; }
   [[nodiscard]] const ApproximateSites& sites() const { return *sites_; }

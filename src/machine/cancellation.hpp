@@ -11,6 +11,8 @@
 
 namespace minksum {
 
+class Team;
+
 /// Counts the work of an operation. After every kUnits of it, looks at the caller's token and calls
 /// the caller's progress callback. Each thread needs its own.
 ///
@@ -50,6 +52,10 @@ class Cancellation {
     look();
   }
   [[nodiscard]] Stage stage() const { return stage_; }
+  /// Makes the operation the work of a team, which must live as long.
+  void join(Team& team) { team_ = &team; }
+  /// Returns the threads that share the work (see `share`), or null if there is but this one.
+  [[nodiscard]] Team* team() const { return team_; }
   /// Returns the options, for an operation that is part of this one.
   [[nodiscard]] const Options& options() const { return *options_; }
 
@@ -83,16 +89,18 @@ class Cancellation {
   std::int64_t left_ = kUnits;  ///< until the next look
   const Options* options_ = &kNobody;
   Stage stage_ = Stage::kOperands;
+  Team* team_ = nullptr;
 };
 
-/// Returns the options of an operation that is part of another one: its limits, memory, token and
-/// progress callback. The options that say how operands are read keep their defaults, because the
-/// whole operation has read the operands before.
+/// Returns the options of an operation that is part of another one: its limits, threads, memory,
+/// token and progress callback. The options that say how operands are read keep their defaults,
+/// because the whole operation has read the operands before.
 [[nodiscard]] inline Options part_of(const Options& options) {
   Options part;
   part.limits = options.limits;
   part.cancel = options.cancel;
   part.progress = options.progress;
+  part.threads = options.threads;
   part.memory = options.memory;
   return part;
 }

@@ -12,23 +12,9 @@
 #include <utility>
 #include <vector>
 
-#if __has_include(<pthread.h>) && __has_include(<signal.h>)
-#include <pthread.h>
-#include <signal.h>
-#define MINKSUM_POSIX_THREADS 1
-#endif
+#include "machine/threads.hpp"
 
 namespace minksum {
-
-/// Blocks all signals in this thread. Signals from outside are for the threads of the library's
-/// user.
-inline void block_signals_in_this_thread() {
-#ifdef MINKSUM_POSIX_THREADS
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
-#endif
-}
 
 /// Calls make(i, memory) for all i < count on so many threads, each with a Memory of its own. The
 /// calling thread calls visit(i, result) in order of i.
@@ -132,12 +118,6 @@ class InOrder {
   std::size_t visited_ = 0;
   bool stopped_ = false;
 };
-
-/// Returns how many threads `threads` means: 0 means one for each core.
-[[nodiscard]] inline std::size_t thread_count(int threads) {
-  return threads > 0 ? static_cast<std::size_t>(threads)
-                     : std::max(1U, std::thread::hardware_concurrency());
-}
 
 /// Does the work of InOrder. If one thread is enough, the calling thread does it.
 template <class Result, class Memory, class Make, class Visit>

@@ -15,6 +15,7 @@ class PartProgress {
   /// `whole` must live as long.
   PartProgress(const Options& whole, std::size_t parts)
       : whole_(whole), parts_(parts), options_(part_of(whole)) {
+    options_.threads = 1;  // threads share the parts
     options_.memory = nullptr;
     if (!whole.progress) return;
     options_.progress = [this](const Progress& part) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "machine/cancellation.hpp"
+#include "machine/team.hpp"
 #include "minksum/error.hpp"
 #include "sum/sum_request.hpp"
 
@@ -15,7 +15,9 @@ namespace minksum {
 /// statistics are wanted. The time of a checker between two stages counts for the second one.
 class StageRunner {
  public:
-  explicit StageRunner(const SumRequest& options) : options_(options), cancellation_(options) {
+  explicit StageRunner(const SumRequest& options)
+      : options_(options), team_(options.threads, options.share_all), cancellation_(options) {
+    cancellation_.join(team_);
     if (options.statistics != nullptr) last_ = std::chrono::steady_clock::now();
   }
 
@@ -37,6 +39,7 @@ class StageRunner {
 
  private:
   const SumRequest& options_;
+  Team team_;
   Cancellation cancellation_;
   std::chrono::steady_clock::time_point last_;  ///< when the last stage ended
 };

@@ -1,0 +1,113 @@
+// A team does every task once, ends as the caller wishes, and passes on what is thrown.
+#include "machine/team.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdint>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace minksum {
+namespace {
+
+constexpr std::size_t kTasks = 100;
+
+/// Shares tasks that count themselves. Returns how often each was done.
+std::vector<int> counts(Team& team, Cancellation& cancellation) {
+  std::vector<int> counts(kTasks);
+  cancellation.join(team);
+  share(kTasks, cancellation, [&](std::size_t task, std::size_t member, Cancellation& own) {
+    EXPECT_LT(member, team.size());
+    own.check();
+    ++counts[task];
+  });
+  return counts;
+}
+
+TEST(Team, DoesEachTaskOnce) {
+  for (const int threads : {1, 2, 3, 8}) {
+    Team team(threads, true);
+    EXPECT_EQ(team.size(), static_cast<std::size_t>(threads));
+    Cancellation never;
+    for (int round = 0; round < 50; ++round) {
+      EXPECT_EQ(counts(team, never), std::vector<int>(kTasks, 1));
+    }
+  }
+}
+
+TEST(Team, DividesAllElements) {
+  for (const std::size_t size : {0U, 1U, 7U, 100U}) {
+    for (const std::size_t tasks : {1U, 3U, 16U}) {
+      EXPECT_EQ(begin_of(0, tasks, size), 0U);
+      EXPECT_EQ(begin_of(tasks, tasks, size), size);
+      for (std::size_t task = 0; task < tasks; ++task) {
+        const std::size_t count = begin_of(task + 1, tasks, size) - begin_of(task, tasks, size);
+        EXPECT_LE(count - size / tasks, 1U);
+      }
+    }
+  }
+}
+
+TEST(Team, LeavesLittleWorkToOneThread) {
+  EXPECT_EQ(Team(8).tasks_for(1000), 1U);
+  EXPECT_EQ(Team(1).tasks_for(1'000'000'000), 1U);
+  EXPECT_GT(Team(2).tasks_for(1'000'000'000), 1U);
+  EXPECT_EQ(tasks_for(1'000'000'000, Cancellation()), 1U);  // nobody has joined a team
+}
+
+TEST(Team, PassesOnTheFirstError) {
+  Team team(4, true);
+  Cancellation never;
+  never.join(team);
+  for (int round = 0; round < 50; ++round) {
+    try {
+      share(kTasks, never, [&](std::size_t task, std::size_t member, Cancellation&) {
+        if (member != 0 && task >= 10) throw std::out_of_range(std::to_string(task));
+        if (member == 0) std::this_thread::yield();
+      });
+    } catch (const std::out_of_range& error) {
+      EXPECT_GE(std::stoi(error.what()), 10);
+    }
+  }
+  EXPECT_THROW(share(kTasks, never,
+                     [&](std::size_t, std::size_t, Cancellation&) { throw std::bad_alloc(); }),
+               std::bad_alloc);
+  EXPECT_EQ(counts(team, never), std::vector<int>(kTasks, 1));  // the team goes on
+}
+
+TEST(Team, AsksTheCallerOnItsOwnThread) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<int> asked{0};
+  Options options;
+  options.progress = [&](const Progress&) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    return ++asked < 20;
+  };
+  Team team(3, true);
+  Cancellation cancellation(options);
+  cancellation.join(team);
+  const auto endless = [](std::size_t, std::size_t, Cancellation& own) {
+    while (true) own.check();
+  };
+  EXPECT_THROW(share(kTasks, cancellation, endless), Error);
+  EXPECT_EQ(asked, 20);
+  // Also if all tasks are begun, and the caller only waits.
+  asked = 0;
+  std::atomic<bool> begun{false};
+  const auto others_endless = [&](std::size_t task, std::size_t member, Cancellation& own) {
+    if (member == 0) {
+      while (task == 0 && !begun) std::this_thread::yield();
+      return;
+    }
+    begun = true;
+    while (true) own.check();
+  };
+  EXPECT_THROW(share(2, cancellation, others_endless), Error);
+}
+
+}  // namespace
+}  // namespace minksum

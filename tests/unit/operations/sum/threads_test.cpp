@@ -1,0 +1,173 @@
+// A sum is the same on any number of threads: its bytes, its statistics, its errors.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "minksum/testing.hpp"
+#include "support/generators.hpp"
+#include "support/polygon_kinds.hpp"
+#include "support/shapes.hpp"
+
+namespace minksum {
+namespace {
+
+using test::Random;
+
+SumSettings on_threads(int threads) {
+  SumSettings settings;
+  settings.threads = threads;
+  settings.share_all = true;
+  settings.small = false;
+  return settings;
+}
+
+/// Returns all numbers of the statistics but times.
+std::vector<std::uint64_t> numbers(const Statistics& s) {
+  return {s.convolution_segments,
+          s.segments_kept,
+          s.crossings,
+          s.loops,
+          s.rejected_by_nesting,
+          s.rejected_by_collision,
+          s.grid_cells,
+          s.covered_cells,
+          static_cast<std::uint64_t>(s.coordinate_bits),
+          static_cast<std::uint64_t>(s.arithmetic),
+          s.by_filter,
+          s.by_fixed_width,
+          s.by_arbitrary};
+}
+
+void expect_same(const Region& p, const Region& q, SumSettings settings) {
+  const auto sum = [&](int threads) {
+    settings.threads = threads;
+    return detailed_sum(p, q, settings);
+  };
+  const DetailedSum one = sum(1);
+  for (const int threads : {2, 3, 8}) {
+    SCOPED_TRACE(threads);
+    const DetailedSum several = sum(threads);
+    EXPECT_EQ(several.sum.region, one.sum.region);
+    for (std::size_t v = 0; v < one.sum.region.vertex_count(); ++v) {
+      ASSERT_EQ(several.sum.region.origin(v), one.sum.region.origin(v));
+    }
+    EXPECT_EQ(several.tight, one.tight);
+    EXPECT_EQ(numbers(several.statistics), numbers(one.statistics));
+  }
+}
+
+TEST(Threads, SumsOfRandomShapes) {
+  for (std::uint64_t seed = 1; seed <= 60 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const test::Pair pair = test::random_pair(random);
+    expect_same(pair.p, pair.q, on_threads(1));
+  }
+}
+
+TEST(Threads, SumsOfManySegments) {
+  Random random(3);
+  const Region star = test::spiky_star(random, 30, 100000);
+  const Region other = test::spiky_star(random, 25, 90000);
+  const Region comb = test::comb(25, 3, 1000);
+  const Region lying = test::turned(test::comb(20, 2, 900));
+  const Region holes = test::random_with_holes(random, 400, 12);
+  for (const auto& [p, q] : {std::pair{&star, &other},
+                             {&comb, &lying},
+                             {&star, &comb},
+                             {&holes, &lying},
+                             {&holes, &comb},
+                             {&comb, &comb}}) {
+    for (const bool tight : {false, true}) {
+      SumSettings settings = on_threads(1);
+      settings.tight = tight;
+      expect_same(*p, *q, settings);
+      settings.cover = false;
+      expect_same(*p, *q, settings);
+    }
+    SumSettings exact = on_threads(1);
+    exact.filter = false;
+    expect_same(*p, *q, exact);
+  }
+}
+
+TEST(Threads, OfCoordinatesOfAnyLength) {
+  Random random(5);
+  const Region star = test::spiky_star(random, 12, 10000);
+  for (const char* const factor : {"1/3", "1e14", "1e40", "1/7"}) {
+    SCOPED_TRACE(factor);
+    expect_same(test::scaled(star, *Rational::parse(factor)), star, on_threads(1));
+  }
+}
+
+TEST(Threads, WorkspacesAreReused) {
+  Random random(7);
+  Workspace memory;
+  for (int i = 0; i < 20; ++i) {
+    const test::Pair pair = test::random_pair(random);
+    SumSettings settings = on_threads(1 + i % 4);
+    settings.memory = &memory;
+    EXPECT_EQ(minkowski_sum(pair.p, pair.q, settings), minkowski_sum(pair.p, pair.q));
+  }
+}
+
+TEST(Threads, LimitsAreTheSame) {
+  Random random(3);
+  const Region star = test::spiky_star(random, 60, 100000);
+  const Region other = test::spiky_star(random, 50, 90000);
+  const std::uint64_t crossings = detailed_sum(star, other, on_threads(1)).statistics.crossings;
+  for (const int threads : {1, 2, 3, 8}) {
+    SumSettings settings = on_threads(threads);
+    settings.limits.max_crossings = crossings;
+    EXPECT_NO_THROW(static_cast<void>(minkowski_sum(star, other, settings)));
+    settings.limits.max_crossings = crossings - 1;
+    try {
+      static_cast<void>(minkowski_sum(star, other, settings));
+      ADD_FAILURE() << "no limit";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
+      EXPECT_NE(std::string(error.what()).find("Limits::max_crossings"), std::string::npos);
+    }
+  }
+}
+
+TEST(Threads, CallbacksStayOnTheCallersThread) {
+  Random random(3);
+  const Region star = test::spiky_star(random, 60, 100000);
+  const Region other = test::spiky_star(random, 50, 90000);
+  const std::thread::id caller = std::this_thread::get_id();
+  int looks = 0;
+  int last = 1 << 30;
+  SumSettings settings = on_threads(3);
+  settings.progress = [&](const Progress&) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    return looks++ < last;
+  };
+  const Region sum = minkowski_sum(star, other, settings);
+  const int all = looks;
+  Workspace memory;
+  settings.memory = &memory;
+  for (last = 0; last < all; last = 2 * last + 1) {
+    looks = 0;
+    Region result = sum;
+    try {
+      result = minkowski_sum(star, other, settings);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kCancelled);
+      EXPECT_EQ(looks, last + 1);
+    }
+    EXPECT_EQ(result, sum);
+  }
+  settings.progress = [&](const Progress& progress) -> bool {
+    if (progress.stage == Stage::kArrangement) throw std::out_of_range("mine");
+    return true;
+  };
+  EXPECT_THROW(static_cast<void>(minkowski_sum(star, other, settings)), std::out_of_range);
+  settings.progress = {};
+  EXPECT_EQ(minkowski_sum(star, other, settings), sum);
+}
+
+}  // namespace
+}  // namespace minksum
