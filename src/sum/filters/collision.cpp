@@ -84,7 +84,8 @@ bool CollisionTest::meets(const Probe& probe) {
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = 4 * (bounds.position + bounds.magnitude * 0x1p-49);
   const auto cross = [this](std::size_t p, std::size_t q) { return leaves_cross(p, q); };
-  return trees_.any_near(at_, doubt_, predicates_.cancellation(), cross) || one_inside_other();
+  return trees_.any_near(at_, doubt_, predicates_.cancellation(), stack_, cross) ||
+         one_inside_other();
 }
 
 bool CollisionTest::leaves_cross(std::size_t leaf_p, std::size_t leaf_q) {

@@ -104,7 +104,7 @@ struct BoxTrees {
   /// x is within `doubt` of `at`. O(log n) for each pair of leaves that come near.
   template <class Visit>
   [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
-                              Visit visit);
+                              std::vector<BoxPair>& memory, Visit visit) const;
 
   std::vector<BoxPair> stack;
 };
@@ -118,15 +118,15 @@ struct BoxTrees {
 
 template <class Visit>
 bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
-                        Visit visit) {
+                        std::vector<BoxPair>& memory, Visit visit) const {
   const auto& [p, q] = tree;
   const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
   const BoxTree::Boxes of_p = p.boxes();
   const BoxTree::Boxes of_q = q.boxes();
-  stack.assign(1, {top(p), 0, top(q), 0});
-  while (!stack.empty()) {
-    const BoxPair pair = stack.back();
-    stack.pop_back();
+  memory.assign(1, {top(p), 0, top(q), 0});
+  while (!memory.empty()) {
+    const BoxPair pair = memory.back();
+    memory.pop_back();
     const BoxTree::Box& box_p = of_p.at(pair.level_p, pair.node_p);
     const BoxTree::Box& box_q = of_q.at(pair.level_q, pair.node_q);
     if (!may_meet(box_p, box_q, at, doubt)) continue;
@@ -141,8 +141,8 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
     const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
     for (std::uint32_t node = child; node < std::min<std::size_t>(child + 2, split.nodes(level));
          ++node) {
-      stack.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
-                              : BoxPair{pair.level_p, pair.node_p, level, node});
+      memory.push_back(split_p ? BoxPair{level, node, pair.level_q, pair.node_q}
+                               : BoxPair{pair.level_p, pair.node_p, level, node});
     }
   }
   return false;
@@ -155,8 +155,10 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
 /// in the parallelogram e ⊕ f. The sides of four convolution lines on which x lies decide that.
 class CollisionTest {
  public:
-  CollisionTest(const Operands& operands, BoxTrees& trees, Predicates& predicates)
-      : o_(operands), trees_(trees), predicates_(predicates) {}
+  /// `stack` is memory for one thread.
+  CollisionTest(const Operands& operands, const BoxTrees& trees, std::vector<BoxPair>& stack,
+                Predicates& predicates)
+      : o_(operands), trees_(trees), stack_(stack), predicates_(predicates) {}
   [[nodiscard]] bool meets(const Probe& probe);
 
  private:
@@ -169,7 +171,8 @@ class CollisionTest {
   [[nodiscard]] bool inside_operand(SiteId other, std::size_t first_ring, std::size_t last_ring);
 
   const Operands& o_;
-  BoxTrees& trees_;
+  const BoxTrees& trees_;
+  std::vector<BoxPair>& stack_;
   Predicates& predicates_;
   Probe probe_{};
   Vec<double> at_{};

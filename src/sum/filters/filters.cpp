@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/share_decisions.hpp"
 #include "machine/make_room.hpp"
 
 namespace minksum {
@@ -116,20 +117,28 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
   if (loops.size() > 1 || !operands.connected) {
     trees.build(operands, predicates.cancellation());
   }
-  CollisionTest collision(operands, trees, predicates);
-  Fraction exact;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (i == outermost) continue;
-    // The nesting filter: the outermost loop is skipped above.
-    if (operands.connected && loops.positive[i] != 0) {
-      filtered.state[i] = LoopState::kRejectedByNesting;
-      ++filtered.rejected_by_nesting;
-      continue;
+  constexpr std::uint64_t kUnitsOfTest = 1 << 10;  // some hundred pairs of boxes
+  const std::size_t tasks =
+      tasks_for(kUnitsOfTest * loops.size() + loops.pieces.size(), predicates.cancellation());
+  share_decisions(tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
+    const LoopFilter judge(arrangement, loops, decide);
+    std::vector<BoxPair> own_stack;
+    CollisionTest collision(operands, trees, member == 0 ? trees.stack : own_stack, decide);
+    Fraction exact;
+    const std::size_t end = begin_of(task + 1, tasks, loops.size());
+    for (std::size_t i = begin_of(task, tasks, loops.size()); i < end; ++i) {
+      if (i == outermost) continue;
+      // The nesting filter: the outermost loop is skipped above.
+      if (operands.connected && loops.positive[i] != 0) {
+        filtered.state[i] = LoopState::kRejectedByNesting;
+      } else if (collision.meets(judge.probe(i, exact))) {
+        filtered.state[i] = LoopState::kRejectedByCollision;
+      }
     }
-    if (collision.meets(filter.probe(i, exact))) {
-      filtered.state[i] = LoopState::kRejectedByCollision;
-      ++filtered.rejected_by_collision;
-    }
+  });
+  for (const LoopState state : filtered.state) {
+    filtered.rejected_by_nesting += state == LoopState::kRejectedByNesting ? 1U : 0U;
+    filtered.rejected_by_collision += state == LoopState::kRejectedByCollision ? 1U : 0U;
   }
   // A sum that is not empty always has an outer boundary.
   if (std::find(filtered.state.begin(), filtered.state.end(), LoopState::kAccepted) ==
@@ -154,7 +163,7 @@ std::optional<std::string> check(const FilteredLoops& filtered, const Loops& loo
   LoopFilter filter(arrangement, loops, predicates);
   BoxTrees trees;
   trees.build(operands, never);
-  CollisionTest collision(operands, trees, predicates);
+  CollisionTest collision(operands, trees, trees.stack, predicates);
   Fraction exact;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     for (const PieceId p : loops.loop(i)) {
