@@ -87,6 +87,13 @@ struct Line {
   Vec<double> end;
 };
 
+/// What a helping thread covers, to be united with what the others cover.
+struct SpreadScratch {
+  Bitmap covered;
+  bool used = false;  ///< whether `covered` has been cleared for this cover
+  std::vector<std::uint64_t> row;
+};
+
 /// Memory for the stage.
 struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< for inner loops; the result does not depend on it
@@ -94,6 +101,7 @@ struct CoverScratch {
   Bitmap boundary;     ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
+  std::vector<SpreadScratch> helpers;  ///< by thread but the calling one
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;

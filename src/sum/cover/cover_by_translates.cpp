@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
-#include "sum/cover/cover.hpp"
+#include "machine/team.hpp"
+#include "sum/cover/run_spreader.hpp"
 
 namespace minksum {
 namespace {
@@ -128,108 +130,6 @@ class Rasteriser {
   std::size_t words_;
 };
 
-/// A range of rows that holds all set bits of a bitmap.
-struct RowRange {
-  std::int32_t first = 0;
-  std::int32_t last = 0;
-};
-RowRange occupied_rows(const Bitmap& bitmap) {
-  const auto empty = [&](std::int32_t j) {
-    return std::all_of(bitmap.row(j), bitmap.row(j) + bitmap.words_per_row(),
-                       [](std::uint64_t word) { return word == 0; });
-  };
-  RowRange rows{0, bitmap.rows()};
-  while (rows.first < rows.last && empty(rows.first)) ++rows.first;
-  while (rows.first < rows.last && empty(rows.last - 1)) --rows.last;
-  return rows;
-}
-
-/// Unites `to` with `from`, moved by `bits` < 64 columns. All rows are moved as if they were one,
-/// because set bits stay within their rows. `to` is as long as `from`, or has one word more.
-[[gnu::always_inline]] inline void unite_moved(const std::uint64_t* __restrict from,
-                                               std::size_t count, int bits,
-                                               std::uint64_t* __restrict to, bool one_more) {
-  if (bits == 0) {
-    for (std::size_t w = 0; w < count; ++w) to[w] |= from[w];
-    return;
-  }
-  to[0] |= from[0] << bits;
-  for (std::size_t w = 1; w < count; ++w) to[w] |= (from[w] << bits) | (from[w - 1] >> (64 - bits));
-  if (one_more) to[count] |= from[count - 1] >> (64 - bits);
-}
-
-/// Unites a bitmap, moved along whole runs of columns at a time, with another whose rows are as
-/// long. It keeps the bitmap united with itself, moved by 1, 2, 4 and more columns. With these, a
-/// run of up to 128 columns takes two moves at most.
-class RunSpreader {
- public:
-  RunSpreader(const Bitmap& source, Vectors vectors, std::vector<std::uint64_t>& widened,
-              Bitmap& target)
-      : rows_(occupied_rows(source)), words_(source.words_per_row()), vectors_(vectors),
-        widened_(widened), target_(target) {
-    if (words_ != target.words_per_row()) {
-      throw Error(ErrorCode::kInternal, "rows of different lengths", {}, "cover");
-    }
-    first_ = static_cast<std::size_t>(rows_.first) * words_;
-    count_ = static_cast<std::size_t>(rows_.last - rows_.first) * words_;
-    const auto words = source.words().subspan(first_, count_);
-    widened_.assign(words.begin(), words.end());
-  }
-  /// Returns how many words each move unites.
-  [[nodiscard]] std::size_t words() const { return count_; }
-
-  /// Returns how often moving along so many columns unites all words, at most.
-  [[nodiscard]] static std::uint64_t moves(std::int32_t columns) {
-    return static_cast<std::uint64_t>(columns >> kMostLevels) + 2;
-  }
-  /// Moves the bitmap by (first, row) to (last, row). No number may be negative.
-  void spread(std::int32_t first, std::int32_t last, std::int32_t row) {
-    const std::int32_t length = last + 1 - first;
-    const int level = std::min(
-        static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))) - 1, kMostLevels);
-    while (levels_ < level) widen();
-    const std::int32_t width = 1 << level;
-    for (std::int32_t i = first; i + width <= last + 1; i += width) place(level, i, row);
-    if (length % width != 0) place(level, last + 1 - width, row);
-  }
-
- private:
-  static constexpr int kMostLevels = 6;
-
-  void widen() {
-    const std::size_t from = static_cast<std::size_t>(levels_) * count_;
-    widened_.resize(from + 2 * count_);
-    std::uint64_t* source = widened_.data() + from;
-    std::copy(source, source + count_, source + count_);
-    unite(source, count_, 1 << levels_, source + count_, false);
-    ++levels_;
-  }
-  void place(int level, std::int32_t column, std::int32_t row) {
-    const std::size_t offset = first_ + static_cast<std::size_t>(row) * words_ +
-                               static_cast<std::size_t>(column >> 6);
-    const std::size_t size = target_.words().size();
-    if (offset >= size) return;
-    unite(widened_.data() + static_cast<std::size_t>(level) * count_,
-          std::min(count_, size - offset), column & 63, target_.words().data() + offset,
-          offset + count_ < size);
-  }
-  void unite(const std::uint64_t* from, std::size_t count, int bits, std::uint64_t* to,
-             bool one_more) const {
-    with_vectors(vectors_, [&]() __attribute__((always_inline)) {
-      unite_moved(from, count, bits, to, one_more);
-    });
-  }
-
-  RowRange rows_;
-  std::size_t words_;
-  Vectors vectors_;
-  std::size_t first_ = 0;  ///< index of the source's first word in use
-  std::size_t count_ = 0;
-  int levels_ = 0;
-  std::vector<std::uint64_t>& widened_;
-  Bitmap& target_;
-};
-
 /// Returns the first bit at or after `from` that differs from `unwanted`, or 64 · words if none
 /// does.
 std::size_t next_bit(const std::uint64_t* row, std::size_t words, std::size_t from,
@@ -252,15 +152,18 @@ void for_each_run(const std::vector<std::uint64_t>& row, Visit visit) {
   }
 }
 
+/// Returns the rows of all corners of an operand's cells.
+RowRange all_rows(const OperandRaster& operand) { return {0, operand.inside.rows() + 1}; }
+
 /// Calls move(first, last, row) for the corners of cells inside an operand, run by run. They are
 /// points of that operand, and they keep the other one's raster aligned.
 template <class Move>
-void for_lattice_points(const OperandRaster& operand, std::vector<std::uint64_t>& corners,
-                        Move move) {
+void for_lattice_points(const OperandRaster& operand, const RowRange& rows,
+                        std::vector<std::uint64_t>& corners, Move move) {
   const Bitmap& inside = operand.inside;
   const std::size_t words = inside.words_per_row();
   corners.resize(words);
-  for (std::int32_t j = 0; j <= inside.rows(); ++j) {
+  for (std::int32_t j = rows.first; j < rows.last; ++j) {
     std::uint64_t carry = 0;
     for (std::size_t w = 0; w < words; ++w) {
       const std::uint64_t cells =
@@ -274,11 +177,11 @@ void for_lattice_points(const OperandRaster& operand, std::vector<std::uint64_t>
 /// Does the same for one boundary point of the operand for each cell that has one. A cell moved
 /// back by such a point lies in a block of four cells.
 template <class Move>
-void for_boundary_points(const OperandRaster& operand, std::vector<std::uint64_t>& cells,
-                         Move move) {
+void for_boundary_points(const OperandRaster& operand, const RowRange& rows,
+                         std::vector<std::uint64_t>& cells, Move move) {
   const std::size_t words = operand.inside.words_per_row();
   cells.resize(words);
-  for (std::int32_t j = 0; j < operand.inside.rows(); ++j) {
+  for (std::int32_t j = rows.first; j < std::min(rows.last, operand.inside.rows()); ++j) {
     // Cells inside join runs to longer ones. By themselves they cover nothing new.
     for (std::size_t w = 0; w < words; ++w) {
       cells[w] = operand.sampled.row(j)[w] | operand.inside.row(j)[w];
@@ -301,8 +204,12 @@ std::uint64_t price_of(const OperandRaster& moved, const OperandRaster& by,
       words += RunSpreader::moves(last + 1 - first) * size;
     };
   };
-  if (const auto size = all_words(moved.inside); size != 0) for_lattice_points(by, row, add(size));
-  if (const auto size = all_words(moved.blocks); size != 0) for_boundary_points(by, row, add(size));
+  if (const auto size = all_words(moved.inside); size != 0) {
+    for_lattice_points(by, all_rows(by), row, add(size));
+  }
+  if (const auto size = all_words(moved.blocks); size != 0) {
+    for_boundary_points(by, all_rows(by), row, add(size));
+  }
   return words;
 }
 
@@ -310,12 +217,39 @@ std::uint64_t price_of(const OperandRaster& moved, const OperandRaster& by,
 void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& cancellation,
             CoverScratch& scratch, Cover& cover) {
   const auto spread_by = [&](const Bitmap& source, auto for_points) {
-    RunSpreader spreader(source, scratch.vectors, scratch.widened, cover.covered);
+    RunSpreader spreader(source, scratch.vectors, scratch.widened);
     if (spreader.words() == 0) return;
-    for_points(by, scratch.row, [&](std::int32_t first, std::int32_t last, std::int32_t row) {
+    const auto work = [&](std::int32_t columns) {
       constexpr std::uint64_t kWordsPerUnit = 16;  // some eight are united at a time
-      cancellation.check(spreader.moves(last + 1 - first) * (spreader.words() / kWordsPerUnit + 1));
-      spreader.spread(first, last, row);
+      return RunSpreader::moves(columns) * (spreader.words() / kWordsPerUnit + 1);
+    };
+    const RowRange all = all_rows(by);
+    std::size_t tasks = 1;
+    if (members_of(cancellation) > 1) {
+      std::uint64_t units = 0;
+      std::int32_t longest = 1;
+      for_points(by, all, scratch.row, [&](std::int32_t first, std::int32_t last, std::int32_t) {
+        units += work(last + 1 - first);
+        longest = std::max(longest, last + 1 - first);
+      });
+      tasks = tasks_for(units, cancellation);
+      if (tasks > 1) spreader.widen_for(longest);
+    }
+    share(tasks, cancellation, [&](std::size_t task, std::size_t member, Cancellation& own) {
+      if (member != 0 && !std::exchange(scratch.helpers[member - 1].used, true)) {
+        scratch.helpers[member - 1].covered.reset(cover.grid.columns, cover.grid.rows,
+                                                  cover.covered.words_per_row());
+      }
+      Bitmap& target = member == 0 ? cover.covered : scratch.helpers[member - 1].covered;
+      const auto begin = [&](std::size_t i) {
+        return static_cast<std::int32_t>(begin_of(i, tasks, static_cast<std::size_t>(all.last)));
+      };
+      for_points(by, RowRange{begin(task), begin(task + 1)},
+                 member == 0 ? scratch.row : scratch.helpers[member - 1].row,
+                 [&](std::int32_t first, std::int32_t last, std::int32_t row) {
+                   own.check(work(last + 1 - first));
+                   spreader.spread(first, last, row, target);
+                 });
     });
   };
   spread_by(moved.inside, [](auto&&... rest) { for_lattice_points(rest...); });
@@ -324,8 +258,16 @@ void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& c
 
 void spread_both(const OperandRaster& first, const OperandRaster& second,
                  Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
+  scratch.helpers.resize(std::max(scratch.helpers.size(), members_of(cancellation) - 1));
+  for (SpreadScratch& helper : scratch.helpers) helper.used = false;
   spread(first, second, cancellation, scratch, cover);
   spread(second, first, cancellation, scratch, cover);
+  for (const SpreadScratch& helper : scratch.helpers) {
+    if (!helper.used) continue;
+    for (std::size_t w = 0; w < cover.covered.words().size(); ++w) {
+      cover.covered.words()[w] |= helper.covered.words()[w];
+    }
+  }
 }
 
 }  // namespace
