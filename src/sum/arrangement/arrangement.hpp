@@ -1,6 +1,8 @@
 // Stage 4: builds the arrangement of the convolution's segments, outside the cover only.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -77,6 +79,13 @@ struct CellItem {
   KeptId segment;
 };
 
+/// Some of the kept segments, and the cells that they touch.
+struct alignas(64) CellPart {   // threads fill neighbours: each needs cache lines of its own
+  std::vector<CellItem> items;  ///< in order of their segments, numbered from 0 on
+  KeptId before = 0;            ///< kept segments of earlier parts
+  KeptId kept = 0;
+};
+
 /// A point on a kept segment where another one meets it.
 struct Event {
   double lambda;  ///< position along the segment, within `error`
@@ -92,6 +101,14 @@ struct Crossing {
   KeptId second;
   double lambda;
   double error;
+};
+
+/// Where segments were found to meet, in a part of the cells.
+struct alignas(64) Meetings {  // threads fill neighbours: each needs cache lines of its own
+  std::vector<Crossing> crossings;
+  std::vector<Event> events;  ///< points count crossings from those of this part on
+  std::uint32_t before = 0;   ///< crossings of earlier parts
+  bool lines_shared = false;  ///< whether segments are known to be on one line
 };
 
 /// A piece's link in the list of pieces that share its lower node.
@@ -138,6 +155,12 @@ struct CrowdScratch {
   std::vector<std::uint32_t> by_right;  ///< lines, in their order on the right
 };
 
+/// Memory of one thread that finds crossings.
+struct alignas(64) MeetingScratch {
+  std::vector<std::pair<KeptId, KeptId>> near;  ///< pairs of a cell whose boxes overlap
+  CrowdScratch crowds;
+};
+
 /// Memory for joining.
 struct JoinScratch {
   std::vector<SiteId> edge_of_rank;
@@ -166,15 +189,14 @@ struct ArrangementScratch {
   BinScratch bin;
   JoinScratch join;
   KeptId line_count = 0;                   ///< kept segments that are split; members come after
-  std::vector<CellItem> items;             ///< items in order of their segments
+  std::vector<CellPart> parts;
   std::vector<CellItem> in_cells;          ///< items cell by cell
   std::vector<std::uint32_t> cells;        ///< cells that have items
   std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
   std::vector<KeptId> hash_table;
-  std::vector<std::pair<KeptId, KeptId>> near;  ///< pairs of a cell whose boxes overlap
-  CrowdScratch crowds;
+  std::vector<MeetingScratch> meeting;  ///< by thread
+  std::vector<Meetings> meetings;       ///< part by part; crossings are moved to the next list
   std::vector<Crossing> crossings;
-  std::vector<Event> events;
   std::vector<Incident> incidents;
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
@@ -245,6 +267,26 @@ inline void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint
   b = find_root(parent, b);
   if (a < b) parent[b] = a;
   if (b < a) parent[a] = b;
+}
+/// Does the same while other threads do it, too. The roots depend on what is united, not on when:
+/// a link always leads from a root to a smaller point.
+inline void unite_shared(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+  constexpr auto kRelaxed = std::memory_order_relaxed;  // nothing but links is read before all end
+  const auto link = [&](std::uint32_t point) { return std::atomic_ref(parent[point]); };
+  const auto root = [&](std::uint32_t point) {
+    while (true) {
+      const std::uint32_t up = link(point).load(kRelaxed);
+      if (up == point) return point;
+      const std::uint32_t further = link(up).load(kRelaxed);
+      if (further != up) link(point).store(further, kRelaxed);
+      point = further;
+    }
+  };
+  while ((a = root(a)) != (b = root(b))) {
+    std::uint32_t expected = std::max(a, b);
+    const std::uint32_t smaller = std::min(a, b);
+    if (link(expected).compare_exchange_strong(expected, smaller, kRelaxed)) return;
+  }
 }
 
 /// Returns what is wrong with the arrangement, or nothing. Pieces and nodes must fit exactly.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "machine/team.hpp"
 #include "sum/arrangement/place_segments.hpp"
 #include "sum/arrangement/visible_segments.hpp"
 
@@ -22,13 +23,11 @@ class Binner {
         cover_(cover),
         covers_any_(covers_any(cover)),
         grid_(scratch.grid),
-        items_(scratch.items),
         scratch_(scratch),
         kept_(arrangement.kept) {}
 
   void run(const Convolution& convolution, const Limits& limits) {
     kept_.clear();
-    items_.clear();
     std::span<const Segment> visible =
         covers_any_
             ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
@@ -82,9 +81,39 @@ class Binner {
     if (rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
       uncovered.emplace(cover_, cancellation_, scratch_.visible.uncovered);
     }
+    constexpr std::uint64_t kUnitsOfSegment = 32;  // it passes some cells, in 300 ns
+    const std::size_t tasks = tasks_for(kUnitsOfSegment * kept_.size(), cancellation_);
+    auto& parts = scratch_.parts;
+    parts.resize(tasks);
+    share(tasks, cancellation_, [&](std::size_t task, std::size_t, Cancellation& own) {
+      const std::size_t begin = begin_of(task, tasks, kept_.size());
+      const std::size_t end = begin_of(task + 1, tasks, kept_.size());
+      CellPart& part = parts[task];
+      part.items.clear();
+      KeptId count = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (list_cells(uncovered, kept_[i], count, own, part.items)) {
+          kept_[begin + count++] = kept_[i];
+        }
+      }
+      part.kept = count;
+    });
+    close_gaps();
+  }
+  /// Moves the segments of each part that stay to the end of those of the part before.
+  void close_gaps() {
+    auto& parts = scratch_.parts;
     KeptId count = 0;
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      if (list_cells(uncovered, kept_[i], count)) kept_[count++] = kept_[i];
+    for (std::size_t task = 0; task < parts.size(); ++task) {
+      parts[task].before = count;
+      const std::size_t begin = begin_of(task, parts.size(), kept_.size());
+      if (begin != count) {
+        in_pieces(parts[task].kept, cancellation_, [&](std::size_t first, std::size_t last) {
+          std::copy(kept_.data() + begin + first, kept_.data() + begin + last,
+                    kept_.data() + count + first);
+        });
+      }
+      count += parts[task].kept;
     }
     kept_.resize(count);
   }
@@ -145,8 +174,9 @@ class Binner {
   }
 
   /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
-  bool list_cells(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s, KeptId id) {
-    const std::size_t before = items_.size();
+  bool list_cells(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s, KeptId id,
+                  Cancellation& cancellation, std::vector<CellItem>& items) const {
+    const std::size_t before = items.size();
     std::uint64_t rows = 0;
     const CellLine line(s, grid_.inverse);
     const auto visit = [&](const UniformGrid::RowSpan& span) {
@@ -157,7 +187,7 @@ class Binner {
         const std::uint64_t covered = cover_.covered.row(span.row)[first >> 6];
         any_covered |= covered & wanted;
         for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
-          add_item(id, line, span, (first & ~63) + std::countr_zero(bits));
+          append(items, item(id, line, span, (first & ~63) + std::countr_zero(bits)), cancellation);
         }
       }
       ++rows;
@@ -175,10 +205,11 @@ class Binner {
       grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, visit);
     }
     // At once: a grid has 4096 columns and rows at the most, so a segment is done in time.
-    cancellation_.check(1 + rows + (items_.size() - before));
-    return items_.size() > before;
+    cancellation.check(1 + rows + (items.size() - before));
+    return items.size() > before;
   }
-  void add_item(KeptId id, const CellLine& line, const UniformGrid::RowSpan& span, std::int32_t i) {
+  [[nodiscard]] CellItem item(KeptId id, const CellLine& line, const UniformGrid::RowSpan& span,
+                              std::int32_t i) const {
     constexpr double kMargin = UniformGrid::kMargin;
     const double x0 = std::max(span.x0, i - kMargin);
     const double x1 = std::min(span.x1, i + 1 + kMargin);
@@ -193,13 +224,14 @@ class Binner {
     const auto cell =
         static_cast<std::uint32_t>(span.row) * static_cast<std::uint32_t>(grid_.columns) +
         static_cast<std::uint32_t>(i);
-    append(items_, {CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell, id},
-           cancellation_);
+    return {CellBox(x0 - i, y0 - span.row, x1 - i, y1 - span.row), cell, id};
   }
 
   /// Sorts items by cell. This counting sort only visits cells that have items.
   void sort_by_cells() {
-    if (items_.size() > std::numeric_limits<std::uint32_t>::max()) {
+    std::size_t count = 0;
+    for (const CellPart& part : scratch_.parts) count += part.items.size();
+    if (count > std::numeric_limits<std::uint32_t>::max()) {
       throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a grid or more");
     }
     auto& cells = scratch_.cells;
@@ -208,15 +240,22 @@ class Binner {
     cells.clear();
     const auto cell_count = static_cast<std::size_t>(grid_.size());
     if (end.size() < cell_count) resize_in_pieces(end, cell_count, cancellation_);
-    visit_in_pieces(items_, cancellation_, [&](const CellItem& item) {
-      if (end[item.cell] == 0) cells.push_back(item.cell);
-      ++end[item.cell];
-    });
+    for (const CellPart& part : scratch_.parts) {
+      visit_in_pieces(part.items, cancellation_, [&](const CellItem& item) {
+        if (end[item.cell] == 0) cells.push_back(item.cell);
+        ++end[item.cell];
+      });
+    }
     std::uint32_t begin = 0;
     for (const std::uint32_t cell : cells) begin += std::exchange(end[cell], begin);
-    resize_in_pieces(scratch_.in_cells, items_.size(), cancellation_);
-    visit_in_pieces(items_, cancellation_,
-                    [&](const CellItem& item) { scratch_.in_cells[end[item.cell]++] = item; });
+    resize_in_pieces(scratch_.in_cells, count, cancellation_);
+    for (const CellPart& part : scratch_.parts) {
+      visit_in_pieces(part.items, cancellation_, [&](const CellItem& item) {
+        CellItem& sorted = scratch_.in_cells[end[item.cell]++];
+        sorted = item;
+        sorted.segment += part.before;
+      });
+    }
   }
 
   Cancellation& cancellation_;
@@ -224,7 +263,6 @@ class Binner {
   const Cover& cover_;
   bool covers_any_;
   UniformGrid& grid_;
-  std::vector<CellItem>& items_;
   ArrangementScratch& scratch_;
   std::vector<KeptSegment>& kept_;
 };

@@ -3,37 +3,59 @@
 #include <cmath>
 #include <utility>
 
+#include "exact/share_decisions.hpp"
 #include "machine/make_room.hpp"
 #include "sum/arrangement/crowds.hpp"
 
 namespace minksum {
 namespace {
 
+/// Finds crossings in some of the cells. Each thread has one.
 class CrossingFinder {
  public:
-  CrossingFinder(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
-                 Arrangement& arrangement)
+  CrossingFinder(const SumSettings& options, Predicates& predicates, MeetingScratch& memory,
+                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept,
+                 Meetings& meetings, bool alone)
       : grid_(scratch.grid),
         cancellation_(predicates.cancellation()),
         scratch_(scratch),
-        kept_(arrangement.kept),
-        meeter_(std::max(scratch.extent.x, scratch.extent.y), options, predicates, scratch,
-                arrangement.kept),
-        crowds_(std::max(scratch.extent.x, scratch.extent.y), arrangement.kept, meeter_,
-                scratch.crowds, cancellation_) {}
+        near_(memory.near),
+        kept_(kept),
+        meeter_(std::max(scratch.extent.x, scratch.extent.y), options, predicates, scratch, kept,
+                meetings, alone),
+        crowds_(std::max(scratch.extent.x, scratch.extent.y), kept, meeter_, memory.crowds,
+                cancellation_) {}
 
-  void run() {
-    scratch_.crossings.clear();
-    scratch_.events.clear();
-    scratch_.parent.clear();
-    make_room(scratch_.parent, 3 * kept_.size(), cancellation_);  // crossings follow
-    start_forest(scratch_.parent, 2 * kept_.size());
-    start_forest(scratch_.line_parent, kept_.size());
-    scratch_.lines_shared = false;
-    if (scratch_.covered) {
-      solve_cells();
-    } else {
-      solve_all();
+  /// Meets all segments, where nothing is covered.
+  void solve_all() {
+    const std::span lines(kept_.data(), scratch_.line_count);
+    if (!boxes_are_small(lines)) {
+      for (KeptId s = 0; s < lines.size(); ++s) crowds_.add(s, {});
+      return crowds_.solve({});
+    }
+    meeter_.enter({});
+    BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
+    visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
+      pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
+                std::max(s.a.y, s.b.y));
+    });
+    const double doubt = 4 * meeter_.doubt();  // places are off by one doubt, and rounded
+    const auto meet = [&](KeptId s, KeptId t) {
+      if (!are_apart(kept_[s], kept_[t], doubt)) meeter_.meet(std::min(s, t), std::max(s, t));
+    };
+    pairs.for_each(meet, cancellation_);
+  }
+  /// Meets the segments of the cells [begin, end) of those that have items.
+  void solve_cells(std::size_t begin, std::size_t end) {
+    std::uint32_t first = begin == 0 ? 0 : scratch_.cell_end[scratch_.cells[begin - 1]];
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t cell = scratch_.cells[i];
+      const std::uint32_t last = scratch_.cell_end[cell];
+      const auto columns = static_cast<std::uint32_t>(grid_.columns);
+      solve_cell({scratch_.in_cells.data() + first, last - first},
+                 static_cast<std::int32_t>(cell % columns),
+                 static_cast<std::int32_t>(cell / columns));
+      first = last;
     }
   }
 
@@ -44,13 +66,6 @@ class CrossingFinder {
   // Meeting so many pairs for each segment costs as much as dividing: some 200 steps a segment, and
   // 50 a pair.
   static constexpr std::size_t kPairsPerSegment = 4;
-
-  /// Makes each element its own root.
-  void start_forest(std::vector<std::uint32_t>& parent, std::size_t size) {
-    resize_in_pieces(parent, size, cancellation_);
-    std::uint32_t next = 0;
-    visit_in_pieces(parent, cancellation_, [&](std::uint32_t& p) { p = next++; });
-  }
 
   /// Tells whether a segment's box overlaps few others, and few boxes lie above each other. That is
   /// estimated as if boxes lay anywhere.
@@ -77,36 +92,6 @@ class CrossingFinder {
     return std::max(gap(s.a.x, s.b.x, t.a.x, t.b.x), gap(s.a.y, s.b.y, t.a.y, t.b.y)) > doubt;
   }
 
-  /// Meets all segments, where nothing is covered.
-  void solve_all() {
-    const std::span lines(kept_.data(), scratch_.line_count);
-    if (!boxes_are_small(lines)) {
-      for (KeptId s = 0; s < lines.size(); ++s) crowds_.add(s, {});
-      return crowds_.solve({});
-    }
-    meeter_.enter({});
-    BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
-    visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
-      pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
-                std::max(s.a.y, s.b.y));
-    });
-    const double doubt = 4 * meeter_.doubt();  // places are off by one doubt, and rounded
-    const auto meet = [&](KeptId s, KeptId t) {
-      if (!are_apart(kept_[s], kept_[t], doubt)) meeter_.meet(std::min(s, t), std::max(s, t));
-    };
-    pairs.for_each(meet, cancellation_);
-  }
-  void solve_cells() {
-    std::uint32_t begin = 0;
-    for (const std::uint32_t cell : scratch_.cells) {
-      const std::uint32_t end = scratch_.cell_end[cell];
-      const auto columns = static_cast<std::uint32_t>(grid_.columns);
-      solve_cell({scratch_.in_cells.data() + begin, end - begin},
-                 static_cast<std::int32_t>(cell % columns),
-                 static_cast<std::int32_t>(cell / columns));
-      begin = end;
-    }
-  }
   void solve_cell(Items items, std::int32_t column, std::int32_t row) {
     cancellation_.check();
     if (items.size() < 2) return;
@@ -128,7 +113,7 @@ class CrossingFinder {
 
   /// Lists the pairs whose boxes overlap. Returns false if these are many.
   bool list_pairs(Items items) {
-    auto& pairs = scratch_.near;
+    auto& pairs = near_;
     const std::size_t most = kPairsPerSegment * items.size();
     pairs.resize(most + items.size());
     std::size_t count = 0;
@@ -146,22 +131,99 @@ class CrossingFinder {
   }
   void meet_pairs(const PlanePart& part) {
     meeter_.enter(part);
-    for (const auto& [s, t] : scratch_.near) meeter_.meet(s, t);
+    for (const auto& [s, t] : near_) meeter_.meet(s, t);
   }
 
   const UniformGrid& grid_;
   Cancellation& cancellation_;
   ArrangementScratch& scratch_;
+  std::vector<std::pair<KeptId, KeptId>>& near_;
   const std::vector<KeptSegment>& kept_;
   SegmentMeeter meeter_;
   CrowdFinder crowds_;
 };
 
+/// Makes each element its own root.
+void start_forest(std::vector<std::uint32_t>& parent, std::size_t size,
+                  Cancellation& cancellation) {
+  resize_in_pieces(parent, size, cancellation);
+  std::uint32_t next = 0;
+  visit_in_pieces(parent, cancellation, [&](std::uint32_t& p) { p = next++; });
+}
+
+/// Divides the cells that have items into parts of about as many items. Returns where parts begin.
+std::vector<std::size_t> divide_cells(const ArrangementScratch& scratch, std::size_t tasks) {
+  std::vector<std::size_t> begin{0};
+  const auto end_of = [&](std::uint32_t cell) -> std::size_t { return scratch.cell_end[cell]; };
+  for (std::size_t task = 1; task < tasks; ++task) {
+    const auto at = std::ranges::lower_bound(
+        scratch.cells, begin_of(task, tasks, scratch.in_cells.size()), {}, end_of);
+    begin.push_back(static_cast<std::size_t>(at - scratch.cells.begin()));
+  }
+  begin.push_back(scratch.cells.size());
+  return begin;
+}
+
+/// Lists all crossings, part by part, and makes each its own root.
+void join_crossings(std::uint64_t most, Cancellation& cancellation, ArrangementScratch& scratch) {
+  std::size_t count = 0;
+  for (Meetings& part : scratch.meetings) {
+    part.before = static_cast<std::uint32_t>(count);
+    count += part.crossings.size();
+    limit_crossings(count, most);
+  }
+  if (scratch.meetings.size() == 1) {
+    std::swap(scratch.crossings, scratch.meetings[0].crossings);
+  } else {
+    resize_in_pieces(scratch.crossings, count, cancellation);
+    share(scratch.meetings.size(), cancellation,
+          [&](std::size_t task, std::size_t, Cancellation& own) {
+            const Meetings& part = scratch.meetings[task];
+            in_pieces(part.crossings.size(), own, [&](std::size_t begin, std::size_t end) {
+              std::copy(part.crossings.data() + begin, part.crossings.data() + end,
+                        scratch.crossings.data() + part.before + begin);
+            });
+          });
+  }
+  std::uint32_t next = static_cast<std::uint32_t>(scratch.parent.size());
+  make_room(scratch.parent, count, cancellation);
+  in_pieces(count, cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) scratch.parent.push_back(next++);
+  });
+}
+
 }  // namespace
 
 void find_crossings(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
                     Arrangement& arrangement) {
-  CrossingFinder(options, predicates, scratch, arrangement).run();
+  constexpr std::uint64_t kUnitsOfItem = 16;  // an item meets some others, in 150 ns
+  Cancellation& cancellation = predicates.cancellation();
+  const auto& kept = arrangement.kept;
+  scratch.parent.clear();
+  make_room(scratch.parent, 3 * kept.size(), cancellation);  // crossings follow
+  start_forest(scratch.parent, 2 * kept.size(), cancellation);
+  start_forest(scratch.line_parent, kept.size(), cancellation);
+  const std::size_t tasks =
+      scratch.covered ? tasks_for(kUnitsOfItem * scratch.in_cells.size(), cancellation) : 1;
+  scratch.meetings.resize(tasks);
+  for (Meetings& part : scratch.meetings) {
+    part.crossings.clear();
+    part.events.clear();
+    part.lines_shared = false;
+  }
+  scratch.meeting.resize(std::max(scratch.meeting.size(), members_of(cancellation)));
+  const std::vector<std::size_t> begin = divide_cells(scratch, tasks);
+  share_decisions(tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
+    CrossingFinder finder(options, decide, scratch.meeting[member], scratch, kept,
+                          scratch.meetings[task], tasks == 1);
+    if (scratch.covered) {
+      finder.solve_cells(begin[task], begin[task + 1]);
+    } else {
+      finder.solve_all();
+    }
+  });
+  join_crossings(most_crossings(options.limits), cancellation, scratch);
+  scratch.lines_shared = std::ranges::any_of(scratch.meetings, &Meetings::lines_shared);
   arrangement.crossings = scratch.crossings.size();
 }
 

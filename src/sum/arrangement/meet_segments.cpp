@@ -16,17 +16,25 @@ Vec<double> along(const KeptSegment& s, double lambda) {
 
 }  // namespace
 
+void limit_crossings(std::size_t crossings, std::uint64_t most) {
+  if (crossings <= most) return;
+  throw exceeded("Limits::max_crossings", most, "the arrangement has", "crossings");
+}
+
 SegmentMeeter::SegmentMeeter(double extent, const SumSettings& options, Predicates& predicates,
-                             ArrangementScratch& scratch, const std::vector<KeptSegment>& kept)
+                             ArrangementScratch& scratch, const std::vector<KeptSegment>& kept,
+                             Meetings& meetings, bool alone)
     : predicates_(predicates),
       scratch_(scratch),
+      meetings_(meetings),
+      alone_(alone),
       kept_(kept),
       bounds_(predicates.bounds()),
       extent_(extent),
       slack_(extent * 0x1p-34),
       exact_(bounds_.product == 0 && bounds_.difference == 0 && bounds_.direction == 0),
       trust_(!std::isinf(bounds_.direction)) {
-  most_crossings_ = std::min(options.limits.max_crossings, kMostNumbered);
+  most_crossings_ = most_crossings(options.limits);
 }
 
 void SegmentMeeter::meet(KeptId s, KeptId t) {
@@ -61,7 +69,7 @@ bool SegmentMeeter::meet_at_ends(KeptId s, KeptId t) {
   const std::uint32_t of_s = 2 * s + (first >> 1);
   const std::uint32_t of_t = 2 * t + (first & 1);
   if (bounds_.difference != 0 && vertex(of_s) != vertex(of_t)) return false;
-  unite(scratch_.parent, of_s, of_t);
+  join(scratch_.parent, of_s, of_t);
   return true;
 }
 
@@ -112,8 +120,8 @@ bool SegmentMeeter::coincide(std::uint32_t a, std::uint32_t b) const {
 /// Adds an end of another segment, which lies on the line of s. It lies on s, because the ends of s
 /// are not both strictly on one side of that segment, as `of_s` tells.
 void SegmentMeeter::touch(KeptId s, const Sides& of_s, std::uint32_t point) {
-  if (of_s.start == kZero) return unite(scratch_.parent, point, 2 * s);
-  if (of_s.end == kZero) return unite(scratch_.parent, point, 2 * s + 1);
+  if (of_s.start == kZero) return join(scratch_.parent, point, 2 * s);
+  if (of_s.end == kZero) return join(scratch_.parent, point, 2 * s + 1);
   add_vertex_event(s, point);
 }
 
@@ -150,8 +158,8 @@ void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
   double value = 0;
   double bound = 0;
   if (side(s, 2 * t, value, bound) != kZero) return;
-  unite(scratch_.line_parent, s, t);
-  scratch_.lines_shared = true;
+  join(scratch_.line_parent, s, t);
+  meetings_.lines_shared = true;
   for (const std::uint32_t point : {2 * t, 2 * t + 1}) meet_on_line(s, point);
   for (const std::uint32_t point : {2 * s, 2 * s + 1}) meet_on_line(t, point);
 }
@@ -165,9 +173,9 @@ void SegmentMeeter::meet_on_line(KeptId s, std::uint32_t point) {
   const bool vertical = predicates_.component(kept_[s].segment.edge, Axis::kX) == kZero;
   const Axis axis = vertical ? Axis::kY : Axis::kX;
   const Sign from_a = predicates_.compare(a, v, axis);
-  if (from_a == kZero) return unite(scratch_.parent, point, 2 * s);
+  if (from_a == kZero) return join(scratch_.parent, point, 2 * s);
   const Sign to_b = predicates_.compare(v, b, axis);
-  if (to_b == kZero) return unite(scratch_.parent, point, 2 * s + 1);
+  if (to_b == kZero) return join(scratch_.parent, point, 2 * s + 1);
   if (from_a == to_b) add_vertex_event(s, point);
 }
 
@@ -200,18 +208,15 @@ void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides&
   const Vec<double> p = along(kept_[s], on_s.lambda);
   if (!mine(p, on_s.error * reach(kept_[s]) + bounds_.position)) return;
   const Parameter on_t = crossing_parameter(t, of_t, s);
-  const auto point = static_cast<std::uint32_t>(scratch_.parent.size());
-  if (scratch_.crossings.size() >= most_crossings_) {
-    throw exceeded("Limits::max_crossings", most_crossings_, "the arrangement has", "crossings");
-  }
+  limit_crossings(meetings_.crossings.size() + 1, most_crossings_);
+  const auto point = static_cast<std::uint32_t>(2 * kept_.size() + meetings_.crossings.size());
   Cancellation& cancellation = predicates_.cancellation();
-  append(scratch_.parent, point, cancellation);
-  append(scratch_.crossings,
+  append(meetings_.crossings,
          of_s.start == kPositive ? Crossing{s, t, on_s.lambda, doubted(on_s.error)}
                                  : Crossing{t, s, on_t.lambda, doubted(on_t.error)},
          cancellation);
-  append(scratch_.events, {on_s.lambda, doubted(on_s.error), s, point}, cancellation);
-  append(scratch_.events, {on_t.lambda, doubted(on_t.error), t, point}, cancellation);
+  append(meetings_.events, {on_s.lambda, doubted(on_s.error), s, point}, cancellation);
+  append(meetings_.events, {on_t.lambda, doubted(on_t.error), t, point}, cancellation);
 }
 
 void SegmentMeeter::add_vertex_event(KeptId s, std::uint32_t point) {
@@ -223,7 +228,7 @@ void SegmentMeeter::add_vertex_event(KeptId s, std::uint32_t point) {
   Parameter on_s{(by_x ? p.x - ks.a.x : p.y - ks.a.y) / length, 0};
   on_s.error = (bounds_.difference + 2 * bounds_.direction) / std::abs(length) + 0x1p-50;
   if (!(on_s.error * reach(ks) < slack_ / 4)) on_s = from_kernel(s, {false, {}, vertex(point)});
-  scratch_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
+  meetings_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
 }
 
 }  // namespace minksum

@@ -18,6 +18,13 @@ struct PlanePart : BoxOf<double> {
   }
 };
 
+/// Throws if there are more crossings than `most`.
+void limit_crossings(std::size_t crossings, std::uint64_t most);
+/// Returns the most crossings that may be found.
+[[nodiscard]] inline std::uint64_t most_crossings(const Limits& limits) {
+  return std::min(limits.max_crossings, kMostNumbered);
+}
+
 /// Finds the points that pairs of segments share, in one part after the other.
 ///
 /// A pair may be listed in several parts. A shared point is added in the part that contains it:
@@ -25,9 +32,11 @@ struct PlanePart : BoxOf<double> {
 /// it is added in each of them. Then the same events are listed more than once, which does no harm.
 class SegmentMeeter {
  public:
-  /// All coordinates are in [0, extent].
+  /// All coordinates are in [0, extent]. What is found is added to `meetings` and to the forests of
+  /// `scratch`. Unless it is `alone`, other threads add to the same forests.
   SegmentMeeter(double extent, const SumSettings& options, Predicates& predicates,
-                ArrangementScratch& scratch, const std::vector<KeptSegment>& kept);
+                ArrangementScratch& scratch, const std::vector<KeptSegment>& kept,
+                Meetings& meetings, bool alone);
 
   /// Sets the part in which points are wanted from now on.
   void enter(const PlanePart& part) { part_ = part; }
@@ -93,8 +102,15 @@ class SegmentMeeter {
   /// Returns an infinite error if doubles are not trusted. Then the kernel decides every order.
   [[nodiscard]] double doubted(double error) const { return trust_ ? error : HUGE_VAL; }
 
+  void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) const {
+    if (alone_) return unite(parent, a, b);
+    unite_shared(parent, a, b);
+  }
+
   Predicates& predicates_;
   ArrangementScratch& scratch_;
+  Meetings& meetings_;
+  bool alone_;
   const std::vector<KeptSegment>& kept_;
   const RoundingBounds bounds_;
   std::uint64_t most_crossings_;

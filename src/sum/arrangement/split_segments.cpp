@@ -36,7 +36,7 @@ class Splitter {
     }
     scratch_.next_piece.clear();
     // So lists seldom move. Memory that is not used costs nothing.
-    const std::size_t most = scratch_.line_count + scratch_.events.size();
+    const std::size_t most = scratch_.line_count + scratch_.sorted_events.size();
     make_room(result_.nodes, most, cancellation_);
     make_room(result_.pieces, most, cancellation_);
     if (may_coincide_) make_room(scratch_.next_piece, most, cancellation_);
@@ -54,22 +54,30 @@ class Splitter {
  private:
   /// Throws if there are too many events. Each piece ends at an event or at its segment's end, so
   /// the number of pieces is bounded too.
-  void limit_events() const {
-    if (scratch_.events.size() + scratch_.line_count < kNoPiece) return;
+  void limit_events(std::size_t events) const {
+    if (events + scratch_.line_count < kNoPiece) return;
     throw Error(ErrorCode::kLimitExceeded, "segments meet at 2^32 places or more");
   }
   void group_events() {
-    limit_events();
+    std::size_t events = 0;
+    for (const Meetings& part : scratch_.meetings) events += part.events.size();
+    limit_events(events);
     auto& begin = scratch_.event_begin;
     assign_in_pieces(begin, result_.kept.size() + 2, 0U, cancellation_);
-    visit_in_pieces(scratch_.events, cancellation_,
-                    [&](const Event& event) { ++begin[event.segment + 2]; });
+    for (const Meetings& part : scratch_.meetings) {
+      visit_in_pieces(part.events, cancellation_,
+                      [&](const Event& event) { ++begin[event.segment + 2]; });
+    }
     std::uint32_t sum = 0;
     visit_in_pieces(begin, cancellation_, [&](std::uint32_t& count) { count = sum += count; });
-    resize_in_pieces(scratch_.sorted_events, scratch_.events.size(), cancellation_);
-    visit_in_pieces(scratch_.events, cancellation_, [&](const Event& event) {
-      scratch_.sorted_events[begin[event.segment + 1]++] = event;
-    });
+    resize_in_pieces(scratch_.sorted_events, events, cancellation_);
+    for (const Meetings& part : scratch_.meetings) {
+      visit_in_pieces(part.events, cancellation_, [&](const Event& event) {
+        Event& sorted = scratch_.sorted_events[begin[event.segment + 1]++];
+        sorted = event;
+        sorted.point += event.point < ends_ ? 0 : part.before;
+      });
+    }
     begin.pop_back();
   }
 

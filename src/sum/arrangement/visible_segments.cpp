@@ -7,6 +7,7 @@
 
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
+#include "machine/team.hpp"
 #include "spatial/uniform_grid.hpp"
 
 namespace minksum {
@@ -171,11 +172,16 @@ class TreeBuilder {
   VisibleScratch& scratch_;
 };
 
+void limit_visible(std::size_t segments, std::uint64_t most) {
+  if (segments <= most) return;
+  throw exceeded("Limits::max_segments", most, "the convolution has", "visible segments");
+}
+
 /// Finds visible segments of one operand's edges at the other's vertices, pairs of runs at a time.
 class RunSearch {
  public:
   RunSearch(const Operands& o, const RankCircle& circle, const UncoveredCounts& uncovered,
-            std::uint64_t most, VisibleScratch& scratch)
+            std::uint64_t most, const VisibleScratch& scratch)
       : o_(o),
         circle_(circle),
         uncovered_(uncovered),
@@ -183,40 +189,64 @@ class RunSearch {
         trees_{&scratch.edges, &scratch.vertices},
         scratch_(scratch) {}
 
-  void run(Cancellation& cancellation) {
-    auto& pairs = scratch_.pairs;
-    std::size_t count = 1;
-    pairs.resize(std::max<std::size_t>(pairs.size(), 1));
+  /// Lists pairs of runs that hold all visible segments: one, or as many as are wanted.
+  void begin(std::size_t wanted, std::vector<RunPair>& pairs) const {
+    pairs.resize(1);
     for (const std::size_t i : {0U, 1U}) {
       pairs[0].level[i] = static_cast<std::uint32_t>(trees_[i]->level_begin.size()) - 1;
       pairs[0].run[i] = trees_[i]->level_begin.back();
     }
+    std::size_t first = 0;
+    for (; pairs.size() - first < wanted && first < pairs.size() && !is_leaf(pairs[first]);
+         ++first) {
+      const std::size_t count = pairs.size();
+      pairs.resize(count + 2);
+      pairs.resize(divide(RunPair{pairs[first]}, pairs, count));
+    }
+    pairs.erase(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  /// Appends the visible segments of a pair of runs to `memory.found`.
+  void run(const RunPair& whole, Cancellation& cancellation, RunScratch& memory) const {
+    auto& pairs = memory.pairs;
+    std::size_t count = 1;
+    pairs.resize(std::max<std::size_t>(pairs.size(), 1));
+    pairs[0] = whole;
     while (count > 0) {
       cancellation.check(16);
       const RunPair pair = pairs[--count];
-      if ((pair.level[0] | pair.level[1]) == 0) {
-        list(pair.run[0], pair.run[1]);
+      if (is_leaf(pair)) {
+        list(pair.run[0], pair.run[1], memory.found);
         continue;
       }
-      const std::size_t larger = choose(pair);
-      const std::size_t other = 1 - larger;
-      const RunTree& tree = *trees_[larger];
-      const std::uint32_t level = pair.level[larger] - 1;
-      const std::uint32_t first =
-          tree.level_begin[level] + 2 * (pair.run[larger] - tree.level_begin[level + 1]);
-      const SiteRun& fixed = trees_[other]->runs[pair.run[other]];
       if (pairs.size() < count + 2) pairs.resize(2 * (count + 2));
-      // There is no branch on which parts stay, because that is hard to predict.
-      for (const std::uint32_t part : {first, first + 1}) {
-        pairs[count] = pair;
-        pairs[count].run[larger] = part;
-        pairs[count].level[larger] = level;
-        count += may_be_visible(tree.runs[part], fixed) ? 1U : 0U;
-      }
+      count = divide(pair, pairs, count);
     }
   }
 
  private:
+  [[nodiscard]] static bool is_leaf(const RunPair& pair) {
+    return (pair.level[0] | pair.level[1]) == 0;
+  }
+  /// Puts the parts of a pair that may have visible segments into `pairs`, from `count` on. Returns
+  /// where they end.
+  [[gnu::always_inline]] std::size_t divide(const RunPair& pair, std::vector<RunPair>& pairs,
+                                            std::size_t count) const {
+    const std::size_t larger = choose(pair);
+    const std::size_t other = 1 - larger;
+    const RunTree& tree = *trees_[larger];
+    const std::uint32_t level = pair.level[larger] - 1;
+    const std::uint32_t first =
+        tree.level_begin[level] + 2 * (pair.run[larger] - tree.level_begin[level + 1]);
+    const SiteRun& fixed = trees_[other]->runs[pair.run[other]];
+    // There is no branch on which parts stay, because that is hard to predict.
+    for (const std::uint32_t part : {first, first + 1}) {
+      pairs[count] = pair;
+      pairs[count].run[larger] = part;
+      pairs[count].level[larger] = level;
+      count += may_be_visible(tree.runs[part], fixed) ? 1U : 0U;
+    }
+    return count;
+  }
   [[nodiscard]] bool may_be_visible(const SiteRun& a, const SiteRun& b) const {
     const int meet = circle_.meet(a.directions, b.directions) ? 1 : 0;
     const int hidden = hides(uncovered_, a.box, b.box) ? 1 : 0;
@@ -229,7 +259,7 @@ class RunSearch {
     };
     return extent(0) >= extent(1) ? 0 : 1;
   }
-  void list(std::uint32_t edge_leaf, std::uint32_t vertex_leaf) {
+  void list(std::uint32_t edge_leaf, std::uint32_t vertex_leaf, std::vector<Segment>& found) const {
     const SiteId first_edge = scratch_.edges.begin + edge_leaf * RunTree::kLeaf;
     const SiteId edges = std::min(RunTree::kLeaf, scratch_.edges.end - first_edge);
     const SiteId first_vertex = scratch_.vertices.begin + vertex_leaf * RunTree::kLeaf;
@@ -248,12 +278,10 @@ class RunSearch {
         const SiteId e = first_edge + static_cast<SiteId>(std::countr_zero(met));
         if (hides(uncovered_, scratch_.sites[e].box, vertex)) continue;
         if (o_.on_hole[e] != 0 && o_.on_hole[v] != 0) continue;
-        scratch_.found.push_back({e, v});
+        found.push_back({e, v});
       }
     }
-    if (scratch_.found.size() > most_) {
-      throw exceeded("Limits::max_segments", most_, "the convolution has", "visible segments");
-    }
+    limit_visible(found.size(), most_);
   }
 
   const Operands& o_;
@@ -261,7 +289,7 @@ class RunSearch {
   const UncoveredCounts& uncovered_;
   std::uint64_t most_;
   std::array<const RunTree*, 2> trees_;
-  VisibleScratch& scratch_;
+  const VisibleScratch& scratch_;
 };
 
 /// Orders segments by vertex, and those of a vertex from the first direction that it meets.
@@ -269,12 +297,18 @@ void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& 
                      VisibleScratch& scratch) {
   auto& place = scratch.place;
   place.assign(o.size() + 1, 0);
-  visit_in_pieces(scratch.found, cancellation, [&](const Segment& s) { ++place[s.vertex + 1]; });
+  std::size_t count = 0;
+  for (const RunScratch& search : scratch.searches) {
+    visit_in_pieces(search.found, cancellation, [&](const Segment& s) { ++place[s.vertex + 1]; });
+    count += search.found.size();
+  }
   std::partial_sum(place.begin(), place.end(), place.begin());
   auto& ordered = scratch.visible;
-  resize_in_pieces(ordered, scratch.found.size(), cancellation);
-  visit_in_pieces(scratch.found, cancellation,
-                  [&](const Segment& s) { ordered[place[s.vertex]++] = s; });
+  resize_in_pieces(ordered, count, cancellation);
+  for (const RunScratch& search : scratch.searches) {
+    visit_in_pieces(search.found, cancellation,
+                    [&](const Segment& s) { ordered[place[s.vertex]++] = s; });
+  }
   for (std::size_t i = 0; i < ordered.size();) {
     const SiteId v = ordered[i].vertex;
     const std::size_t end = place[v];
@@ -326,6 +360,7 @@ bool covers_any(const Cover& cover) {
 std::span<const Segment> visible_segments(const Operands& operands, const Convolution& convolution,
                                           const Cover& cover, const Limits& limits,
                                           Cancellation& cancellation, VisibleScratch& scratch) {
+  constexpr std::uint64_t kUnitsOfSite = 32;  // a site's runs meet some others, in 300 ns
   cancellation.check(operands.size());
   measure_sites(operands, cover.grid.inverse, scratch.sites);
   if (convolution.listed()) return list_visible(convolution.segments, cover, cancellation, scratch);
@@ -336,12 +371,22 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   const RankCircle circle(operands.rank_count);
   const UncoveredCounts uncovered(cover, cancellation, scratch.uncovered);
   TreeBuilder builder(operands, circle, scratch);
-  scratch.found.clear();
+  scratch.searches.resize(std::max(scratch.searches.size(), members_of(cancellation)));
+  for (RunScratch& search : scratch.searches) search.found.clear();
+  const std::uint64_t most = std::min(limits.max_segments, kMostNumbered);
+  const std::size_t tasks = tasks_for(kUnitsOfSite * operands.size(), cancellation);
   for (const int operand : {0, 1}) {
     builder.edges_of(1 - operand);
     builder.vertices_of(operand);
-    RunSearch(operands, circle, uncovered, std::min(limits.max_segments, kMostNumbered), scratch)
-        .run(cancellation);
+    const RunSearch search(operands, circle, uncovered, most, scratch);
+    search.begin(tasks, scratch.pairs);
+    share(scratch.pairs.size(), cancellation,
+          [&](std::size_t task, std::size_t member, Cancellation& own) {
+            search.run(scratch.pairs[task], own, scratch.searches[member]);
+          });
+    std::size_t found = 0;
+    for (const RunScratch& one : scratch.searches) found += one.found.size();
+    limit_visible(found, most);
   }
   order_as_listed(operands, circle, cancellation, scratch);
   return scratch.visible;

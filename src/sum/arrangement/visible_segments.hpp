@@ -45,6 +45,12 @@ struct RunPair {
   std::array<std::uint32_t, 2> level;
 };
 
+/// Memory of one thread that searches.
+struct alignas(64) RunScratch {  // threads fill neighbours: each needs cache lines of its own
+  std::vector<RunPair> pairs;
+  std::vector<Segment> found;  ///< in any order
+};
+
 /// Memory for the search.
 struct VisibleScratch {
   static constexpr std::size_t kLevels = 3;
@@ -55,8 +61,8 @@ struct VisibleScratch {
   std::vector<RankRange> ranges;  ///< by site: directions that it meets; none if it is reflex
   RunTree edges;
   RunTree vertices;
-  std::vector<RunPair> pairs;
-  std::vector<Segment> found;
+  std::vector<RunPair> pairs;        ///< to begin with
+  std::vector<RunScratch> searches;  ///< by thread
   std::vector<Segment> visible;
   std::vector<std::uint32_t> place;  ///< by site: where its segments are in `visible`
 };

@@ -49,11 +49,12 @@ std::pair<Pairs, std::vector<std::uint32_t>> meetings(const Region& p, const Reg
   Crowd crowd(p, q);
   Predicates predicates(crowd.operands.sites, *crowd.operands.kernel, crowd.operands.bounds,
                         crowd.never);
+  Meetings found;
   SegmentMeeter meeter(crowd.extent(), crowd.settings, predicates, crowd.scratch,
-                       crowd.arrangement.kept);
+                       crowd.arrangement.kept, found, true);
   work(crowd, meeter);
   Pairs pairs;
-  for (const Crossing& c : crowd.scratch.crossings) pairs.push_back(std::minmax(c.first, c.second));
+  for (const Crossing& c : found.crossings) pairs.push_back(std::minmax(c.first, c.second));
   std::sort(pairs.begin(), pairs.end());
   std::vector<std::uint32_t> roots;
   for (std::uint32_t point = 0; point < 2 * crowd.scratch.line_count; ++point) {
@@ -75,8 +76,8 @@ void expect_all_found(const Region& p, const Region& q) {
     }
   });
   const auto of_crowds = meetings(p, q, [](Crowd& crowd, SegmentMeeter& meeter) {
-    CrowdFinder finder(crowd.extent(), crowd.arrangement.kept, meeter, crowd.scratch.crowds,
-                       crowd.never);
+    CrowdScratch memory;
+    CrowdFinder finder(crowd.extent(), crowd.arrangement.kept, meeter, memory, crowd.never);
     for (KeptId s = 0; s < crowd.scratch.line_count; ++s) finder.add(s, {});
     finder.solve({});
   });
