@@ -60,6 +60,8 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
   const Command command = add_sum(parser.line(), arguments, typed, limits);
   command.remove_option("--tight");  // in the subcommand it takes the name of a file
   command.add_flag("--tight", tight);
+  command.remove_option("--threads");  // jobs share the threads
+  arguments.options.threads = 1;
   parser.parse();
   convert(arguments, typed);
   require_json_format(arguments);

@@ -47,7 +47,7 @@ struct SumArguments : ResultArguments {
   int repeat = 1;
   bool verbose = false;
   io::ReadLimits limits;
-  SumSettings options;
+  SumSettings options{{.threads = 0}};
 };
 
 /// `minksum info FILE`

@@ -121,6 +121,10 @@ Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed, Proc
          "reduced (the default), signed, full: the same sum by three methods")
       .one_of(names_of(kMethods))
       .type_name("M");
+  sum.add_option("--threads", arguments.options.threads,
+                 "Threads that share the work (default: all cores)")
+      .in_range(1, 1024)
+      .type_name("N");
   sum.add_option("--repeat", arguments.repeat, "Compute N times and report median times")
       .in_range(1, 1'000'000)
       .type_name("N");
