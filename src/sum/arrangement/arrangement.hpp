@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -200,12 +201,23 @@ struct ArrangementScratch {
   std::vector<Incident> incidents;
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
+  enum class Ordered : std::uint8_t { kNot, kRoughly, kWholly };
+  std::vector<Ordered> ordered;        ///< by kept segment: its events, where threads order them
+  std::vector<std::uint8_t> left_out;  ///< by possible piece, where threads decide
   std::vector<std::uint32_t> parent;
   std::vector<std::uint32_t> line_parent;  ///< a forest of segments known to be on one line
   bool lines_shared = false;               ///< whether segments are known to be on one line
   std::vector<NodeId> node_of_point;
   std::vector<PieceId> first_piece;     ///< by node: a list of pieces to nodes of higher numbers
   std::vector<ListedPiece> next_piece;  ///< by piece
+
+  /// Returns the events on a segment.
+  [[nodiscard]] std::span<Event> events_of(KeptId s) {
+    return std::span(sorted_events).subspan(event_begin[s], event_begin[s + 1] - event_begin[s]);
+  }
+  [[nodiscard]] std::span<const Event> events_of(KeptId s) const {
+    return std::span(sorted_events).subspan(event_begin[s], event_begin[s + 1] - event_begin[s]);
+  }
 };
 
 /// Builds the arrangement.

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "machine/make_room.hpp"
-#include "sum/arrangement/arrangement.hpp"
+#include "machine/team.hpp"
+#include "sum/arrangement/order_events.hpp"
 
 namespace minksum {
 namespace {
@@ -21,14 +22,12 @@ class Splitter {
         cancellation_(predicates.cancellation()),
         scratch_(scratch),
         result_(arrangement),
-        ends_(static_cast<std::uint32_t>(2 * arrangement.kept.size())),
+        points_(predicates, scratch, arrangement),
+        ends_(points_.ends()),
         may_coincide_(scratch.covered || scratch.lines_shared) {}
 
   void run() {
-    group_events();
-    in_pieces(scratch_.line_count, cancellation_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) order_events(static_cast<KeptId>(s));
-    });
+    order_events(predicates_, scratch_, result_);
     result_.nodes.clear();
     result_.pieces.clear();
     if (may_coincide_) {
@@ -41,6 +40,7 @@ class Splitter {
     make_room(result_.pieces, most, cancellation_);
     if (may_coincide_) make_room(scratch_.next_piece, most, cancellation_);
     assign_in_pieces(scratch_.node_of_point, scratch_.parent.size(), kNoNode, cancellation_);
+    decide_pieces();
     for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
     result_.slits.clear();
     result_.crowded.clear();
@@ -52,95 +52,7 @@ class Splitter {
   }
 
  private:
-  /// Throws if there are too many events. Each piece ends at an event or at its segment's end, so
-  /// the number of pieces is bounded too.
-  void limit_events(std::size_t events) const {
-    if (events + scratch_.line_count < kNoPiece) return;
-    throw Error(ErrorCode::kLimitExceeded, "segments meet at 2^32 places or more");
-  }
-  void group_events() {
-    std::size_t events = 0;
-    for (const Meetings& part : scratch_.meetings) events += part.events.size();
-    limit_events(events);
-    auto& begin = scratch_.event_begin;
-    assign_in_pieces(begin, result_.kept.size() + 2, 0U, cancellation_);
-    for (const Meetings& part : scratch_.meetings) {
-      visit_in_pieces(part.events, cancellation_,
-                      [&](const Event& event) { ++begin[event.segment + 2]; });
-    }
-    std::uint32_t sum = 0;
-    visit_in_pieces(begin, cancellation_, [&](std::uint32_t& count) { count = sum += count; });
-    resize_in_pieces(scratch_.sorted_events, events, cancellation_);
-    for (const Meetings& part : scratch_.meetings) {
-      visit_in_pieces(part.events, cancellation_, [&](const Event& event) {
-        Event& sorted = scratch_.sorted_events[begin[event.segment + 1]++];
-        sorted = event;
-        sorted.point += event.point < ends_ ? 0 : part.before;
-      });
-    }
-    begin.pop_back();
-  }
-
-  [[nodiscard]] std::span<Event> events_of(KeptId s) {
-    return std::span(scratch_.sorted_events)
-        .subspan(scratch_.event_begin[s], scratch_.event_begin[s + 1] - scratch_.event_begin[s]);
-  }
-
-  [[nodiscard]] SumVertex vertex_of(std::uint32_t end_point) const {
-    const KeptSegment& s = result_.kept[end_point / 2];
-    return end_point % 2 == 0 ? Predicates::start_vertex(s.segment)
-                              : predicates_.end_vertex(last_segment(s, scratch_.join));
-  }
-  [[nodiscard]] PointOnSegment point_on(KeptId s, std::uint32_t point) const {
-    if (point < ends_) return {false, {}, vertex_of(point)};
-    return {true, result_.kept[other_of(s, point)].segment, {}};
-  }
-  [[nodiscard]] KeptId other_of(KeptId s, std::uint32_t crossing_point) const {
-    const Crossing& crossing = scratch_.crossings[crossing_point - ends_];
-    return crossing.first == s ? crossing.second : crossing.first;
-  }
-
-  /// Whether two points on s are certainly equal: they are known to be, or one line crosses s at
-  /// both.
-  bool same(KeptId s, std::uint32_t a, std::uint32_t b) {
-    if (find_root(scratch_.parent, a) == find_root(scratch_.parent, b)) return true;
-    if (a < ends_ || b < ends_) return false;
-    return find_root(scratch_.line_parent, other_of(s, a)) ==
-           find_root(scratch_.line_parent, other_of(s, b));
-  }
-  Sign compare(KeptId s, const Event& a, const Event& b) {
-    if (std::abs(a.lambda - b.lambda) > a.error + b.error) return sign_of(a.lambda - b.lambda);
-    if (same(s, a.point, b.point)) return kZero;
-    return predicates_.compare_along(result_.kept[s].segment, a.lambda, a.error,
-                                     point_on(s, a.point), b.lambda, b.error, point_on(s, b.point));
-  }
-
-  /// Sorts the events on s, and unites equal ones. Rounded positions bring events almost into
-  /// order. Insertion then costs about one exact comparison each, and meets all equal neighbours.
-  void order_events(KeptId s) {
-    const std::span<Event> events = events_of(s);
-    if (events.size() < 2) return;
-    cancellation_.check(4 * events.size());
-    constexpr std::size_t kFew = 12;
-    constexpr std::size_t kMany = 4096;
-    const auto before = [](const Event& a, const Event& b) { return a.lambda < b.lambda; };
-    if (events.size() > kMany) {
-      std::sort(events.begin(), events.end(), cancellation_.counting(before));
-    } else if (events.size() > kFew) {
-      std::sort(events.begin(), events.end(), before);
-    }
-    for (std::size_t i = 1; i < events.size(); ++i) {
-      const Event event = events[i];
-      std::size_t j = i;
-      Sign order = kNegative;
-      while (j > 0 && (order = compare(s, events[j - 1], event)) == kPositive) {
-        events[j] = events[j - 1];
-        --j;
-      }
-      events[j] = event;
-      if (order == kZero) unite(scratch_.parent, events[j - 1].point, event.point);
-    }
-  }
+  [[nodiscard]] std::span<const Event> events_of(KeptId s) const { return scratch_.events_of(s); }
 
   NodeId node_of(std::uint32_t root) {
     NodeId& id = scratch_.node_of_point[root];
@@ -157,7 +69,7 @@ class Splitter {
     node.point.is_crossing = root >= ends_;
     if (root < ends_) {
       const KeptSegment& s = result_.kept[root / 2];
-      node.point.vertex = vertex_of(root);
+      node.point.vertex = points_.end(root);
       node.at = root % 2 == 0 ? s.a : s.b;
       node.error = predicates_.bounds().difference;
       return;
@@ -172,38 +84,100 @@ class Splitter {
     node.error = std::isinf(c.error) ? c.error : c.error * reach + predicates_.bounds().position;
   }
 
+  /// A possible piece: where it begins, and where it ends.
+  struct Stretch {
+    Event from{};
+    Event to{};
+    std::uint32_t from_root = 0;
+    std::uint32_t to_root = 0;
+    Vec<double> from_at{};
+    Vec<double> to_at{};
+    std::size_t index = 0;  ///< its number among those of all segments
+  };
+  /// Calls visit(stretch) for each stretch of a segment between points that differ. `root` returns
+  /// the root of a point.
+  template <class Root, class Visit>
+  void visit_stretches(KeptId s, Root root, Visit visit) const {
+    const KeptSegment& k = result_.kept[s];
+    Stretch at;
+    at.from = {0, 0, s, 2 * s};
+    at.from_root = root(at.from.point);
+    at.from_at = k.a;
+    at.index = std::size_t{scratch_.event_begin[s]} + s;
+    const auto go_to = [&](const Event& event, const Vec<double>& place) {
+      at.to_root = root(event.point);
+      if (at.to_root != at.from_root) {
+        at.to = event;
+        at.to_at = place;
+        visit(at);
+        at.from = event;
+        at.from_root = at.to_root;
+        at.from_at = place;
+      }
+      ++at.index;
+    };
+    for (const Event& event : events_of(s)) {
+      go_to(event, {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
+    }
+    go_to({1, 0, s, 2 * s + 1}, k.b);
+  }
+  [[nodiscard]] bool is_whole(KeptId s) const {
+    const KeptSegment& k = result_.kept[s];
+    return !k.meets_cover && k.joined == 0 && events_of(s).empty();
+  }
+  [[nodiscard]] bool is_left_out(KeptId s, const Stretch& at, Cancellation& cancellation) const {
+    return is_inside(s, at.from.point, at.to.point) ||
+           (result_.kept[s].meets_cover && is_covered(at.from_at, at.to_at, cancellation));
+  }
+  /// Lists which pieces are left out, if that is worth several threads.
+  void decide_pieces() {
+    constexpr std::uint64_t kUnitsOfPiece = 16;  // a walk along some cells
+    auto& left_out = scratch_.left_out;
+    left_out.clear();
+    const std::size_t pieces = scratch_.sorted_events.size() + scratch_.line_count;
+    const std::size_t tasks = tasks_for(kUnitsOfPiece * pieces, cancellation_);
+    if (tasks == 1) return;
+    resize_in_pieces(left_out, pieces, cancellation_);
+    const auto root = [&](std::uint32_t point) {
+      while (scratch_.parent[point] != point) point = scratch_.parent[point];
+      return point;
+    };
+    share(tasks, cancellation_, [&](std::size_t task, std::size_t, Cancellation& own) {
+      const std::size_t end = begin_of(task + 1, tasks, scratch_.line_count);
+      for (std::size_t i = begin_of(task, tasks, scratch_.line_count); i < end; ++i) {
+        const auto s = static_cast<KeptId>(i);
+        own.check();
+        if (is_whole(s)) continue;
+        visit_stretches(s, root, [&](const Stretch& at) {
+          own.check();
+          left_out[at.index] = is_left_out(s, at, own) ? 1 : 0;
+        });
+      }
+    });
+  }
+
   /// Cuts one segment into pieces. It leaves out pieces inside the sum, such as those that run
   /// through covered cells, because they are not boundary.
   void cut(KeptId s) {
-    const KeptSegment& k = result_.kept[s];
-    Event last{0, 0, s, 2 * s};
-    std::uint32_t from = find_root(scratch_.parent, last.point);
-    if (!k.meets_cover && k.joined == 0 && events_of(s).empty()) {
-      const std::uint32_t to = find_root(scratch_.parent, 2 * s + 1);
+    const auto root = [&](std::uint32_t point) { return find_root(scratch_.parent, point); };
+    if (is_whole(s)) {
+      const std::uint32_t from = root(2 * s);
+      const std::uint32_t to = root(2 * s + 1);
       if (to == from) return;
       const NodeId from_node = node_of(from);
       return add_piece(from_node, node_of(to), s);
     }
-    Vec<double> from_at = k.a;
+    const KeptSegment& k = result_.kept[s];
     KeptId maker = k.joined == 0 ? s : scratch_.join.joined[k.joined - 1].first;
-    const auto add = [&](const Event& event, const Vec<double>& to_at) {
+    visit_stretches(s, root, [&](const Stretch& at) {
       cancellation_.check();
-      const std::uint32_t to = find_root(scratch_.parent, event.point);
-      if (to == from) return;
-      if (!is_inside(s, last.point, event.point) &&
-          (!k.meets_cover || !is_covered(from_at, to_at))) {
-        if (k.joined != 0) maker = member_after(s, last, maker);
-        const NodeId from_node = node_of(from);
-        add_piece(from_node, node_of(to), maker);
-      }
-      last = event;
-      from = to;
-      from_at = to_at;
-    };
-    for (const Event& event : events_of(s)) {
-      add(event, {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
-    }
-    add({1, 0, s, 2 * s + 1}, k.b);
+      const bool left_out = scratch_.left_out.empty() ? is_left_out(s, at, cancellation_)
+                                                      : scratch_.left_out[at.index] != 0;
+      if (left_out) return;
+      if (k.joined != 0) maker = member_after(s, at.from, maker);
+      const NodeId from_node = node_of(at.from_root);
+      add_piece(from_node, node_of(at.to_root), maker);
+    });
   }
   /// Returns the first member of a joined segment, from `member` on, that goes on after a point.
   /// (The member starts at the point or before, because members overlap.)
@@ -217,7 +191,7 @@ class Splitter {
       const double lambda = by_x ? (m.b.x - k.a.x) / k.d.x : (m.b.y - k.a.y) / k.d.y;
       const PointOnSegment point{false, {}, predicates_.end_vertex(m.segment)};
       if (predicates_.compare_along(k.segment, lambda, 0x1p-50, point, from.lambda, from.error,
-                                    point_on(s, from.point)) == kPositive) {
+                                    points_.on(s, from.point)) == kPositive) {
         break;
       }
     }
@@ -238,11 +212,12 @@ class Splitter {
     const Crossing& c = scratch_.crossings[end - ends_];
     return c.first == s && is_left_of(c.second);
   }
-  [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b) const {
+  [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b,
+                                Cancellation& cancellation) const {
     if (!cover_.active) return false;
     bool covered = false;
-    cancellation_.check(1 + static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) *
-                                                       cover_.grid.inverse));
+    cancellation.check(1 + static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) *
+                                                      cover_.grid.inverse));
     // The walk takes cells within kMargin of the piece, and covered cells have three times that
     // margin inside the sum. So a walk that meets a covered cell has met a point of the piece
     // inside the sum (up to rounding, which is far less).
@@ -350,6 +325,7 @@ class Splitter {
   Cancellation& cancellation_;
   ArrangementScratch& scratch_;
   Arrangement& result_;
+  SharedPoints points_;
   std::uint32_t ends_;  ///< points of lower numbers are ends of segments
   /// Whether two pieces may have the same ends. That happens where segments overlap on one line.
   /// If something is covered, not all pairs were met, so this is true to be safe.
