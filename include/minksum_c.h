@@ -96,7 +96,7 @@ typedef struct minksum_options {
   minksum_fill fill;      /**< which points the operands' rings enclose */
   int regularize;         /**< not 0 = drop thin parts of the operands */
   int tight;              /**< keep tight places: 1 = yes, 0 = no, -1 = of no-fit polygons only */
-  int threads;            /**< threads of an operation on many parts; 0 = one for each core */
+  int threads;            /**< threads of an operation; 0 = one for each core */
   /** Called when a stage begins and every few milliseconds, by any thread, with the number of parts
    * that are done and of all parts. Any result but 0 stops the operation. May be NULL. */
   int (*progress)(void *context, minksum_stage stage, size_t done, size_t parts);
