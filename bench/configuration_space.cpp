@@ -40,7 +40,7 @@ Region as_doubles(const Region& region) {
 
 template <class Work>
 double seconds_of(Work work) {
-  const Stopwatch watch;
+  const WallStopwatch watch;
   work();
   return watch.seconds();
 }

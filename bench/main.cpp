@@ -20,13 +20,16 @@ using namespace minksum::bench;
 
 constexpr const char* kUsage =
     "usage: minksum_bench [--set NAME[,NAME...]]... [--only TEXT] [--out FILE] [--quick]\n"
-    "                     [--budget SECONDS]\n"
+    "                     [--budget SECONDS] [--seed N] [--pairs N] [--no-cgal]\n"
     "  --set     what to measure (default: all): paper kin named figures spiky nesting\n"
-    "            tables gis outlines doubles families\n"
+    "            tables gis outlines doubles families regret mixed\n"
     "  --only    only pairs, families, or instances, with this in their names\n"
     "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
     "  --budget  longest time for one sum by a peer, or it is given up (default: 60; quick: 4)\n"
+    "  --seed    of the random pairs of `mixed` (default: 1)\n"
+    "  --pairs   how many pairs `mixed` has (default: 200; quick: 20)\n"
+    "  --no-cgal leaves CGAL out of `mixed`\n"
     "The folder with the shapes is $MINKSUM_DATA, or ../shared/data beside the sources.\n";
 
 struct Arguments {
@@ -35,6 +38,7 @@ struct Arguments {
   std::string out = "bench.json";
   bool quick = false;
   double budget = 0;
+  UnseenPairs unseen;
 };
 
 void add_sets(const std::string& text, std::set<std::string>& sets) {
@@ -59,6 +63,7 @@ Arguments parse(const std::vector<std::string>& words) {
     };
     if (words[i] == "--quick") {
       arguments.quick = true;
+      arguments.unseen.count = 20;
     } else if (words[i] == "--set") {
       add_sets(value(), arguments.sets);
     } else if (words[i] == "--only") {
@@ -67,6 +72,12 @@ Arguments parse(const std::vector<std::string>& words) {
       arguments.out = value();
     } else if (words[i] == "--budget") {
       arguments.budget = std::stod(value());
+    } else if (words[i] == "--seed") {
+      arguments.unseen.seed = std::stoull(value());
+    } else if (words[i] == "--pairs") {
+      arguments.unseen.count = std::stoul(value());
+    } else if (words[i] == "--no-cgal") {
+      arguments.unseen.cgal = false;
     } else {
       throw std::runtime_error(kUsage);
     }
@@ -79,12 +90,25 @@ double member(const Json& record, const char* who, const char* what) {
                                                             : 0;
 }
 
+double member_of(const Json& record, const char* what) { return record[what]; }
+
 // Prints one line for people who watch.
 void print(const Json& record) {
   const std::string name = record["name"];
   std::printf("  %-44s", name.c_str());
   if (record.contains("minksum_alone")) {
     std::printf(" %10.3f ms", member(record, "minksum_alone", "median") * 1e3);
+  }
+  if (record.contains("regret")) {
+    std::printf(" %10.3f ms  regret %.2f (%s)", member_of(record, "seconds") * 1e3,
+                member_of(record, "regret"), record["best"].get<std::string>().c_str());
+  }
+  for (const char* figure : {"ratio_prepared", "ratio_as_read"}) {
+    const double ratio = member(record, "cgal", figure);
+    if (ratio > 0) std::printf("  cgal %.1f x", ratio);
+  }
+  for (const char* of : {"regrets", "ratios_prepared", "ratios_as_read"}) {
+    if (record.contains(of)) std::printf("\n  %s: %s", of, record[of].dump().c_str());
   }
   for (const char* peer : {"cgal", "cgal_full", "clipper", "geos"}) {
     const double ratio = member(record, peer, "ratio");
@@ -137,7 +161,7 @@ class Book {
 
  private:
   std::string file_;
-  Stopwatch watch_;
+  WallStopwatch watch_;
   Json json_;
 };
 
@@ -162,6 +186,8 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
     measure_families(effort, arguments.quick ? 0.03 : 1.0, arguments.only, take);
   } else if (!data) {
     std::printf("  no folder of shapes: left out\n");
+  } else if (set == "regret" || set == "mixed") {
+    measure_unseen_pairs(set, *data, effort, arguments.unseen, arguments.only, take);
   } else if (set == "doubles") {
     measure_doubles(*data, effort, arguments.quick, take);
   } else if (set == "outlines") {

@@ -49,7 +49,7 @@ NoFitTable make_table(const Parts& parts, int threads) {
 
 // Returns the seconds for all entries. Reading and preparing the parts is counted.
 double run_table(const Parts& parts, int threads) {
-  const Stopwatch watch;
+  const WallStopwatch watch;
   const NoFitTable table = make_table(parts, threads);
   std::vector<Geometry> entries;
   entries.reserve(parts.sums());

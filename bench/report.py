@@ -29,7 +29,7 @@ Do not edit this page: `bench/report.py` makes it from `build/bench.json`.
 
 ## What does each figure contain?
 
-- **minksum**: the wall clock of the whole call, from parsed operands in memory to the exact,
+- **minksum**: the processor time of the whole call, from parsed operands in memory to the exact,
   canonical region in memory. The checks of the operands are included; reading and writing are not.
   One thread computes, and memory is reused from call to call. The figure is the median of many
   runs.

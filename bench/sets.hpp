@@ -1,6 +1,7 @@
 // Chooses the pairs that are measured.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -18,6 +19,18 @@ namespace minksum::bench {
 [[nodiscard]] std::vector<Case> cases_of(const std::string& set, const std::filesystem::path& data,
                                          bool quick);
 
+/// Which random pairs are measured.
+struct UnseenPairs {
+  std::uint64_t seed = 1;
+  std::size_t count = 200;
+  bool cgal = true;  ///< whether CGAL is measured beside minksum
+};
+/// Measures regret: the time of the automatic settings, divided by the least time of any settings.
+/// The set "regret" is a list of pairs in the data folder. The set "mixed" has random pairs of all
+/// valid files, and measures CGAL beside them. A record for all pairs comes last.
+void measure_unseen_pairs(const std::string& set, const std::filesystem::path& data,
+                          const Effort& effort, const UnseenPairs& asked, const std::string& only,
+                          const std::function<void(const Json&)>& take);
 /// Measures the families with `only` in their names, and doubles sizes until a sum takes
 /// `longest_seconds`. Each record goes to `take` at once.
 void measure_families(const Effort& effort, double longest_seconds, const std::string& only,

@@ -22,7 +22,7 @@ struct Shapes {
 template <class Shape>
 double round_of_sums(const Shapes<Shape>& shapes, Workspace& workspace, Region& sum) {
   const Options options;
-  const Stopwatch watch;
+  const WallStopwatch watch;
   for (const Shape& p : shapes.ps) {
     for (const Shape& q : shapes.qs) {
       const Outcome outcome = minkowski_sum(p, q, options, workspace, sum);

@@ -17,7 +17,7 @@ class Peer {
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   virtual ~Peer() = default;
-  /// Computes the sum once; returns the wall-clock seconds until the result is complete. Destroying
+  /// Computes the sum once; returns the processor seconds until the result is complete. Destroying
   /// the result is not counted.
   virtual double run() = 0;
   /// Returns the number of vertices of the last result.
