@@ -19,6 +19,12 @@ static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 constexpr double kSegment = 500;
 constexpr double kCrossing = 800;
 constexpr double kCell = 4;
+/// The boundary of an operand takes so much to rasterise: some 90 instructions for each row of
+/// cells that an edge passes, and as much again for the edge.
+constexpr double kBoundaryRow = 35;
+/// Listing a segment in an uncovered cell and comparing it there takes 15 to 40 ns, where cells
+/// have few segments.
+constexpr double kSegmentInCell = 80;
 constexpr double kRowOfParallelogram = 27;
 /// The next grid leaves half as many segments at best, so it may cost half of that saving.
 constexpr double kMostOfWhatIsLeft = 0.25;
@@ -82,30 +88,43 @@ class GridBuyer {
     left_ = see();
     buy_parallelograms();
   }
-  /// Buys grids from one of `side` cells along the longer side on, as long as that pays.
+  /// Buys grids from one of `side` cells along the longer side on, as long as that pays. Keeps the
+  /// one that leaves least, or none.
   void buy_from(int side) {
     if (is_sparse()) return;
+    for (const double dy : operands_.sites.dy) rise_ += std::abs(dy);
     left_ = see();
+    double least = price_of(left_);
+    UniformGrid best_grid = grid_of(operands_, 1);
+    bool best_is_active = false;
+    bool best_by_translates = true;
     double least_price = 0;  // rasters have four times as many words, and are moved no less often
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
-      const double affordable = kMostOfWhatIsLeft * price_of(left_);
+      const double affordable = kMostOfWhatIsLeft * least;
       const UniformGrid grid = grid_of(operands_, side);
-      const double cells = kCell * static_cast<double>(grid.size());
-      if (cells + least_price > affordable) return;
+      const double rasters = price_of_rasters(grid);
+      if (rasters + least_price > affordable) break;
       const auto words = static_cast<double>(rasterise(operands_, grid, cancellation_, scratch_));
-      if (cells + words > affordable) return;
+      if (rasters + words > affordable) break;
       least_price = 4 * words;
       mark(side, first);
       const Visibility before = std::exchange(left_, see());
       buy_parallelograms();
-      // A grid that saves hardly more than the one before is given back, because the arrangement
-      // looks at all its cells. But a cover that hides nothing yet may hide much on the next grid.
-      if (before.share < 0.9 && price_of(left_) > kWorthIt * price_of(before)) {
-        std::swap(cover_.covered, scratch_.known);
-        cover_.grid = grid_of(operands_, side / 2);
-        return;
+      const double left = price_of(left_);
+      if (left < least) {
+        least = left;
+        scratch_.best = cover_.covered;
+        best_grid = cover_.grid;
+        best_is_active = true;
+        best_by_translates = cover_.by_translates;
       }
+      // A cover that hides nothing yet may hide much on the next grid.
+      if (before.share < 0.9 && left > kWorthIt * price_of(before)) break;
     }
+    std::swap(cover_.covered, scratch_.best);
+    cover_.grid = best_grid;
+    cover_.active = best_is_active;
+    cover_.by_translates = best_by_translates;
   }
 
  private:
@@ -122,7 +141,13 @@ class GridBuyer {
   /// Segments and crossings take some four times as long where sums are not exact in doubles.
   [[nodiscard]] double price_of(const Visibility& left) const {
     const double inexact = operands_.bounds.difference == 0 ? 1 : 4;
-    return inexact * (kSegment * left.share * segments_ + kCrossing * left.crossings);
+    return inexact * (kSegment * left.share * segments_ + kCrossing * left.crossings) +
+           kSegmentInCell * left.cells;
+  }
+  /// What rasterising both operands takes.
+  [[nodiscard]] double price_of_rasters(const UniformGrid& grid) const {
+    return kCell * static_cast<double>(grid.size()) +
+           kBoundaryRow * (static_cast<double>(operands_.size()) + rise_ * grid.inverse);
   }
   void mark(int side, bool first) {
     cover_.active = true;
@@ -145,6 +170,7 @@ class GridBuyer {
 
   const Operands& operands_;
   double segments_;
+  double rise_ = 0;  ///< heights of all edges together
   Sample sample_;
   Cancellation& cancellation_;
   CoverScratch& scratch_;

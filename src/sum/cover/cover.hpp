@@ -79,6 +79,7 @@ struct OperandRaster {
 struct Visibility {
   double share = 0;      ///< share of segments that touch an uncovered cell
   double crossings = 0;  ///< number of crossings in uncovered cells
+  double cells = 0;      ///< number of uncovered cells, counted for each segment that touches them
 };
 
 /// A segment in doubles.
@@ -107,6 +108,7 @@ struct CoverScratch {
   std::vector<Segment> sample;
   std::vector<Line> visible;  ///< the lines of the sample's visible segments
   Bitmap known;               ///< cells that were covered on the grid before
+  Bitmap best;                ///< cells that are covered on the best grid so far
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells inside the sum.

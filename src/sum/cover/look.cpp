@@ -24,6 +24,19 @@ bool is_visible(const Line& line, const Cover& cover) {
   return visible;
 }
 
+/// Estimates how many uncovered cells a visible line touches, from some points of it.
+double count_cells(const Line& line, const Cover& cover) {
+  constexpr int kPoints = 8;
+  const Vec<double> d{line.end.x - line.start.x, line.end.y - line.start.y};
+  int uncovered = 0;
+  for (int k = 0; k < kPoints; ++k) {
+    const double t = (k + 0.5) / kPoints;
+    const std::int32_t column = cover.grid.column(line.start.x + t * d.x);
+    if (!cover.is_covered(column, cover.grid.row(line.start.y + t * d.y))) ++uncovered;
+  }
+  return 1 + (std::abs(d.x) + std::abs(d.y)) * cover.grid.inverse * uncovered / kPoints;
+}
+
 /// Counts the crossings of a few lines in uncovered cells, but not those at ends.
 std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover) {
   constexpr double kEnd = 0x1p-20;
@@ -101,24 +114,27 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   const auto at = [&](SiteId v) { return Vec<double>{operands.sites.x[v], operands.sites.y[v]}; };
   auto& visible = scratch.visible;
   visible.clear();
+  double cells = 0;
   for (const auto& [e, v] : sample.segments) {
     cancellation.check(static_cast<std::uint64_t>(cover.grid.rows));
     const Vec<double> a = at(e);
     const Vec<double> b = at(operands.sites.next[e]);
     const Vec<double> q = at(v);
     const Line line{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}};
-    if (is_visible(line, cover)) visible.push_back(line);
+    if (!is_visible(line, cover)) continue;
+    visible.push_back(line);
+    if (cover.active) cells += count_cells(line, cover);
   }
   const double share =
       static_cast<double>(visible.size()) / static_cast<double>(sample.segments.size());
   // Pairs are many, so only some of the lines are compared.
   const std::size_t count = std::min(visible.size(), sample.segments.size() / 8 + 32);
-  if (count < 2) return {share, 0};
+  if (count < 2) return {share, 0, sample.step * cells};
   const double each =
       sample.step * static_cast<double>(visible.size()) / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) visible[i] = visible[i * visible.size() / count];
   const std::uint64_t crossings = count_crossings({visible.data(), count}, cover);
-  return {share, static_cast<double>(crossings) * each * each};
+  return {share, static_cast<double>(crossings) * each * each, sample.step * cells};
 }
 
 }  // namespace minksum
