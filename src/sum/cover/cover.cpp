@@ -94,13 +94,13 @@ class GridBuyer {
     if (is_sparse()) return;
     for (const double dy : operands_.sites.dy) rise_ += std::abs(dy);
     left_ = see();
-    double least = price_of(left_);
+    Visibility best = left_;
     UniformGrid best_grid = grid_of(operands_, 1);
     bool best_is_active = false;
     bool best_by_translates = true;
     double least_price = 0;  // rasters have four times as many words, and are moved no less often
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
-      const double affordable = kMostOfWhatIsLeft * least;
+      const double affordable = kMostOfWhatIsLeft * price_of(best);
       const UniformGrid grid = grid_of(operands_, side);
       const double rasters = price_of_rasters(grid);
       if (rasters + least_price > affordable) break;
@@ -108,11 +108,14 @@ class GridBuyer {
       if (rasters + words > affordable) break;
       least_price = 4 * words;
       mark(side, first);
-      const Visibility before = std::exchange(left_, see());
+      Visibility before = std::exchange(left_, see());
       buy_parallelograms();
+      // Estimates get better with fewer visible segments, and no cover makes crossings.
+      before.crossings = std::max(before.crossings, left_.crossings);
+      best.crossings = std::max(best.crossings, left_.crossings);
       const double left = price_of(left_);
-      if (left < least) {
-        least = left;
+      if (left < price_of(best)) {
+        best = left_;
         scratch_.best = cover_.covered;
         best_grid = cover_.grid;
         best_is_active = true;
