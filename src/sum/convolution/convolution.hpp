@@ -60,7 +60,7 @@ void reduced_convolution_or_sample(const Operands& operands, const Limits& limit
                                    ConvolutionScratch& scratch, Convolution& convolution);
 /// Twice as many take up to 2 % of a sum more, and hardly change what is bought.
 inline constexpr std::size_t kSample = 1024;
-inline constexpr std::size_t kFewestSampled = 256;  ///< of a listed convolution, if it has enough
+inline constexpr std::size_t kFewestSampled = 64;  ///< of a listed convolution, if it has enough
 
 /// Returns the directions of the edges that are compatible with a convex vertex.
 [[nodiscard]] RankRange reduced_range(const Operands& operands, SiteId vertex);

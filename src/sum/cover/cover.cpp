@@ -13,20 +13,26 @@ namespace {
 constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-// Prices are in words moved; moving a word takes about 0.3 ns. A visible segment takes some 150 ns
-// to arrange, and a crossing 250 ns. A cell takes about 1.2 ns to rasterise and list, and a row of
-// a parallelogram 8 ns.
-constexpr double kSegment = 500;
-constexpr double kCrossing = 800;
+// Prices are in words moved; moving a word takes about 0.3 ns, or 2.3 instructions. A visible
+// segment takes some 75 ns to arrange, and a crossing 350 ns. In each row of cells that a visible
+// segment passes, it takes 60 instructions, and in each uncovered cell as long again or longer.
+constexpr double kSegment = 250;
+constexpr double kCrossing = 1200;
+constexpr double kRowOfSegment = 26;
+constexpr double kSegmentInCell = 60;
+// Rasters: 184 instructions for an edge, 162 for each row of cells that it passes, 19 for each
+// column, and 96 for a word of a bitmap. Covers add half as much to the last one. A cell has a
+// number in the arrangement, and a count if many rows are passed, 1.2 ns together. A row of a
+// parallelogram takes 8 ns.
+constexpr double kEdge = 80;
+constexpr double kRowOfEdge = 70;
+constexpr double kColumnOfEdge = 8;
+constexpr double kWordOfBitmap = 60;
 constexpr double kCell = 4;
-/// The boundary of an operand takes so much to rasterise: some 90 instructions for each row of
-/// cells that an edge passes, and as much again for the edge.
-constexpr double kBoundaryRow = 35;
-/// Listing a segment in an uncovered cell and comparing it there takes 15 to 40 ns, where cells
-/// have few segments.
-constexpr double kSegmentInCell = 80;
 constexpr double kRowOfParallelogram = 27;
-/// The next grid leaves half as many segments at best, so it may cost half of that saving.
+/// All that is bought may cost this share of what is left. So a cover that is bought in vain costs
+/// no more. The next grid leaves half as many segments at best, so a grid that is not bought would
+/// not have saved more either.
 constexpr double kMostOfWhatIsLeft = 0.25;
 constexpr double kWorthIt = 0.8;
 
@@ -92,20 +98,24 @@ class GridBuyer {
   /// one that leaves least, or none.
   void buy_from(int side) {
     if (is_sparse()) return;
-    for (const double dy : operands_.sites.dy) rise_ += std::abs(dy);
+    measure_edges();
+    left_ = {1, sample_.expected_crossings(operands_), 0, 0};
+    if (price_of_rasters(grid_of(operands_, side)) > kMostOfWhatIsLeft * price_of(left_)) return;
     left_ = see();
     Visibility best = left_;
     UniformGrid best_grid = grid_of(operands_, 1);
     bool best_is_active = false;
     bool best_by_translates = true;
+    double spent = 0;
     double least_price = 0;  // rasters have four times as many words, and are moved no less often
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
       const double affordable = kMostOfWhatIsLeft * price_of(best);
       const UniformGrid grid = grid_of(operands_, side);
-      const double rasters = price_of_rasters(grid);
-      if (rasters + least_price > affordable) break;
+      spent += price_of_rasters(grid);
+      if (spent + least_price > affordable) break;
       const auto words = static_cast<double>(rasterise(operands_, grid, cancellation_, scratch_));
-      if (rasters + words > affordable) break;
+      spent += words;
+      if (spent > affordable) break;
       least_price = 4 * words;
       mark(side, first);
       Visibility before = std::exchange(left_, see());
@@ -138,6 +148,12 @@ class GridBuyer {
     return segments_ <= 4.0 * static_cast<double>(operands_.size()) &&
            sample_.expected_crossings(operands_) <= kFewCrossings * segments_;
   }
+  void measure_edges() {
+    for (SiteId e = 0; e < operands_.size(); ++e) {
+      rise_ += std::abs(operands_.sites.dy[e]);
+      run_ += std::abs(operands_.sites.dx[e]);
+    }
+  }
   [[nodiscard]] Visibility see() {
     return look(operands_, sample_, cover_, cancellation_, scratch_);
   }
@@ -145,12 +161,16 @@ class GridBuyer {
   [[nodiscard]] double price_of(const Visibility& left) const {
     const double inexact = operands_.bounds.difference == 0 ? 1 : 4;
     return inexact * (kSegment * left.share * segments_ + kCrossing * left.crossings) +
-           kSegmentInCell * left.cells;
+           kSegmentInCell * left.cells +
+           std::min(kRowOfSegment * left.rows,
+                    kRowOfSegment / 2 * static_cast<double>(cover_.grid.size()));
   }
   /// What rasterising both operands takes.
   [[nodiscard]] double price_of_rasters(const UniformGrid& grid) const {
-    return kCell * static_cast<double>(grid.size()) +
-           kBoundaryRow * (static_cast<double>(operands_.size()) + rise_ * grid.inverse);
+    const auto words = static_cast<double>(words_per_row(grid.columns)) * (grid.rows + 3);
+    return kEdge * static_cast<double>(operands_.size()) +
+           (kRowOfEdge * rise_ + kColumnOfEdge * run_) * grid.inverse + kWordOfBitmap * words +
+           kCell * static_cast<double>(grid.size());
   }
   void mark(int side, bool first) {
     cover_.active = true;
@@ -174,6 +194,7 @@ class GridBuyer {
   const Operands& operands_;
   double segments_;
   double rise_ = 0;  ///< heights of all edges together
+  double run_ = 0;   ///< widths of all edges together
   Sample sample_;
   Cancellation& cancellation_;
   CoverScratch& scratch_;

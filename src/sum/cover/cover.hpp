@@ -10,6 +10,7 @@
 
 #include "machine/vectors.hpp"
 #include "minksum/testing.hpp"
+#include "spatial/box.hpp"
 #include "spatial/uniform_grid.hpp"
 #include "sum/convolution/convolution.hpp"
 #include "sum/cover/bitmap.hpp"
@@ -79,6 +80,7 @@ struct OperandRaster {
 struct Visibility {
   double share = 0;      ///< share of segments that touch an uncovered cell
   double crossings = 0;  ///< number of crossings in uncovered cells
+  double rows = 0;       ///< number of rows of cells that visible segments pass
   double cells = 0;      ///< number of uncovered cells, counted for each segment that touches them
 };
 
@@ -107,6 +109,7 @@ struct CoverScratch {
   ConvolutionScratch convolution;
   std::vector<Segment> sample;
   std::vector<Line> visible;  ///< the lines of the sample's visible segments
+  std::vector<BoxOf<double>> boxes;  ///< of some of these lines
   Bitmap known;               ///< cells that were covered on the grid before
   Bitmap best;                ///< cells that are covered on the best grid so far
 };

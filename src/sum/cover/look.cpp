@@ -38,17 +38,19 @@ double count_cells(const Line& line, const Cover& cover) {
 }
 
 /// Counts the crossings of a few lines in uncovered cells, but not those at ends.
-std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover) {
+std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover,
+                              CoverScratch& scratch) {
   constexpr double kEnd = 0x1p-20;
-  const auto apart = [](double a, double b, double c, double d) {
-    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
-  };
   std::uint64_t count = 0;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    const auto& [a, b] = lines[i];
-    const Vec<double> u{b.x - a.x, b.y - a.y};
-    for (const auto& [c, d] : lines.first(i)) {
-      if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) continue;
+  auto& boxes = scratch.boxes;
+  boxes.clear();
+  for (const auto& [a, b] : lines) {
+    const BoxOf<double> box{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x),
+                            std::max(a.y, b.y)};
+    for (std::size_t j = 0; j < boxes.size(); ++j) {
+      if (!box.meets(boxes[j])) continue;
+      const auto& [c, d] = lines[j];
+      const Vec<double> u{b.x - a.x, b.y - a.y};
       const Vec<double> v{d.x - c.x, d.y - c.y};
       const Vec<double> w{c.x - a.x, c.y - a.y};
       const double area = cross(u, v);
@@ -60,6 +62,7 @@ std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover) {
       const double y = a.y + at_u * u.y;
       if (!cover.is_covered(cover.grid.column(x), cover.grid.row(y))) ++count;
     }
+    boxes.push_back(box);
   }
   return count;
 }
@@ -68,8 +71,7 @@ std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover) {
 
 Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
   const std::size_t listed = convolution.segments.size();
-  const std::size_t count =
-      std::min(std::clamp(listed / 16, kFewestSampled, kSample), listed / 4 + 1);
+  const std::size_t count = std::min(std::clamp(listed / 16, kFewestSampled, kSample), listed);
   auto& sample = scratch.sample;
   sample.clear();
   for (std::size_t i = 0; i < count; ++i) {
@@ -114,6 +116,7 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   const auto at = [&](SiteId v) { return Vec<double>{operands.sites.x[v], operands.sites.y[v]}; };
   auto& visible = scratch.visible;
   visible.clear();
+  double rows = 0;
   double cells = 0;
   for (const auto& [e, v] : sample.segments) {
     cancellation.check(static_cast<std::uint64_t>(cover.grid.rows));
@@ -123,7 +126,9 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
     const Line line{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}};
     if (!is_visible(line, cover)) continue;
     visible.push_back(line);
-    if (cover.active) cells += count_cells(line, cover);
+    if (!cover.active) continue;
+    rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
+    cells += count_cells(line, cover);
   }
   const double share =
       static_cast<double>(visible.size()) / static_cast<double>(sample.segments.size());
@@ -133,12 +138,13 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   const double left = sample.step * static_cast<double>(visible.size());
   const std::size_t count =
       std::min(visible.size(), static_cast<std::size_t>(std::sqrt(2 * kPairsForEach * left)));
-  if (count < 2) return {share, 0, sample.step * cells};
+  if (count < 2) return {share, 0, sample.step * rows, sample.step * cells};
   const double each =
       sample.step * static_cast<double>(visible.size()) / static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) visible[i] = visible[i * visible.size() / count];
-  const std::uint64_t crossings = count_crossings({visible.data(), count}, cover);
-  return {share, static_cast<double>(crossings) * each * each, sample.step * cells};
+  const std::uint64_t crossings = count_crossings({visible.data(), count}, cover, scratch);
+  return {share, static_cast<double>(crossings) * each * each, sample.step * rows,
+          sample.step * cells};
 }
 
 }  // namespace minksum
