@@ -63,7 +63,6 @@ Arguments parse(const std::vector<std::string>& words) {
     };
     if (words[i] == "--quick") {
       arguments.quick = true;
-      arguments.unseen.count = 20;
     } else if (words[i] == "--set") {
       add_sets(value(), arguments.sets);
     } else if (words[i] == "--only") {
@@ -82,6 +81,7 @@ Arguments parse(const std::vector<std::string>& words) {
       throw std::runtime_error(kUsage);
     }
   }
+  if (arguments.unseen.count == 0) arguments.unseen.count = arguments.quick ? 20 : 200;
   return arguments;
 }
 

@@ -17,6 +17,7 @@ from claims import claims, table_ratio
 from figures import (MIB, MODELS, STAGES, Records, bound_text, count_text, dig, family_rows,
                      geometric_mean, growth, matrix, own_seconds, peer_cell, ratio, ratio_or_bound,
                      seconds_text, segments, table, times_text)
+from unseen import unseen_section
 
 INTRODUCTION = """\
 # How fast is it beside its peers?
@@ -367,11 +368,11 @@ def page(records):
     parts = [INTRODUCTION.format(machine=machine_text(records.runs),
                                  peer_seconds=run["peer_seconds"],
                                  full_seconds=run["full_seconds"]),
-             "## Which goals hold?", claims_table(records), shortfalls(records),
+             unseen_section(records), "## Which goals hold?", claims_table(records), shortfalls(records),
              "## Which models are measured?", FIG5, figure1(records),
              figure6(records), figure7a(records), figure7b(records), family_section(records),
-             tables_section(records), gis_section(records),
-             outlines_section(records), doubles_section(records),
+             tables_section(records), gis_section(records), outlines_section(records),
+             doubles_section(records),
              "## What does each pair take?", "This table has the named pairs and the spiky stars:",
              pair_table(records, "named", "spiky"),
              "<details><summary>The paper's models</summary>\n",
