@@ -210,9 +210,9 @@ void cover_interior(const Operands& operands, const SumSettings& options,
                     Cover& cover) {
   const std::uint64_t size = convolution.size;
   // The full convolution serves comparisons, so its whole arrangement is built. Translates of thin
-  // operands have no cells inside, and the segments of two thin operands make no closed chains.
-  const bool wanted = options.cover && options.method != Method::kFull && !operands.both_convex &&
-                      !operands.both_thin() && size != 0;
+  // operands have no cells inside, but their parallelograms have.
+  const bool wanted =
+      options.cover && options.method != Method::kFull && !operands.both_convex && size != 0;
   cover.by_translates = true;
   cover.active = false;
   cover.grid = grid_of(operands, 1);

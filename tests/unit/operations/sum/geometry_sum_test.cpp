@@ -1,6 +1,8 @@
 // Tests the call for sums of geometries: how it reads operands, what it refuses and reports.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/testing.hpp"
@@ -216,6 +218,31 @@ TEST(GeometrySum, ThinPartsCoverTightPlaces) {
   by_winding.method = Method::kSigned;
   const Geometry line = make_lines({{{0, 0}, {1, 1}}});
   EXPECT_THROW(static_cast<void>(detailed_sum(line, line, by_winding)), Error);
+}
+
+/// The pairs of edges of two tangles sweep most of their sum many times over. That is covered by
+/// parallelograms.
+TEST(GeometrySum, ACoverOfTangledPolylinesChangesNothing) {
+  for (const int size : {6, 30, 1'000'000}) {
+    Random random(static_cast<std::uint64_t>(size));
+    const auto tangle = [&](int vertices) {
+      Outline path;
+      for (int i = 0; i < vertices; ++i) path.push_back({random.below(size), random.below(size)});
+      return make_lines({path});
+    };
+    const Geometry p = tangle(30);
+    const Geometry q = tangle(20);
+    SumSettings bare;
+    bare.cover = false;
+    SumSettings covered;
+    covered.grid = 200;
+    SumSettings by_winding;
+    by_winding.method = Method::kSigned;
+    const std::string sum = to_text(minkowski_sum(p, q));
+    EXPECT_EQ(sum, to_text(minkowski_sum(p, q, bare)));
+    EXPECT_EQ(sum, to_text(minkowski_sum(p, q, covered)));
+    EXPECT_EQ(sum, to_text(minkowski_sum(p, q, by_winding)));
+  }
 }
 
 TEST(GeometrySum, StatisticsAreThoseOfTheAreas) {
