@@ -40,8 +40,8 @@ template <class T>
   std::vector<T> larger;
   larger.reserve(std::max(2 * list.size(), list.size() + more));
   in_pieces(list.size(), cancellation, [&](std::size_t begin, std::size_t end) {
-    larger.insert(larger.end(), list.begin() + static_cast<std::ptrdiff_t>(begin),
-                  list.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto at = [&](std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
+    larger.insert(larger.end(), std::move_iterator(at(begin)), std::move_iterator(at(end)));
   });
   list.swap(larger);
 }
@@ -87,6 +87,16 @@ void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
   if (size <= kPiece) return list.assign(size, value);
   list.clear();
   resize_in_pieces(list, size, cancellation, value);
+}
+
+/// Does what `clear` does, for elements that hold memory. A vector by itself would free that of a
+/// million points in one step of 0.1 s.
+template <class T>
+void clear_in_pieces(std::vector<T>& list, Cancellation& cancellation) {
+  const auto count = [&](std::size_t size) { cancellation.check(4 * size + 1); };
+  for (; list.size() > kPiece; list.resize(list.size() - kPiece)) count(kPiece);
+  count(list.size());
+  list.clear();
 }
 
 /// Sorts a list. The order must tell any two different elements apart, so that every way of sorting

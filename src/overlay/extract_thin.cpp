@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 #include "overlay/write_node.hpp"
 
@@ -67,6 +68,7 @@ class ThinExtractor {
     const bool closed = path.front() == path.back();
     const bool backwards = closed ? path[path.size() - 2] < path[1] : path.back() < path.front();
     if (backwards) std::reverse(path.begin(), path.end());
+    if (paths_.size() == paths_.capacity()) move_to_larger(paths_, 1, cancellation_);
     paths_.push_back(std::move(path));
   }
   [[nodiscard]] PieceId other_piece(NodeId v, PieceId p) const {
@@ -87,6 +89,7 @@ class ThinExtractor {
 
   void write(Geometry& geometry) {
     std::sort(paths_.begin(), paths_.end(), cancellation_.counting(std::less<>()));
+    geometry.polylines.reserve(paths_.size());  // a longer list would be moved in one step
     for (const Path& path : paths_) {
       Polyline& line = geometry.polylines.emplace_back();
       for (const NodeId v : path) {
@@ -94,6 +97,7 @@ class ThinExtractor {
         line.push_back(exact_point(segments_, s_.nodes[v]));
       }
     }
+    clear_in_pieces(paths_, cancellation_);
     for (NodeId v = 0; v < s_.nodes.size(); ++v) {
       const Node& node = s_.nodes[v];
       cancellation_.check();

@@ -29,13 +29,19 @@ Geometry select(std::span<const Chain> chains, const Rule& rule, const Options& 
   Cancellation cancellation(options, Stage::kOverlay);
   cancellation.look();
   Segments segments = list_segments(chains, cancellation);
-  const Contacts contacts = list_contacts(segments, crossings);
-  if (crossings != nullptr) crossings->found = contacts.crossings.size();
-  Subdivision subdivision = subdivide(segments, contacts);
+  Subdivision subdivision = [&] {
+    const Contacts contacts = list_contacts(segments, crossings);
+    if (crossings != nullptr) crossings->found = contacts.crossings.size();
+    return subdivide(segments, contacts);
+  }();
+  cancellation.look();  // memory has been given back
   sweep(segments, rule, subdivision);
   Geometry result;
   extract_area(segments, subdivision, result.region);
   extract_thin(segments, subdivision, result);
+  cancellation.look();
+  subdivision = {};
+  cancellation.look();
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <numeric>
 
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 
 namespace minksum::overlay {
@@ -123,7 +124,7 @@ class Subdivider {
     std::vector<std::uint32_t> place(count + 1, 0);
     for (const Piece& piece : unsorted) ++place[piece.low + 1];
     std::partial_sum(place.begin(), place.end(), place.begin());
-    result_.pieces.resize(unsorted.size());
+    resize_in_pieces(result_.pieces, unsorted.size(), cancellation_);
     for (const Piece& piece : unsorted) {
       cancellation_.check();
       result_.pieces[place[piece.low]++] = piece;

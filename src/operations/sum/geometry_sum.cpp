@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "machine/exceeded.hpp"
+#include "machine/make_room.hpp"
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
@@ -98,9 +99,11 @@ class Reader {
     }
     // Rings that are not valid may add polylines.
     if (!validate(given_.region, 1, options_).empty()) return;
-    resolved_.polylines.clear();
+    Cancellation& cancellation = partial_.cancellation();
+    for (Polyline& line : resolved_.polylines) clear_in_pieces(line, cancellation);
+    clear_in_pieces(resolved_.polylines, cancellation);
     for (const Polyline& line : given_.polylines) {
-      append_walks(line, partial_.cancellation(), resolved_.polylines);
+      append_walks(line, cancellation, resolved_.polylines);
     }
   }
   void resolve() {
