@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
@@ -22,6 +23,10 @@ namespace minksum::cli {
 namespace {
 
 constexpr std::size_t kMaxFaults = 100;
+// The exact area of a set whose vertices are so many crossings takes some two seconds. It is a
+// fraction with a factor in its denominator for each of them, so its time grows with their square.
+constexpr std::uint64_t kMaxCrossings = 50'000;
+
 // What the polygons mean by the fill rule.
 struct ResolvedOperand {
   Geometry geometry;
@@ -35,6 +40,7 @@ struct OperandReport {
   std::size_t bits = 0;
   std::vector<Fault> faults;
   std::optional<ResolvedOperand> meaning;  ///< none if the rule is strict and faults exist
+  bool crosses_too_often = false;          ///< the meaning was not computed
 };
 
 // Returns a region with all vertices of the geometry, polylines and points included. It serves for
@@ -61,14 +67,19 @@ OperandReport examine(const Geometry& geometry, const Options& reading) {
                          coordinate_bits(vertices),
                          validate(geometry.region, kMaxFaults),
                          {}};
-  if (reading.fill != FillRule::kStrict || findings.faults.empty()) {
-    findings.meaning.emplace().geometry = resolve(geometry, reading);
-    findings.meaning->area = area(findings.meaning->geometry.region);
+  if (reading.fill == FillRule::kStrict && !findings.faults.empty()) return findings;
+  try {
+    Geometry resolved = resolve(geometry, reading);
+    const Rational size = area(resolved.region);
+    findings.meaning = {std::move(resolved), size};
+  } catch (const Error& error) {
+    if (!error.limit() || error.limit()->name != "Limits::max_crossings") throw;
+    findings.crosses_too_often = true;
   }
   return findings;
 }
 
-void write_text(std::ostream& out, const OperandReport& findings, FillRule fill) {
+void write_text(std::ostream& out, const OperandReport& findings, const Options& reading) {
   const Geometry& geometry = findings.geometry;
   out << "parts     " << geometry.region.polygon_count() << "\nholes     "
       << geometry.region.hole_count() << "\nvertices  " << geometry.region.vertex_count() << '\n';
@@ -92,10 +103,13 @@ void write_text(std::ostream& out, const OperandReport& findings, FillRule fill)
   out << "meaning   ";
   if (findings.meaning) {
     out << summary(findings.meaning->geometry) << "; area " << readable(findings.meaning->area);
+  } else if (findings.crosses_too_often) {
+    out << "not computed: more than " << reading.limits.max_crossings
+        << " crossings (--max-crossings)";
   } else {
     out << "none";
   }
-  out << " (fill rule " << to_string(fill) << ")\n";
+  out << " (fill rule " << to_string(reading.fill) << ")\n";
 }
 
 Json point_json(const Point& point) { return {point.x.to_string(), point.y.to_string()}; }
@@ -136,6 +150,8 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Operand
     add_area(meaning, findings.meaning->area);
     json["meaning"] = meaning;
   }
+  if (findings.crosses_too_often)
+    json["crosses_more_than"] = arguments.reading.limits.max_crossings;
   out << json.dump(2) << '\n';
 }
 
@@ -149,6 +165,9 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
   info.add_flag("--json", arguments.json, "As JSON");
   add_fill_option(info, arguments.reading.fill);
   info.add_flag("--regularize", arguments.reading.regularize, "Drop polylines, points and spikes");
+  arguments.reading.limits.max_crossings = kMaxCrossings;
+  add_max_crossings(info, arguments.reading.limits.max_crossings,
+                    "Crossings up to which the meaning is computed (default 50K)");
   add_limit_options(info, limits, false);
   return info;
 }
@@ -162,7 +181,7 @@ int run_info(const InfoArguments& arguments) {
     if (arguments.json) {
       write_json(out, arguments, findings);
     } else {
-      write_text(out, findings, arguments.reading.fill);
+      write_text(out, findings, arguments.reading);
     }
   });
   if (findings.faults.empty()) return kFine;

@@ -93,8 +93,7 @@ void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) 
   if (sum) {
     add_count(command, "--max-segments", limits.sum.max_segments,
               "Segments of the convolution (default 2^28)");
-    add_count(command, "--max-crossings", limits.sum.max_crossings,
-              "Crossings among them (default 2^28)");
+    add_max_crossings(command, limits.sum.max_crossings, "Crossings among them (default 2^28)");
   }
   command
       .add_option(
@@ -116,6 +115,10 @@ void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) 
       .type_name("SIZE")
       .group(kGroup);
   add_seconds(command, limits.seconds, "Time for everything (default: none)");
+}
+
+void add_max_crossings(const Command& command, std::uint64_t& most, const char* what) {
+  add_count(command, "--max-crossings", most, what);
 }
 
 void add_seconds(const Command& command, double& seconds, const char* what) {

@@ -26,6 +26,9 @@ struct ProcessLimits {
 /// --max-crossings as well. The parser rejects bad values.
 void add_limit_options(const Command& command, ProcessLimits& limits, bool sum);
 
+/// Adds --max-crossings alone.
+void add_max_crossings(const Command& command, std::uint64_t& most, const char* what);
+
 /// Adds --timeout alone.
 void add_seconds(const Command& command, double& seconds, const char* what);
 

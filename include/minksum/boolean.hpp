@@ -9,10 +9,10 @@
 
 namespace minksum {
 
-// All of these throw Error(kCancelled), and Error(kLimitExceeded) in three cases: the operands have
-// 2^30 vertices or more in all; there are more than 2^28 crossings of edges, or ends of edges on
-// other edges, after edges that overlap on one line are joined; a coordinate of the result has more
-// than 2 million bits.
+// All of these throw Error(kCancelled), and Error(kLimitExceeded) in four cases: the operands have
+// 2^30 vertices or more in all; edges cross more than Limits::max_crossings times; more than 2^28
+// ends of edges lie on other edges, after edges that overlap on one line are joined; a coordinate
+// of the result has more than 2 million bits.
 
 /// Returns the union of resolved geometries, resolved (see Geometry). They may overlap in any way.
 /// This and the functions below take O((n + c) log n) for n vertices in all and c places where

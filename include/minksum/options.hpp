@@ -38,7 +38,8 @@ struct Limits {
   /// then only those are listed that may touch an uncovered cell. Segments that are only counted
   /// are not limited.
   std::uint64_t max_segments = std::uint64_t{1} << 28;
-  std::uint64_t max_crossings = std::uint64_t{1} << 28;  ///< crossings that are found
+  /// Crossings that are found, in a sum, and in each boolean operation and use of a fill rule.
+  std::uint64_t max_crossings = std::uint64_t{1} << 28;
 };
 
 /// Says what an operation is doing. The first seven are the stages of a sum, in their order.

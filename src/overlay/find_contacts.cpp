@@ -28,15 +28,14 @@ struct Slant {
 
 class ContactFinder {
  public:
-  ContactFinder(const Segments& segments, std::size_t max_touches, Contacts& contacts,
-                const CrossingCount* limit)
+  ContactFinder(const Segments& segments, std::size_t max_touches, Contacts& contacts)
       : segments_(segments),
         predicates_(segments.predicates),
         max_touches_(max_touches),
         cancellation_(segments.cancellation()),
         contacts_(contacts),
-        limited_(limit != nullptr),
-        max_crossings_(limited_ ? std::min(limit->most, kMostNumbered) : kMaxCrossings) {}
+        max_crossings_(std::min(cancellation_.options().limits.max_crossings, kMaxCrossings)),
+        look_again_at_(max_crossings_) {}
 
   bool run() {
     measure();
@@ -57,8 +56,7 @@ class ContactFinder {
  private:
   friend MedianDivision<ContactFinder>;
   static constexpr std::size_t kPairsOfASweep = 128;  ///< take as long as sweeping one segment
-  static constexpr std::uint64_t kMaxCrossings = std::uint64_t{1} << 28U;
-  static constexpr std::uint64_t kMostNumbered = std::uint64_t{1} << 30U;  ///< NodeId numbers them
+  static constexpr std::uint64_t kMaxCrossings = std::uint64_t{1} << 30U;  // fit in 32-bit numbers
 
   [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
   [[nodiscard]] const Ends& ends(SegmentId s) const {
@@ -277,16 +275,13 @@ class ContactFinder {
     sort_crossings();
     look_again_at_ = std::max<std::uint64_t>(max_crossings_, 2 * contacts_.crossings.size());
   }
-  /// Those found in several cells count once.
+  /// Sorts crossings, so that those found in several cells count once. Throws if they are too many.
   void sort_crossings() {
     auto& crossings = contacts_.crossings;
     std::sort(crossings.begin(), crossings.end(), cancellation_.counting(std::less<>()));
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
     if (crossings.size() <= max_crossings_) return;
-    if (limited_) {
-      throw exceeded("Limits::max_crossings", max_crossings_, "the arrangement has", "crossings");
-    }
-    throw Error(ErrorCode::kLimitExceeded, "more than 2^28 crossings in one overlay");
+    throw exceeded("Limits::max_crossings", max_crossings_, "an overlay has", "crossings");
   }
 
   const Segments& segments_;
@@ -294,13 +289,12 @@ class ContactFinder {
   std::size_t max_touches_;
   Cancellation& cancellation_;
   Contacts& contacts_;
-  bool limited_;  // by the caller's Limits
   std::uint64_t max_crossings_;
-  double extent_ = 0;          // the largest magnitude of a coordinate
-  double position_error_ = 0;  // the largest error of a coordinate
+  std::uint64_t look_again_at_;  // so many crossings
+  double extent_ = 0;            // the largest magnitude of a coordinate
+  double position_error_ = 0;    // the largest error of a coordinate
   std::vector<Ends> lone_points_;
-  std::vector<Slant> slants_;  // by segment, lone points included
-  std::uint64_t look_again_at_ = max_crossings_;  // crossings with repetitions
+  std::vector<Slant> slants_;          // by segment, lone points included
   std::size_t tested_ = 0;             // pairs
   bool swept_ = false;                 // whether `suspect_` is known
   std::vector<std::uint8_t> suspect_;  // by segment, lone points included
@@ -310,9 +304,8 @@ class ContactFinder {
 
 }  // namespace
 
-bool find_contacts(const Segments& segments, std::size_t max_touches, Contacts& contacts,
-                   const CrossingCount* limit) {
-  return ContactFinder(segments, max_touches, contacts, limit).run();
+bool find_contacts(const Segments& segments, std::size_t max_touches, Contacts& contacts) {
+  return ContactFinder(segments, max_touches, contacts).run();
 }
 
 }  // namespace minksum::overlay

@@ -7,16 +7,16 @@ namespace minksum::overlay {
 namespace {
 
 // Lists the contacts. Far more touches than ends mean that many segments overlap on one line.
-Contacts list_contacts(Segments& segments, const CrossingCount* crossings) {
+Contacts list_contacts(Segments& segments) {
   constexpr std::size_t kMany = 8;
   constexpr std::size_t kMaxTouches = std::size_t{1} << 28U;
   Contacts contacts;
-  if (find_contacts(segments, kMany * (segments.list.size() + 64), contacts, crossings)) {
+  if (find_contacts(segments, kMany * (segments.list.size() + 64), contacts)) {
     return contacts;
   }
   join_lines(segments);
   contacts = {};
-  if (!find_contacts(segments, kMaxTouches, contacts, crossings)) {
+  if (!find_contacts(segments, kMaxTouches, contacts)) {
     throw Error(ErrorCode::kLimitExceeded, "more than 2^28 touches of segments in one overlay");
   }
   return contacts;
@@ -25,13 +25,13 @@ Contacts list_contacts(Segments& segments, const CrossingCount* crossings) {
 }  // namespace
 
 Geometry select(std::span<const Chain> chains, const Rule& rule, const Options& options,
-                CrossingCount* crossings) {
+                std::uint64_t* crossings) {
   Cancellation cancellation(options, Stage::kOverlay);
   cancellation.look();
   Segments segments = list_segments(chains, cancellation);
   Subdivision subdivision = [&] {
-    const Contacts contacts = list_contacts(segments, crossings);
-    if (crossings != nullptr) crossings->found = contacts.crossings.size();
+    const Contacts contacts = list_contacts(segments);
+    if (crossings != nullptr) *crossings = contacts.crossings.size();
     return subdivide(segments, contacts);
   }();
   cancellation.look();  // memory has been given back

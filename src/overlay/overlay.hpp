@@ -60,12 +60,6 @@ struct Chain {
   std::int32_t spared = 0;
 };
 
-/// Limits the crossings of an overlay, and counts them.
-struct CrossingCount {
-  std::uint64_t most = 0;   ///< as Limits::max_crossings says
-  std::uint64_t found = 0;  ///< pairs of segments that cross, without those that only touch
-};
-
 /// Returns the closure of the points that `rule.inside` accepts, and the parts of chains that
 /// `rule.keeps` accepts, resolved (see Geometry). The result is exact for all coordinates that a
 /// region holds; origins are not kept.
@@ -77,8 +71,11 @@ struct CrossingCount {
 /// contacts where segments are not much crowded, or do not cross. Pairs are sought in cells. A cell
 /// is divided until it holds a few segments, or dividing does not part them. In such crowds only
 /// pairs with a segment that crosses or overlaps another one are tested. Throws
-/// Error(kLimitExceeded) for more crossings than `crossings` allows, or than 2^28 if it is null.
+/// Error(kLimitExceeded) for more crossings than Limits::max_crossings.
+///
+/// Sets `crossings`, if it is not null, to how many pairs of segments cross; those that only touch
+/// do not count.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
-                              const Options& options, CrossingCount* crossings = nullptr);
+                              const Options& options, std::uint64_t* crossings = nullptr);
 
 }  // namespace minksum::overlay

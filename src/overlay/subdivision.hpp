@@ -118,7 +118,7 @@ struct Subdivision {
 /// up and returns false if there are more than `max_touches` touches. Throws Error(kLimitExceeded)
 /// as `select` does.
 [[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
-                                 Contacts& contacts, const CrossingCount* limit = nullptr);
+                                 Contacts& contacts);
 
 /// Finds all touches of segments that neither cross nor overlap, in O(n log n). Such segments are
 /// those that the returned list, which is by segment, has 0 for.

@@ -128,6 +128,21 @@ class Info(ProgramTest):
                          "2 points; area 0 (fill rule evenodd)")
         self.assertEqual(self.meaning("POLYGON EMPTY"), "empty; area 0 (fill rule automatic)")
 
+    def test_a_meaning_with_too_many_crossings_is_not_computed(self):
+        bow_ties = "MULTIPOLYGON (((0 0, 2 2, 2 0, 0 2, 0 0)), ((4 0, 6 2, 6 0, 4 2, 4 0)))"
+        computed = "12 vertices, 4 parts; area 4 (fill rule automatic)"
+        self.assertEqual(self.meaning(bow_ties, "--max-crossings", "4"), computed)
+        nested = "POLYGON ((0 0, 9 9, 9 0, 0 9, 0 0), (0 2, 9 2, 9 3, 0 4, 0 2))"
+        for rule in "automatic", "evenodd":
+            self.assertEqual(
+                self.meaning(nested, "--max-crossings", "2", "--fill", rule),
+                f"not computed: more than 2 crossings (--max-crossings) (fill rule {rule})")
+        result = run("info", "--json", "--max-crossings", "2", "--fill", "evenodd",
+                     self.file("nested.wkt", nested))
+        self.assertEqual(result.returncode, 2)
+        found = json.loads(result.stdout)
+        self.assertEqual((found["meaning"], found["crosses_more_than"]), (None, 2))
+
     def test_thin_geometries(self):
         text = self.fine("info", "-", stdin="GEOMETRYCOLLECTION (LINESTRING (0 0, 3 1/2), "
                                             "POINT (-1 7))")

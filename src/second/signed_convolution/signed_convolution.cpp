@@ -53,9 +53,7 @@ void compute(const Region& p, const Region& q, const SumSettings& options, Stati
     chain.weight.first = 1;
     chains.push_back(chain);
   });
-  overlay::CrossingCount crossings{options.limits.max_crossings};
-  result = overlay::select(chains, {is_covered}, options, &crossings).region;
-  statistics.crossings = crossings.found;
+  result = overlay::select(chains, {is_covered}, options, &statistics.crossings).region;
   timer.charge(Stage::kArrangement);
 }
 

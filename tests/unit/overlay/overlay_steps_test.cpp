@@ -205,13 +205,15 @@ TEST(OverlaySteps, CrossingsAreLimitedAndCounted) {
   ThinStore store;
   const std::vector<Chain> chains = chains_of(grid, store);
   const Rule rule{[](const Winding& w) { return w.first != 0; }};
-  CrossingCount count{400};
-  (void)select(chains, rule, {}, &count);
-  EXPECT_EQ(count.found, 400U);
+  Options options;
+  options.limits.max_crossings = 400;
+  std::uint64_t count = 0;
+  (void)select(chains, rule, options, &count);
+  EXPECT_EQ(count, 400U);
   for (const std::uint64_t most : {0U, 200U, 399U}) {
-    CrossingCount fewer{most};
+    options.limits.max_crossings = most;
     try {
-      (void)select(chains, rule, {}, &fewer);
+      (void)select(chains, rule, options);
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kLimitExceeded);
