@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <sstream>
+#include <type_traits>
 
-#include "commands/offset.hpp"
 #include "commands/operations.hpp"
 #include "options/operation_options.hpp"
 #include "options/sum_options.hpp"
@@ -53,22 +53,42 @@ std::string result_json(const Geometry& geometry, const ResultArguments& argumen
   return std::string("\"") + key + "\":" + geometry_json(geometry, arguments.format, coordinates);
 }
 
-Made make_sum(Parser& parser, ProcessLimits& limits) {
-  SumArguments arguments;
-  SumText typed;
-  bool tight = false;
-  const Command command = add_sum(parser.line(), arguments, typed, limits);
-  command.remove_option("--tight");  // in the subcommand it takes the name of a file
-  command.add_flag("--tight", tight);
-  command.remove_option("--threads");  // jobs share the threads
-  arguments.options.threads = 1;
+// Returns the arguments of an operation after `describe` has added it to the parser's line.
+template <class Arguments>
+Arguments parsed(Parser& parser, ProcessLimits& limits, auto describe, Arguments arguments) {
+  describe(parser.line(), arguments, limits);
   parser.parse();
-  convert(arguments, typed);
-  require_json_format(arguments);
+  convert(arguments);
+  if constexpr (std::is_base_of_v<ResultArguments, Arguments>) require_json_format(arguments);
+  arguments.options.limits = limits.sum;
+  return arguments;
+}
+
+// Makes an operation that calls answer(arguments, a, b), where the arguments have the job's token.
+template <class Arguments>
+Made made(const Arguments& arguments, auto answer) {
+  return {arguments.options.fill,
+          [arguments, answer](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+            Arguments mine = arguments;
+            mine.options.cancel = cancel;
+            if constexpr (std::is_base_of_v<ResultArguments, Arguments>) mine.cancel = cancel;
+            return answer(mine, a, b);
+          }};
+}
+
+Made make_sum(Parser& parser, ProcessLimits& limits) {
+  bool tight = false;
+  const auto describe = [&tight](CommandLine& line, SumArguments& arguments, ProcessLimits& mine) {
+    const Command command = add_sum(line, arguments, mine);
+    command.remove_option("--tight");  // in the subcommand it takes the name of a file
+    command.add_flag("--tight", tight);
+    command.remove_option("--threads");  // jobs share the threads
+    arguments.options.threads = 1;
+  };
+  const SumArguments arguments = parsed(parser, limits, describe, SumArguments());
   if (tight && arguments.options.method != Method::kReduced) {
     throw Failure(kWrongUsage, "--tight needs the reduced method");
   }
-  arguments.options.limits = limits.sum;
   const auto run = [arguments, tight](const Geometry& a, const Geometry& b, const Cancel& cancel,
                                       Worker& worker) {
     ResultArguments rounding = arguments;
@@ -89,76 +109,41 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
 template <MorphologyArguments::Operation operation>
 Made make_morphology(Parser& parser, ProcessLimits& limits) {
   MorphologyArguments arguments;
-  MorphologyText typed;
   arguments.operation = operation;
-  add_morphology(parser.line(), operation, arguments, typed, limits);
-  parser.parse();
-  convert(arguments, typed);
-  require_json_format(arguments);
-  arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
-                               Worker&) {
-    MorphologyArguments mine = arguments;
-    mine.cancel = mine.options.cancel = cancel;
-    return result_json(rounded(morphology(mine, a, b), mine), mine);
-  };
-  return {arguments.options.fill, run};
+  return made(parsed(parser, limits, add_morphology, arguments),
+              [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b) {
+                return result_json(rounded(morphology(mine, a, b), mine), mine);
+              });
 }
 
 template <bool inner_fit>
 Made make_no_fit(Parser& parser, ProcessLimits& limits) {
   NoFitArguments arguments;
-  NoFitText typed;
   arguments.inner_fit = inner_fit;
-  add_no_fit(parser.line(), inner_fit, arguments, typed, limits);
-  parser.parse();
-  convert(arguments, typed);
-  require_json_format(arguments);
-  arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
-                               Worker&) {
-    NoFitArguments mine = arguments;
-    mine.cancel = mine.options.cancel = cancel;
-    if (mine.placements.empty()) {
-      return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
-    }
-    Json answers = Json::array();
-    for (const char* const answer : contacts(mine, a, b)) answers.push_back(answer);
-    return "\"result\":" + Json{{"contacts", answers}}.dump();
-  };
-  return {arguments.options.fill, run};
+  return made(parsed(parser, limits, add_no_fit, arguments),
+              [](const NoFitArguments& mine, const Geometry& a, const Geometry& b) {
+                if (mine.placements.empty()) {
+                  return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
+                }
+                Json answers = Json::array();
+                for (const char* const answer : contacts(mine, a, b)) answers.push_back(answer);
+                return "\"result\":" + Json{{"contacts", answers}}.dump();
+              });
 }
 
 Made make_depth(Parser& parser, ProcessLimits& limits) {
-  DepthArguments arguments;
-  DepthText typed;
-  add_depth(parser.line(), arguments, typed, limits);
-  parser.parse();
-  convert(arguments, typed);
-  arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry& b, const Cancel& cancel,
-                               Worker&) {
-    DepthArguments mine = arguments;
-    mine.options.cancel = cancel;
-    return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
-  };
-  return {arguments.options.fill, run};
+  return made(parsed(parser, limits, add_depth, DepthArguments()),
+              [](const DepthArguments& mine, const Geometry& a, const Geometry& b) {
+                return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
+              });
 }
 
 Made make_offset(Parser& parser, ProcessLimits& limits) {
-  OffsetArguments arguments;
-  OffsetText typed;
-  add_offset(parser.line(), arguments, typed, limits);
-  parser.parse();
-  convert(arguments, typed);
-  require_json_format(arguments);
-  arguments.options.limits = limits.sum;
-  const auto run = [arguments](const Geometry& a, const Geometry&, const Cancel& cancel, Worker&) {
-    OffsetArguments mine = arguments;
-    mine.cancel = mine.options.cancel = cancel;
-    return result_json(rounded(offset(a, mine.distance, mine.shape, mine.options), mine), mine);
-  };
-  return {arguments.options.fill, run};
+  return made(parsed(parser, limits, add_offset, OffsetArguments()),
+              [](const OffsetArguments& mine, const Geometry& a, const Geometry&) {
+                const Geometry result = offset(a, mine.distance, mine.shape, mine.options);
+                return result_json(rounded(result, mine), mine);
+              });
 }
 
 // One operation: its name, its maker, its options beside limits, and its number of operands.

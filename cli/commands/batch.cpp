@@ -144,15 +144,6 @@ int run_batch(const BatchArguments& arguments) {
   return run.finish(Json::object(), files);
 }
 
-void add_batch(Program& program) {
-  const auto arguments = std::make_shared<BatchArguments>();
-  const auto typed = std::make_shared<BatchText>();
-  program.add(add_batch(program.line, *arguments, *typed, program.limits),
-              [&program, arguments, typed] {
-                arguments->limits = program.limits;
-                convert(*arguments, *typed);
-                return run_batch(*arguments);
-              });
-}
+void add_batch(Program& program) { program.add(add_batch, run_batch); }
 
 }  // namespace minksum::cli

@@ -25,21 +25,16 @@ struct BatchArguments : ResultArguments {
   std::string stats;       ///< empty = none
   FillRule fill = FillRule::kAutomatic;
   std::vector<OptionText> defaults;   ///< options of jobs that do not set them
-  ProcessLimits limits;               ///< the limit on seconds is one for each job
+  double seconds = 0;                 ///< for each job; 0 = no limit
+  ProcessLimits limits;               ///< its seconds are `seconds`
 };
 
-/// Options as they are typed; `convert` turns them into BatchArguments.
-struct BatchText : ResultText {
-  double seconds = 0;
-};
-
-/// Adds the subcommand; parsing fills the other three arguments. The time limit is one for each
-/// job, not for the process.
-Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed,
-                  ProcessLimits& limits);
+/// Adds the subcommand; parsing fills the other two arguments. The time limit is one for each job,
+/// not for the process.
+Command add_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& limits);
 
 /// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
-void convert(BatchArguments& arguments, const BatchText& typed);
+void convert(BatchArguments& arguments);
 
 /// Registers the output files. Throws a Failure if two of them, or one and JOBS, are the same file.
 void expect_files(const BatchArguments& arguments, OutputFiles& files);

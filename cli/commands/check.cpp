@@ -1,12 +1,10 @@
 // minksum check: tells whether a file is the sum of two others.
 #include "minksum/check.hpp"
 
-#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
-#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
@@ -126,8 +124,6 @@ Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& l
   return check;
 }
 
-}  // namespace
-
 int run_check(const CheckArguments& arguments) {
   const auto read = [&arguments](const std::string& file) {
     return read_operand(file, arguments.limits, arguments.options.fill).geometry;
@@ -145,12 +141,8 @@ int run_check(const CheckArguments& arguments) {
   return check.ok() ? kFine : kWrongResult;
 }
 
-void add_check(Program& program) {
-  const auto arguments = std::make_shared<CheckArguments>();
-  program.add(add_check(program.line, *arguments, program.limits), [&program, arguments] {
-    arguments->limits = program.limits.read;
-    return run_check(*arguments);
-  });
-}
+}  // namespace
+
+void add_check(Program& program) { program.add(add_check, run_check); }
 
 }  // namespace minksum::cli

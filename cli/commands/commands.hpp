@@ -11,6 +11,7 @@
 #include "minksum/io.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/no_fit.hpp"
+#include "minksum/offset.hpp"
 #include "minksum/round.hpp"
 #include "minksum/testing.hpp"
 
@@ -26,9 +27,12 @@ enum ExitCode : int {
   kWrongResult = 5,    ///< `minksum check` found an error
 };
 
-/// Says where and how a result is written.
+/// Says where and how a result is written. `convert_result` sets what follows from the three texts.
 struct ResultArguments {
   std::string output;  ///< empty = standard output
+  std::string typed_format;
+  std::string typed_coordinates = "double";
+  std::string typed_rounding;
   io::Format format = io::Format::kWkt;
   io::Coordinates coordinates;
   RoundingSide rounding = RoundingSide::kNearest;  ///< unused for exact coordinates
@@ -54,8 +58,9 @@ struct SumArguments : ResultArguments {
 struct InfoArguments {
   std::string file;
   bool json = false;
+  std::uint64_t max_crossings = 0;
   io::ReadLimits limits;
-  Options reading;
+  Options options;
 };
 
 /// `minksum check RESULT P Q`
@@ -68,45 +73,39 @@ struct CheckArguments {
   Options options;
 };
 
+/// What operations on one or two operands share.
+struct OperandArguments {
+  std::string operands[2];  ///< file names; "-" = standard input; the second is empty = only one
+  std::string picture;      ///< empty = none
+  io::ReadLimits limits;
+  Options options;
+};
+
 /// `minksum dilate A B ...`, and also erode, open and close
-struct MorphologyArguments : ResultArguments {
+struct MorphologyArguments : ResultArguments, OperandArguments {
   enum class Operation { kDilate, kErode, kOpen, kClose };
   Operation operation = Operation::kDilate;
-  std::string operands[2];
-  std::string picture;  ///< empty = none
-  io::ReadLimits limits;
   bool tight = false;
-  Options options;
 };
 
 /// `minksum nfp FIXED MOVING ...` and `minksum ifp BIN PART ...`
-struct NoFitArguments : ResultArguments {
+struct NoFitArguments : ResultArguments, OperandArguments {
   bool inner_fit = false;
-  std::string operands[2];
+  std::vector<std::string> typed_placements;
   std::vector<Point> placements;  ///< asks for contacts there, not for the polygon
-  std::string picture;            ///< empty = none
-  io::ReadLimits limits;
   std::optional<Point> reference;
-  Options options;
+};
+
+/// `minksum offset A --distance D ...`
+struct OffsetArguments : ResultArguments, OperandArguments {
+  Rational distance;
+  OffsetOptions shape;
 };
 
 /// `minksum depth A B ...`
-struct DepthArguments {
-  std::string operands[2];
+struct DepthArguments : OperandArguments {
   std::optional<Point> along;  ///< direction for the time of impact
   bool json = false;
-  std::string picture;  ///< empty = none
-  io::ReadLimits limits;
-  Options options;
 };
-
-/// Each function runs a subcommand. It returns an exit code, or throws what `report_failure`
-/// (failure.hpp) can name.
-int run_sum(const SumArguments& arguments);
-int run_info(const InfoArguments& arguments);
-int run_check(const CheckArguments& arguments);
-int run_morphology(const MorphologyArguments& arguments);
-int run_no_fit(const NoFitArguments& arguments);
-int run_depth(const DepthArguments& arguments);
 
 }  // namespace minksum::cli

@@ -1,5 +1,5 @@
-#include "commands/cspace.hpp"
-
+// minksum cspace: computes the configuration-space obstacles and the free space of a robot that
+// moves and turns.
 #include <algorithm>
 #include <chrono>
 #include <ostream>
@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "commands/subcommands.hpp"
+#include "options/operation_options.hpp"
+#include "options/robot_options.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -17,6 +19,19 @@
 
 namespace minksum::cli {
 namespace {
+
+/// `minksum cspace ROBOT OBSTACLES ...`
+struct CspaceArguments : RobotArguments, ResultArguments {
+  std::string typed_angles;
+  std::string typed_theta;
+  double tolerance = 1e-3;
+  std::vector<Turn> turns;
+  bool free = false;
+  std::string slices;  ///< a folder; empty = none
+  std::string stats;   ///< empty = none
+  bool tight = false;
+  ConfigurationOptions setting;
+};
 
 /// The texts that the thread of a slice makes from it.
 struct Written {
@@ -46,8 +61,8 @@ std::string feature(const Slice& slice, const CspaceArguments& arguments) {
   std::ostringstream out;
   out.exceptions(std::ios::badbit);
   out << R"({"type": "Feature", "properties": )" << properties.dump() << R"(, "geometry": )";
-  io::write(out, rounded(result_of(slice, arguments.free), arguments.result), io::Format::kGeoJson,
-            arguments.result.coordinates);
+  io::write(out, rounded(result_of(slice, arguments.free), arguments), io::Format::kGeoJson,
+            arguments.coordinates);
   out << '}';
   return std::move(out).str();
 }
@@ -62,7 +77,7 @@ std::string slice_file(const CspaceArguments& arguments, std::size_t index) {
 }
 
 void expect_files(const CspaceArguments& arguments, OutputFiles& files) {
-  files.expect("-o", arguments.result.output);
+  files.expect("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
   files.expect_if_any("--stats", arguments.stats);
   if (arguments.slices.empty()) return;
@@ -89,7 +104,7 @@ class Run {
       : arguments_(arguments),
         files_(files),
         setting_(arguments.setting),
-        scene_(read_scene(arguments, arguments.options.fill, setting_)) {}
+        scene_(read_scene(arguments, setting_)) {}
 
   void all() {
     const auto begin = std::chrono::steady_clock::now();
@@ -99,7 +114,7 @@ class Run {
     std::vector<Written> written(turns.size());
     Overview overview(picture, turns.size(), arguments_.free);
     Totals totals;
-    files_.write(arguments_.result.output, [&](std::ostream& out) {
+    files_.write(arguments_.output, [&](std::ostream& out) {
       out << R"({"type": "FeatureCollection", "features": [)";
       space.for_each_slice(
           turns, arguments_.free,
@@ -164,28 +179,26 @@ std::vector<Turn> range_of_turns(const std::string& text, double tolerance) {
   return turns;
 }
 
-}  // namespace
-
-Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& typed,
-                   ProcessLimits& limits) {
+Command add_cspace(CommandLine& line, CspaceArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command(
       "cspace", "Configuration space: where a robot that moves and turns meets obstacles");
-  add_robot_options(command, arguments, typed, arguments.options);
-  command.add_option("--angles", typed.angles, "Slices at N angles of a full turn").type_name("N");
-  command.add_option("--theta", typed.theta, "Slices at these angles, in degrees")
+  add_robot_options(command, arguments, arguments.setting);
+  command.add_option("--angles", arguments.typed_angles, "Slices at N angles of a full turn")
+      .type_name("N");
+  command.add_option("--theta", arguments.typed_theta, "Slices at these angles, in degrees")
       .type_name("FROM:TO:STEP")
       .excludes("--angles");
   command
-      .add_option("--angle-tolerance", typed.tolerance,
+      .add_option("--angle-tolerance", arguments.tolerance,
                   "How many degrees an angle may be off to be a rational turn (default 0.001)")
       .check(between(1e-10, 1))
       .type_name("D");
   command.add_flag("--free", arguments.free, "Free space, not the obstacles");
   command.add_flag("--tight", arguments.tight,
                    "With --free: where the robot has no play as well, as points and polylines");
-  add_result_options(command, arguments.result, typed.result, "slices");
+  add_result_options(command, arguments, "slices");
   command.remove_option("--format");  // the output is always GeoJSON
-  command.add_option("--svg", arguments.picture, "Draw some of the slices").type_name("FILE");
+  add_picture_option(command, arguments.picture, "Draw some of the slices");
   command.add_option("--slices", arguments.slices, "Draw each slice into a file in this folder")
       .type_name("DIR");
   command.add_option("--stats", arguments.stats, "Sizes and times as JSON").type_name("FILE");
@@ -193,25 +206,26 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, CspaceText& ty
   return command;
 }
 
-void convert(CspaceArguments& arguments, const CspaceText& typed) {
-  convert_robot(arguments, typed, arguments.setting);
-  convert_result(arguments.result, typed.result);
-  if (arguments.picture == "-") {
-    throw Failure(kWrongUsage, "--svg needs a file, not standard output");
-  }
-  if (arguments.stats == "-" && arguments.result.output.empty()) {
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
+void convert(CspaceArguments& arguments) {
+  require_one_standard_input(arguments);
+  convert_result(arguments);
+  require_file(arguments.picture);
+  if (arguments.stats == "-" && arguments.output.empty()) {
     throw Failure(kWrongUsage, "slices and statistics cannot both go to standard output");
   }
   if (arguments.tight && !arguments.free) {
     throw Failure(kWrongUsage, "--tight is about free space: it needs --free");
   }
   arguments.options.tight = arguments.tight;
-  if (!typed.theta.empty()) {
-    arguments.turns = range_of_turns(typed.theta, typed.tolerance);
-  } else {
-    if (typed.angles.empty()) throw Failure(kWrongUsage, "cspace needs --angles or --theta");
-    arguments.turns = full_turn(parse_angles(typed.angles), typed.tolerance);
+  if (!arguments.typed_theta.empty()) {
+    arguments.turns = range_of_turns(arguments.typed_theta, arguments.tolerance);
+    return;
   }
+  if (arguments.typed_angles.empty()) {
+    throw Failure(kWrongUsage, "cspace needs --angles or --theta");
+  }
+  arguments.turns = full_turn(parse_angles(arguments.typed_angles), arguments.tolerance);
 }
 
 int run_cspace(const CspaceArguments& arguments) {
@@ -226,6 +240,8 @@ int run_cspace(const CspaceArguments& arguments) {
   files.finish();
   return kFine;
 }
+
+}  // namespace
 
 void add_cspace(Program& program) { program.add(add_cspace, run_cspace); }
 

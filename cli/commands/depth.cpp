@@ -82,9 +82,9 @@ void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b,
   Geometry second = resolve(b, reading);
   const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
   const char* const title = depth.overlapping ? "B, separated" : "B, in contact";
-  const Drawing drawing{
-      resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true, {}};
-  files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
+  write_picture(
+      files, arguments.picture,
+      {resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true});
 }
 
 }  // namespace
@@ -122,15 +122,10 @@ Json depth_json(const DepthArguments& arguments, const DepthReport& findings) {
   return json;
 }
 
+namespace {
+
 int run_depth(const DepthArguments& arguments) {
-  OutputFiles files;
-  files.expect("the answer", "");
-  files.expect_if_any("--svg", arguments.picture);
-  const Geometry a =
-      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
-  const Geometry b =
-      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
-  try {
+  run_on_operands(arguments, "", [&](const Geometry& a, const Geometry& b, OutputFiles& files) {
     const DepthReport findings = find_depth(arguments, a, b);
     if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth, files);
     write_standard_output([&](std::ostream& out) {
@@ -140,12 +135,11 @@ int run_depth(const DepthArguments& arguments) {
         write_text(out, arguments, findings);
       }
     });
-  } catch (const Error& error) {
-    fail_about(error, arguments.operands);
-  }
-  files.finish();
+  });
   return kFine;
 }
+
+}  // namespace
 
 void add_depth(Program& program) { program.add(add_depth, run_depth); }
 

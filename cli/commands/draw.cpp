@@ -1,24 +1,35 @@
 // minksum draw: draws geometries as a picture.
-#include "commands/draw.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
+#include "minksum/resolve.hpp"
 #include "options/result_options.hpp"
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/output_file.hpp"
+#include "pictures/figure.hpp"
 #include "pictures/text_layout.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
 namespace {
+
+/// `minksum draw FILE...`
+struct DrawArguments : FigureLook {
+  std::vector<std::string> files;   ///< "-" = standard input
+  std::string output;               ///< empty = standard output
+  std::vector<std::string> styles;  ///< one for each file; empty = chosen by position
+  std::vector<std::string> captions;
+  bool faults = false;  ///< draw rings as they stand, with their faults
+  bool labels = false;  ///< number the vertices
+  FillRule fill = FillRule::kAutomatic;
+  io::ReadLimits limits;
+};
 
 constexpr const char* kFooter = R"(
 Several files lie on top of each other, the first one lowest, in one frame and to
@@ -84,11 +95,8 @@ void require_printable(const char* option, const std::string& text) {
 
 void add_look_options(const Command& command, DrawArguments& arguments) {
   command.add_option("--title", arguments.title, "A line above the picture").type_name("TEXT");
-  command
-      .add_option(
-          "--theme", [&arguments](const std::string& name) { arguments.theme = kThemes.at(name); },
-          "auto (as its surroundings; the default), light, dark")
-      .one_of(names_of(kThemes))
+  add_choice(command, "--theme", kThemes, arguments.theme,
+             "auto (as its surroundings; the default), light, dark")
       .type_name("THEME");
   command.add_option("--width", arguments.width, "Width in pixels (default 960)")
       .check(between(kMinWidth, kMaxWidth))
@@ -98,8 +106,6 @@ void add_look_options(const Command& command, DrawArguments& arguments) {
   command.add_flag("--labels", arguments.labels,
                    "Number vertices as messages do: from 1 in each ring, as read");
 }
-
-}  // namespace
 
 Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command("draw", "Geometries as a picture (SVG)");
@@ -131,6 +137,7 @@ Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& lim
   return command;
 }
 
+/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(DrawArguments& arguments) {
   require_printable("--title", arguments.title);
   for (const std::string& caption : arguments.captions) require_printable("--caption", caption);
@@ -167,13 +174,8 @@ int run_draw(const DrawArguments& arguments) {
   return kFine;
 }
 
-void add_draw(Program& program) {
-  const auto arguments = std::make_shared<DrawArguments>();
-  program.add(add_draw(program.line, *arguments, program.limits), [&program, arguments] {
-    arguments->limits = program.limits.read;
-    convert(*arguments);
-    return run_draw(*arguments);
-  });
-}
+}  // namespace
+
+void add_draw(Program& program) { program.add(add_draw, run_draw); }
 
 }  // namespace minksum::cli

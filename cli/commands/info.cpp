@@ -1,5 +1,4 @@
 // minksum info: tells what a file holds, whether its polygons are valid, and what they mean.
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
-#include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/sum_options.hpp"
 #include "output/faults.hpp"
@@ -142,7 +140,7 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Operand
   json["valid"] = findings.faults.empty();
   json["faults"] = Json::array();
   for (const Fault& fault : findings.faults) json["faults"].push_back(fault_json(fault));
-  json["fill"] = to_string(arguments.reading.fill);
+  json["fill"] = to_string(arguments.options.fill);
   json["meaning"] = nullptr;
   if (findings.meaning) {
     Json meaning;
@@ -150,8 +148,7 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Operand
     add_area(meaning, findings.meaning->area);
     json["meaning"] = meaning;
   }
-  if (findings.crosses_too_often)
-    json["crosses_more_than"] = arguments.reading.limits.max_crossings;
+  if (findings.crosses_too_often) json["crosses_more_than"] = arguments.max_crossings;
   out << json.dump(2) << '\n';
 }
 
@@ -163,25 +160,25 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
       .required()
       .type_name("FILE");
   info.add_flag("--json", arguments.json, "As JSON");
-  add_fill_option(info, arguments.reading.fill);
-  info.add_flag("--regularize", arguments.reading.regularize, "Drop polylines, points and spikes");
-  arguments.reading.limits.max_crossings = kMaxCrossings;
-  add_max_crossings(info, arguments.reading.limits.max_crossings,
+  add_fill_option(info, arguments.options.fill);
+  info.add_flag("--regularize", arguments.options.regularize, "Drop polylines, points and spikes");
+  arguments.max_crossings = kMaxCrossings;
+  add_max_crossings(info, arguments.max_crossings,
                     "Crossings up to which the meaning is computed (default 50K)");
   add_limit_options(info, limits, false);
   return info;
 }
 
-}  // namespace
-
 int run_info(const InfoArguments& arguments) {
   const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
-  const OperandReport findings = examine(geometry, arguments.reading);
+  Options reading = arguments.options;
+  reading.limits.max_crossings = arguments.max_crossings;
+  const OperandReport findings = examine(geometry, reading);
   write_standard_output([&](std::ostream& out) {
     if (arguments.json) {
       write_json(out, arguments, findings);
     } else {
-      write_text(out, findings, arguments.reading);
+      write_text(out, findings, reading);
     }
   });
   if (findings.faults.empty()) return kFine;
@@ -191,12 +188,8 @@ int run_info(const InfoArguments& arguments) {
                    arguments.file);
 }
 
-void add_info(Program& program) {
-  const auto arguments = std::make_shared<InfoArguments>();
-  program.add(add_info(program.line, *arguments, program.limits), [&program, arguments] {
-    arguments->limits = program.limits.read;
-    return run_info(*arguments);
-  });
-}
+}  // namespace
+
+void add_info(Program& program) { program.add(add_info, run_info); }
 
 }  // namespace minksum::cli

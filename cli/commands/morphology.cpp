@@ -48,43 +48,30 @@ Geometry morphology(const MorphologyArguments& arguments, const Geometry& a, con
   return close(a, b, arguments.options);
 }
 
+namespace {
+
 int run_morphology(const MorphologyArguments& arguments) {
-  OutputFiles files;
-  files.expect("-o", arguments.output);
-  files.expect_if_any("--svg", arguments.picture);
-  const Geometry a =
-      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
-  const Geometry b =
-      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
-  try {
-    const Geometry result = morphology(arguments, a, b);
-    write_rounded(files, arguments, result);
-    if (!arguments.picture.empty()) {
-      const Options reading{.fill = arguments.options.fill};
-      const Drawing drawing{resolve(a, reading),
-                            resolve(b, reading),
-                            result,
-                            nullptr,
-                            captions_of(arguments.operation),
-                            true,
-                            {}};
-      files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
-    }
-  } catch (const Error& error) {
-    fail_about(error, arguments.operands);
-  }
-  files.finish();
+  run_on_operands(
+      arguments, arguments.output, [&](const Geometry& a, const Geometry& b, OutputFiles& files) {
+        const Geometry result = morphology(arguments, a, b);
+        write_rounded(files, arguments, result);
+        if (arguments.picture.empty()) return;
+        const Options reading{.fill = arguments.options.fill};
+        const Captions captions = captions_of(arguments.operation);
+        write_picture(files, arguments.picture,
+                      {resolve(a, reading), resolve(b, reading), result, nullptr, captions, true});
+      });
   return kFine;
 }
+
+}  // namespace
 
 void add_morphology(Program& program) {
   using enum MorphologyArguments::Operation;
   for (const auto operation : {kDilate, kErode, kOpen, kClose}) {
-    const auto arguments = std::make_shared<MorphologyArguments>();
-    const auto typed = std::make_shared<MorphologyText>();
-    arguments->operation = operation;
-    program.add(add_morphology(program.line, operation, *arguments, *typed, program.limits),
-                arguments, typed, run_morphology);
+    MorphologyArguments arguments;
+    arguments.operation = operation;
+    program.add(add_morphology, run_morphology, arguments);
   }
 }
 

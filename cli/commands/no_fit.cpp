@@ -36,9 +36,9 @@ void draw(const NoFitArguments& arguments, const Geometry& fixed, const Geometry
                                 : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
   // A part without a first vertex would have failed before this point.
   const Point mark = arguments.reference ? *arguments.reference : moving.region.point(0);
-  const Drawing drawing{
-      resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark};
-  files.write(arguments.picture, [&](std::ostream& out) { out << sum_picture(drawing); });
+  write_picture(
+      files, arguments.picture,
+      {resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark});
 }
 
 void write_contacts(const NoFitArguments& arguments, const Geometry& fixed,
@@ -47,20 +47,6 @@ void write_contacts(const NoFitArguments& arguments, const Geometry& fixed,
   write_standard_output([&](std::ostream& out) {
     for (const char* const answer : answers) out << answer << '\n';
   });
-}
-
-void write_polygon(const NoFitArguments& arguments, const Geometry& fixed, const Geometry& moving,
-                   OutputFiles& files) {
-  const Geometry polygon = fit_polygon(arguments, fixed, moving);
-  write_geometry(files, arguments, made_for(arguments.output, [&] {
-                   return rounded_fit_polygon(arguments, polygon);
-                 }));
-  if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
-  files.finish();
-  if (arguments.inner_fit && polygon.empty()) {
-    tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
-         shown_name(arguments.operands[0]) + ")");
-  }
 }
 
 }  // namespace
@@ -95,33 +81,36 @@ std::vector<const char*> contacts(const NoFitArguments& arguments, const Geometr
   return answers;
 }
 
+namespace {
+
 int run_no_fit(const NoFitArguments& arguments) {
-  OutputFiles files;
-  files.expect("-o", arguments.output);
-  files.expect_if_any("--svg", arguments.picture);
-  const Geometry fixed =
-      read_operand(arguments.operands[0], arguments.limits, arguments.options.fill).geometry;
-  const Geometry moving =
-      read_operand(arguments.operands[1], arguments.limits, arguments.options.fill).geometry;
-  try {
-    if (!arguments.placements.empty()) {
-      write_contacts(arguments, fixed, moving);
-    } else {
-      write_polygon(arguments, fixed, moving, files);
-    }
-  } catch (const Error& error) {
-    fail_about(error, arguments.operands);
+  bool fits = true;
+  run_on_operands(arguments, arguments.output,
+                  [&](const Geometry& fixed, const Geometry& moving, OutputFiles& files) {
+                    if (!arguments.placements.empty()) {
+                      return write_contacts(arguments, fixed, moving);
+                    }
+                    const Geometry polygon = fit_polygon(arguments, fixed, moving);
+                    write_geometry(files, arguments, made_for(arguments.output, [&] {
+                                     return rounded_fit_polygon(arguments, polygon);
+                                   }));
+                    if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
+                    fits = !polygon.empty();
+                  });
+  if (arguments.inner_fit && !fits) {
+    tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
+         shown_name(arguments.operands[0]) + ")");
   }
   return kFine;
 }
 
+}  // namespace
+
 void add_no_fit(Program& program) {
   for (const bool inner_fit : {false, true}) {
-    const auto arguments = std::make_shared<NoFitArguments>();
-    const auto typed = std::make_shared<NoFitText>();
-    arguments->inner_fit = inner_fit;
-    program.add(add_no_fit(program.line, inner_fit, *arguments, *typed, program.limits), arguments,
-                typed, run_no_fit);
+    NoFitArguments arguments;
+    arguments.inner_fit = inner_fit;
+    program.add(add_no_fit, run_no_fit, arguments);
   }
 }
 

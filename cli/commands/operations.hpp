@@ -6,8 +6,30 @@
 
 #include "commands/commands.hpp"
 #include "output/json.hpp"
+#include "output/output_file.hpp"
+#include "process/failure.hpp"
 
 namespace minksum::cli {
+
+/// Reads the operands, lets `work` compute and write with them, and moves all files to their
+/// places. `output` names the file of the result; empty = standard output.
+template <class Work>
+void run_on_operands(const OperandArguments& arguments, const std::string& output, Work work) {
+  OutputFiles files;
+  files.expect("-o", output);
+  files.expect_if_any("--svg", arguments.picture);
+  Geometry operands[2];
+  for (int i = 0; i < 2 && !arguments.operands[i].empty(); ++i) {
+    operands[i] =
+        read_operand(arguments.operands[i], arguments.limits, arguments.options.fill).geometry;
+  }
+  try {
+    work(operands[0], operands[1], files);
+  } catch (const Error& error) {
+    fail_about(error, arguments.operands);
+  }
+  files.finish();
+}
 
 /// Returns the exact dilation, erosion, opening or closing.
 [[nodiscard]] Geometry morphology(const MorphologyArguments& arguments, const Geometry& a,

@@ -1,9 +1,11 @@
+// minksum reach: tells whether and how a robot gets from one configuration to another.
 #include "commands/reach.hpp"
 
 #include <cmath>
 #include <ostream>
 
 #include "commands/subcommands.hpp"
+#include "options/operation_options.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/json.hpp"
 #include "output/numbers.hpp"
@@ -84,11 +86,6 @@ void write_geojson(std::ostream& out, const Reach& found) {
   out << feature.dump() << '\n';
 }
 
-Configuration parse_configuration(const std::string& option, const std::string& text) {
-  const auto numbers = parse_numbers(option, text, 3, ',', "1.5,-2/3,90");
-  return {{numbers[0], numbers[1]}, numbers[2]};
-}
-
 [[noreturn]] void fail_about_reach(const Error& error, const ReachArguments& arguments) {
   const int operand = error.culprit().operand;
   if (operand == 3 || operand == 4) {
@@ -99,20 +96,26 @@ Configuration parse_configuration(const std::string& option, const std::string& 
   fail_about_scene(error, arguments);
 }
 
-}  // namespace
-
-Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed,
-                  ProcessLimits& limits) {
+Command add_reach(CommandLine& line, ReachArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command(
       "reach", "Whether a robot that moves and turns gets from one place to another, and how");
-  add_robot_options(command, arguments, typed, arguments.options);
-  const auto add_text = [command](const char* name, std::string& text, const char* what) {
-    return command.add_option(name, text, what).required();
+  add_robot_options(command, arguments, arguments.setting);
+  const auto add_end = [command](const char* name, Configuration& end, const char* what) {
+    const auto take = [name, &end](const std::string& text) {
+      const auto numbers = parse_numbers(name, text, 3, ',', "1.5,-2/3,90");
+      end = {{numbers[0], numbers[1]}, numbers[2]};
+    };
+    command.add_option(name, take, what).required().type_name("X,Y,THETA");
   };
-  add_text("--from", typed.from, "Where it is: its reference point, and its turn in degrees")
-      .type_name("X,Y,THETA");
-  add_text("--to", typed.to, "Where it is to go").type_name("X,Y,THETA");
-  add_text("--angles", typed.angles, "It turns in steps of a full turn over N").type_name("N");
+  add_end("--from", arguments.from, "Where it is: its reference point, and its turn in degrees");
+  add_end("--to", arguments.to, "Where it is to go");
+  command
+      .add_option(
+          "--angles",
+          [&arguments](const std::string& text) { arguments.setting.angles = parse_angles(text); },
+          "It turns in steps of a full turn over N")
+      .required()
+      .type_name("N");
   command
       .add_option("--angle-tolerance", arguments.setting.tolerance,
                   "How many degrees an angle may be off to be a rational turn (default 0.001)")
@@ -124,22 +127,9 @@ Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed
   command.add_flag("--json", arguments.json, "As JSON, with exact numbers");
   command.add_option("-o,--output", arguments.output, "The path as a GeoJSON Feature")
       .type_name("FILE");
-  command.add_option("--svg", arguments.picture, "Draw the robot on its way").type_name("FILE");
+  add_picture_option(command, arguments.picture, "Draw the robot on its way");
   add_limit_options(command, limits, true);
   return command;
-}
-
-void convert(ReachArguments& arguments, const ReachText& typed) {
-  convert_robot(arguments, typed, arguments.setting);
-  for (const auto& [option, file] :
-       {std::pair{"-o", &arguments.output}, std::pair{"--svg", &arguments.picture}}) {
-    if (*file == "-") {
-      throw Failure(kWrongUsage, std::string(option) + " needs a file, not standard output");
-    }
-  }
-  arguments.from = parse_configuration("--from", typed.from);
-  arguments.to = parse_configuration("--to", typed.to);
-  arguments.setting.angles = parse_angles(typed.angles);
 }
 
 int run_reach(const ReachArguments& arguments) {
@@ -148,7 +138,7 @@ int run_reach(const ReachArguments& arguments) {
   files.expect_if_any("-o", arguments.output);
   files.expect_if_any("--svg", arguments.picture);
   ReachOptions setting = arguments.setting;
-  const RobotScene scene = read_scene(arguments, arguments.options.fill, setting);
+  const RobotScene scene = read_scene(arguments, setting);
   try {
     const Reach found = reach(scene.robot, scene.obstacles, arguments.from, arguments.to, setting,
                               arguments.options);
@@ -168,6 +158,16 @@ int run_reach(const ReachArguments& arguments) {
   }
   files.finish();
   return kFine;
+}
+
+}  // namespace
+
+void convert(const ReachArguments& arguments) {
+  require_one_standard_input(arguments);
+  if (arguments.output == "-") {
+    throw Failure(kWrongUsage, "-o needs a file, not standard output");
+  }
+  require_file(arguments.picture);
 }
 
 void add_reach(Program& program) { program.add(add_reach, run_reach); }

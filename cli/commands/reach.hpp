@@ -1,5 +1,4 @@
-// Declares `minksum reach`, which tells whether and how a robot gets from one configuration to
-// another.
+// Declares the arguments and the picture of `minksum reach`.
 #pragma once
 
 #include "minksum/reach.hpp"
@@ -12,23 +11,12 @@ struct ReachArguments : RobotArguments {
   Configuration from;
   Configuration to;
   bool json = false;
-  std::string output;   ///< for the path as GeoJSON; empty = none
-  std::string picture;  ///< empty = none
+  std::string output;  ///< for the path as GeoJSON; empty = none
   ReachOptions setting;
-  Options options{.threads = 0};
 };
 
-struct ReachText : RobotText {
-  std::string from;
-  std::string to;
-  std::string angles;
-};
-
-Command add_reach(CommandLine& line, ReachArguments& arguments, ReachText& typed,
-                  ProcessLimits& limits);
-/// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
-void convert(ReachArguments& arguments, const ReachText& typed);
-int run_reach(const ReachArguments& arguments);
+/// Checks what no option can check alone. Throws a Failure for wrong usage.
+void convert(const ReachArguments& arguments);
 
 /// Draws the scene and, if a path exists, the robot along it.
 [[nodiscard]] std::string reach_picture(const ReachArguments& arguments,

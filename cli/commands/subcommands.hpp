@@ -13,6 +13,16 @@
 
 namespace minksum::cli {
 
+/// Sets the limits that the arguments have: all, or those on operands; and on sums, for options.
+void set_limits(auto& arguments, const ProcessLimits& limits) {
+  if constexpr (requires { arguments.limits = limits; }) {
+    arguments.limits = limits;
+  } else {
+    arguments.limits = limits.read;
+  }
+  if constexpr (requires { arguments.options; }) arguments.options.limits = limits.sum;
+}
+
 /// Holds what the subcommands see of the program.
 struct Program {
   CommandLine& line;
@@ -24,23 +34,15 @@ struct Program {
   void add(const Command& command, std::function<int()> run) {
     run_of[command.name()] = std::move(run);
   }
-  /// Adds a subcommand that computes sums, by the function that describes its options.
-  template <class Arguments, class Typed>
-  void add(Command (*describe)(CommandLine&, Arguments&, Typed&, ProcessLimits&),
-           int (*run)(const Arguments&)) {
-    const auto arguments = std::make_shared<Arguments>();
-    const auto typed = std::make_shared<Typed>();
-    add(describe(line, *arguments, *typed, limits), arguments, typed, run);
-  }
-  /// Adds a subcommand that computes sums. Before it runs, its limits are set and `convert` is
-  /// called.
-  template <class Arguments, class Typed>
-  void add(const Command& command, const std::shared_ptr<Arguments>& arguments,
-           const std::shared_ptr<Typed>& typed, int (*run)(const Arguments&)) {
-    add(command, [this, arguments, typed, run] {
-      arguments->limits = limits.read;
-      arguments->options.limits = limits.sum;
-      convert(*arguments, *typed);
+  /// Adds a subcommand by the function that describes its options. Before it runs, its limits are
+  /// set, and `convert` is called if its arguments need that.
+  template <class Arguments>
+  void add(Command (*describe)(CommandLine&, Arguments&, ProcessLimits&),
+           int (*run)(const Arguments&), Arguments defaults = {}) {
+    const auto arguments = std::make_shared<Arguments>(std::move(defaults));
+    add(describe(line, *arguments, limits), [this, arguments, run] {
+      set_limits(*arguments, limits);
+      if constexpr (requires { convert(*arguments); }) convert(*arguments);
       return run(*arguments);
     });
   }

@@ -113,8 +113,7 @@ void write_results(const SumArguments& arguments, SumRun& run, OutputFiles& file
                    arguments.tight_format, arguments.coordinates);
   }
   if (!arguments.picture.empty()) {
-    files.write(arguments.picture,
-                [&](std::ostream& out) { out << sum_picture(drawing_of(run, arguments.options)); });
+    write_picture(files, arguments.picture, drawing_of(run, arguments.options));
   }
   if (!arguments.stats.empty()) {
     const Json json = statistics_json(arguments, run);
@@ -130,8 +129,6 @@ void tell_summary(const SumArguments& arguments, const SumRun& run) {
       arguments.repeat > 1 ? " (median of " + std::to_string(arguments.repeat) + " runs)" : "";
   std::fprintf(stderr, "time   %s%s\n", readable_seconds(run.seconds.sum).c_str(), runs.c_str());
 }
-
-}  // namespace
 
 int run_sum(const SumArguments& arguments) {
   OutputFiles files;
@@ -150,6 +147,8 @@ int run_sum(const SumArguments& arguments) {
   if (arguments.verbose) tell_summary(arguments, run);
   return kFine;
 }
+
+}  // namespace
 
 void add_sum(Program& program) { program.add(add_sum, run_sum); }
 

@@ -40,12 +40,11 @@ void add_pair_options(const Command& command, BatchArguments& arguments) {
 
 }  // namespace
 
-Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed,
-                  ProcessLimits& limits) {
+Command add_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command("batch", "Many operations, on all cores");
   command.footer(kFooter);
   command.add_option("JOBS", arguments.jobs, "The jobs, or - for standard input").type_name("FILE");
-  add_result_options(command, arguments, typed, "results");
+  add_result_options(command, arguments, "results");
   add_fill_option(command, arguments.fill);
   command.add_option("--threads", arguments.threads, "How many (default: as the machine has)")
       .in_range(1, kMaxThreads)
@@ -57,19 +56,20 @@ Command add_batch(CommandLine& line, BatchArguments& arguments, BatchText& typed
   add_pair_options(command, arguments);
   add_limit_options(command, limits, true);
   command.remove_option("--timeout");
-  add_seconds(command, typed.seconds, "Time for each job (default: none)");
+  add_seconds(command, arguments.seconds, "Time for each job (default: none)");
   return command;
 }
 
-void convert(BatchArguments& arguments, const BatchText& typed) {
-  convert_result(arguments, typed);
-  if (arguments.format != io::Format::kGeoJson || typed.format.empty()) {
+void convert(BatchArguments& arguments) {
+  convert_result(arguments);
+  const std::string& format = arguments.typed_format;
+  if (arguments.format != io::Format::kGeoJson || format.empty()) {
     arguments.format = io::Format::kWkt;  // the ending of the output's name does not matter
   }
-  if (!typed.format.empty() && typed.format != "wkt" && typed.format != "geojson") {
+  if (!format.empty() && format != "wkt" && format != "geojson") {
     throw Failure(kWrongUsage, "--format takes wkt or geojson here");
   }
-  arguments.limits.seconds = typed.seconds;
+  arguments.limits.seconds = arguments.seconds;
   if (arguments.jobs.empty() == arguments.pairs.empty()) {
     throw Failure(kWrongUsage, "either JOBS or --pairs DIR (minksum batch --help)");
   }
@@ -87,9 +87,9 @@ void convert(BatchArguments& arguments, const BatchText& typed) {
     throw Failure(kWrongUsage, "--stats - needs -o FILE: standard output already takes results");
   }
   const std::pair<const char*, std::string> defaults[] = {
-      {"format", typed.format},
-      {"coords", typed.coordinates == "double" ? "" : typed.coordinates},
-      {"round", typed.round},
+      {"format", format},
+      {"coords", arguments.typed_coordinates == "double" ? "" : arguments.typed_coordinates},
+      {"round", arguments.typed_rounding},
       {"fill", arguments.fill == FillRule::kAutomatic ? "" : to_string(arguments.fill)}};
   for (const auto& [name, value] : defaults) {
     if (value.empty()) continue;

@@ -29,6 +29,9 @@ Words words_of(Operation operation) {
   return {"close", "Closing: dilation, then erosion, by B", "closing"};
 }
 
+constexpr const char* kOffsetFooter = R"(
+Files as for `minksum sum`; FILE may be "-" for standard input. Numbers as 1.5, 1e-3 or 2/3.
+)";
 constexpr const char* kFilesFooter = R"(
 Files as for `minksum sum`; one of them may be "-" for standard input.
 )";
@@ -43,32 +46,42 @@ void require_one_standard_input(const std::string (&operands)[2], const std::str
   }
 }
 
+const std::map<std::string, Join> kJoins = {{"round", Join::kRound},
+                                            {"miter", Join::kMiter},
+                                            {"square", Join::kSquare},
+                                            {"bevel", Join::kBevel}};
+const std::map<std::string, Cap> kCaps = {
+    {"round", Cap::kRound}, {"butt", Cap::kButt}, {"square", Cap::kSquare}};
+
+}  // namespace
+
+void add_picture_option(const Command& command, std::string& picture, const char* what) {
+  command.add_option("--svg", picture, what).type_name("FILE");
+}
+
 void require_file(const std::string& picture) {
   if (picture == "-") throw Failure(kWrongUsage, "--svg needs a file, not standard output");
 }
 
-}  // namespace
-
-Command add_morphology(CommandLine& line, Operation operation, MorphologyArguments& arguments,
-                       MorphologyText& typed, ProcessLimits& limits) {
-  const Words words = words_of(operation);
+Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits) {
+  const Words words = words_of(arguments.operation);
   const Command command = line.add_command(words.name, words.what);
   command.footer(kFilesFooter);
   add_operand(command, "A", arguments.operands[0], "The set");
   add_operand(command, "B", arguments.operands[1], "The structuring element");
-  add_result_options(command, arguments, typed, words.result);
+  add_result_options(command, arguments, words.result);
   add_fill_option(command, arguments.options.fill);
   command.add_flag("--tight", arguments.tight,
-                   operation == Operation::kDilate
+                   arguments.operation == Operation::kDilate
                        ? "Keep what has no area: a dilation always does"
                        : "Keep what has no area: where B fits with no play");
-  command.add_option("--svg", arguments.picture, "Draw A, B and the result").type_name("FILE");
+  add_picture_option(command, arguments.picture, "Draw A, B and the result");
   add_limit_options(command, limits, true);
   return command;
 }
 
-Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments, NoFitText& typed,
-                   ProcessLimits& limits) {
+Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits) {
+  const bool inner_fit = arguments.inner_fit;
   const Command command =
       inner_fit ? line.add_command("ifp", "Inner-fit polygon: placements of a part in a bin")
                 : line.add_command("nfp", "No-fit polygon: placements at which parts overlap");
@@ -78,16 +91,19 @@ Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
   add_operand(command, inner_fit ? "PART" : "MOVING", arguments.operands[1],
               "The part that is placed");
   command
-      .add_option("--reference", typed.reference,
-                  "The point that says where the part is (default: its first vertex)")
+      .add_option(
+          "--reference",
+          [&arguments](const std::string& text) {
+            arguments.reference = parse_point("--reference", text);
+          },
+          "The point that says where the part is (default: its first vertex)")
       .type_name("X,Y");
-  add_result_options(command, arguments, typed, "polygon");
-  command.add_option("--svg", arguments.picture, "Draw both shapes and the polygon")
-      .type_name("FILE");
+  add_result_options(command, arguments, "polygon");
+  add_picture_option(command, arguments.picture, "Draw both shapes and the polygon");
   if (!inner_fit) {
     const Option at =
         command
-            .add_option("--at", typed.placements,
+            .add_option("--at", arguments.typed_placements,
                         "Instead of the polygon: is this placement free, touching or overlapping? "
                         "May be given again")
             .type_name("X,Y")
@@ -101,51 +117,113 @@ Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments,
   return command;
 }
 
-Command add_depth(CommandLine& line, DepthArguments& arguments, DepthText& typed,
-                  ProcessLimits& limits) {
+Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits) {
+  const Command command = line.add_command("offset", "A grown or shrunk by a distance");
+  OffsetOptions& shape = arguments.shape;
+  command.footer(kOffsetFooter);
+  add_operand(command, "FILE", arguments.operands[0], "The set");
+  command
+      .add_option(
+          "-d,--distance",
+          [&arguments](const std::string& text) {
+            arguments.distance = parse_number("--distance", text);
+          },
+          "How far; negative: shrunk")
+      .required()
+      .type_name("D");
+  add_choice(command, "--join", kJoins, shape.join,
+             "At corners: round (the default), miter, square or bevel")
+      .type_name("JOIN");
+  add_choice(command, "--cap", kCaps, shape.cap,
+             "At ends of polylines: round (the default), butt, square")
+      .type_name("CAP");
+  command
+      .add_option(
+          "--miter-limit",
+          [&shape](const std::string& text) {
+            shape.miter_limit = parse_number("--miter-limit", text);
+            if (shape.miter_limit >= Rational(1)) return;
+            throw Failure(kWrongUsage, "--miter-limit must be at least 1");
+          },
+          "How many times the distance a miter may reach; 2 without it; else square")
+      .type_name("M");
+  command
+      .add_option(
+          "--tolerance",
+          [&shape](const std::string& text) {
+            shape.tolerance = parse_number("--tolerance", text);
+            if (shape.tolerance->sign() > 0) return;
+            throw Failure(kWrongUsage, "--tolerance must be positive");
+          },
+          "How far the result may be off; a thousandth of the distance without it")
+      .type_name("T");
+  add_choice(command, "--side", rounding_sides(), shape.side,
+             "nearest (the default), outside (contains the true offset), inside (within it); "
+             "these two for round joins and caps only, and followed by --round if that is not "
+             "given")
+      .type_name("SIDE");
+  add_result_options(command, arguments, "result");
+  add_fill_option(command, arguments.options.fill);
+  add_picture_option(command, arguments.picture, "Draw A and its offset");
+  add_limit_options(command, limits, true);
+  return command;
+}
+
+Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits) {
   const Command command =
       line.add_command("depth", "Penetration depth or distance, and the time of impact");
   command.footer(kFilesFooter);
   add_operand(command, "A", arguments.operands[0], "The shape that stays");
   add_operand(command, "B", arguments.operands[1], "The shape that moves");
-  command.add_option("--along", typed.along, "How many times DX,DY can B move before it touches A?")
+  command
+      .add_option(
+          "--along",
+          [&arguments](const std::string& text) {
+            arguments.along = parse_point("--along", text);
+            if (!(*arguments.along == Point{})) return;
+            throw Failure(kWrongUsage, "--along takes a direction, which 0,0 is not");
+          },
+          "How many times DX,DY can B move before it touches A?")
       .type_name("DX,DY");
   command.add_flag("--json", arguments.json, "As JSON");
-  command.add_option("--svg", arguments.picture, "Draw A, and B before and after")
-      .type_name("FILE");
+  add_picture_option(command, arguments.picture, "Draw A, and B before and after");
   add_fill_option(command, arguments.options.fill);
   add_limit_options(command, limits, true);
   return command;
 }
 
-void convert(MorphologyArguments& arguments, const MorphologyText& typed) {
+void convert(MorphologyArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
   require_file(arguments.picture);
-  convert_result(arguments, typed);
+  convert_result(arguments);
   arguments.options.tight = arguments.tight;
 }
 
-void convert(NoFitArguments& arguments, const NoFitText& typed) {
+void convert(NoFitArguments& arguments) {
   require_one_standard_input(arguments.operands,
                              arguments.inner_fit ? "BIN and PART" : "FIXED and MOVING");
   require_file(arguments.picture);
-  convert_result(arguments, typed);
-  if (!typed.reference.empty()) {
-    arguments.reference = parse_point("--reference", typed.reference);
-  }
-  for (const std::string& text : typed.placements) {
+  convert_result(arguments);
+  for (const std::string& text : arguments.typed_placements) {
     arguments.placements.push_back(parse_point("--at", text));
   }
 }
 
-void convert(DepthArguments& arguments, const DepthText& typed) {
+void convert(OffsetArguments& arguments) {
+  require_file(arguments.picture);
+  convert_result(arguments);
+  const OffsetOptions& shape = arguments.shape;
+  const bool round = shape.join == Join::kRound && shape.cap == Cap::kRound;
+  if (shape.side != RoundingSide::kNearest && !round) {
+    throw Failure(kWrongUsage, "--side is for round joins and caps only");
+  }
+  // By default, rounding the output keeps the side of the offset.
+  if (arguments.typed_rounding.empty()) arguments.rounding = shape.side;
+}
+
+void convert(DepthArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
   require_file(arguments.picture);
-  if (typed.along.empty()) return;
-  arguments.along = parse_point("--along", typed.along);
-  if (*arguments.along == Point{}) {
-    throw Failure(kWrongUsage, "--along takes a direction, which 0,0 is not");
-  }
 }
 
 }  // namespace minksum::cli

@@ -1,8 +1,8 @@
-// Declares the options of the subcommands for uses of sums: morphology, nesting and depth.
+// Declares the options of the subcommands for uses of sums: morphology, nesting, offsets
+// and depth.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "commands/commands.hpp"
 #include "options/command_line.hpp"
@@ -11,30 +11,21 @@
 
 namespace minksum::cli {
 
-struct MorphologyText : ResultText {};
+/// Adds --svg, which draws what `what` says.
+void add_picture_option(const Command& command, std::string& picture, const char* what);
+/// Throws a Failure if the picture would go to standard output.
+void require_file(const std::string& picture);
 
-/// Options as they are typed; `convert` turns them into NoFitArguments.
-struct NoFitText : ResultText {
-  std::string reference;
-  std::vector<std::string> placements;
-};
-
-struct DepthText {
-  std::string along;
-};
-
-/// Each function adds a subcommand; parsing fills its last three arguments.
-Command add_morphology(CommandLine& line, MorphologyArguments::Operation operation,
-                       MorphologyArguments& arguments, MorphologyText& typed,
-                       ProcessLimits& limits);
-Command add_no_fit(CommandLine& line, bool inner_fit, NoFitArguments& arguments, NoFitText& typed,
-                   ProcessLimits& limits);
-Command add_depth(CommandLine& line, DepthArguments& arguments, DepthText& typed,
-                  ProcessLimits& limits);
+/// Each function adds the subcommand that its arguments name; parsing fills the arguments.
+Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits);
+Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits);
+Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits);
+Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits);
 
 /// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
-void convert(MorphologyArguments& arguments, const MorphologyText& typed);
-void convert(NoFitArguments& arguments, const NoFitText& typed);
-void convert(DepthArguments& arguments, const DepthText& typed);
+void convert(MorphologyArguments& arguments);
+void convert(NoFitArguments& arguments);
+void convert(OffsetArguments& arguments);
+void convert(DepthArguments& arguments);
 
 }  // namespace minksum::cli

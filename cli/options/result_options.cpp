@@ -45,41 +45,41 @@ io::Format choose_format(const std::string& typed, const std::string& output) {
   return found == kFormats.end() ? io::Format::kWkt : found->second;
 }
 
-void add_result_options(const Command& command, ResultArguments& arguments, ResultText& typed,
+void add_result_options(const Command& command, ResultArguments& arguments,
                         const std::string& result) {
   command
       .add_option("-o,--output", arguments.output,
                   "Write the " + result + " here, not to standard output")
       .type_name("FILE");
   command
-      .add_option("--format", typed.format,
+      .add_option("--format", arguments.typed_format,
                   "wkt, geojson, svg or poly; without it as the output's name ends, else wkt")
       .one_of(names_of(kFormats))
       .type_name("F");
   command
-      .add_option("--coords", typed.coordinates,
+      .add_option("--coords", arguments.typed_coordinates,
                   "double (nearest, shortest form; the default), exact (integers or p/q), "
                   "decimal:N")
       .type_name("C");
   command
       .add_option(
-          "--round", typed.round,
+          "--round", arguments.typed_rounding,
           "nearest (the default), outside (contains the exact " + result + "), inside (within it)")
       .one_of(names_of(rounding_sides()))
       .type_name("SIDE");
 }
 
-void convert_result(ResultArguments& arguments, const ResultText& typed) {
+void convert_result(ResultArguments& arguments) {
   if (arguments.output == "-") arguments.output.clear();
-  arguments.coordinates = parse_coordinates(typed.coordinates);
-  if (!typed.round.empty()) {
+  arguments.coordinates = parse_coordinates(arguments.typed_coordinates);
+  if (!arguments.typed_rounding.empty()) {
     if (arguments.coordinates.style == io::Coordinates::Style::kExact) {
       throw Failure(kWrongUsage,
                     "--round has nothing to do with --coords exact, which never rounds");
     }
-    arguments.rounding = rounding_sides().at(typed.round);
+    arguments.rounding = rounding_sides().at(arguments.typed_rounding);
   }
-  arguments.format = choose_format(typed.format, arguments.output);
+  arguments.format = choose_format(arguments.typed_format, arguments.output);
 }
 
 }  // namespace minksum::cli

@@ -10,19 +10,12 @@
 
 namespace minksum::cli {
 
-/// Options as they are typed; `convert_result` turns them into ResultArguments.
-struct ResultText {
-  std::string format;
-  std::string coordinates = "double";
-  std::string round;
-};
-
 /// Adds -o, --format, --coords and --round. Texts call the result `result`, such as "sum".
-void add_result_options(const Command& command, ResultArguments& arguments, ResultText& typed,
+void add_result_options(const Command& command, ResultArguments& arguments,
                         const std::string& result);
 
-/// Fills `arguments`. Throws a Failure for wrong usage.
-void convert_result(ResultArguments& arguments, const ResultText& typed);
+/// Sets what follows from what was typed. Throws a Failure for wrong usage.
+void convert_result(ResultArguments& arguments);
 
 /// Returns the values that --round and --side take, by name.
 [[nodiscard]] const std::map<std::string, RoundingSide>& rounding_sides();
@@ -35,6 +28,16 @@ void convert_result(ResultArguments& arguments, const ResultText& typed);
   std::vector<std::string> names;
   for (const auto& entry : map) names.push_back(entry.first);
   return names;
+}
+
+/// Adds an option that takes one of the names, and sets its value.
+template <class Value>
+Option add_choice(const Command& command, const char* name,
+                  const std::map<std::string, Value>& values, Value& value, const char* what) {
+  return command
+      .add_option(
+          name, [&](const std::string& typed) { value = values.at(typed); }, what)
+      .one_of(names_of(values));
 }
 
 }  // namespace minksum::cli

@@ -8,8 +8,9 @@
 
 namespace minksum::cli {
 
-void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
-                       Options& options) {
+void add_robot_options(const Command& command, RobotArguments& arguments,
+                       ConfigurationOptions& setting) {
+  Options& options = arguments.options;
   command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
   const auto add_file = [&command](const char* name, std::string& file, const char* what) {
     return command.add_option(name, file, what).type_name("FILE");
@@ -18,8 +19,12 @@ void add_robot_options(const Command& command, RobotArguments& arguments, RobotT
   add_file("OBSTACLES", arguments.operands[1], "What it must not overlap").required();
   add_file("--workspace", arguments.workspace, "What the robot has to stay inside");
   command
-      .add_option("--reference", typed.reference,
-                  "The robot's point that says where it is, and that it turns about (default 0,0)")
+      .add_option(
+          "--reference",
+          [&setting](const std::string& text) {
+            setting.reference = parse_point("--reference", text);
+          },
+          "The robot's point that says where it is, and that it turns about (default 0,0)")
       .type_name("X,Y");
   command
       .add_option("--threads", options.threads, "Threads that compute slices (default: all cores)")
@@ -28,14 +33,11 @@ void add_robot_options(const Command& command, RobotArguments& arguments, RobotT
   add_fill_option(command, options.fill);
 }
 
-void convert_robot(const RobotArguments& arguments, const RobotText& typed,
-                   ConfigurationOptions& setting) {
+void require_one_standard_input(const RobotArguments& arguments) {
   const auto& operands = arguments.operands;
   const auto inputs = std::count(std::begin(operands), std::end(operands), "-") +
                       (arguments.workspace == "-" ? 1 : 0);
   if (inputs > 1) throw Failure(kWrongUsage, "only one file can be standard input");
-  if (typed.reference.empty()) return;
-  setting.reference = parse_point("--reference", typed.reference);
 }
 
 std::size_t parse_angles(const std::string& text) {
@@ -45,8 +47,8 @@ std::size_t parse_angles(const std::string& text) {
                                  ", not '" + text + "'");
 }
 
-RobotScene read_scene(const RobotArguments& arguments, FillRule fill,
-                      ConfigurationOptions& setting) {
+RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& setting) {
+  const FillRule fill = arguments.options.fill;
   RobotScene scene{read_operand(arguments.operands[0], arguments.limits, fill).geometry,
                    read_operand(arguments.operands[1], arguments.limits, fill).geometry};
   if (!arguments.workspace.empty()) {

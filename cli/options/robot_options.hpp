@@ -12,22 +12,15 @@
 namespace minksum::cli {
 
 /// `minksum cspace ROBOT OBSTACLES ...` and `minksum reach ROBOT OBSTACLES ...`
-struct RobotArguments {
-  std::string operands[2];
+struct RobotArguments : OperandArguments {
+  RobotArguments() { options.threads = 0; }
   std::string workspace;  ///< empty = none
-  io::ReadLimits limits;
 };
 
-/// Options as they are typed; `convert_robot` turns them into ConfigurationOptions.
-struct RobotText {
-  std::string reference;
-};
-
-void add_robot_options(const Command& command, RobotArguments& arguments, RobotText& typed,
-                       Options& options);
-/// Fills `options`. Throws a Failure for wrong usage.
-void convert_robot(const RobotArguments& arguments, const RobotText& typed,
-                   ConfigurationOptions& setting);
+void add_robot_options(const Command& command, RobotArguments& arguments,
+                       ConfigurationOptions& setting);
+/// Throws a Failure if several files are standard input.
+void require_one_standard_input(const RobotArguments& arguments);
 
 /// The largest number of slices; nobody would wait for more.
 inline constexpr int kMostTurns = 1'000'000;
@@ -39,8 +32,7 @@ struct RobotScene {
   Geometry robot;
   Geometry obstacles;
 };
-[[nodiscard]] RobotScene read_scene(const RobotArguments& arguments, FillRule fill,
-                                    ConfigurationOptions& setting);
+[[nodiscard]] RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& setting);
 
 /// Does the same as `fail_about`, also for errors about the workspace.
 [[noreturn]] void fail_about_scene(const Error& error, const RobotArguments& arguments);

@@ -37,8 +37,8 @@ void add_operand_options(const Command& sum, Options& options) {
       .group(group);
 }
 
-void add_output_options(const Command& sum, SumArguments& arguments, SumText& typed) {
-  add_result_options(sum, arguments, typed, "sum");
+void add_output_options(const Command& sum, SumArguments& arguments) {
+  add_result_options(sum, arguments, "sum");
   sum.add_flag("--keep-properties", arguments.keep_properties,
                "GeoJSON: a Feature with the properties of P, which is one");
   sum.add_option("--tight", arguments.tight, "Write placements without any play").type_name("FILE");
@@ -49,29 +49,28 @@ void add_output_options(const Command& sum, SumArguments& arguments, SumText& ty
       .type_name("DIR");
 }
 
-void add_test_options(const Command& sum, SumArguments& arguments, SumText& typed) {
+void add_test_options(const Command& sum, SumSettings& settings) {
   const char* const group = "For tests (the result is the same)";
-  sum.add_flag("--no-cover", typed.no_cover, "No cover: build the whole arrangement").group(group);
-  sum.add_option("--grid", arguments.options.grid,
-                 "Cells along the longer side of the cover's grid")
+  sum.add_flag(
+         "--no-cover", [&settings] { settings.cover = false; },
+         "No cover: build the whole arrangement")
+      .group(group);
+  sum.add_option("--grid", settings.grid, "Cells along the longer side of the cover's grid")
       .in_range(0, kMostCells)
       .group(group);
-  sum.add_option(
-         "--arithmetic",
-         [&arguments](const std::string& name) {
-           arguments.options.arithmetic = kArithmetics.at(name);
-         },
-         "Force a number type: auto, narrow, medium, wide, arbitrary")
-      .one_of(names_of(kArithmetics))
+  add_choice(sum, "--arithmetic", kArithmetics, settings.arithmetic,
+             "Force a number type: auto, narrow, medium, wide, arbitrary")
       .type_name("RUNG")
       .group(group);
-  sum.add_flag("--no-filter", typed.no_filter, "Decide everything by exact arithmetic")
+  sum.add_flag(
+         "--no-filter", [&settings] { settings.filter = false; },
+         "Decide everything by exact arithmetic")
       .group(group);
-  sum.add_flag("--check", arguments.options.check, "Check each stage's result (slow)").group(group);
+  sum.add_flag("--check", settings.check, "Check each stage's result (slow)").group(group);
 }
 
-void convert_output(SumArguments& arguments, const SumText& typed) {
-  convert_result(arguments, typed);
+void convert_output(SumArguments& arguments) {
+  convert_result(arguments);
   if (arguments.keep_properties && arguments.format != io::Format::kGeoJson) {
     throw usage("--keep-properties needs --format geojson");
   }
@@ -94,12 +93,9 @@ void convert_tight(SumArguments& arguments) {
 
 Option add_fill_option(const Command& command, FillRule& fill) {
   const Option rule =
-      command
-          .add_option(
-              "--fill", [&fill](const std::string& name) { fill = kFillRules.at(name); },
-              "automatic (outer rings less their holes, as OGC says; the default), evenodd, "
-              "nonzero, positive, negative, strict (valid polygons alone)")
-          .one_of(names_of(kFillRules))
+      add_choice(command, "--fill", kFillRules, fill,
+                 "automatic (outer rings less their holes, as OGC says; the default), evenodd, "
+                 "nonzero, positive, negative, strict (valid polygons alone)")
           .type_name("RULE");
   command
       .add_flag(
@@ -109,17 +105,14 @@ Option add_fill_option(const Command& command, FillRule& fill) {
   return rule;
 }
 
-Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed, ProcessLimits& limits) {
+Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits) {
   const Command sum = line.add_command("sum", "The Minkowski sum of two geometries");
   sum.footer(kSumFooter);
   sum.add_option("P", arguments.operands[0], "The first operand").required().type_name("FILE");
   sum.add_option("Q", arguments.operands[1], "The second operand").required().type_name("FILE");
-  add_output_options(sum, arguments, typed);
-  sum.add_option(
-         "--method",
-         [&arguments](const std::string& name) { arguments.options.method = kMethods.at(name); },
-         "reduced (the default), signed, full: the same sum by three methods")
-      .one_of(names_of(kMethods))
+  add_output_options(sum, arguments);
+  add_choice(sum, "--method", kMethods, arguments.options.method,
+             "reduced (the default), signed, full: the same sum by three methods")
       .type_name("M");
   sum.add_option("--threads", arguments.options.threads,
                  "Threads that share the work (default: all cores)")
@@ -131,15 +124,15 @@ Command add_sum(CommandLine& line, SumArguments& arguments, SumText& typed, Proc
   sum.add_flag("-v,--verbose", arguments.verbose, "Say sizes and time on standard error");
   add_operand_options(sum, arguments.options);
   add_limit_options(sum, limits, true);
-  add_test_options(sum, arguments, typed);
+  add_test_options(sum, arguments.options);
   return sum;
 }
 
-void convert(SumArguments& arguments, const SumText& typed) {
+void convert(SumArguments& arguments) {
   if (arguments.operands[0] == "-" && arguments.operands[1] == "-") {
     throw usage("P and Q cannot both be standard input");
   }
-  convert_output(arguments, typed);
+  convert_output(arguments);
   if (!arguments.tight.empty()) convert_tight(arguments);
   if (arguments.stats == "-" && arguments.output.empty()) {
     throw usage("--stats - needs -o FILE: standard output already takes the sum");
@@ -153,8 +146,6 @@ void convert(SumArguments& arguments, const SumText& typed) {
   if (!arguments.trace.empty() && arguments.options.method == Method::kSigned) {
     throw usage("--trace shows the stages of the reduced and full methods, not of signed");
   }
-  arguments.options.cover = !typed.no_cover;
-  arguments.options.filter = !typed.no_filter;
 }
 
 }  // namespace minksum::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
 
 #include "minksum/resolve.hpp"
 #include "pictures/svg_picture.hpp"
@@ -121,6 +122,10 @@ Drawing drawing_of(const SumRun& run, const Options& options) {
 }
 
 std::string sum_picture(const Drawing& drawing) { return picture_of(drawing, &drawing.sum); }
+
+void write_picture(OutputFiles& files, const std::string& file, const Drawing& drawing) {
+  files.write(file, [&](std::ostream& out) { out << sum_picture(drawing); });
+}
 
 std::string operands_picture(const Drawing& drawing) { return picture_of(drawing, nullptr); }
 

@@ -7,6 +7,7 @@
 #include "commands/sum_run.hpp"
 #include "minksum/geometry.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "output/output_file.hpp"
 
 namespace minksum::cli {
 
@@ -28,12 +29,15 @@ struct Drawing {
   Captions captions;
   /// Whether P is drawn again at its place underneath the result.
   bool p_below = false;
-  std::optional<Point> mark;  ///< a point of Q that is marked
+  std::optional<Point> mark = {};  ///< a point of Q that is marked
 };
 [[nodiscard]] Drawing drawing_of(const SumRun& run, const Options& options);
 
 /// Draws P, Q and P ⊕ Q. Throws Error(kLimitExceeded) if doubles cannot hold the picture.
 [[nodiscard]] std::string sum_picture(const Drawing& drawing);
+
+/// Writes that picture to a file.
+void write_picture(OutputFiles& files, const std::string& file, const Drawing& drawing);
 
 /// Draws the operands alone.
 [[nodiscard]] std::string operands_picture(const Drawing& drawing);
