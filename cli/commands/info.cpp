@@ -130,10 +130,8 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Operand
   json["file"] = arguments.file;
   add_sizes(json, findings.geometry);
   json["box"] = nullptr;
-  if (findings.box) {
-    json["box"] = Json::object();
-    json["box"]["min"] = point_json(findings.box->min);
-    json["box"]["max"] = point_json(findings.box->max);
+  if (const auto& box = findings.box) {
+    json["box"] = {{"min", point_json(box->min)}, {"max", point_json(box->max)}};
   }
   add_area(json, findings.area);
   json["coordinate_bits"] = findings.bits;

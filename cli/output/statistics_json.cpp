@@ -11,13 +11,11 @@ namespace minksum::cli {
 namespace {
 
 Json size_json(const Geometry& geometry) {
-  Json json;
-  json["vertices"] = geometry.region.vertex_count();
-  json["holes"] = geometry.region.hole_count();
-  json["parts"] = geometry.region.polygon_count();
-  json["polylines"] = geometry.polylines.size();
-  json["points"] = geometry.points.size();
-  return json;
+  return {{"vertices", geometry.region.vertex_count()},
+          {"holes", geometry.region.hole_count()},
+          {"parts", geometry.region.polygon_count()},
+          {"polylines", geometry.polylines.size()},
+          {"points", geometry.points.size()}};
 }
 
 double length(const std::vector<Polyline>& polylines) {
@@ -48,51 +46,43 @@ Json result_json(const SumArguments& arguments, const SumRun& run) {
 }
 
 Json rounding_json(RoundingSide side, const RoundingReport& report) {
-  Json json;
-  json["side"] = minksum::to_string(side);
-  json["exact"] = report.exact;
-  json["snapped"] = report.snapped;
-  json["topology_kept"] = report.topology_kept;
-  json["largest_move"] = report.largest_move;
-  json["bound"] = report.bound;
-  return json;
+  return {{"side", minksum::to_string(side)},
+          {"exact", report.exact},
+          {"snapped", report.snapped},
+          {"topology_kept", report.topology_kept},
+          {"largest_move", report.largest_move},
+          {"bound", report.bound}};
 }
 
 Json seconds_json(const Seconds& seconds) {
-  Json json;
-  json["read"] = seconds.read;
-  json["sum"] = seconds.sum;
-  json["round"] = seconds.round;
-  json["write"] = seconds.write;
   Json stages;
   for (int i = 0; i < kSumStages; ++i) {
     stages[minksum::to_string(static_cast<Stage>(i))] = seconds.stages[i];
   }
-  json["stages"] = stages;
-  return json;
+  return {{"read", seconds.read},
+          {"sum", seconds.sum},
+          {"round", seconds.round},
+          {"write", seconds.write},
+          {"stages", stages}};
 }
 
 Json counts_json(const Statistics& statistics) {
-  Json json;
-  json["convolution_segments"] = statistics.convolution_segments;
-  json["segments_kept"] = statistics.segments_kept;
-  json["crossings"] = statistics.crossings;
-  json["loops"] = statistics.loops;
-  json["rejected_by_nesting"] = statistics.rejected_by_nesting;
-  json["rejected_by_collision"] = statistics.rejected_by_collision;
-  json["grid_cells"] = statistics.grid_cells;
-  json["covered_cells"] = statistics.covered_cells;
-  return json;
+  return {{"convolution_segments", statistics.convolution_segments},
+          {"segments_kept", statistics.segments_kept},
+          {"crossings", statistics.crossings},
+          {"loops", statistics.loops},
+          {"rejected_by_nesting", statistics.rejected_by_nesting},
+          {"rejected_by_collision", statistics.rejected_by_collision},
+          {"grid_cells", statistics.grid_cells},
+          {"covered_cells", statistics.covered_cells}};
 }
 
 Json arithmetic_json(const Statistics& statistics) {
-  Json json;
-  json["coordinate_bits"] = statistics.coordinate_bits;
-  json["by_filter"] = statistics.by_filter;
-  json["by_fixed_width"] = statistics.by_fixed_width;
-  json["by_arbitrary"] = statistics.by_arbitrary;
-  json["rung"] = to_string(statistics.arithmetic);
-  return json;
+  return {{"coordinate_bits", statistics.coordinate_bits},
+          {"by_filter", statistics.by_filter},
+          {"by_fixed_width", statistics.by_fixed_width},
+          {"by_arbitrary", statistics.by_arbitrary},
+          {"rung", to_string(statistics.arithmetic)}};
 }
 
 }  // namespace

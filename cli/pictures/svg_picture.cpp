@@ -64,24 +64,12 @@ constexpr std::string_view kGround = "<rect class=\"ground\" width=\"100%\" heig
 constexpr double kTickLength = 4;
 
 std::string escaped(std::string_view words) {
+  constexpr std::string_view kMarks = "&<>\"";
+  constexpr const char* kEscapes[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string text;
   for (const char c : words) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
+    const std::size_t mark = kMarks.find(c);
+    text += mark == std::string_view::npos ? std::string(1, c) : kEscapes[mark];
   }
   return text;
 }
@@ -130,31 +118,18 @@ double fitting_scale(const Extent& extent, double width, double height) {
   return extent.width() > 0 || extent.height() > 0 ? scale : 1;
 }
 
-SvgPicture::SvgPicture(double width, double height, std::string_view title) {
-  begin_picture(width, height, title);
-  text_.append("<style>").append(kStyle).append(kIfDark).append(kDarkStyle).append("}\n</style>\n");
-  text_ += kGround;
-}
-
-SvgPicture::SvgPicture(double width, double height, std::string_view title, Theme theme) {
-  begin_picture(width, height, title);
-  text_.append("<style>").append(kStyle).append(kFigureStyle);
+SvgPicture::SvgPicture(double width, double height, std::string_view title,
+                       std::optional<Theme> figure) {
+  text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0";
+  pair(" ", width, " ", height);
+  pair("\" width=\"", width, "\" height=\"", height);
+  text_ += "\">\n<title>" + escaped(title) + "</title>\n";
+  const Theme theme = figure.value_or(Theme::kAuto);
+  text_.append("<style>").append(kStyle).append(figure ? kFigureStyle : "");
   if (theme == Theme::kAuto) text_ += kIfDark;
-  if (theme != Theme::kLight) text_.append(kDarkStyle).append(kDarkFigureStyle);
+  if (theme != Theme::kLight) text_.append(kDarkStyle).append(figure ? kDarkFigureStyle : "");
   text_ += theme == Theme::kAuto ? "}\n</style>\n" : "</style>\n";
   text_ += kGround;
-}
-
-void SvgPicture::begin_picture(double width, double height, std::string_view title) {
-  text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 ";
-  number(width);
-  text_ += ' ';
-  number(height);
-  text_ += "\" width=\"";
-  number(width);
-  text_ += "\" height=\"";
-  number(height);
-  text_ += "\">\n<title>" + escaped(title) + "</title>\n";
 }
 
 void SvgPicture::region(const Region& region, const PictureTransform& placement,
@@ -162,18 +137,11 @@ void SvgPicture::region(const Region& region, const PictureTransform& placement,
   begin_path(std::string("region ").append(style));
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {
-      bool first = true;
+      const char* command = "M";
       for (const std::size_t v : region.vertices_of(ring)) {
-        const double x = placement.x(region.x(v));
-        const double y = placement.y(region.y(v));
-        if (first) {
-          move_to(x, y);
-        } else {
-          line_to(x, y);
-        }
-        first = false;
+        pair(std::exchange(command, "L"), placement.x(region.x(v)), " ", placement.y(region.y(v)));
       }
-      if (!first) text_ += 'Z';
+      if (*command == 'L') text_ += 'Z';
     }
   }
   end_path();
@@ -184,16 +152,10 @@ void SvgPicture::thin_parts(const Geometry& geometry, const PictureTransform& pl
   if (!geometry.polylines.empty()) {
     begin_path(std::string("thin ").append(style));
     for (const Polyline& polyline : geometry.polylines) {
-      bool first = true;
+      const char* command = "M";
       for (const Point& point : polyline) {
-        const double x = placement.x(point.x.to_double());
-        const double y = placement.y(point.y.to_double());
-        if (first) {
-          move_to(x, y);
-        } else {
-          line_to(x, y);
-        }
-        first = false;
+        pair(std::exchange(command, "L"), placement.x(point.x.to_double()), " ",
+             placement.y(point.y.to_double()));
       }
     }
     end_path();
@@ -240,11 +202,8 @@ void SvgPicture::dots(std::span<const Trace::Vertex> points, const PictureTransf
                       double radius, std::string_view style) {
   text_.append("<g class=\"").append(style).append("\">\n");
   for (const Trace::Vertex& point : points) {
-    text_ += "<circle class=\"";
-    text_.append(style).append("\" cx=\"");
-    number(placement.x(point.x));
-    text_ += "\" cy=\"";
-    number(placement.y(point.y));
+    text_.append("<circle class=\"").append(style);
+    pair("\" cx=\"", placement.x(point.x), "\" cy=\"", placement.y(point.y));
     text_ += "\" r=\"";
     number(radius);
     text_ += "\"/>\n";
@@ -280,10 +239,8 @@ void SvgPicture::cells(const Trace::Grid& grid, const PictureTransform& placemen
 }
 
 void SvgPicture::text(double x, double y, std::string_view style, std::string_view words) {
-  text_.append("<text class=\"").append(style).append("\" x=\"");
-  number(x);
-  text_ += "\" y=\"";
-  number(y);
+  text_.append("<text class=\"").append(style);
+  pair("\" x=\"", x, "\" y=\"", y);
   text_ += "\">" + escaped(words) + "</text>\n";
 }
 
@@ -297,14 +254,9 @@ void SvgPicture::lines(std::span<const PictureLine> lines, std::string_view styl
 }
 
 void SvgPicture::box(double left, double top, double width, double height, std::string_view style) {
-  text_.append("<rect class=\"").append(style).append("\" x=\"");
-  number(left);
-  text_ += "\" y=\"";
-  number(top);
-  text_ += "\" width=\"";
-  number(width);
-  text_ += "\" height=\"";
-  number(height);
+  text_.append("<rect class=\"").append(style);
+  pair("\" x=\"", left, "\" y=\"", top);
+  pair("\" width=\"", width, "\" height=\"", height);
   text_ += "\"/>\n";
 }
 
@@ -319,17 +271,14 @@ void SvgPicture::begin_path(std::string_view style) {
 
 void SvgPicture::end_path() { text_ += "\"/>\n"; }
 
-void SvgPicture::move_to(double x, double y) {
-  text_ += 'M';
-  number(x);
-  text_ += ' ';
-  number(y);
-}
+void SvgPicture::move_to(double x, double y) { pair("M", x, " ", y); }
 
-void SvgPicture::line_to(double x, double y) {
-  text_ += 'L';
+void SvgPicture::line_to(double x, double y) { pair("L", x, " ", y); }
+
+void SvgPicture::pair(std::string_view before, double x, std::string_view between, double y) {
+  text_ += before;
   number(x);
-  text_ += ' ';
+  text_ += between;
   number(y);
 }
 

@@ -1,6 +1,7 @@
 // Writes drawings as SVG, legible on light and dark ground and to the colour-blind.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,10 +63,9 @@ class PictureTransform {
 /// collision.
 class SvgPicture {
  public:
-  SvgPicture(double width, double height, std::string_view title);
-  /// Begins a picture for figure.hpp, with the further classes outline, fault, axis, label,
-  /// number, middle and end.
-  SvgPicture(double width, double height, std::string_view title, Theme theme);
+  /// With `figure`, which figure.hpp gives, there are the further classes outline, fault, axis,
+  /// label, number, middle and end.
+  SvgPicture(double width, double height, std::string_view title, std::optional<Theme> figure = {});
 
   void region(const Region& region, const PictureTransform& placement, std::string_view style);
   /// Draws polylines as strokes and points as dots, thicker than outlines, in the style's colour.
@@ -110,13 +110,13 @@ class SvgPicture {
   [[nodiscard]] std::string finish() &&;
 
  private:
-  void begin_picture(double width, double height, std::string_view title);
   void begin_path(std::string_view style);
   void end_path();
   void move_to(double x, double y);
   void line_to(double x, double y);
   void add_segment(const Trace::Segment& segment, const PictureTransform& placement);
   void add_tick(const Trace::Segment& segment, const PictureTransform& placement);
+  void pair(std::string_view before, double x, std::string_view between, double y);
   void number(double value);
 
   std::string text_;
