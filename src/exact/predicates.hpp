@@ -111,15 +111,7 @@ class Predicates {
   /// vertices. The result of `exact` is returned where the filter cannot tell.
   template <class Exact>
   Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, Exact exact) {
-    const double left = d.x * v.y;
-    const double right = d.y * v.x;
-    const double value = left - right;
-    const double bound = cross_bound(d, v, left, right, bounds_.difference);
-    if (value > bound) return count_filter(kPositive);
-    if (value < -bound) return count_filter(kNegative);
-    if (bound == 0) return count_filter(kZero);
-    count_kernel();
-    return exact();
+    return filtered_cross(d, v, bounds_.direction, bounds_.difference, exact);
   }
   Sign orientation(const Segment& s, const SumVertex& v) {
     const Vec<double> a = start(s);
@@ -153,8 +145,9 @@ class Predicates {
   Sign orientation(SiteId a, SiteId b, SiteId c) {
     const auto& [x, y, dx, dy, next] = *sites_;
     // Here both factors are differences of coordinates; the bound for sums covers that.
-    return filtered_differences_cross({x[b] - x[a], y[b] - y[a]}, {x[c] - x[a], y[c] - y[a]},
-                                      [&] { return kernel_->orientation(a, b, c); });
+    const double e = bounds_.difference;
+    return filtered_cross({x[b] - x[a], y[b] - y[a]}, {x[c] - x[a], y[c] - y[a]}, e, e,
+                          [&] { return kernel_->orientation(a, b, c); });
   }
   Sign compare(SiteId a, SiteId b, Axis axis) {
     const auto& coordinate = axis == Axis::kX ? sites_->x : sites_->y;
@@ -164,11 +157,8 @@ class Predicates {
   /// Returns the order of two points along s, whose parameters are known within their errors.
   Sign compare_along(const Segment& s, double lambda_a, double error_a, const PointOnSegment& a,
                      double lambda_b, double error_b, const PointOnSegment& b) {
-    const double bound = error_a + error_b;
-    if (lambda_a - lambda_b > bound) return count_filter(kPositive);
-    if (lambda_b - lambda_a > bound) return count_filter(kNegative);
-    count_kernel();
-    return kernel_->compare_along(s, a, b);
+    return filtered_difference(lambda_a - lambda_b, error_a + error_b,
+                               [&] { return kernel_->compare_along(s, a, b); });
   }
   /// Returns the order of two nodes along an axis. `p` and `q` approximate them within `p_error`
   /// and `q_error`.
@@ -179,16 +169,9 @@ class Predicates {
   }
   Sign orientation(const Segment& s, const NodePoint& node, const Vec<double>& p, double p_error) {
     const Vec<double> a = start(s);
-    const Vec<double> d = direction(s.edge);
-    const Vec<double> v{p.x - a.x, p.y - a.y};
-    const double left = d.x * v.y;
-    const double right = d.y * v.x;
-    const double bound =
-        cross_bound(d, v, left, right, p_error + bounds_.difference + bounds_.position);
-    if (left - right > bound) return count_filter(kPositive);
-    if (left - right < -bound) return count_filter(kNegative);
-    count_kernel();
-    return kernel_->orientation(s, node);
+    return filtered_cross(direction(s.edge), {p.x - a.x, p.y - a.y}, bounds_.direction,
+                          p_error + bounds_.difference + bounds_.position,
+                          [&] { return kernel_->orientation(s, node); });
   }
 
   // -- Probes -------------------------------------------------------------------------------
@@ -204,44 +187,40 @@ class Predicates {
   /// Returns a sign that is never zero. The probe stands off its segment by an infinitesimal along
   /// its right normal, and by one of second order along its direction.
   Sign orientation(SiteId edge, const SumVertex& v, const Probe& probe, const Vec<double>& at) {
-    const Vec<double> d = direction(edge);
     const Vec<double> p = position(v);
-    const Vec<double> w{at.x - p.x, at.y - p.y};
-    const double left = d.x * w.y;
-    const double right = d.y * w.x;
-    const double bound = cross_bound(d, w, left, right, bounds_.difference + 2 * bounds_.position);
-    if (left - right > bound) return count_filter(kPositive);
-    if (left - right < -bound) return count_filter(kNegative);
-    count_kernel();
-    Sign sign = kernel_->probe_orientation(edge, v, probe);
-    if (sign == kZero) sign = -dot(edge, probe.segment.edge);
-    if (sign == kZero) sign = cross(edge, probe.segment.edge);
-    return sign;
+    return filtered_cross(direction(edge), {at.x - p.x, at.y - p.y}, bounds_.direction,
+                          bounds_.difference + 2 * bounds_.position, [&] {
+                            Sign sign = kernel_->probe_orientation(edge, v, probe);
+                            if (sign == kZero) sign = -dot(edge, probe.segment.edge);
+                            if (sign == kZero) sign = cross(edge, probe.segment.edge);
+                            return sign;
+                          });
   }
   /// Returns the sign of (probe − v) along y, which is never zero for the same reason.
   Sign compare_y(const Probe& probe, const Vec<double>& at, const SumVertex& v) {
-    const Vec<double> p = position(v);
     const double bound = bounds_.difference + 2 * bounds_.position;
-    if (at.y - p.y > bound) return count_filter(kPositive);
-    if (at.y - p.y < -bound) return count_filter(kNegative);
-    count_kernel();
-    Sign sign = kernel_->probe_compare(probe, v, Axis::kY);
-    if (sign == kZero) sign = -component(probe.segment.edge, Axis::kX);
-    if (sign == kZero) sign = component(probe.segment.edge, Axis::kY);
-    return sign;
+    return filtered_difference(at.y - position(v).y, bound, [&] {
+      Sign sign = kernel_->probe_compare(probe, v, Axis::kY);
+      if (sign == kZero) sign = -component(probe.segment.edge, Axis::kX);
+      if (sign == kZero) sign = component(probe.segment.edge, Axis::kY);
+      return sign;
+    });
   }
 
-  /// Bounds the error of the cross product of an edge vector and a vector whose components are
-  /// known within `v_error`.
+  /// Bounds the error of the cross product of two vectors whose components are known within
+  /// `d_error` and `v_error`.
   [[nodiscard]] double cross_bound(const Vec<double>& d, const Vec<double>& v, double left,
-                                   double right, double v_error) const {
+                                   double right, double d_error, double v_error) const {
     // The last term is the product of both errors; the factor covers the rounding of this sum.
     const double by_v = v_error == 0 ? 0 : (std::abs(d.x) + std::abs(d.y)) * v_error;
     const double by_d =
-        bounds_.direction == 0
-            ? 0
-            : (std::abs(v.x) + std::abs(v.y)) * bounds_.direction + 2 * bounds_.direction * v_error;
+        d_error == 0 ? 0 : (std::abs(v.x) + std::abs(v.y)) * d_error + 2 * d_error * v_error;
     return ((std::abs(left) + std::abs(right)) * bounds_.product + by_v + by_d) * (1 + 0x1p-48);
+  }
+  /// Does the same for an edge vector.
+  [[nodiscard]] double cross_bound(const Vec<double>& d, const Vec<double>& v, double left,
+                                   double right, double v_error) const {
+    return cross_bound(d, v, left, right, bounds_.direction, v_error);
   }
   void count_filtered(std::uint64_t n) { counts_.by_filter += n; }
   /// Counts a decision that the kernel is about to take, and its work.
@@ -264,20 +243,12 @@ class Predicates {
     return exact();
   }
   template <class Exact>
-  Sign filtered_differences_cross(const Vec<double>& u, const Vec<double>& v, Exact exact) {
-    const double left = u.x * v.y;
-    const double right = u.y * v.x;
-    const double e = bounds_.difference;
-    const double bound =
-        e == 0 ? (std::abs(left) + std::abs(right)) * bounds_.product
-               : ((std::abs(left) + std::abs(right)) * bounds_.product +
-                  (std::abs(u.x) + std::abs(u.y) + std::abs(v.x) + std::abs(v.y)) * e + 2 * e * e) *
-                     (1 + 0x1p-48);
-    if (left - right > bound) return count_filter(kPositive);
-    if (left - right < -bound) return count_filter(kNegative);
-    if (bound == 0) return count_filter(kZero);
-    count_kernel();
-    return exact();
+  Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, double d_error, double v_error,
+                      Exact exact) {
+    const double left = d.x * v.y;
+    const double right = d.y * v.x;
+    return filtered_difference(left - right, cross_bound(d, v, left, right, d_error, v_error),
+                               exact);
   }
 
   const ApproximateSites* sites_;
