@@ -10,10 +10,8 @@ namespace {
 
 template <std::size_t N>
 void set_limbs(const WideInt<N>& magnitude, std::vector<std::uint64_t>& out) {
-  std::size_t count = N;
-  while (count > 0 && magnitude.limb(count - 1) == 0) --count;
-  out.clear();
-  for (std::size_t i = 0; i < count; ++i) out.push_back(magnitude.limb(i));
+  out.assign(magnitude.limbs().begin(), magnitude.limbs().end());
+  while (!out.empty() && out.back() == 0) out.pop_back();
 }
 
 void set_limbs(const BigInteger& value, std::vector<std::uint64_t>& out) {
