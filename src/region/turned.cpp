@@ -16,13 +16,12 @@ struct StoredPoint {
   StoredCoordinate y;
 };
 
+/// Turns a region by so many right angles.
+template <int kQuarters>
 class Turner {
  public:
-  Turner(const Region& region, int quarters, bool with_origins, Cancellation& cancellation)
-      : region_(region),
-        cancellation_(cancellation),
-        quarters_(((quarters % 4) + 4) % 4),
-        with_origins_(with_origins) {
+  Turner(const Region& region, bool with_origins, Cancellation& cancellation)
+      : region_(region), cancellation_(cancellation), with_origins_(with_origins) {
     RegionAccess::Room room = RegionAccess::room_of(region);
     if (!with_origins) room.origins = 0;
     RegionAccess::reserve(image_, room);
@@ -42,9 +41,6 @@ class Turner {
   }
 
   Region in_canonical_order() {
-    if (region_.ring_count() == 1) {
-      return quarters_ == 1 ? only_ring<1>() : quarters_ == 2 ? only_ring<2>() : only_ring<3>();
-    }
     std::vector<TurnedRing> rings;
     std::vector<IndexRange> polygons;
     rings.reserve(region_.ring_count());
@@ -68,28 +64,6 @@ class Turner {
   }
 
  private:
-  template <int kQuarters>
-  Region only_ring() {
-    const std::size_t n = region_.vertex_count();
-    std::size_t smallest = 0;
-    StoredPoint first = image<kQuarters>(0);
-    for (std::size_t v = 1; v < n; ++v) {
-      const StoredPoint point = image<kQuarters>(v);
-      cancellation_.check();
-      if (compare(point, first) >= 0) continue;
-      smallest = v;
-      first = point;
-    }
-    RegionAccess::make_ring(image_, {n, with_origins_ ? n : 0});
-    for (std::size_t i = 0, v = smallest; i < n; ++i, v = v + 1 == n ? 0 : v + 1) {
-      cancellation_.check();
-      const StoredPoint at = image<kQuarters>(v);
-      RegionAccess::set_vertex(image_, i, at.x, at.y);
-      if (with_origins_) RegionAccess::set_origin(image_, i, region_.origin(v));
-    }
-    return std::move(image_);
-  }
-
   /// A ring of the region, with the vertex at which its image starts.
   struct TurnedRing {
     IndexRange vertices;
@@ -115,20 +89,14 @@ class Turner {
     c.denominator_limbs = 1;
     return c;
   }
-  template <int kQuarters>
   StoredPoint image(std::size_t vertex) {
+    cancellation_.check();
     const StoredCoordinate& x = RegionAccess::x(region_, vertex);
     const StoredCoordinate& y = RegionAccess::y(region_, vertex);
     if constexpr (kQuarters == 1) return {negative(y), x};
     if constexpr (kQuarters == 2) return {negative(x), negative(y)};
     if constexpr (kQuarters == 3) return {y, negative(x)};
     return {x, y};
-  }
-  StoredPoint image(std::size_t vertex) {
-    cancellation_.check();
-    if (quarters_ == 1) return image<1>(vertex);
-    if (quarters_ == 2) return image<2>(vertex);
-    return quarters_ == 3 ? image<3>(vertex) : image<0>(vertex);
   }
 
   [[nodiscard]] std::strong_ordering compare(const StoredCoordinate& a,
@@ -180,19 +148,36 @@ class Turner {
 
   const Region& region_;
   Cancellation& cancellation_;
-  int quarters_;
   bool with_origins_;
   Region image_;
 };
+
+/// Returns what `turn` makes with the Turner of so many right angles.
+template <class Turn>
+Region by_quarters(int quarters, const Region& region, bool with_origins,
+                   Cancellation& cancellation, Turn turn) {
+  switch (((quarters % 4) + 4) % 4) {
+    case 1:
+      return turn(Turner<1>(region, with_origins, cancellation));
+    case 2:
+      return turn(Turner<2>(region, with_origins, cancellation));
+    case 3:
+      return turn(Turner<3>(region, with_origins, cancellation));
+    default:
+      return turn(Turner<0>(region, with_origins, cancellation));
+  }
+}
 
 }  // namespace
 
 Region turned(const Region& region, int quarters, Cancellation& cancellation) {
   if (quarters % 4 == 0) return region;
-  return Turner(region, quarters, region.has_origins(), cancellation).in_canonical_order();
+  return by_quarters(quarters, region, region.has_origins(), cancellation,
+                     [](auto turner) { return turner.in_canonical_order(); });
 }
 Region turned_in_order(const Region& region, int quarters, Cancellation& cancellation) {
-  return Turner(region, quarters, false, cancellation).in_order();
+  return by_quarters(quarters, region, false, cancellation,
+                     [](auto turner) { return turner.in_order(); });
 }
 
 }  // namespace minksum
