@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -8,26 +7,6 @@
 #include "region/point_predicates.hpp"
 
 namespace minksum {
-namespace {
-
-/// A point, exactly and in doubles that are off by at most `error`.
-struct QueryPoint {
-  Point exact;
-  double x;
-  double y;
-  double error;
-
-  explicit QueryPoint(Point point)
-      : exact(std::move(point)),
-        x(exact.x.to_double()),
-        y(exact.y.to_double()),
-        error(rounding_error(std::max(std::abs(x), std::abs(y)))) {}
-  [[nodiscard]] const Rational& exact_x() const { return exact.x; }
-  [[nodiscard]] const Rational& exact_y() const { return exact.y; }
-};
-
-}  // namespace
-
 struct PointLocator::State {
   /// An edge. In `nodes`, edges are directed upwards, and none is level.
   struct Edge {
@@ -43,7 +22,7 @@ struct PointLocator::State {
     std::uint32_t right;
   };
 
-  std::vector<QueryPoint> places;
+  std::vector<RoundedPoint> places;
   std::vector<std::uint32_t> heights;      ///< places, one for each height, from below
   std::vector<std::vector<Level>> levels;  ///< by height: vertices and level edges
   std::uint64_t work = 0;                  ///< greatest work of a decision: see Cancellation
@@ -178,7 +157,7 @@ struct PointLocator::State {
     level.resize(kept);
   }
 
-  [[nodiscard]] bool on_level(std::size_t height, const QueryPoint& at) const {
+  [[nodiscard]] bool on_level(std::size_t height, const RoundedPoint& at) const {
     const auto& level = levels[height];
     const auto after = std::partition_point(level.begin(), level.end(), [&](const Level& range) {
       return compare_x(places[range.left], at) <= 0;
@@ -186,7 +165,7 @@ struct PointLocator::State {
     return after != level.begin() && compare_x(at, places[(after - 1)->right]) <= 0;
   }
 
-  [[nodiscard]] Location locate(const QueryPoint& at) const {
+  [[nodiscard]] Location locate(const RoundedPoint& at) const {
     const auto above = std::partition_point(
         heights.begin(), heights.end(),
         [&](std::uint32_t v) { return compare_y(places[v], at) <= 0; });
@@ -221,7 +200,7 @@ PointLocator::PointLocator(const Geometry& geometry, const Options& options) {
 }
 
 Location PointLocator::locate(const Point& point) const {
-  return state_->places.empty() ? Location::kOutside : state_->locate(QueryPoint(point));
+  return state_->places.empty() ? Location::kOutside : state_->locate(RoundedPoint(point));
 }
 
 }  // namespace minksum

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "minksum/rational.hpp"
+#include "minksum/region.hpp"
 
 namespace minksum {
 
@@ -13,8 +14,23 @@ namespace minksum {
 /// subtracting it, may round as well.
 inline double rounding_error(double magnitude) { return 0x1p-52 * magnitude + 0x1p-1073; }
 
-// The type `Rounded` must have doubles x and y, an `error` that bounds how far each is off, and
-// exact_x() and exact_y().
+/// A point, exactly and in doubles that are off by at most `error`.
+struct RoundedPoint {
+  Point exact;
+  double x;
+  double y;
+  double error;
+
+  explicit RoundedPoint(Point point)
+      : exact(std::move(point)),
+        x(exact.x.to_double()),
+        y(exact.y.to_double()),
+        error(rounding_error(std::max(std::abs(x), std::abs(y)))) {}
+  [[nodiscard]] const Rational& exact_x() const { return exact.x; }
+  [[nodiscard]] const Rational& exact_y() const { return exact.y; }
+};
+
+// Any type `Rounded` below must have such members.
 
 /// Returns the sign of a's coordinate minus b's.
 template <class Rounded>

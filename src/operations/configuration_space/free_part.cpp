@@ -14,45 +14,9 @@ Point along(const Point& a, const Point& b, const Rational& t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
 }
 
-/// A segment's line in doubles. It tells on which side points are, where rounding leaves no doubt.
-///
-/// Let M be the largest coordinate and R the largest difference. Coordinates are off by 2^-53·M,
-/// and differences by less than 2^-51·M, as R ≤ 2M. The determinant is off by less than
-/// 4·R·2^-51·M, and by its own roundings of 2^-51·R². Together these are less than 2^-47·M·R.
-class Line {
- public:
-  Line(double ax, double ay, double bx, double by, double magnitude)
-      : x_(ax), y_(ay), dx_(bx - ax), dy_(by - ay),
-        magnitude_(std::max({magnitude, std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)})) {
-  }
-  /// Returns 1 = left, -1 = right, 0 = not known.
-  [[nodiscard]] int side(double x, double y) const {
-    const double vx = x - x_;
-    const double vy = y - y_;
-    const double size =
-        std::max({std::abs(vx), std::abs(vy), std::abs(dx_), std::abs(dy_)}) + 0x1p-50 * magnitude_;
-    const double error = 0x1p-46 * magnitude_ * size;
-    const double determinant = dx_ * vy - dy_ * vx;
-    if (!(error > 0x1p-900 && std::isfinite(error) && std::abs(determinant) > error)) return 0;
-    return determinant > 0 ? 1 : -1;
-  }
-  [[nodiscard]] double magnitude() const { return magnitude_; }
-
- private:
-  double x_, y_, dx_, dy_, magnitude_;
-};
-
-/// A segment, and its ends in doubles.
-struct Ends {
-  const Point& a;
-  const Point& b;
-  double ax = a.x.to_double(), ay = a.y.to_double();
-  double bx = b.x.to_double(), by = b.y.to_double();
-};
-
-LooseBox loose_box(double ax, double ay, double bx, double by) {
-  return {std::nextafter(std::min(ax, bx), -kHuge), std::nextafter(std::min(ay, by), -kHuge),
-          std::nextafter(std::max(ax, bx), kHuge), std::nextafter(std::max(ay, by), kHuge)};
+LooseBox loose_box(const RoundedPoint& a, const RoundedPoint& b) {
+  return {std::nextafter(std::min(a.x, b.x), -kHuge), std::nextafter(std::min(a.y, b.y), -kHuge),
+          std::nextafter(std::max(a.x, b.x), kHuge), std::nextafter(std::max(a.y, b.y), kHuge)};
 }
 
 }  // namespace
@@ -64,19 +28,15 @@ FreePart::FreePart(Region polygon, const Options& options)
     const auto index = static_cast<std::uint32_t>(ring_begin_.size());
     ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
     for (const std::size_t v : region_.vertices_of(ring)) {
-      points_.push_back(region_.point(v));
-      cancellation.check(2 * work_of(points_.back()));
-      x_.push_back(region_.x(v));
-      y_.push_back(region_.y(v));
-      magnitude_ = std::max({magnitude_, std::abs(x_.back()), std::abs(y_.back())});
+      points_.emplace_back(region_.point(v));
+      cancellation.check(2 * work_of(points_.back().exact));
       ring_of_.push_back(index);
     }
   }
   ring_begin_.push_back(static_cast<std::uint32_t>(points_.size()));
-  box_ = loose_box(x_[0], y_[0], x_[0], y_[0]);
+  box_ = loose_box(points_[0], points_[0]);
   for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    const std::uint32_t w = next(v);
-    const LooseBox edge = loose_box(x_[v], y_[v], x_[w], y_[w]);
+    const LooseBox edge = loose_box(points_[v], points_[next(v)]);
     edge_boxes_.push_back(edge);
     box_.add(edge);
   }
@@ -94,8 +54,8 @@ std::uint32_t FreePart::previous(std::uint32_t vertex) const {
 
 void FreePart::add_hits(std::uint32_t edge, const Point& a, const Point& d,
                         std::vector<Hit>& found) const {
-  const Point from = minus(points_[edge], a);
-  const Point to = minus(points_[next(edge)], a);
+  const Point from = minus(points_[edge].exact, a);
+  const Point to = minus(points_[next(edge)].exact, a);
   const Rational left_from = cross(d, from);
   const Rational left_to = cross(d, to);
   const int sides = left_from.sign() * left_to.sign();
@@ -118,40 +78,40 @@ void FreePart::add_hits(std::uint32_t edge, const Point& a, const Point& d,
 
 std::vector<FreePart::Hit> FreePart::hits(const Point& a, const Point& b, bool* crosses,
                                           Cancellation& cancellation) const {
-  const Ends ends{a, b};
-  const LooseBox box = loose_box(ends.ax, ends.ay, ends.bx, ends.by);
-  const Line line(ends.ax, ends.ay, ends.bx, ends.by, magnitude_);
-  const auto is_at = [&](std::uint32_t v, const Point& end, double x, double y) {
-    return x_[v] == x && y_[v] == y && points_[v] == end;
+  const RoundedPoint begin(a);
+  const RoundedPoint goal(b);
+  const LooseBox box = loose_box(begin, goal);
+  const auto is_at = [](const RoundedPoint& p, const RoundedPoint& end) {
+    return p.x == end.x && p.y == end.y && p.exact == end.exact;
   };
   const Point d = minus(b, a);
   std::vector<Hit> found;
   for (std::uint32_t edge = 0; edge < points_.size(); ++edge) {
     cancellation.check();
     if (!edge_boxes_[edge].meets(box)) continue;
-    const std::uint32_t end = next(edge);
-    const int from = line.side(x_[edge], y_[edge]);
-    const int to = line.side(x_[end], y_[end]);
+    const RoundedPoint& first = points_[edge];
+    const RoundedPoint& second = points_[next(edge)];
+    cancellation.check(8 * work_of(first.exact));
+    const int from = turn(begin, goal, first);
+    const int to = turn(begin, goal, second);
     if (from * to > 0) continue;
     if (from * to < 0 && crosses != nullptr) {
-      const Line other(x_[edge], y_[edge], x_[end], y_[end], line.magnitude());
-      *crosses = other.side(ends.ax, ends.ay) * other.side(ends.bx, ends.by) < 0;
+      *crosses = turn(first, second, begin) * turn(first, second, goal) < 0;
       if (*crosses) return found;
     }
     // If one end of an edge is off the line, the other end is the only possible hit. Where it is an
     // end of the segment, no long numbers are needed.
     if ((from == 0) != (to == 0)) {
-      const std::uint32_t v = from == 0 ? edge : end;
-      if (is_at(v, a, ends.ax, ends.ay)) {
+      const RoundedPoint& on_line = from == 0 ? first : second;
+      if (is_at(on_line, begin)) {
         found.push_back({Rational(0), edge});
         continue;
       }
-      if (is_at(v, b, ends.bx, ends.by)) {
+      if (is_at(on_line, goal)) {
         found.push_back({Rational(1), edge});
         continue;
       }
     }
-    cancellation.check(8 * work_of(points_[edge]));
     add_hits(edge, a, d, found);
   }
   std::stable_sort(found.begin(), found.end(), [&](const Hit& x, const Hit& y) {
@@ -186,8 +146,10 @@ bool FreePart::meets(const Point& a, const Point& b, Location open_side,
 
 /// Tells whether a point is on the side of a ring that is not free: outside of it, or in a hole.
 bool FreePart::is_beyond(std::uint32_t ring, const Point& point, const Options& options) const {
-  const Polygon alone{Ring(points_.begin() + ring_begin_[ring],
-                           points_.begin() + ring_begin_[ring + 1]), {}};
+  Polygon alone;
+  for (std::uint32_t v = ring_begin_[ring]; v < ring_begin_[ring + 1]; ++v) {
+    alone.outer.push_back(points_[v].exact);
+  }
   const Location location = PointLocator({Region(alone), {}, {}}, options).locate(point);
   return location == (ring == 0 ? Location::kOutside : Location::kInside);
 }
@@ -219,19 +181,20 @@ void FreePart::go_round(const Hit& from, const Point& a, const Hit& to, const Po
   std::vector<Point> back;
   const bool same = from.edge == to.edge;
   const bool ahead =
-      same && dot(minus(b, a), minus(points_[next(from.edge)], points_[from.edge])).sign() >= 0;
+      same &&
+      dot(minus(b, a), minus(points_[next(from.edge)].exact, points_[from.edge].exact)).sign() >= 0;
   if (!ahead) {
     std::uint32_t v = from.edge;
     do {
       v = next(v);
-      forward.push_back(points_[v]);
+      forward.push_back(points_[v].exact);
     } while (v != to.edge);
   }
   if (!same || ahead) {
     const std::uint32_t last = next(to.edge);
     std::uint32_t v = from.edge;
     for (;; v = previous(v)) {
-      back.push_back(points_[v]);
+      back.push_back(points_[v].exact);
       if (v == last) break;
     }
   }

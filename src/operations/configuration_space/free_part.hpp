@@ -9,6 +9,7 @@
 #include "minksum/locate.hpp"
 #include "minksum/measure.hpp"
 #include "region/point_arithmetic.hpp"
+#include "region/point_predicates.hpp"
 #include "spatial/box.hpp"
 
 namespace minksum {
@@ -68,10 +69,7 @@ class FreePart {
 
   Region region_;
   PointLocator locator_;
-  std::vector<Point> points_;
-  std::vector<double> x_;  ///< x of the points, as the nearest doubles
-  std::vector<double> y_;
-  double magnitude_ = 0;
+  std::vector<RoundedPoint> points_;
   std::vector<LooseBox> edge_boxes_;
   std::vector<std::uint32_t> ring_begin_;  ///< by ring: its first vertex; at last the end
   std::vector<std::uint32_t> ring_of_;     ///< by vertex: its ring
