@@ -1,6 +1,7 @@
 #include "minksum/rational.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <ostream>
 #include <utility>
@@ -27,17 +28,13 @@ std::size_t digit_run(std::string_view text, std::size_t from) {
 // Parses `[+-]digits` up to the end of `text`. Returns nothing for other text and for exponents
 // that are too large.
 std::optional<int> parse_exponent(std::string_view text) {
-  std::size_t position = 0;
-  const bool negative = !text.empty() && text[0] == '-';
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) position = 1;
-  if (position == text.size()) return std::nullopt;
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   int value = 0;
-  for (; position < text.size(); ++position) {
-    if (!is_digit(text[position])) return std::nullopt;
-    value = std::min(value * 10 + (text[position] - '0'), Rational::kMaxExponent + 1);
-  }
-  if (value > Rational::kMaxExponent) return std::nullopt;
-  return negative ? -value : value;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error != std::errc() || end != last) return {};
+  if (value > Rational::kMaxExponent || value < -Rational::kMaxExponent) return {};
+  return value;
 }
 
 }  // namespace

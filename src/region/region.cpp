@@ -10,15 +10,6 @@ namespace minksum {
 
 namespace {
 
-// Returns the place where add_vertex would put the next vertex.
-Culprit next_vertex(std::size_t polygon, std::size_t ring, std::size_t vertex) {
-  Culprit place;
-  place.polygon = polygon;
-  place.ring = ring;
-  place.vertex = vertex;
-  return place;
-}
-
 // Returns the index of the last start that is not after `index`. Starts may repeat.
 std::size_t last_until(std::span<const std::size_t> starts, std::size_t index) {
   const auto after = std::ranges::upper_bound(starts, index);
@@ -83,11 +74,10 @@ void Region::add_vertex(double x, double y) {
   require_open_ring();
   if (!std::isfinite(x) || !std::isfinite(y)) {
     const bool not_a_number = std::isnan(x) || std::isnan(y);
-    throw Error(
-        ErrorCode::kBadInput,
-        not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
-        next_vertex(polygon_count() - 1, ring_count() - 1 - arrays_.get<kPolygonStarts>().back(),
-                    vertex_count() - arrays_.get<kRingStarts>().back()));
+    throw Error(ErrorCode::kBadInput,
+                not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
+                {-1, polygon_count() - 1, ring_count() - 1 - arrays_.get<kPolygonStarts>().back(),
+                 vertex_count() - arrays_.get<kRingStarts>().back()});
   }
   arrays_.push_back<kVertices>({store(x), store(y)});
 }
@@ -218,10 +208,8 @@ std::size_t RegionAccess::polygon_of(const Region& region, std::size_t ring) {
 Culprit RegionAccess::culprit(const Region& region, std::size_t vertex, int operand) {
   const std::size_t ring = ring_of(region, vertex);
   const std::size_t polygon = polygon_of(region, ring);
-  Culprit place = next_vertex(polygon, ring - polygon_first_ring(region, polygon),
-                              vertex - ring_first(region, ring));
-  place.operand = operand;
-  return place;
+  return {operand, polygon, ring - polygon_first_ring(region, polygon),
+          vertex - ring_first(region, ring)};
 }
 
 }  // namespace minksum

@@ -31,40 +31,24 @@ auto counting(const Affine& map, Cancellation& cancellation) {
 
 }  // namespace
 
-Affine Affine::translation(const Rational& dx, const Rational& dy) {
-  Affine map;
-  map.dx = dx;
-  map.dy = dy;
-  return map;
-}
+Affine Affine::translation(const Rational& dx, const Rational& dy) { return {1, 0, dx, 0, 1, dy}; }
 
-Affine Affine::scaling(const Rational& factor) {
-  Affine map;
-  map.xx = factor;
-  map.yy = factor;
-  return map;
-}
+Affine Affine::scaling(const Rational& factor) { return {factor, 0, 0, 0, factor, 0}; }
 
 Affine Affine::rotation(const Rational& half) {
   const Rational square = half * half;
   const Rational whole = Rational(1) + square;
-  Affine map;
-  map.xx = (Rational(1) - square) / whole;
-  map.yx = Rational(2) * half / whole;
-  map.xy = -map.yx;
-  map.yy = map.xx;
-  return map;
+  const Rational cosine = (Rational(1) - square) / whole;
+  const Rational sine = Rational(2) * half / whole;
+  return {cosine, -sine, 0, sine, cosine, 0};
 }
 
 Affine Affine::quarter_turns(int turns) {
   constexpr int kCosine[] = {1, 0, -1, 0};
   const int quarter = ((turns % 4) + 4) % 4;
-  Affine map;
-  map.xx = kCosine[quarter];
-  map.yy = map.xx;
-  map.yx = kCosine[(quarter + 3) % 4];
-  map.xy = -map.yx;
-  return map;
+  const int cosine = kCosine[quarter];
+  const int sine = kCosine[(quarter + 3) % 4];
+  return {cosine, -sine, 0, sine, cosine, 0};
 }
 
 Affine Affine::after(const Affine& first) const {
