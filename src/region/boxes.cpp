@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "region/map_points.hpp"
+
 namespace minksum {
 
 void enlarge(std::optional<Box>& box, const Point& point) {
@@ -16,8 +18,7 @@ std::optional<Box> bounding_box(const Geometry& geometry, Cancellation& cancella
     cancellation.check(4 * work_of(point));
     enlarge(box, point);
   };
-  for (const Polyline& line : geometry.polylines) std::for_each(line.begin(), line.end(), add);
-  std::for_each(geometry.points.begin(), geometry.points.end(), add);
+  for_each_thin_point(geometry, add);
   return box;
 }
 

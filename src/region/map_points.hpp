@@ -1,4 +1,4 @@
-// Makes images of sets, point by point.
+// Visits the points of sets, and makes images of sets, point by point.
 #pragma once
 
 #include <utility>
@@ -6,6 +6,15 @@
 #include "minksum/geometry.hpp"
 
 namespace minksum {
+
+/// Calls visit(point) for all points of the thin parts.
+template <class Visit>
+void for_each_thin_point(const Geometry& geometry, Visit visit) {
+  for (const Polyline& line : geometry.polylines) {
+    for (const Point& p : line) visit(p);
+  }
+  for (const Point& p : geometry.points) visit(p);
+}
 
 /// Returns a region with the rings of another one; add(image, v) adds the image of vertex v.
 template <class Add>

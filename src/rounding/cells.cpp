@@ -37,7 +37,7 @@ bool is_place(const Rational& value, const Target& target) {
 }
 
 bool turns_left(const Point& a, const Point& b, const Point& c) {
-  return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign() > 0;
+  return cross(minus(b, a), minus(c, a)).sign() > 0;
 }
 
 }  // namespace

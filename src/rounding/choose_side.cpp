@@ -8,6 +8,7 @@
 
 #include "exact/formulas.hpp"
 #include "exact/sign.hpp"
+#include "region/point_arithmetic.hpp"
 #include "rounding/orientation.hpp"
 
 namespace minksum {
@@ -268,9 +269,7 @@ class RingChooser {
     cancellation_.check(16 * work_of(to));
     const Point start = region_.point(end.source);
     const Point stop = place(end);
-    const Rational product =
-        (to.x - from.x) * (stop.y - start.y) - (to.y - from.y) * (stop.x - start.x);
-    return static_cast<Sign>(product.sign());
+    return static_cast<Sign>(cross(minus(to, from), minus(stop, start)).sign());
   }
 
   /// Returns an upper bound on the distance of a vertex's places from the vertex's edges.

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "exact/sign.hpp"
 
@@ -22,51 +23,27 @@ bool before(const Vec<BigInteger>& a, const Vec<BigInteger>& b) {
 }
 bool equal(const Vec<BigInteger>& a, const Vec<BigInteger>& b) { return a.x == b.x && a.y == b.y; }
 
-/// The parameters t in [0, 1] at which a + t·d is in [-1/2, 1/2), cut down axis by axis.
-class Parameters {
- public:
-  void cut(const Rational& a, const Rational& d) {
-    const Rational half(1, 2);
-    const Rational low = -half - a;
-    const Rational high = half - a;
-    const int direction = d.sign();
-    if (direction == 0) {
-      if (low.sign() > 0 || high.sign() <= 0) empty_ = true;
-    } else if (direction > 0) {
-      raise(low / d, true);
-      lower(high / d, false);
-    } else {
-      raise(high / d, false);
-      lower(low / d, true);
-    }
+/// Tells exactly whether the segment from a to b meets the pixel [-1/2, 1/2)² around the origin.
+///
+/// This is the closed square from −1/2 to 1/2 − ε, for an ε smaller than any distance. The segment
+/// misses it if both ends are beside it along an axis, or if all corners are on one side of it.
+bool meets_exactly(const Vec<Rational>& a, const Vec<Rational>& b) {
+  const Rational half(1, 2);
+  const auto is_beside = [&](const Rational& p, const Rational& q) {
+    return (p < -half && q < -half) || (p >= half && q >= half);
+  };
+  if (is_beside(a.x, b.x) || is_beside(a.y, b.y)) return false;
+  const Vec<Rational> d{b.x - a.x, b.y - a.y};
+  bool left = false;
+  bool right = false;
+  for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+    int side = cross(d, {Rational(x) - half - a.x, Rational(y) - half - a.y}).sign();
+    if (side == 0) side = (d.y * Rational(x) - d.x * Rational(y)).sign();  // by ε
+    left |= side >= 0;
+    right |= side <= 0;
   }
-  [[nodiscard]] bool empty() const {
-    return empty_ || first_ > last_ || (first_ == last_ && !(first_in_ && last_in_));
-  }
-
- private:
-  void raise(const Rational& t, bool in) {
-    if (t > first_) {
-      first_ = t;
-      first_in_ = in;
-    } else if (t == first_) {
-      first_in_ = first_in_ && in;
-    }
-  }
-  void lower(const Rational& t, bool in) {
-    if (t < last_) {
-      last_ = t;
-      last_in_ = in;
-    } else if (t == last_) {
-      last_in_ = last_in_ && in;
-    }
-  }
-  Rational first_ = 0;
-  Rational last_ = 1;
-  bool first_in_ = true;
-  bool last_in_ = true;
-  bool empty_ = false;
-};
+  return left && right;
+}
 
 /// Returns the answer in doubles, or nothing if they cannot tell.
 ///
@@ -120,12 +97,8 @@ bool meets_pixel(const SnapPoint& a, const SnapPoint& b, const Vec<BigInteger>& 
   const auto exact = [](const BigInteger& centre_coordinate, const Rational& offset) {
     return RationalAccess::make(centre_coordinate, 1) + offset;
   };
-  const Rational ax = exact(to_a.x, a.offset.x);
-  const Rational ay = exact(to_a.y, a.offset.y);
-  Parameters parameters;
-  parameters.cut(ax, exact(to_b.x, b.offset.x) - ax);
-  parameters.cut(ay, exact(to_b.y, b.offset.y) - ay);
-  return !parameters.empty();
+  return meets_exactly({exact(to_a.x, a.offset.x), exact(to_a.y, a.offset.y)},
+                       {exact(to_b.x, b.offset.x), exact(to_b.y, b.offset.y)});
 }
 
 HotPixels::HotPixels(std::span<const SnapPoint> points, Cancellation& cancellation) {

@@ -1,5 +1,6 @@
 #include "rounding/orientation.hpp"
 
+#include "region/point_arithmetic.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
@@ -38,9 +39,7 @@ bool counter_clockwise(const Region& region, std::size_t ring, Cancellation& can
   };
   const Point next = neighbour(1);
   const Point previous = neighbour(n - 1);
-  const Rational turn =
-      (next.x - at.x) * (previous.y - at.y) - (next.y - at.y) * (previous.x - at.x);
-  return turn.sign() > 0;
+  return cross(minus(next, at), minus(previous, at)).sign() > 0;
 }
 
 }  // namespace minksum

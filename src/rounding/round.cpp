@@ -1,12 +1,14 @@
 #include "minksum/round.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "machine/cancellation.hpp"
 #include "minksum/resolve.hpp"
+#include "region/map_points.hpp"
 #include "rounding/round_region.hpp"
 #include "rounding/thin_sides.hpp"
 
@@ -40,11 +42,10 @@ Point nearest_point(const Point& p, const Target& target) {
   return {value_of(x, target), value_of(y, target)};
 }
 
-/// Rounds every point by itself. Returns the largest distance that any was moved, rounded up.
-double add_rounded_thin_parts(const Geometry& exact, const Target& target,
-                              Cancellation& cancellation, Geometry& result) {
-  double largest = 0;
-  const auto rounded = [&](const Point& p) {
+/// Rounds every point by itself. `largest` becomes the largest distance of a move, rounded up.
+Geometry with_rounded_thin_parts(const Geometry& exact, Region region, const Target& target,
+                                 Cancellation& cancellation, double& largest) {
+  return mapped(exact, std::move(region), [&](const Point& p) {
     cancellation.check(32 * work_of(p));
     Point q = nearest_point(p, target);
     const auto off = [](const Rational& a, const Rational& b) {
@@ -54,13 +55,7 @@ double add_rounded_thin_parts(const Geometry& exact, const Target& target,
     const double move = length_of(off(p.x, q.x), off(p.y, q.y));
     if (move != 0) largest = std::max(largest, rounded_up(move));
     return q;
-  };
-  for (const Polyline& line : exact.polylines) {
-    Polyline& copy = result.polylines.emplace_back();
-    for (const Point& p : line) copy.push_back(rounded(p));
-  }
-  for (const Point& p : exact.points) result.points.push_back(rounded(p));
-  return largest;
+  });
 }
 
 /// Bounds the distance of the nearest place from any point of the thin parts.
@@ -77,10 +72,11 @@ double thin_bound(const Geometry& geometry, const Target& target, Cancellation& 
 
 Geometry round_to_nearest(const Geometry& geometry, const Target& target,
                           const RoundRequest& request, RoundingReport& r) {
-  Geometry result;
-  result.region = round_region(geometry.region, target, request, r);
+  Region region = round_region(geometry.region, target, request, r);
   Cancellation cancellation(request.options, Stage::kRounding);
-  const double moved = add_rounded_thin_parts(geometry, target, cancellation, result);
+  double moved = 0;
+  Geometry result =
+      with_rounded_thin_parts(geometry, std::move(region), target, cancellation, moved);
   result = resolve(result, part_of(request.options));
   // A path may end inside a region's edge. Rounded by itself, it would come off.
   const bool attached = !geometry.region.empty() && !geometry.polylines.empty();
@@ -96,58 +92,42 @@ Geometry round_to_nearest(const Geometry& geometry, const Target& target,
   return round_by_snapping(geometry, target, request, r);
 }
 
-Geometry round_thin(const Geometry& geometry, const Target& target, const RoundRequest& request,
-                    RoundingReport& report) {
-  switch (request.side) {
-    case RoundingSide::kNearest:
-      break;
-    case RoundingSide::kOutside:
-      return round_outside(geometry, target, request, report);
-    case RoundingSide::kInside:
-      return round_inside(geometry, target, request, report);
+Geometry round_geometry(const Geometry& geometry, const Target& target, const RoundRequest& request,
+                        RoundingReport& report) {
+  if (!geometry.has_thin_parts()) {
+    return Geometry(round_region(geometry.region, target, request, report));
   }
+  if (request.side == RoundingSide::kOutside) {
+    return round_outside(geometry, target, request, report);
+  }
+  if (request.side == RoundingSide::kInside) return round_inside(geometry, target, request, report);
   return round_to_nearest(geometry, target, request, report);
 }
 
 }  // namespace
 
 const char* to_string(RoundingSide side) {
-  switch (side) {
-    case RoundingSide::kNearest:
-      return "nearest";
-    case RoundingSide::kOutside:
-      return "outside";
-    case RoundingSide::kInside:
-      return "inside";
-  }
-  return "";
-}
-
-Rounded detailed_round(const Region& region, const RoundOptions& target, const Options& options) {
-  const RoundRequest request{target.side, target.decimals, part_of(options)};
-  const Target places = target_of(request);
-  Cancellation(request.options, Stage::kRounding).look();
-  Rounded result;
-  result.geometry.region = round_region(region, places, request, result.report);
-  // Both are upper bounds.
-  result.report.largest_move = std::min(result.report.largest_move, result.report.bound);
-  result.report.topology_kept = topology(result.geometry.region) == topology(region);
-  return result;
+  constexpr std::array kNames{"nearest", "outside", "inside"};
+  return kNames[static_cast<std::size_t>(side)];
 }
 
 Rounded detailed_round(const Geometry& geometry, const RoundOptions& target,
                        const Options& options) {
-  if (!geometry.has_thin_parts()) return detailed_round(geometry.region, target, options);
   const RoundRequest request{target.side, target.decimals, part_of(options)};
   const Target places = target_of(request);
   Cancellation(request.options, Stage::kRounding).look();
   Rounded result;
-  result.geometry = round_thin(geometry, places, request, result.report);
+  result.geometry = round_geometry(geometry, places, request, result.report);
+  // Both are upper bounds.
   result.report.largest_move = std::min(result.report.largest_move, result.report.bound);
   result.report.topology_kept = topology(result.geometry.region) == topology(geometry.region) &&
                                 result.geometry.polylines.size() == geometry.polylines.size() &&
                                 result.geometry.points.size() == geometry.points.size();
   return result;
+}
+
+Rounded detailed_round(const Region& region, const RoundOptions& target, const Options& options) {
+  return detailed_round(Geometry(region), target, options);
 }
 
 Region round(const Region& region, const RoundOptions& target, const Options& options) {

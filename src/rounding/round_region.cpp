@@ -26,10 +26,7 @@ double in_units(double length, const Target& target) {
 }
 
 Region resolved(const Region& region, const RoundRequest& request) {
-  const Options resolving = part_of(request.options);
-  Geometry geometry;
-  geometry.region = region;
-  return resolve(geometry, resolving).region;
+  return resolve(Geometry(region), part_of(request.options)).region;
 }
 
 /// Returns the geometry to be snapped so that the result lies on the right side.
@@ -124,9 +121,7 @@ Region round_region(const Region& region, const Target& target, const RoundReque
     return {};
   }
   if (auto rounded = round_by_vertices(region, target, request, report)) return std::move(*rounded);
-  Geometry geometry;
-  geometry.region = region;
-  return round_by_snapping(geometry, target, request, report).region;
+  return round_by_snapping(Geometry(region), target, request, report).region;
 }
 
 }  // namespace minksum

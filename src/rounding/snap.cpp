@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "minksum/resolve.hpp"
+#include "region/map_points.hpp"
 #include "rounding/hot_pixels.hpp"
 
 namespace minksum {
@@ -21,10 +22,7 @@ void for_each_point(const Geometry& geometry, Cancellation& cancellation, Visit 
   for (std::size_t v = 0; v < geometry.region.vertex_count(); ++v) {
     visit_one(geometry.region.point(v));
   }
-  for (const Polyline& line : geometry.polylines) {
-    std::for_each(line.begin(), line.end(), visit_one);
-  }
-  std::for_each(geometry.points.begin(), geometry.points.end(), visit_one);
+  for_each_thin_point(geometry, visit_one);
 }
 
 class Snapper {
@@ -41,9 +39,7 @@ class Snapper {
     Options options = part_of(cancellation_.options());
     options.fill = FillRule::kPositive;
     options.regularize = true;
-    Geometry areas;
-    areas.region = snapped_rings();
-    result.geometry.region = resolve(areas, options).region;
+    result.geometry.region = resolve(Geometry(snapped_rings()), options).region;
     if (geometry_.has_thin_parts()) {
       snap_thin_parts(result.geometry);
       options.fill = FillRule::kAutomatic;

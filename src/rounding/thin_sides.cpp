@@ -6,6 +6,7 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/resolve.hpp"
+#include "region/map_points.hpp"
 #include "rounding/cells.hpp"
 #include "rounding/round_region.hpp"
 

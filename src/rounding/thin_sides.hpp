@@ -6,14 +6,6 @@
 
 namespace minksum {
 
-template <class Visit>
-void for_each_thin_point(const Geometry& geometry, Visit visit) {
-  for (const Polyline& line : geometry.polylines) {
-    for (const Point& p : line) visit(p);
-  }
-  for (const Point& p : geometry.points) visit(p);
-}
-
 /// Tells whether all coordinates are in the target.
 [[nodiscard]] bool is_on_target(const Geometry& geometry, const Target& target,
                                 const Options& options);
