@@ -1,7 +1,10 @@
 // Implements the fill rules.
 #include "minksum/resolve.hpp"
 
+#include <array>
+
 #include "overlay/chains.hpp"
+#include "overlay/resolve_area.hpp"
 #include "overlay/take_holes.hpp"
 #include "validation/fault.hpp"
 
@@ -28,21 +31,8 @@ overlay::Inside inside_by(FillRule rule) {
 }  // namespace
 
 const char* to_string(FillRule rule) {
-  switch (rule) {
-    case FillRule::kAutomatic:
-      return "automatic";
-    case FillRule::kEvenOdd:
-      return "evenodd";
-    case FillRule::kNonZero:
-      return "nonzero";
-    case FillRule::kPositive:
-      return "positive";
-    case FillRule::kNegative:
-      return "negative";
-    case FillRule::kStrict:
-      return "strict";
-  }
-  return "";
+  constexpr std::array kNames{"automatic", "evenodd", "nonzero", "positive", "negative", "strict"};
+  return kNames[static_cast<std::size_t>(rule)];
 }
 
 Geometry resolve(const Geometry& geometry, const Options& options, int operand) {
@@ -53,7 +43,7 @@ Geometry resolve(const Geometry& geometry, const Options& options, int operand) 
       !validate(geometry.region, 1, options).empty()) {
     return overlay::take_holes_away(geometry, options);
   }
-  const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
+  const bool by_role = is_by_role(options.fill);
   using Direction = overlay::Chain::Direction;
   std::vector<overlay::Chain> chains;
   overlay::for_each_ring(geometry.region, [&](overlay::Chain chain, bool is_hole) {
