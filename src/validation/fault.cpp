@@ -34,10 +34,13 @@ std::string to_string(const Fault& fault) {
   return fault.message + where + x.text + ", " + y.text + ")";
 }
 
+void refuse_operand(const std::string& what, int operand, Culprit place) {
+  place.operand = operand;
+  throw Error(ErrorCode::kBadInput, what, place);
+}
+
 void reject(const Fault& fault, int operand) {
-  Culprit culprit = fault.place;
-  culprit.operand = operand;
-  throw Error(ErrorCode::kBadInput, to_string(fault), culprit);
+  refuse_operand(to_string(fault), operand, fault.place);
 }
 
 void require_valid(const Region& region, int operand, const Options& options) {

@@ -9,6 +9,7 @@
 #include "minksum/boolean.hpp"
 #include "operations/configuration_space/free_part.hpp"
 #include "overlay/resolve_area.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
 namespace {
@@ -260,16 +261,13 @@ void require_free(const ConfigurationSpace& space, const Configuration& end, con
                   const ReachOptions& setting, const Options& options, int operand) {
   const Region placed =
       transform(space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()), options);
-  Culprit culprit;
-  culprit.operand = operand;
   const std::string where = operand == 3 ? " at the start" : " at the goal";
-  if (setting.workspace) {
-    if (!contains(resolve_area(*setting.workspace, 2, options).region, placed, options)) {
-      throw Error(ErrorCode::kBadInput, "the robot leaves the workspace" + where, culprit);
-    }
+  if (setting.workspace &&
+      !contains(resolve_area(*setting.workspace, 2, options).region, placed, options)) {
+    refuse_operand("the robot leaves the workspace" + where, operand);
   }
   if (space.overlaps_obstacle(placed)) {
-    throw Error(ErrorCode::kBadInput, "the robot overlaps an obstacle" + where, culprit);
+    refuse_operand("the robot overlaps an obstacle" + where, operand);
   }
 }
 

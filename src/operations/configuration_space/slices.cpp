@@ -14,6 +14,7 @@
 #include "operations/sum/fixed_sum.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/boxes.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
 
@@ -29,12 +30,6 @@ struct ConfigurationSpace::State {
 };
 
 namespace {
-
-[[noreturn]] void refuse(const char* what, int operand) {
-  Culprit culprit;
-  culprit.operand = operand;
-  throw Error(ErrorCode::kBadInput, what, culprit);
-}
 
 /// Returns an upper bound on the distances from the origin.
 Rational radius_of(const Region& robot, const Options& options) {
@@ -98,15 +93,15 @@ ConfigurationSpace::ConfigurationSpace(const Geometry& robot, const Geometry& ob
   const Point& reference = setting.reference;
   state.robot = transform(resolve_area(robot, 0, options).region,
                           Affine::translation(-reference.x, -reference.y), options);
-  if (state.robot.empty()) refuse("a robot needs an area", 0);
+  if (state.robot.empty()) refuse_operand("a robot needs an area", 0);
   state.obstacles = resolve(obstacles, options, 1);
   // minkowski_sum finds only tight places between areas, and none may be missing.
   if (options.tight.value_or(false) && state.obstacles.has_thin_parts()) {
-    refuse("places without play among obstacles with thin parts are not known", 1);
+    refuse_operand("places without play among obstacles with thin parts are not known", 1);
   }
   if (setting.workspace) {
     state.workspace = resolve_area(*setting.workspace, 2, options).region;
-    if (state.workspace.empty()) refuse("a workspace needs an area", 2);
+    if (state.workspace.empty()) refuse_operand("a workspace needs an area", 2);
   }
   set_up(std::move(state));
 }

@@ -7,6 +7,7 @@
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
 #include "region/boxes.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
 namespace {
@@ -38,14 +39,9 @@ Geometry eroded(const Region& a, const Geometry& b, const Options& options) {
 /// Returns B, resolved. Throws if there is no erosion by B.
 Geometry usable_element(const Geometry& b, const Options& options) {
   Geometry element = resolve(b, options, 1);
-  Culprit second;
-  second.operand = 1;
-  if (element.empty()) {
-    throw Error(ErrorCode::kBadInput, "erosion by an empty set would be the whole plane", second);
-  }
+  if (element.empty()) refuse_operand("erosion by an empty set would be the whole plane", 1);
   if (options.tight.value_or(false) && element.has_thin_parts()) {
-    throw Error(ErrorCode::kBadInput, "tight places of an element with thin parts are not known",
-                second);
+    refuse_operand("tight places of an element with thin parts are not known", 1);
   }
   return element;
 }

@@ -5,6 +5,7 @@
 #include "minksum/no_fit.hpp"
 #include "minksum/transform.hpp"
 #include "overlay/resolve_area.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
 namespace {
@@ -13,9 +14,7 @@ namespace {
 Point reference_of(const Geometry& moving, const std::optional<Point>& reference) {
   if (reference) return *reference;
   if (!moving.region.empty()) return moving.region.point(0);
-  Culprit second;
-  second.operand = 1;
-  throw Error(ErrorCode::kBadInput, "a part without area has no reference point", second);
+  refuse_operand("a part without area has no reference point", 1);
 }
 
 /// Returns the geometry moved by `by`. A canonical form stays canonical.

@@ -5,21 +5,9 @@
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
 #include "overlay/resolve_area.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
-namespace {
-
-[[noreturn]] void refuse(const char* what, std::size_t part) {
-  Culprit culprit;
-  culprit.operand = static_cast<int>(part);
-  throw Error(ErrorCode::kBadInput, what, culprit);
-}
-
-/// Tells whether a ring's orientation has no meaning.
-bool is_by_role(FillRule fill) { return fill == FillRule::kAutomatic || fill == FillRule::kStrict; }
-
-}  // namespace
-
 TablePart::TablePart(const Geometry& given, std::size_t index, int turns, const Options& options)
     : given_(&given),
       index_(index),
@@ -48,10 +36,10 @@ Region TablePart::covered() const {
   // Resolving takes as long as some sums, so valid regions skip it.
   const bool valid = !small_.empty() ||
                      (is_by_role(options_->fill) && validate(given_->region, 1, *options_).empty());
-  const Region area =
-      valid ? given_->region : resolve_area(*given_, static_cast<int>(index_), *options_).region;
+  const int index = static_cast<int>(index_);
+  const Region area = valid ? given_->region : resolve_area(*given_, index, *options_).region;
   if (area.empty() || given_->region.empty()) {
-    refuse("a part without area cannot be paired", index_);
+    refuse_operand("a part without area cannot be paired", index);
   }
   const Point reference = given_->region.point(0);
   return transform(area, Affine::translation(-reference.x, -reference.y), *options_);

@@ -32,15 +32,8 @@ void require_sense(const OffsetOptions& shape) {
 
 /// Returns the side of the disc for a set that shrinks: a larger disc leaves less of the set.
 RoundingSide swapped(RoundingSide side) {
-  switch (side) {
-    case RoundingSide::kOutside:
-      return RoundingSide::kInside;
-    case RoundingSide::kInside:
-      return RoundingSide::kOutside;
-    case RoundingSide::kNearest:
-      break;
-  }
-  return RoundingSide::kNearest;
+  if (side == RoundingSide::kNearest) return side;
+  return side == RoundingSide::kOutside ? RoundingSide::kInside : RoundingSide::kOutside;
 }
 
 /// Computes one offset, by `radius` outwards or inwards.
@@ -158,29 +151,13 @@ class Offset {
 }  // namespace
 
 const char* to_string(Join join) {
-  switch (join) {
-    case Join::kRound:
-      return "round";
-    case Join::kMiter:
-      return "miter";
-    case Join::kSquare:
-      return "square";
-    case Join::kBevel:
-      break;
-  }
-  return "bevel";
+  constexpr std::array kNames{"round", "miter", "square", "bevel"};
+  return kNames[static_cast<std::size_t>(join)];
 }
 
 const char* to_string(Cap cap) {
-  switch (cap) {
-    case Cap::kRound:
-      return "round";
-    case Cap::kButt:
-      return "butt";
-    case Cap::kSquare:
-      break;
-  }
-  return "square";
+  constexpr std::array kNames{"round", "butt", "square"};
+  return kNames[static_cast<std::size_t>(cap)];
 }
 
 Geometry offset(const Geometry& a, const Rational& distance, const OffsetOptions& shape,

@@ -23,8 +23,8 @@ struct Shape {
 };
 
 Shape read(const Geometry& geometry, const Options& options, int operand) {
-  const bool by_role = options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
-  if (by_role && !geometry.has_thin_parts() && validate(geometry.region, 1, options).empty()) {
+  if (is_by_role(options.fill) && !geometry.has_thin_parts() &&
+      validate(geometry.region, 1, options).empty()) {
     return {geometry, true};
   }
   return {resolve_area(geometry, operand, options), false};

@@ -8,8 +8,8 @@
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
 #include "minksum/boolean.hpp"
-#include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
+#include "overlay/resolve_area.hpp"
 #include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
 #include "region/region_access.hpp"
@@ -80,9 +80,8 @@ class Reader {
 
   /// Uses valid polygons without thin parts as they are given, unless a rule says what they mean.
   void read() {
-    const bool by_rule =
-        options_.fill != FillRule::kAutomatic && options_.fill != FillRule::kStrict;
-    if (!by_rule && !geometry_->has_thin_parts() && partial_.take(operand_, geometry_->region)) {
+    if (is_by_role(options_.fill) && !geometry_->has_thin_parts() &&
+        partial_.take(operand_, geometry_->region)) {
       return;
     }
     resolve();
