@@ -1,7 +1,6 @@
 #include "batch/batch_job.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <new>
 
@@ -14,7 +13,6 @@ namespace {
 
 // Holds what a line asks for; values are JSON as it stands in the line.
 struct Job {
-  std::string_view id;  ///< empty = none
   std::string operation;
   std::string_view a;
   std::string_view b;
@@ -25,51 +23,32 @@ Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
 
 // Returns the code that results of failed jobs have; docs/batch.md has the table.
 const char* name_of(ExitCode code) {
-  switch (code) {
-    case kWrongUsage:
-      return "bad-job";
-    case kBadInput:
-      return "bad-input";
-    case kLimitExceeded:
-      return "limit";
-    default:
-      return "internal";
-  }
+  constexpr const char* kNames[] = {"internal", "bad-job", "bad-input", "limit"};
+  return kNames[code <= kLimitExceeded ? code : kFine];
 }
 
 Job parse_job(std::string_view text, std::string_view& id) {
   const auto members = json_members(text);
   if (!members) throw usage("a job is a JSON object, which this line is not");
   Job job;
-  bool known[5] = {};
-  const auto take = [&](int key, const JsonMember& member, auto&& place, auto&& convert) {
-    if (known[key]) throw usage("'" + member.key + "' is there twice");
-    known[key] = true;
-    place = convert(member.value);
-  };
-  const auto as_it_stands = [](std::string_view value) { return value; };
-  for (const JsonMember& member : *members) {
-    if (member.key == "id") {
-      take(0, member, id, as_it_stands);
-    } else if (member.key == "operation") {
-      take(1, member, job.operation, [](std::string_view value) {
-        auto name = json_string(value);
-        if (!name) throw usage("'operation' is a string");
-        return *name;
-      });
-    } else if (member.key == "a") {
-      take(2, member, job.a, as_it_stands);
-    } else if (member.key == "b") {
-      take(3, member, job.b, as_it_stands);
-    } else if (member.key == "options") {
-      take(4, member, job.options, as_it_stands);
-    } else {
-      throw usage("a job has no member '" + member.key + "'");
-    }
+  std::string_view operation;
+  const std::pair<const char*, std::string_view*> places[] = {{"id", &id},
+                                                              {"operation", &operation},
+                                                              {"a", &job.a},
+                                                              {"b", &job.b},
+                                                              {"options", &job.options}};
+  for (const auto& [key, value] : *members) {
+    const auto place = std::ranges::find(places, key, [](const auto& p) { return p.first; });
+    if (place == std::end(places)) throw usage("a job has no member '" + key + "'");
+    if (!place->second->empty()) throw usage("'" + key + "' is there twice");
+    *place->second = value;
+    if (place->second != &operation) continue;
+    auto name = json_string(value);
+    if (!name) throw usage("'operation' is a string");
+    job.operation = std::move(*name);
   }
-  for (const auto& [key, name] : {std::pair{1, "operation"}, {2, "a"}}) {
-    if (!known[key]) throw usage(std::string("the job has no '") + name + "'");
-  }
+  if (operation.empty()) throw usage("the job has no 'operation'");
+  if (job.a.empty()) throw usage("the job has no 'a'");
   return job;
 }
 
@@ -244,13 +223,8 @@ std::string error_json(double seconds) {
   const auto json = [](const char* code, const std::string& message) {
     return std::string(R"("error":{"code":")") + code + R"(","message":)" + to_json(message) + '}';
   };
-  const auto of = [&](const Failure& failure) {
-    return json(name_of(failure.code()), failure.what());
-  };
   try {
     throw;
-  } catch (const Failure& failure) {
-    return of(failure);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) {
       std::string limit = std::to_string(seconds);
@@ -258,13 +232,13 @@ std::string error_json(double seconds) {
       if (limit.back() == '.') limit.pop_back();
       return json("timeout", "the time limit of " + limit + " seconds is exceeded (--timeout)");
     }
-    return of(failure_of(error, ""));
+  } catch (...) {
+  }
+  try {
+    const Failure failure = current_failure();
+    return json(name_of(failure.code()), failure.what());
   } catch (const std::bad_alloc&) {
     return json("limit", "out of memory (--max-memory)");
-  } catch (const std::length_error&) {
-    return json("limit", "out of memory (--max-memory)");
-  } catch (const std::exception& error) {
-    return json("internal", std::string("internal error: ") + error.what());
   }
 }
 

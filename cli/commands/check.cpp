@@ -86,12 +86,9 @@ Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& l
       "\nDecided by other methods than `sum` uses: validity; points near edges, in holes and at\n"
       "random; and, where it is small enough for the second method, the whole sum exactly.\n"
       "Rounded results need --within. Exit code 5 if an error is found.\n");
-  const auto add_file = [check](const char* name, std::string& file, const char* what) {
-    check.add_option(name, file, what).required().type_name("FILE");
-  };
-  add_file("RESULT", arguments.result, "What is said to be the sum");
-  add_file("P", arguments.operands[0], "The first operand");
-  add_file("Q", arguments.operands[1], "The second operand");
+  add_operand(check, "RESULT", arguments.result, "What is said to be the sum");
+  add_operand(check, "P", arguments.operands[0], "The first operand");
+  add_operand(check, "Q", arguments.operands[1], "The second operand");
   add_fill_option(check, arguments.options.fill);
   check.add_flag("--regularize", arguments.options.regularize,
                  "Drop operands' polylines, points and spikes");
@@ -106,19 +103,16 @@ Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& l
           },
           "How far, in x and in y, the result may be off; 0, the default: not at all")
       .type_name("D");
-  check
-      .add_option("--samples", arguments.how.samples,
-                  "Random points, beside those near edges; 1000 without it")
-      .type_name("N");
-  check
-      .add_option("--edges", arguments.how.edges,
-                  "Edges of the result near which points are tested; 10000 without it")
-      .type_name("N");
-  check.add_option("--seed", arguments.how.seed, "Seed of the random points").type_name("N");
-  check
-      .add_option("--proof-segments", arguments.how.proof.max_segments,
-                  "Largest signed convolution for which the whole sum is compared")
-      .type_name("N");
+  CheckOptions& how = arguments.how;
+  const auto add_count = [check](const char* name, auto& count, const char* what) {
+    check.add_option(name, count, what).type_name("N");
+  };
+  add_count("--samples", how.samples, "Random points, beside those near edges; 1000 without it");
+  add_count("--edges", how.edges,
+            "Edges of the result near which points are tested; 10000 without it");
+  add_count("--seed", how.seed, "Seed of the random points");
+  add_count("--proof-segments", how.proof.max_segments,
+            "Largest signed convolution for which the whole sum is compared");
   check.add_flag("--json", arguments.json, "As JSON");
   add_limit_options(check, limits, false);
   return check;

@@ -154,9 +154,7 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
   const Command info =
       line.add_command("info", "What a geometry is: parts, holes, box, exact area, validity, bits");
   info.footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
-  info.add_option("FILE", arguments.file, "The geometry, or - for standard input")
-      .required()
-      .type_name("FILE");
+  add_operand(info, "FILE", arguments.file, "The geometry, or - for standard input");
   info.add_flag("--json", arguments.json, "As JSON");
   add_fill_option(info, arguments.options.fill);
   info.add_flag("--regularize", arguments.options.regularize, "Drop polylines, points and spikes");

@@ -1,5 +1,4 @@
 // minksum dilate, erode, open and close: apply the operations of morphology.
-#include <memory>
 #include <ostream>
 
 #include "commands/commands.hpp"
@@ -13,54 +12,31 @@
 #include "process/failure.hpp"
 
 namespace minksum::cli {
-namespace {
-
-using Operation = MorphologyArguments::Operation;
-
-Captions captions_of(Operation operation) {
-  const auto named = [](const char* result) { return Captions{result, "A", "B", result}; };
-  switch (operation) {
-    case Operation::kDilate:
-      return named("A ⊕ B");
-    case Operation::kErode:
-      return named("A ⊖ B");
-    case Operation::kOpen:
-      return named("A ∘ B");
-    case Operation::kClose:
-      break;
-  }
-  return named("A • B");
-}
-
-}  // namespace
 
 Geometry morphology(const MorphologyArguments& arguments, const Geometry& a, const Geometry& b) {
-  switch (arguments.operation) {
-    case Operation::kDilate:
-      return dilate(a, b, arguments.options);
-    case Operation::kErode:
-      return erode(a, b, arguments.options);
-    case Operation::kOpen:
-      return open(a, b, arguments.options);
-    case Operation::kClose:
-      break;
-  }
-  return close(a, b, arguments.options);
+  constexpr decltype(&dilate) kOperations[] = {dilate, erode, open, close};
+  return kOperations[static_cast<std::size_t>(arguments.operation)](a, b, arguments.options);
 }
 
 namespace {
 
 int run_morphology(const MorphologyArguments& arguments) {
-  run_on_operands(
-      arguments, arguments.output, [&](const Geometry& a, const Geometry& b, OutputFiles& files) {
-        const Geometry result = morphology(arguments, a, b);
-        write_rounded(files, arguments, result);
-        if (arguments.picture.empty()) return;
-        const Options reading{.fill = arguments.options.fill};
-        const Captions captions = captions_of(arguments.operation);
-        write_picture(files, arguments.picture,
-                      {resolve(a, reading), resolve(b, reading), result, nullptr, captions, true});
-      });
+  run_on_operands(arguments, arguments.output,
+                  [&](const Geometry& a, const Geometry& b, OutputFiles& files) {
+                    const Geometry result = morphology(arguments, a, b);
+                    write_rounded(files, arguments, result);
+                    if (arguments.picture.empty()) return;
+                    const Options reading{.fill = arguments.options.fill};
+                    constexpr const char* kNames[] = {"A ⊕ B", "A ⊖ B", "A ∘ B", "A • B"};
+                    const char* const name = kNames[static_cast<std::size_t>(arguments.operation)];
+                    write_picture(files, arguments.picture,
+                                  {resolve(a, reading),
+                                   resolve(b, reading),
+                                   result,
+                                   nullptr,
+                                   {name, "A", "B", name},
+                                   true});
+                  });
   return kFine;
 }
 

@@ -15,19 +15,11 @@ struct Words {
   const char* result;
 };
 
-Words words_of(Operation operation) {
-  switch (operation) {
-    case Operation::kDilate:
-      return {"dilate", "Dilation: A grown by B", "dilation"};
-    case Operation::kErode:
-      return {"erode", "Erosion: where B fits into A", "erosion"};
-    case Operation::kOpen:
-      return {"open", "Opening: what B covers while it stays in A", "opening"};
-    case Operation::kClose:
-      break;
-  }
-  return {"close", "Closing: dilation, then erosion, by B", "closing"};
-}
+/// By Operation.
+constexpr Words kWords[] = {{"dilate", "Dilation: A grown by B", "dilation"},
+                            {"erode", "Erosion: where B fits into A", "erosion"},
+                            {"open", "Opening: what B covers while it stays in A", "opening"},
+                            {"close", "Closing: dilation, then erosion, by B", "closing"}};
 
 constexpr const char* kOffsetFooter = R"(
 Files as for `minksum sum`; FILE may be "-" for standard input. Numbers as 1.5, 1e-3 or 2/3.
@@ -35,10 +27,6 @@ Files as for `minksum sum`; FILE may be "-" for standard input. Numbers as 1.5, 
 constexpr const char* kFilesFooter = R"(
 Files as for `minksum sum`; one of them may be "-" for standard input.
 )";
-
-Option add_operand(const Command& command, const char* name, std::string& file, const char* what) {
-  return command.add_option(name, file, what).required().type_name("FILE");
-}
 
 void require_one_standard_input(const std::string (&operands)[2], const std::string& names) {
   if (operands[0] == "-" && operands[1] == "-") {
@@ -64,7 +52,7 @@ void require_file(const std::string& picture) {
 }
 
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits) {
-  const Words words = words_of(arguments.operation);
+  const Words& words = kWords[static_cast<std::size_t>(arguments.operation)];
   const Command command = line.add_command(words.name, words.what);
   command.footer(kFilesFooter);
   add_operand(command, "A", arguments.operands[0], "The set");

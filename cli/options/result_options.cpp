@@ -45,6 +45,10 @@ io::Format choose_format(const std::string& typed, const std::string& output) {
   return found == kFormats.end() ? io::Format::kWkt : found->second;
 }
 
+Option add_operand(const Command& command, const char* name, std::string& file, const char* what) {
+  return command.add_option(name, file, what).required().type_name("FILE");
+}
+
 void add_result_options(const Command& command, ResultArguments& arguments,
                         const std::string& result) {
   command

@@ -10,6 +10,9 @@
 
 namespace minksum::cli {
 
+/// Adds a positional that is the name of a file.
+Option add_operand(const Command& command, const char* name, std::string& file, const char* what);
+
 /// Adds -o, --format, --coords and --round. Texts call the result `result`, such as "sum".
 void add_result_options(const Command& command, ResultArguments& arguments,
                         const std::string& result);

@@ -12,12 +12,10 @@ void add_robot_options(const Command& command, RobotArguments& arguments,
                        ConfigurationOptions& setting) {
   Options& options = arguments.options;
   command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
-  const auto add_file = [&command](const char* name, std::string& file, const char* what) {
-    return command.add_option(name, file, what).type_name("FILE");
-  };
-  add_file("ROBOT", arguments.operands[0], "What moves and turns").required();
-  add_file("OBSTACLES", arguments.operands[1], "What it must not overlap").required();
-  add_file("--workspace", arguments.workspace, "What the robot has to stay inside");
+  add_operand(command, "ROBOT", arguments.operands[0], "What moves and turns");
+  add_operand(command, "OBSTACLES", arguments.operands[1], "What it must not overlap");
+  command.add_option("--workspace", arguments.workspace, "What the robot has to stay inside")
+      .type_name("FILE");
   command
       .add_option(
           "--reference",

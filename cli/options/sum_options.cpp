@@ -108,8 +108,8 @@ Option add_fill_option(const Command& command, FillRule& fill) {
 Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits) {
   const Command sum = line.add_command("sum", "The Minkowski sum of two geometries");
   sum.footer(kSumFooter);
-  sum.add_option("P", arguments.operands[0], "The first operand").required().type_name("FILE");
-  sum.add_option("Q", arguments.operands[1], "The second operand").required().type_name("FILE");
+  add_operand(sum, "P", arguments.operands[0], "The first operand");
+  add_operand(sum, "Q", arguments.operands[1], "The second operand");
   add_output_options(sum, arguments);
   add_choice(sum, "--method", kMethods, arguments.options.method,
              "reduced (the default), signed, full: the same sum by three methods")

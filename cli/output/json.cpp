@@ -27,18 +27,6 @@ Json::Json(std::initializer_list<Json> values) : kind_(Kind::kArray) {
   for (const Json& value : values) member(value.values_.front().text_) = value.values_.back();
 }
 
-Json Json::array() {
-  Json json;
-  json.kind_ = Kind::kArray;
-  return json;
-}
-
-Json Json::object() {
-  Json json;
-  json.kind_ = Kind::kObject;
-  return json;
-}
-
 Json& Json::operator[](std::string_view key) { return member(Json(key).text_); }
 
 void Json::push_back(Json value) {

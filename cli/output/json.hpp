@@ -25,8 +25,8 @@ class Json {
   /// Makes an object if all values are pairs that start with a string, else an array.
   Json(std::initializer_list<Json> values);
 
-  [[nodiscard]] static Json array();
-  [[nodiscard]] static Json object();
+  [[nodiscard]] static Json array() { return Json(Kind::kArray); }
+  [[nodiscard]] static Json object() { return Json(Kind::kObject); }
 
   /// Returns the member of an object by its name. A missing member is added.
   Json& operator[](std::string_view key);
@@ -40,6 +40,7 @@ class Json {
 
  private:
   enum class Kind { kScalar, kArray, kObject };
+  explicit Json(Kind kind) : kind_(kind) {}
   void write(std::string& out, std::size_t indent, std::size_t depth) const;
   Json& member(const std::string& key);
 

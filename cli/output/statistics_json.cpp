@@ -46,12 +46,9 @@ Json result_json(const SumArguments& arguments, const SumRun& run) {
 }
 
 Json rounding_json(RoundingSide side, const RoundingReport& report) {
-  return {{"side", minksum::to_string(side)},
-          {"exact", report.exact},
-          {"snapped", report.snapped},
-          {"topology_kept", report.topology_kept},
-          {"largest_move", report.largest_move},
-          {"bound", report.bound}};
+  return {{"side", minksum::to_string(side)},    {"exact", report.exact},
+          {"snapped", report.snapped},           {"topology_kept", report.topology_kept},
+          {"largest_move", report.largest_move}, {"bound", report.bound}};
 }
 
 Json seconds_json(const Seconds& seconds) {

@@ -109,10 +109,6 @@ std::string picture_of(const Drawing& drawing, const Geometry* sum) {
   return std::move(picture).finish();
 }
 
-std::string counted(std::size_t number, const char* one, const char* many) {
-  return grouped(number) + " " + (number == 1 ? one : many);
-}
-
 }  // namespace
 
 Drawing drawing_of(const SumRun& run, const Options& options) {
@@ -132,7 +128,7 @@ std::string operands_picture(const Drawing& drawing) { return picture_of(drawing
 std::string summary(const Geometry& geometry) {
   std::string text;
   const auto add = [&text](std::size_t number, const char* one, const char* many) {
-    text += (text.empty() ? "" : ", ") + counted(number, one, many);
+    text += (text.empty() ? "" : ", ") + grouped(number) + " " + (number == 1 ? one : many);
   };
   const Region& region = geometry.region;
   if (!region.empty()) add(region.vertex_count(), "vertex", "vertices");

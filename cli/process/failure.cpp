@@ -13,16 +13,8 @@ namespace minksum::cli {
 namespace {
 
 ExitCode exit_code_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::kBadInput:
-      return kBadInput;
-    case ErrorCode::kLimitExceeded:
-      return kLimitExceeded;
-    case ErrorCode::kCancelled:
-    case ErrorCode::kInternal:
-      break;
-  }
-  return kInternal;
+  if (code == ErrorCode::kBadInput) return kBadInput;
+  return code == ErrorCode::kLimitExceeded ? kLimitExceeded : kInternal;
 }
 
 // Input can put any bytes into a message. Escaping keeps it one line, and harmless for terminals.
@@ -37,11 +29,6 @@ std::string one_line(const std::string& text) {
     }
     return escaped;
   });
-}
-
-int fail_with(ExitCode code, const std::string& message) {
-  tell(message);
-  return code;
 }
 
 int tell_out_of_memory(std::optional<std::uint64_t> limit) noexcept {
@@ -81,23 +68,6 @@ std::string with_option(const Error& error) {
     message += ')';
   }
   return message;
-}
-
-int tell_exception() {
-  try {
-    throw;
-  } catch (const Failure& failure) {
-    return fail_with(failure.code(), failure.what());
-  } catch (const Error& error) {
-    const Failure failure = failure_of(error, "");
-    return fail_with(failure.code(), failure.what());
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::length_error&) {  // asked for more elements than a vector can have
-    throw std::bad_alloc();
-  } catch (const std::exception& error) {
-    return fail_with(kInternal, std::string("internal error: ") + error.what());
-  }
 }
 
 }  // namespace
@@ -182,9 +152,27 @@ std::optional<std::string> reading_of_faults(const Region& region, FillRule fill
          to_string(fill) + ": " + meaning + " (--strict refuses them)";
 }
 
+Failure current_failure() {
+  try {
+    throw;
+  } catch (const Failure& failure) {
+    return failure;
+  } catch (const Error& error) {
+    return failure_of(error, "");
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::length_error&) {  // asked for more elements than a vector can have
+    throw std::bad_alloc();
+  } catch (const std::exception& error) {
+    return Failure(kInternal, std::string("internal error: ") + error.what());
+  }
+}
+
 int report_failure(std::optional<std::uint64_t> memory_limit) noexcept {
   try {
-    return tell_exception();
+    const Failure failure = current_failure();
+    tell(failure.what());
+    return failure.code();
   } catch (const std::bad_alloc&) {
     return tell_out_of_memory(memory_limit);
   } catch (...) {

@@ -72,6 +72,8 @@ struct ReadOperand {
 [[nodiscard]] std::optional<std::string> reading_of_faults(
     const Region& region, FillRule fill, const std::optional<CancelToken>& cancel = {});
 
+/// Returns the exception being handled as a failure. Throws std::bad_alloc for lack of memory.
+[[nodiscard]] Failure current_failure();
 /// Reports the exception being handled on standard error, in one line; returns the exit code.
 /// A report of lack of memory needs no memory; it names `memory_limit`, in bytes, if there is one.
 int report_failure(std::optional<std::uint64_t> memory_limit) noexcept;
