@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 #include "overlay/write_node.hpp"
 
@@ -27,8 +28,8 @@ class AreaExtractor {
       : segments_(segments), cancellation_(segments.cancellation()), s_(subdivision) {}
 
   void run(Region& area) {
-    walk_of_.assign(s_.pieces.size(), kNone);
-    place_in_path_.assign(s_.nodes.size(), kNone);
+    assign_in_pieces(walk_of_, s_.pieces.size(), kNone, cancellation_);
+    assign_in_pieces(place_in_path_, s_.nodes.size(), kNone, cancellation_);
     for (PieceId p = 0; p < s_.pieces.size(); ++p) {
       cancellation_.check();
       if (s_.pieces[p].is_boundary() && walk_of_[p] == kNone) follow(p);

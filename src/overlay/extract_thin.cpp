@@ -15,7 +15,7 @@ class ThinExtractor {
       : segments_(segments), cancellation_(segments.cancellation()), s_(subdivision) {}
 
   void run(Geometry& geometry) {
-    done_.assign(s_.pieces.size(), 0);
+    assign_in_pieces(done_, s_.pieces.size(), std::uint8_t{0}, cancellation_);
     describe_nodes();
     for (NodeId v = 0; v < s_.nodes.size(); ++v) {
       if (is_end(v)) follow_from(v);
@@ -29,8 +29,8 @@ class ThinExtractor {
   using Path = std::vector<NodeId>;
 
   void describe_nodes() {
-    thin_degree_.assign(s_.nodes.size(), 0);
-    on_area_.assign(s_.nodes.size(), 0);
+    assign_in_pieces(thin_degree_, s_.nodes.size(), 0U, cancellation_);
+    assign_in_pieces(on_area_, s_.nodes.size(), std::uint8_t{0}, cancellation_);
     for (const Piece& piece : s_.pieces) {
       cancellation_.check();
       for (const NodeId v : {piece.low, piece.high}) {

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "machine/exceeded.hpp"
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 #include "spatial/median_division.hpp"
 
@@ -241,7 +242,7 @@ class ContactFinder {
     const Sign a_high = predicates_.orientation(b, a.high);
     if (a_low == a_high && a_low != kZero) return;
     if (b_low * b_high == kNegative && a_low * a_high == kNegative) {
-      contacts_.crossings.push_back({std::min(s, t), std::max(s, t)});
+      append(contacts_.crossings, {std::min(s, t), std::max(s, t)}, cancellation_);
       return limit_crossings();
     }
     if (b_low == kZero) touch_inside(s, b.low);
@@ -267,7 +268,7 @@ class ContactFinder {
   /// Adds a touch if a point of the segment's line lies inside the segment. Numbers of points tell,
   /// because they are in lexicographic order.
   void touch_inside(SegmentId s, PointId p) {
-    if (ends(s).low < p && p < ends(s).high) contacts_.touches.push_back({s, p});
+    if (ends(s).low < p && p < ends(s).high) append(contacts_.touches, {s, p}, cancellation_);
   }
 
   void limit_crossings() {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 
 namespace minksum::overlay {
@@ -38,8 +39,8 @@ std::vector<PointId> merge_points(std::vector<Source> sources, Segments& segment
   for (const PointId p : order) {
     segments.cancellation().check();
     if (distinct.empty() || predicates.compare(distinct.back(), p) != kZero) {
-      distinct.push_back(p);
-      segments.sources.push_back(sources[p]);
+      append(distinct, p, segments.cancellation());
+      append(segments.sources, sources[p], segments.cancellation());
     }
     point_of[p] = static_cast<PointId>(distinct.size() - 1);
   }
@@ -60,9 +61,9 @@ void merge_equal(std::vector<Segment>& list, Cancellation& cancellation) {
   std::sort(list.begin(), list.end(), cancellation.counting([](const Segment& a, const Segment& b) {
     return a.ends.low != b.ends.low ? a.ends.low < b.ends.low : a.ends.high < b.ends.high;
   }));
-  cancellation.check(list.size());
   std::size_t kept = 0;
   for (const Segment& s : list) {
+    cancellation.check();
     Segment* last = kept == 0 ? nullptr : &list[kept - 1];
     if (last != nullptr && last->ends.low == s.ends.low && last->ends.high == s.ends.high) {
       last->change = last->change + s.change;
@@ -104,8 +105,11 @@ Segments list_segments(std::span<const Chain> chains, Cancellation& cancellation
       if (last && !chain.closed) break;
       const PointId a = points[i];
       const PointId b = points[last ? 0 : i + 1];
-      if (a < b) segments.list.push_back({{a, b}, weight, chain.belongs, chain.spared});
-      if (b < a) segments.list.push_back({{b, a}, -weight, chain.belongs, chain.spared});
+      const auto add = [&](const Ends& ends, const Winding& change) {
+        append(segments.list, {ends, change, chain.belongs, chain.spared}, cancellation);
+      };
+      if (a < b) add({a, b}, weight);
+      if (b < a) add({b, a}, -weight);
     }
   }
   merge_equal(segments.list, cancellation);

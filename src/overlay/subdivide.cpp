@@ -39,13 +39,14 @@ class Subdivider {
       const Ends& t = segments_.list[c.second].ends;
       crossed.push_back({predicates_.crossing(s, t), ExactLocation::of_crossing(s, t), false});
     }
-    std::vector<std::uint32_t> order(crossed.size());
+    std::vector<std::uint32_t> order;
+    resize_in_pieces(order, crossed.size(), cancellation_);
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), cancellation_.counting([&](auto a, auto b) {
       return a != b && compare(crossed[a], crossed[b]) == kNegative;
     }));
-    node_of_point_.resize(point_count());
-    node_of_crossing_.resize(crossed.size());
+    resize_in_pieces(node_of_point_, point_count(), cancellation_);
+    resize_in_pieces(node_of_crossing_, crossed.size(), cancellation_);
     result_.nodes.reserve(point_count() + crossed.size());
     PointId p = 0;
     for (const std::uint32_t c : order) {
@@ -72,10 +73,10 @@ class Subdivider {
   /// Lists the nodes inside each segment, in order.
   void list_stops() {
     const std::size_t count = segments_.list.size();
-    first_stop_.assign(count + 2, 0);
+    assign_in_pieces(first_stop_, count + 2, 0U, cancellation_);
     for_each_stop([&](SegmentId s, NodeId) { ++first_stop_[s + 2]; });
     std::partial_sum(first_stop_.begin(), first_stop_.end(), first_stop_.begin());
-    stops_.resize(first_stop_.back());
+    resize_in_pieces(stops_, first_stop_.back(), cancellation_);
     for_each_stop([&](SegmentId s, NodeId node) { stops_[first_stop_[s + 1]++] = node; });
     first_stop_.pop_back();
   }
@@ -121,8 +122,9 @@ class Subdivider {
     std::vector<Piece> unsorted;
     unsorted.swap(result_.pieces);
     const std::size_t count = result_.nodes.size();
-    std::vector<std::uint32_t> place(count + 1, 0);
-    for (const Piece& piece : unsorted) ++place[piece.low + 1];
+    std::vector<std::uint32_t> place;
+    assign_in_pieces(place, count + 1, 0U, cancellation_);
+    visit_in_pieces(unsorted, cancellation_, [&](const Piece& piece) { ++place[piece.low + 1]; });
     std::partial_sum(place.begin(), place.end(), place.begin());
     resize_in_pieces(result_.pieces, unsorted.size(), cancellation_);
     for (const Piece& piece : unsorted) {
@@ -138,7 +140,7 @@ class Subdivider {
       const std::size_t end = place[v];
       kept += sort_at_node(begin, end, kept);
       begin = end;
-      result_.first_piece.push_back(static_cast<std::uint32_t>(kept));
+      append(result_.first_piece, static_cast<std::uint32_t>(kept), cancellation_);
     }
     result_.pieces.resize(kept);
   }

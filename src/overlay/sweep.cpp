@@ -1,6 +1,7 @@
 // Finds the winding numbers on both sides of every piece.
 #include <algorithm>
 
+#include "machine/make_room.hpp"
 #include "overlay/subdivision.hpp"
 #include "spatial/sweep_status.hpp"
 
@@ -13,8 +14,8 @@ class Sweep {
       : segments_(segments), rule_(rule), cancellation_(segments.cancellation()), s_(s) {}
 
   void run() {
-    slot_of_.resize(s_.pieces.size());
-    above_.resize(s_.pieces.size());
+    resize_in_pieces(slot_of_, s_.pieces.size(), cancellation_);
+    resize_in_pieces(above_, s_.pieces.size(), cancellation_);
     s_.around.reserve(2 * s_.pieces.size());
     s_.first_around.reserve(s_.nodes.size() + 1);
     s_.inside_left.reserve(s_.nodes.size());
@@ -30,8 +31,10 @@ class Sweep {
  private:
   /// Finds, for each node, some piece that ends there.
   void find_ending() {
-    ending_.assign(s_.nodes.size(), kNone);
-    for (PieceId p = 0; p < s_.pieces.size(); ++p) ending_[s_.pieces[p].high] = p;
+    assign_in_pieces(ending_, s_.nodes.size(), kNone, cancellation_);
+    PieceId p = 0;
+    visit_in_pieces(s_.pieces, cancellation_,
+                    [&](const Piece& piece) { ending_[piece.high] = p++; });
   }
 
   void pass(NodeId v) {
