@@ -1,9 +1,8 @@
 #include "batch/in_order.hpp"
 
-#include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <future>
+#include <exception>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -18,6 +17,14 @@ namespace {
 
 constexpr std::size_t kTasksPerThread = 64;
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+
+// A task under way. Its address is stable, because a thread works on it.
+struct Slot {
+  Task task;
+  Done result;
+  std::exception_ptr failure;
+  bool done = false;
+};
 
 class Pool {
  public:
@@ -38,33 +45,34 @@ class Pool {
   Pool& operator=(const Pool&) = delete;
 
   [[nodiscard]] std::size_t threads() const { return threads_.size(); }
-  [[nodiscard]] bool idle() const { return pending_.empty(); }
+  [[nodiscard]] bool idle() const { return slots_.empty(); }
   [[nodiscard]] bool has_room() const {
-    return idle() || (pending_.size() < kTasksPerThread * threads() && bytes_ < kMaxBytes);
+    return slots_.empty() || (slots_.size() < kTasksPerThread * threads() && bytes_ < kMaxBytes);
   }
   void add(Task task) {
     bytes_ += task.bytes;
-    // The worker is made in a task, which then reports a failure.
-    Job job([run = std::move(task.run)](std::optional<Worker>& worker) {
-      if (!worker) worker.emplace();
-      return run(*worker);
-    });
-    pending_.push_back({job.get_future(), task.bytes});
     {
       const std::lock_guard lock(mutex_);
-      waiting_.push_back(std::move(job));
+      slots_.push_back(std::make_unique<Slot>());
+      slots_.back()->task = std::move(task);
+      waiting_.push_back(slots_.back().get());
     }
     wake_.notify_one();
   }
-  [[nodiscard]] bool first_is_done() const {
-    return pending_.front().result.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  [[nodiscard]] bool first_is_done() {
+    const std::lock_guard lock(mutex_);
+    return slots_.front()->done;
   }
   // Waits for the oldest task, and returns its result.
   Done take() {
-    Pending first = std::move(pending_.front());
-    pending_.pop_front();
-    bytes_ -= first.bytes;
-    return first.result.get();
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return slots_.front()->done; });
+    const std::unique_ptr<Slot> slot = std::move(slots_.front());
+    slots_.pop_front();
+    lock.unlock();
+    bytes_ -= slot->task.bytes;
+    if (slot->failure) std::rethrow_exception(slot->failure);
+    return std::move(slot->result);
   }
 
  private:
@@ -79,30 +87,32 @@ class Pool {
     }
   }
   void work() {
-    std::optional<Worker> worker;
+    std::optional<Worker> worker;  // made in a task, which then reports a failure
+    std::unique_lock lock(mutex_);
     for (;;) {
-      Job job;
-      {
-        std::unique_lock lock(mutex_);
-        wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-        if (ending_) return;
-        job = std::move(waiting_.front());
-        waiting_.pop_front();
+      wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+      if (ending_) return;
+      Slot& slot = *waiting_.front();
+      waiting_.pop_front();
+      lock.unlock();
+      try {
+        if (!worker) worker.emplace();
+        slot.result = slot.task.run(*worker);
+      } catch (...) {
+        slot.failure = std::current_exception();
       }
-      job(worker);
+      slot.task.run = nullptr;  // frees what the task holds
+      lock.lock();
+      slot.done = true;
+      if (&slot == slots_.front().get()) done_.notify_one();
     }
   }
 
-  using Job = std::packaged_task<Done(std::optional<Worker>&)>;
-  struct Pending {
-    std::future<Done> result;
-    std::size_t bytes;
-  };
-
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::deque<Pending> pending_;  // tasks not yet consumed; only one thread sees this
-  std::deque<Job> waiting_;      // tasks whose work has not begun
+  std::condition_variable done_;
+  std::deque<std::unique_ptr<Slot>> slots_;  // not yet consumed; only one thread changes this
+  std::deque<Slot*> waiting_;                // slots whose work has not begun
   bool ending_ = false;
   std::size_t bytes_ = 0;
   std::vector<std::thread> threads_;
