@@ -151,17 +151,14 @@ void start_forest(std::vector<std::uint32_t>& parent, std::size_t size,
   visit_in_pieces(parent, cancellation, [&](std::uint32_t& p) { p = next++; });
 }
 
-/// Divides the cells that have items into parts of about as many items. Returns where parts begin.
-std::vector<std::size_t> divide_cells(const ArrangementScratch& scratch, std::size_t tasks) {
-  std::vector<std::size_t> begin{0};
+/// Returns where the task begins if cells are divided into tasks of about as many items.
+std::size_t first_cell(const ArrangementScratch& scratch, std::size_t task, std::size_t tasks) {
+  if (task == 0) return 0;
+  if (task == tasks) return scratch.cells.size();
   const auto end_of = [&](std::uint32_t cell) -> std::size_t { return scratch.cell_end[cell]; };
-  for (std::size_t task = 1; task < tasks; ++task) {
-    const auto at = std::ranges::lower_bound(
-        scratch.cells, begin_of(task, tasks, scratch.in_cells.size()), {}, end_of);
-    begin.push_back(static_cast<std::size_t>(at - scratch.cells.begin()));
-  }
-  begin.push_back(scratch.cells.size());
-  return begin;
+  const std::size_t item = begin_of(task, tasks, scratch.in_cells.size());
+  const auto at = std::ranges::lower_bound(scratch.cells, item, {}, end_of);
+  return static_cast<std::size_t>(at - scratch.cells.begin());
 }
 
 /// Lists all crossings, part by part, and makes each its own root.
@@ -212,12 +209,11 @@ void find_crossings(const SumSettings& options, Predicates& predicates, Arrangem
     part.lines_shared = false;
   }
   scratch.meeting.resize(std::max(scratch.meeting.size(), members_of(cancellation)));
-  const std::vector<std::size_t> begin = divide_cells(scratch, tasks);
   share_decisions(tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
     CrossingFinder finder(options, decide, scratch.meeting[member], scratch, kept,
                           scratch.meetings[task], tasks == 1);
     if (scratch.covered) {
-      finder.solve_cells(begin[task], begin[task + 1]);
+      finder.solve_cells(first_cell(scratch, task, tasks), first_cell(scratch, task + 1, tasks));
     } else {
       finder.solve_all();
     }
