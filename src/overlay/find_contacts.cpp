@@ -49,7 +49,8 @@ class ContactFinder {
     if (too_many()) return false;
     auto& touches = contacts_.touches;
     std::sort(touches.begin(), touches.end(), cancellation_.counting(std::less<>()));
-    touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+    const auto same = cancellation_.counting(std::equal_to<>());
+    touches.erase(std::unique(touches.begin(), touches.end(), same), touches.end());
     sort_crossings();
     return true;
   }
@@ -280,7 +281,8 @@ class ContactFinder {
   void sort_crossings() {
     auto& crossings = contacts_.crossings;
     std::sort(crossings.begin(), crossings.end(), cancellation_.counting(std::less<>()));
-    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+    const auto same = cancellation_.counting(std::equal_to<>());
+    crossings.erase(std::unique(crossings.begin(), crossings.end(), same), crossings.end());
     if (crossings.size() <= max_crossings_) return;
     throw exceeded("Limits::max_crossings", max_crossings_, "an overlay has", "crossings");
   }
