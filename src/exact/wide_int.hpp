@@ -126,23 +126,6 @@ class WideInt {
   std::array<std::uint64_t, N> limbs_;
 };
 
-/// Returns n / d rounded down, for n >= 0, d > 0 and n / d < 2^62. It is a step of a long division:
-/// Knuth 1997, section 4.3.1, algorithm D.
-template <std::size_t N>
-constexpr std::int64_t short_quotient(const WideInt<N>& n, const WideInt<N>& d) {
-  std::size_t top = N;
-  while (d.limb(--top) == 0) {
-  }
-  // The highest limb of the divisor gets its highest bit, so the guess is at most 2 too large.
-  const WideInt<N + 1> factor(Int128{1} << std::countl_zero(d.limb(top)));
-  const WideInt<N + 1> rest = WideInt<N + 1>(n) * factor;
-  const WideInt<N + 1> divisor = WideInt<N + 1>(d) * factor;
-  const Uint128 high = static_cast<Uint128>(rest.limb(top + 1)) << 64 | rest.limb(top);
-  auto quotient = static_cast<std::int64_t>(high / divisor.limb(top));
-  while (WideInt<N + 1>(quotient) * divisor > rest) --quotient;
-  return quotient;
-}
-
 template <std::size_t N>
 constexpr const WideInt<N>& as_limbs(const WideInt<N>& value) {
   return value;
