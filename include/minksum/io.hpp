@@ -98,10 +98,9 @@ struct Coordinates {
 };
 
 /// Writes a region as WKT, GeoJSON, WKB, `.poly` or a plain SVG. WKB is little-endian and holds
-/// doubles. O(n) for n vertices. Throws Error:
-/// kBadInput for `.dat`, which is only read, for WKB in another style than kDouble, and for a
-/// number of digits that is out of range; kLimitExceeded for a coordinate beyond the range of
-/// doubles that has to be written as one; kCancelled.
+/// doubles. O(n) for n vertices. Throws Error: kBadInput for `.dat`, which is only read, for WKB in
+/// another style than kDouble, and for a number of digits that is out of range; kLimitExceeded for
+/// a coordinate beyond the range of doubles that has to be written as one; kCancelled.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});
 /// Returns the region as WKT. This and all functions below throw as `write` does.

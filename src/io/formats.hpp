@@ -26,7 +26,8 @@ void refuse_other_formats(std::string_view text);
 
 /// Tells whether the bytes begin with a byte order and the code of a geometry.
 [[nodiscard]] bool looks_like_wkb(std::string_view bytes);
-/// Tells whether hexadecimal digits say so, and are more than a number would have.
+/// Tells whether a text begins so in hexadecimal digits. That takes 18 of them, so a short number
+/// is not taken for WKB.
 [[nodiscard]] bool looks_like_hex_wkb(std::string_view text);
 
 /// Returns the same as `feature_properties`, for a text that is GeoJSON.
