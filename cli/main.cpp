@@ -26,16 +26,22 @@ and ring 1 is the outer one.)";
 int run(int argc, char** argv, ProcessLimits& limits) {
   CommandLine line("Exact Minkowski sums in the plane", "minksum");
   line.add_version("minksum " MINKSUM_VERSION);
-  Program program{line, limits, {}};
+  Program program{line, limits, {}, {}};
   for (const auto add : kSubcommands) add(program);
   line.add_footer(kFooter);
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-  if (const auto asked = line.parse(words, " (minksum --help)")) {
-    write_standard_output([&](std::ostream& out) { out << *asked; });
-    return kFine;
+  try {
+    if (const auto asked = line.parse(words)) {
+      write_standard_output([&](std::ostream& out) { out << *asked; });
+      return kFine;
+    }
+    apply(limits);
+    return program.run_of.at(line.chosen())();
+  } catch (const Failure& failure) {
+    if (failure.code() != kWrongUsage) throw;
+    const std::string command = line.chosen().empty() ? "" : " " + line.chosen();
+    throw Failure(kWrongUsage, failure.what() + (" (minksum" + command + " --help)"));
   }
-  apply(limits);
-  return program.run_of.at(line.chosen())();
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "pictures/sum_picture.hpp"
 #include "process/failure.hpp"
 #include "process/progress.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 
@@ -71,7 +72,7 @@ void BatchRun::refuse(std::uint64_t line, std::string_view text) const {
 
 void BatchRun::run(Work work, const std::function<std::optional<double>()>& share) {
   const auto start = std::chrono::steady_clock::now();
-  Progress progress(output_ && arguments_.output.empty());
+  BatchProgress progress(output_ && arguments_.output.empty());
   work.consume = [&](const Done& done) {
     if (output_) output_->write(done.lines);
     jobs_ += done.jobs;
@@ -93,7 +94,7 @@ int BatchRun::finish(const Json& more, OutputFiles& files) {
   if (output_) output_->finish();
   files.finish();
   if (failed_ == 0) return kFine;
-  tell(grouped(failed_) + " of " + grouped(jobs_) + (jobs_ == 1 ? " job" : " jobs") + " failed");
+  note(grouped(failed_) + " of " + grouped(jobs_) + (jobs_ == 1 ? " job" : " jobs") + " failed");
   return kBadInput;
 }
 

@@ -82,8 +82,7 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
     const Command command = add_sum(line, arguments, mine);
     command.remove_option("--tight");  // in the subcommand it takes the name of a file
     command.add_flag("--tight", tight);
-    command.remove_option("--threads");  // jobs share the threads
-    arguments.options.threads = 1;
+    arguments.options.threads = 1;  // jobs share the threads
   };
   const SumArguments arguments = parsed(parser, limits, describe, SumArguments());
   if (tight && arguments.options.method != Method::kReduced) {
@@ -161,7 +160,8 @@ const std::vector<Entry>& operations() {
   static const std::vector<Entry> kOperations{
       {"sum",
        make_sum,
-       {"fill", "strict", "regularize", "method", "tight", "format", "coords", "round"}},
+       {"fill", "strict", "regularize", "regularise", "method", "tight", "format", "coords",
+        "round"}},
       {"dilate", make_morphology<kDilate>, kMorphology},
       {"erode", make_morphology<kErode>, kMorphology},
       {"open", make_morphology<kOpen>, kMorphology},
@@ -173,14 +173,14 @@ const std::vector<Entry>& operations() {
       {"depth", make_depth, {"fill", "strict", "along"}},
       {"offset",
        make_offset,
-       {"distance", "join", "cap", "miter-limit", "tolerance", "side", "fill", "strict", "format",
-        "coords", "round"},
+       {"distance", "join", "cap", "miter-limit", "mitre-limit", "tolerance", "side", "fill",
+        "strict", "format", "coords", "round"},
        1}};
   return kOperations;
 }
 
 // These options take true or false; all others have a value.
-constexpr const char* kFlags[] = {"regularize", "strict", "tight"};
+constexpr const char* kFlags[] = {"regularize", "regularise", "strict", "tight"};
 
 constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
                                          "max-crossings", "timeout"};

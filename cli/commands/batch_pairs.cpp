@@ -14,6 +14,7 @@
 #include "output/json_members.hpp"
 #include "output/result_file.hpp"
 #include "process/failure.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -72,7 +73,7 @@ Region moving_region(const BatchArguments& arguments, const Geometry& given, con
 Part prepare(const BatchArguments& arguments, const fs::path& file, const Geometry& given,
              const std::vector<Turn>& turns) {
   if (const auto reading = reading_of_faults(given.region, arguments.fill)) {
-    tell(file.string() + ": " + *reading);
+    note(file.string() + ": " + *reading);
   }
   const Geometry resolved = resolve(given, {.fill = arguments.fill, .regularize = true});
   if (resolved.region.empty()) {

@@ -1,6 +1,7 @@
 // Declares exit codes, and the subcommands that have no header of their own, with their arguments.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct ResultArguments {
   io::Coordinates coordinates;
   RoundingSide rounding = RoundingSide::kNearest;  ///< unused for exact coordinates
   std::optional<CancelToken> cancel;               ///< stops rounding and, in jobs, writing
+  std::function<bool(const Progress&)> progress;   ///< is told of rounding
 };
 
 /// `minksum sum P Q ...`
@@ -51,7 +53,7 @@ struct SumArguments : ResultArguments {
   int repeat = 1;
   bool verbose = false;
   io::ReadLimits limits;
-  SumSettings options{{.threads = 0}};
+  SumSettings options;
 };
 
 /// `minksum info FILE`

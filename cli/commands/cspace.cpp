@@ -209,7 +209,7 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, ProcessLimits&
 /// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(CspaceArguments& arguments) {
   require_one_standard_input(arguments);
-  convert_result(arguments);
+  convert_numbers(arguments);
   require_file(arguments.picture);
   if (arguments.stats == "-" && arguments.output.empty()) {
     throw Failure(kWrongUsage, "slices and statistics cannot both go to standard output");

@@ -157,7 +157,8 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
   add_operand(info, "FILE", arguments.file, "The geometry, or - for standard input");
   info.add_flag("--json", arguments.json, "As JSON");
   add_fill_option(info, arguments.options.fill);
-  info.add_flag("--regularize", arguments.options.regularize, "Drop polylines, points and spikes");
+  info.add_flag("--regularize,--regularise", arguments.options.regularize,
+                "Drop polylines, points and spikes");
   arguments.max_crossings = kMaxCrossings;
   add_max_crossings(info, arguments.max_crossings,
                     "Crossings up to which the meaning is computed (default 50K)");

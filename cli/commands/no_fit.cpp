@@ -11,6 +11,7 @@
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
 #include "process/failure.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -98,7 +99,7 @@ int run_no_fit(const NoFitArguments& arguments) {
                     fits = !polygon.empty();
                   });
   if (arguments.inner_fit && !fits) {
-    tell("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
+    note("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
          shown_name(arguments.operands[0]) + ")");
   }
   return kFine;

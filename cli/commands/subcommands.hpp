@@ -10,6 +10,9 @@
 
 #include "options/command_line.hpp"
 #include "options/limits.hpp"
+#include "options/shared_options.hpp"
+#include "process/progress.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 
@@ -27,6 +30,7 @@ void set_limits(auto& arguments, const ProcessLimits& limits) {
 struct Program {
   CommandLine& line;
   ProcessLimits& limits;
+  Telling telling;
   std::map<std::string, std::function<int()>> run_of;  ///< by the subcommand's name
 
   /// Registers `run`, which is called after parsing if this subcommand was chosen. It returns the
@@ -34,16 +38,29 @@ struct Program {
   void add(const Command& command, std::function<int()> run) {
     run_of[command.name()] = std::move(run);
   }
-  /// Adds a subcommand by the function that describes its options. Before it runs, its limits are
+  /// Adds a subcommand by the function that describes its options, and the options that all
+  /// subcommands share. Before it runs, its limits are
   /// set, and `convert` is called if its arguments need that.
   template <class Arguments>
   void add(Command (*describe)(CommandLine&, Arguments&, ProcessLimits&),
            int (*run)(const Arguments&), Arguments defaults = {}) {
     const auto arguments = std::make_shared<Arguments>(std::move(defaults));
-    add(describe(line, *arguments, limits), [this, arguments, run] {
+    const Command command = describe(line, *arguments, limits);
+    if constexpr (requires { arguments->options; }) {
+      add_threads_option(command, arguments->options.threads);
+    }
+    add_telling_options(command, telling);
+    add(command, [this, arguments, run] {
       set_limits(*arguments, limits);
+      set_telling(telling);
+      const auto progress = live_progress();
+      if constexpr (requires { arguments->options; }) arguments->options.progress = progress;
+      if constexpr (requires { arguments->progress; }) arguments->progress = progress;
       if constexpr (requires { convert(*arguments); }) convert(*arguments);
-      return run(*arguments);
+      const int code = run(*arguments);
+      StatusLine::remove();
+      tell_cost();
+      return code;
     });
   }
 };
@@ -60,10 +77,11 @@ void add_cspace(Program& program);
 void add_reach(Program& program);
 void add_draw(Program& program);
 void add_batch(Program& program);
+void add_help(Program& program);
 
 /// All of these functions, in the order in which `--help` shows the subcommands.
 inline constexpr void (*kSubcommands[])(Program&) = {
     add_sum,   add_info,   add_check, add_morphology, add_no_fit, add_offset,
-    add_depth, add_cspace, add_reach, add_draw,       add_batch};
+    add_depth, add_cspace, add_reach, add_draw,       add_batch,  add_help};
 
 }  // namespace minksum::cli

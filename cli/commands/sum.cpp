@@ -93,7 +93,9 @@ void round_result(const SumArguments& arguments, SumRun& run) {
   if (arguments.coordinates.style == Style::kExact) return;
   const Stopwatch watch;
   RoundOptions target = rounding_of(arguments);
-  Rounded rounded = made_for(arguments.output, [&] { return detailed_round(run.exact, target); });
+  Rounded rounded = made_for(arguments.output, [&] {
+    return detailed_round(run.exact, target, {.progress = arguments.progress});
+  });
   run.rounded = std::move(rounded.geometry);
   run.rounding = rounded.report;
   target.side = RoundingSide::kNearest;

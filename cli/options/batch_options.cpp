@@ -61,17 +61,16 @@ Command add_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& l
 }
 
 void convert(BatchArguments& arguments) {
-  convert_result(arguments);
+  convert_numbers(arguments);
   const std::string& format = arguments.typed_format;
-  if (arguments.format != io::Format::kGeoJson || format.empty()) {
-    arguments.format = io::Format::kWkt;  // the ending of the output's name does not matter
-  }
+  // The ending of the output's name does not matter.
+  arguments.format = format == "geojson" ? io::Format::kGeoJson : io::Format::kWkt;
   if (!format.empty() && format != "wkt" && format != "geojson") {
     throw Failure(kWrongUsage, "--format takes wkt or geojson here");
   }
   arguments.limits.seconds = arguments.seconds;
   if (arguments.jobs.empty() == arguments.pairs.empty()) {
-    throw Failure(kWrongUsage, "either JOBS or --pairs DIR (minksum batch --help)");
+    throw Failure(kWrongUsage, "either JOBS or --pairs DIR");
   }
   const bool pairs = !arguments.pairs.empty();
   if (!pairs && (arguments.rotations != 1 || arguments.tight || arguments.no_output)) {

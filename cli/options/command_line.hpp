@@ -9,9 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "help/help_page.hpp"
+
 namespace CLI {
 class App;
 class Option;
+class ParseError;
 }  // namespace CLI
 
 namespace minksum::cli {
@@ -30,6 +33,7 @@ class Option {
   Option required() const;
   Option type_name(const char* name) const;  ///< names its value in --help
   Option group(const char* name) const;      ///< names its section of --help
+  /// The value is one of these names, which are in lower case. It may be typed in any case.
   Option one_of(const std::vector<std::string>& names) const;
   Option in_range(int low, int high) const;
   Option check(const ValueCheck& check) const;
@@ -64,6 +68,7 @@ class Command {
   Option add_flag(const char* name, const std::function<void()>& take,
                   const std::string& what) const;
   void remove_option(const char* name) const;
+  [[nodiscard]] bool has_option(const char* name) const;
   void footer(const char* text) const;
   [[nodiscard]] std::string name() const;
 
@@ -81,13 +86,17 @@ class CommandLine {
   void add_version(const char* text);
   /// Adds `text` at the end of the help of the program and of each subcommand.
   void add_footer(const char* text);
+  /// Describes the program with all its subcommands.
+  [[nodiscard]] HelpPage help() const;
   /// Parses the words. Returns the text that --help or --version asks for, if one of them is there.
-  /// Throws a Failure for wrong usage, whose message ends in `hint`.
-  std::optional<std::string> parse(const std::vector<std::string>& words, const char* hint = "");
-  /// Returns the name of the subcommand that was parsed.
+  /// Throws a Failure for wrong usage.
+  std::optional<std::string> parse(const std::vector<std::string>& words);
+  /// Returns the name of the subcommand that was parsed; empty if there was none.
   [[nodiscard]] std::string chosen() const;
 
  private:
+  [[nodiscard]] std::string reason_of(const CLI::ParseError& error) const;
+
   std::unique_ptr<CLI::App> app_;
 };
 

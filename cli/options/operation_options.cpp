@@ -36,6 +36,7 @@ void require_one_standard_input(const std::string (&operands)[2], const std::str
 
 const std::map<std::string, Join> kJoins = {{"round", Join::kRound},
                                             {"miter", Join::kMiter},
+                                            {"mitre", Join::kMiter},
                                             {"square", Join::kSquare},
                                             {"bevel", Join::kBevel}};
 const std::map<std::string, Cap> kCaps = {
@@ -127,7 +128,7 @@ Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits&
       .type_name("CAP");
   command
       .add_option(
-          "--miter-limit",
+          "--miter-limit,--mitre-limit",
           [&shape](const std::string& text) {
             shape.miter_limit = parse_number("--miter-limit", text);
             if (shape.miter_limit >= Rational(1)) return;

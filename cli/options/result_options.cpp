@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "help/spelling.hpp"
+#include "output/output_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -12,7 +14,8 @@ const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
                                                     {"svg", io::Format::kSvg},
                                                     {"poly", io::Format::kPoly}};
 
-io::Coordinates parse_coordinates(const std::string& text) {
+io::Coordinates parse_coordinates(const std::string& typed) {
+  const std::string text = in_lower_case(typed);
   using Style = io::Coordinates::Style;
   if (text == "double") return {Style::kDouble};
   if (text == "exact") return {Style::kExact};
@@ -22,7 +25,7 @@ io::Coordinates parse_coordinates(const std::string& text) {
                       digits.find_first_not_of("0123456789") == std::string::npos;
   if (!number || std::stoi(digits) > kMaxDecimals) {
     throw Failure(kWrongUsage, "--coords takes double, exact or decimal:N with N from 0 to " +
-                                   std::to_string(kMaxDecimals) + ", not '" + text + "'");
+                                   std::to_string(kMaxDecimals) + ", not '" + typed + "'");
   }
   return {Style::kDecimal, std::stoi(digits)};
 }
@@ -38,11 +41,15 @@ const std::map<std::string, RoundingSide>& rounding_sides() {
 
 io::Format choose_format(const std::string& typed, const std::string& output) {
   if (!typed.empty()) return kFormats.at(typed);
-  std::string ending = std::filesystem::path(output).extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  if (ending == "json") return io::Format::kGeoJson;
-  const auto found = kFormats.find(ending);
-  return found == kFormats.end() ? io::Format::kWkt : found->second;
+  const std::string ending = in_lower_case(std::filesystem::path(output).extension().string());
+  if (ending.empty() || is_special(output)) return io::Format::kWkt;
+  if (ending == ".json") return io::Format::kGeoJson;
+  if (const auto found = kFormats.find(ending.substr(1)); found != kFormats.end()) {
+    return found->second;
+  }
+  std::string endings = ".json";
+  for (const auto& [name, format] : kFormats) endings += ", ." + name;
+  throw Failure(kWrongUsage, output + ": no format ends in " + ending + "; there are " + endings);
 }
 
 Option add_operand(const Command& command, const char* name, std::string& file, const char* what) {
@@ -73,7 +80,7 @@ void add_result_options(const Command& command, ResultArguments& arguments,
       .type_name("SIDE");
 }
 
-void convert_result(ResultArguments& arguments) {
+void convert_numbers(ResultArguments& arguments) {
   if (arguments.output == "-") arguments.output.clear();
   arguments.coordinates = parse_coordinates(arguments.typed_coordinates);
   if (!arguments.typed_rounding.empty()) {
@@ -83,6 +90,10 @@ void convert_result(ResultArguments& arguments) {
     }
     arguments.rounding = rounding_sides().at(arguments.typed_rounding);
   }
+}
+
+void convert_result(ResultArguments& arguments) {
+  convert_numbers(arguments);
   arguments.format = choose_format(arguments.typed_format, arguments.output);
 }
 

@@ -19,11 +19,14 @@ void add_result_options(const Command& command, ResultArguments& arguments,
 
 /// Sets what follows from what was typed. Throws a Failure for wrong usage.
 void convert_result(ResultArguments& arguments);
+/// Does the same for a result whose format does not follow from what was typed.
+void convert_numbers(ResultArguments& arguments);
 
 /// Returns the values that --round and --side take, by name.
 [[nodiscard]] const std::map<std::string, RoundingSide>& rounding_sides();
 
-/// Returns the format that was typed, else that of the output's ending, else WKT.
+/// Returns the format that was typed, else that of the output's ending, else WKT. Throws a Failure
+/// for an ending that no format has.
 [[nodiscard]] io::Format choose_format(const std::string& typed, const std::string& output);
 
 /// Returns the keys of a map, for Option::one_of.

@@ -24,10 +24,6 @@ void add_robot_options(const Command& command, RobotArguments& arguments,
           },
           "The robot's point that says where it is, and that it turns about (default 0,0)")
       .type_name("X,Y");
-  command
-      .add_option("--threads", options.threads, "Threads that compute slices (default: all cores)")
-      .in_range(1, 1024)
-      .type_name("N");
   add_fill_option(command, options.fill);
 }
 

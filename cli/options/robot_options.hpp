@@ -13,7 +13,6 @@ namespace minksum::cli {
 
 /// `minksum cspace ROBOT OBSTACLES ...` and `minksum reach ROBOT OBSTACLES ...`
 struct RobotArguments : OperandArguments {
-  RobotArguments() { options.threads = 0; }
   std::string workspace;  ///< empty = none
 };
 

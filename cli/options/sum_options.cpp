@@ -33,7 +33,8 @@ Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
 void add_operand_options(const Command& sum, Options& options) {
   const char* const group = "What operands mean";
   add_fill_option(sum, options.fill).group(group);
-  sum.add_flag("--regularize", options.regularize, "Drop operands' polylines, points and spikes")
+  sum.add_flag("--regularize,--regularise", options.regularize,
+               "Drop operands' polylines, points and spikes")
       .group(group);
 }
 
@@ -114,10 +115,6 @@ Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limit
   add_choice(sum, "--method", kMethods, arguments.options.method,
              "reduced (the default), signed, full: the same sum by three methods")
       .type_name("M");
-  sum.add_option("--threads", arguments.options.threads,
-                 "Threads that share the work (default: all cores)")
-      .in_range(1, 1024)
-      .type_name("N");
   sum.add_option("--repeat", arguments.repeat, "Compute N times and report median times")
       .in_range(1, 1'000'000)
       .type_name("N");

@@ -14,6 +14,7 @@
 
 #include "output/output_file.hpp"
 #include "process/failure.hpp"
+#include "process/process.hpp"
 
 namespace minksum::cli {
 
@@ -31,6 +32,7 @@ bool is_at(const std::string& name, int descriptor) {
 
 LineOutput::LineOutput(const std::string& path) {
   if (path.empty()) {
+    set_output_state(OutputState::kStream);
     descriptor_ = STDOUT_FILENO;
     return;
   }
@@ -117,6 +119,7 @@ std::optional<std::string> LineOutput::earlier_line() {
 
 void LineOutput::begin(bool keep) {
   if (place_.empty()) return;
+  set_output_state(OutputState::kPartial);
   if (::ftruncate(descriptor_, keep ? static_cast<off_t>(complete_) : 0) != 0 ||
       ::lseek(descriptor_, 0, SEEK_END) < 0) {
     fail(errno);

@@ -14,6 +14,7 @@
 
 #include "process/failure.hpp"
 #include "process/process.hpp"
+#include "process/progress.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -256,10 +257,13 @@ void OutputFiles::finish() {
     const int reason = written.file.move_to(written.place.string());
     if (reason != 0) fail(written.shown, "cannot be written", reason);
   }
+  if (!written_.empty()) set_output_state(OutputState::kComplete);
   written_.clear();
 }
 
 void write_standard_output(const std::function<void(std::ostream&)>& write) {
+  StatusLine::make_way_for_results();
+  set_output_state(OutputState::kStream);
   write_descriptor(STDOUT_FILENO, "standard output", write);
 }
 

@@ -30,7 +30,8 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
 
 Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
   if (arguments.coordinates.style == io::Coordinates::Style::kExact) return geometry;
-  return round(geometry, rounding_of(arguments), {.cancel = arguments.cancel});
+  return round(geometry, rounding_of(arguments),
+               {.cancel = arguments.cancel, .progress = arguments.progress});
 }
 
 void write_geometry(OutputFiles& files, const ResultArguments& arguments,

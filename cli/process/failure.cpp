@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "output/faults.hpp"
+#include "pictures/sum_picture.hpp"
 #include "pictures/text_layout.hpp"
+#include "process/progress.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -32,6 +35,7 @@ std::string one_line(const std::string& text) {
 }
 
 int tell_out_of_memory(std::optional<std::uint64_t> limit) noexcept {
+  StatusLine::remove();
   if (!limit) {
     std::fputs("minksum: out of memory\n", stderr);
     return kLimitExceeded;
@@ -75,6 +79,7 @@ std::string with_option(const Error& error) {
 std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 void tell(const std::string& message) {
+  StatusLine::remove();
   std::fprintf(stderr, "minksum: %s\n", one_line(message).c_str());
 }
 
@@ -125,7 +130,9 @@ void fail_about(const Error& error, const std::string (&operands)[2]) {
 ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) {
   try {
     const std::string text = io::load_text(file, limits);
-    return {io::read_geometry(text, limits), io::feature_properties(text, limits)};
+    ReadOperand operand{io::read_geometry(text, limits), io::feature_properties(text, limits)};
+    tell_detail(shown_name(file) + ": " + summary(operand.geometry));
+    return operand;
   } catch (const Error& error) {
     throw failure_of(error, file);
   }
@@ -134,7 +141,7 @@ ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) 
 ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits, FillRule fill) {
   ReadOperand operand = read_operand(file, limits);
   if (const auto reading = reading_of_faults(operand.geometry.region, fill)) {
-    tell(shown_name(file) + ": " + *reading);
+    note(shown_name(file) + ": " + *reading);
   }
   return operand;
 }

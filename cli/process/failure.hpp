@@ -30,7 +30,7 @@ class Failure : public std::runtime_error {
 /// Returns the name of a file for messages: "standard input" for "-", else the path.
 [[nodiscard]] std::string shown_name(const std::string& file);
 
-/// Writes a note that is not a failure to standard error, in one line.
+/// Writes a message to standard error, in one line.
 void tell(const std::string& message);
 
 /// Throws a Failure that names the output if `error` says that numbers exceed the range of doubles.

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -15,6 +16,7 @@
 #include <fstream>
 
 #include "process/failure.hpp"
+#include "process/progress.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -23,6 +25,8 @@ namespace {
 // alone takes signals; they are blocked while these variables change.
 TemporaryFile* newest_file = nullptr;
 char timeout_message[128] = "";
+std::atomic<OutputState> output_state = OutputState::kNone;
+static_assert(std::atomic<OutputState>::is_always_lock_free, "signal handlers use it");
 
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
@@ -48,6 +52,19 @@ void open_closed_streams() {
   }
 }
 
+void write_error(const char* message) {
+  StatusLine::remove();
+  const auto written = ::write(STDERR_FILENO, message, std::strlen(message));
+  static_cast<void>(written);  // a failure here cannot be reported
+}
+
+// By OutputState.
+constexpr const char* kInterrupted[] = {
+    "minksum: interrupted: no output was changed\n",
+    "minksum: interrupted: what was printed is incomplete; no file was changed\n",
+    "minksum: interrupted: FILE.partial keeps the jobs that are done; the same command continues\n",
+    "minksum: interrupted: all files had been written\n"};
+
 std::uint64_t number_in(const char* file) {
   std::uint64_t value = 0;
   std::ifstream(file) >> value;  // stays 0 for "max" and for a missing file
@@ -61,15 +78,16 @@ std::uint64_t number_in(const char* file) {
 extern "C" {
 
 static void minksum_end_by_signal(int signal) {
-  minksum::cli::TemporaryFile::remove_all();
+  using namespace minksum::cli;
+  TemporaryFile::remove_all();
+  write_error(kInterrupted[static_cast<int>(output_state.load())]);
   ::raise(signal);  // acts by default once this handler returns
 }
 
 static void minksum_end_by_clock(int) {
   using namespace minksum::cli;
   TemporaryFile::remove_all();
-  const auto written = ::write(STDERR_FILENO, timeout_message, std::strlen(timeout_message));
-  static_cast<void>(written);  // a failure here cannot be reported
+  write_error(timeout_message);
   ::_exit(kLimitExceeded);
 }
 
@@ -84,6 +102,8 @@ void prepare_process() {
     if (!is_ignored(signal)) set_handler(signal, minksum_end_by_signal);
   }
 }
+
+void set_output_state(OutputState state) noexcept { output_state = state; }
 
 void end_after(double seconds) {
   std::snprintf(timeout_message, sizeof timeout_message,

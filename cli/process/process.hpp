@@ -10,8 +10,18 @@ namespace minksum::cli {
 
 /// Prepares the process for three events. Standard streams that are closed stay errors, and do not
 /// become the next opened file. SIGINT, SIGTERM and SIGHUP (unless ignored) remove temporary files
-/// before they end the process. A file that grows too large is an error of writing, not a signal.
+/// before they end the process, and tell what has become of the output. A file that grows too large
+/// is an error of writing, not a signal.
 void prepare_process();
+
+/// What a run has written so far, for the line that tells how a signal has ended it.
+enum class OutputState {
+  kNone,      ///< nothing that anybody sees
+  kStream,    ///< a part of standard output
+  kPartial,   ///< the partial file of a batch
+  kComplete,  ///< all files
+};
+void set_output_state(OutputState state) noexcept;
 
 /// Ends the process with exit code 3 after so many seconds, whatever it does then. Temporary files
 /// are removed, and one line on standard error names the limit.

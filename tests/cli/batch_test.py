@@ -211,11 +211,11 @@ class Jobs(BatchTest):
                              "a job is a JSON object, which this line is not"}, id)
 
     def test_numbers_of_options(self):
-        for options, fragment in (('{"timeout": 1e999}', "--timeout: takes seconds"),
-                                  ('{"timeout": -0}', "--timeout: takes seconds"),
-                                  ('{"max-vertices": -0}', "--max-vertices: takes a count"),
-                                  ('{"max-vertices": 1e3}', "--max-vertices: takes a count"),
-                                  ('{"max-bytes": 99999999999999999999}', "--max-bytes: takes"),
+        for options, fragment in (('{"timeout": 1e999}', "--timeout takes seconds"),
+                                  ('{"timeout": -0}', "--timeout takes seconds"),
+                                  ('{"max-vertices": -0}', "--max-vertices takes a count"),
+                                  ('{"max-vertices": 1e3}', "--max-vertices takes a count"),
+                                  ('{"max-bytes": 99999999999999999999}', "--max-bytes takes"),
                                   ('{"round": "inside", "round": "outside"}', "'round' is there"),
                                   ('{"tight": true, "tight": false}', "'tight' is there twice"),
                                   ('{"tight": 1e999}', "--tight takes true or false")):

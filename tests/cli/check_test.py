@@ -73,7 +73,7 @@ class Check(ProgramTest):
         self.fails(1, "--within", "check", self.sum, self.p, self.q, "--within", "-1")
         self.fails(1, "--within", "check", self.sum, self.p, self.q, "--within", "near")
         self.fails(1, "±4096", "check", self.sum, self.p, self.q, "--within", "1e-5000")
-        self.fails(1, "Q is required", "check", self.sum, self.p)
+        self.fails(1, "Q is missing", "check", self.sum, self.p)
         self.fails(2, "nothing.wkt", "check", self.folder / "nothing.wkt", self.p, self.q)
         bow_tie = self.file("bow_tie.wkt", "POLYGON ((0 0, 9 9, 9 0, 0 9, 0 0))")
         self.fails(2, "bow_tie.wkt", "check", self.sum, bow_tie, self.q, "--fill", "strict")

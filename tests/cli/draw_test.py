@@ -98,7 +98,7 @@ class Draw(ProgramTest):
     def test_width(self):
         self.assertEqual(self.picture(self.frame, "--width", 500).get("width"), "500")
         for width in ("0", "-5", "1e9", "x"):
-            self.fails(1, f"--width: takes a number from 200 to 10000, not '{width}'", "draw",
+            self.fails(1, f"--width takes a number from 200 to 10000, not '{width}'", "draw",
                        self.frame, f"--width={width}")
 
     def test_thin_parts(self):

@@ -92,7 +92,9 @@ class Interrupted(ProgramTest):
             with self.subTest(number.name):
                 process = self.while_writing()
                 process.send_signal(number)
-                self.assertEqual(process.stderr.read(), b"")
+                told = process.stderr.read()
+                self.assertEqual(told, b"" if number == signal.SIGKILL else
+                                 b"minksum: interrupted: no output was changed\n")
                 process.stderr.close()
                 self.assertEqual(process.wait(), -number)
                 self.assertEqual(self.out.read_text(), OLD)
@@ -100,6 +102,25 @@ class Interrupted(ProgramTest):
                 self.assertEqual(len(left), 1 if number == signal.SIGKILL else 0)
                 for file in left:
                     file.unlink()
+
+    def test_line_says_what_was_written(self):
+        """Standard output may be torn, and a batch keeps what is done."""
+        p = self.file("p.wkt", ragged(1000, 100_000))
+        slow = '{"operation": "sum", "a": "p.wkt", "b": "p.wkt", "options": {"method": "full"}}\n'
+        jobs = self.file("jobs.jsonl", slow)
+        partial = self.folder / "results.jsonl.partial"
+        for arguments, words in (
+                (["batch", jobs, "-o", partial.with_suffix("")],
+                 b"interrupted: FILE.partial keeps the jobs that are done"),
+                (["batch", jobs], b"interrupted: what was printed is incomplete"),
+                (["sum", p, p, "--method", "full"], b"interrupted: no output was changed")):
+            process = self.start(*arguments)
+            time.sleep(0.3)
+            process.send_signal(signal.SIGINT)
+            self.assertIn(words, process.stderr.read())
+            process.stderr.close()
+            self.assertEqual(process.wait(), -signal.SIGINT)
+        self.assertTrue(partial.exists())
 
     def test_what_is_ignored_stays_ignored(self):
         new = self.folder / "new.wkt"
@@ -259,13 +280,13 @@ class Limits(ProgramTest):
     def test_what_is_no_limit(self):
         for option in ("--max-vertices", "--max-segments", "--max-crossings"):
             for text in ("-1", "x", "1.5K", "1T", "1KK", "99999999999999999999", "20000000000G"):
-                self.fails(1, f"{option}: takes a count", "sum", self.square, self.square,
+                self.fails(1, f"{option} takes a count", "sum", self.square, self.square,
                            f"{option}={text}")
         for option in ("--max-bytes", "--max-memory"):
             for text in ("-1", "G", "1.5G", "1B", "1 G", "99999999999T"):
-                self.fails(1, f"{option}: takes a size", "info", self.square, f"{option}={text}")
+                self.fails(1, f"{option} takes a size", "info", self.square, f"{option}={text}")
         for text in ("0", "-1", "1s", "nan", "inf", "1e9"):
-            self.fails(1, "--timeout: takes seconds", "info", self.square, f"--timeout={text}")
+            self.fails(1, "--timeout takes seconds", "info", self.square, f"--timeout={text}")
         self.fine("info", self.square, "--max-memory", "none", "--timeout", "1e2")
 
 

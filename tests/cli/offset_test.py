@@ -114,7 +114,7 @@ class Offset(ProgramTest):
 
     def test_bad_input(self):
         square = self.square
-        self.fails(1, "--distance is required", "offset", square)
+        self.fails(1, "--distance is missing", "offset", square)
         for option, values, why in (
                 ("--distance", ("one", "nan", "1/0", "0x1", "1,5"), "takes a number"),
                 ("--tolerance", ("0", "-1", "-1e-9"), "must be positive"),

@@ -130,7 +130,7 @@ class ConfigurationSpace(Robots):
         self.fails(1, "--threads", *both, "--angles", 1, "--threads", 0)
         for tolerance in ("0", "1e-11", "1.5", "x"):
             for command in (both, self.pair_of_places()):
-                self.fails(1, "--angle-tolerance: takes a number from 1e-10 to 1, not "
+                self.fails(1, "--angle-tolerance takes a number from 1e-10 to 1, not "
                            f"'{tolerance}'", *command, "--angles", 1, "--angle-tolerance",
                            tolerance)
         self.fails(1, "needs --free", *both, "--angles", 1, "--tight")
