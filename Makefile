@@ -5,12 +5,14 @@ BASE ?= HEAD
 LIMIT ?= 2
 JOBS ?= $(shell nproc)
 CMAKE_ARGS ?=
+# `make install` installs below PREFIX; DESTDIR, if set, stands before it.
+PREFIX ?= /usr/local
 # An outer make -j must not reach into the build, because CMake gets its own number of jobs.
 CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test install package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -32,6 +34,18 @@ test: deps ## build everything and run every test
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS)
 	$(CTEST) --test-dir $(BUILD) -j $(JOBS)
+
+install: deps ## install program, libraries, man pages and completions below PREFIX=/usr/local
+	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS)
+	$(CMAKE) --install $(BUILD) --prefix $(PREFIX)
+
+package: deps ## make Debian packages in BUILD, and check them if lintian is there
+	@scripts/install_packages.sh --optional packages-package.txt
+	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS)
+	cd $(BUILD) && env -u MAKEFLAGS -u MAKELEVEL cpack
+	if command -v lintian >/dev/null; then lintian --fail-on error,warning $(BUILD)/*.deb; fi
 
 oracle: deps ## compare with CGAL on everything there is (long)
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON $(CMAKE_ARGS)
