@@ -13,6 +13,7 @@
 #include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
+#include "output/picture_file.hpp"
 #include "output/result_file.hpp"
 #include "pictures/cspace_picture.hpp"
 #include "process/failure.hpp"
@@ -110,7 +111,8 @@ class Run {
     const auto begin = std::chrono::steady_clock::now();
     const ConfigurationSpace space(scene_.robot, scene_.obstacles, setting_, arguments_.options);
     const auto& turns = arguments_.turns;
-    const CspacePicture picture(space, scene_.obstacles, setting_, arguments_.options);
+    const CspacePicture picture(space, scene_.obstacles, setting_, arguments_.options,
+                                arguments_.free);
     std::vector<Written> written(turns.size());
     Overview overview(picture, turns.size(), arguments_.free);
     Totals totals;
@@ -137,8 +139,7 @@ class Run {
       save(written[i], i);
     }
     if (!arguments_.picture.empty()) {
-      files_.write(arguments_.picture,
-                   [&](std::ostream& out) { out << std::move(overview).finish(); });
+      write_picture(files_, arguments_.picture, [&] { return std::move(overview).finish(); });
     }
     if (arguments_.stats.empty()) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -210,7 +211,7 @@ Command add_cspace(CommandLine& line, CspaceArguments& arguments, ProcessLimits&
 void convert(CspaceArguments& arguments) {
   require_one_standard_input(arguments);
   convert_numbers(arguments);
-  require_file(arguments.picture);
+  require_picture("--svg", arguments.picture);
   if (arguments.stats == "-" && arguments.output.empty()) {
     throw Failure(kWrongUsage, "slices and statistics cannot both go to standard output");
   }

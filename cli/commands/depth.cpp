@@ -11,7 +11,8 @@
 #include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
-#include "pictures/sum_picture.hpp"
+#include "output/picture_file.hpp"
+#include "pictures/figure.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -76,15 +77,63 @@ Json feature_json(const Feature& feature) {
   throw Error(ErrorCode::kBadInput, "there is no distance from a shape without area", culprit);
 }
 
+Point sum_of(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
+
+// Returns the vertex after this one in its ring.
+std::size_t next_vertex(const Region& region, std::size_t vertex) {
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(ring);
+      const std::size_t end = vertices.front() + vertices.size();
+      if (vertex < end) return vertex + 1 < end ? vertex + 1 : vertices.front();
+    }
+  }
+  throw Error(ErrorCode::kInternal, "a contact names a vertex that there is not");
+}
+
+// The edge and the vertex that touch once B has moved.
+Geometry contact_of(const EdgeOrigin& origin, const Geometry& a, const Geometry& b,
+                    const Point& move) {
+  const auto at = [&](bool first, std::size_t vertex) {
+    return first ? a.region.point(vertex) : sum_of(b.region.point(vertex), move);
+  };
+  const bool of_first = origin.edge_operand == Operand::kFirst;
+  const Region& region = of_first ? a.region : b.region;
+  return {{},
+          {{at(of_first, origin.edge), at(of_first, next_vertex(region, origin.edge))}},
+          {at(!of_first, origin.vertex)}};
+}
+
+std::string vector_text(const Point& vector) {
+  return "moved by (" + shortest(vector.x.to_double()) + ", " + shortest(vector.y.to_double()) +
+         ")";
+}
+
+// An arrow shows the way of the point of B that touches A in the end.
 void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b, const Depth& depth,
           OutputFiles& files) {
   const Options reading{.fill = arguments.options.fill, .regularize = true};
-  Geometry second = resolve(b, reading);
+  const Geometry second = resolve(b, reading);
   const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
-  const char* const title = depth.overlapping ? "B, separated" : "B, in contact";
-  write_picture(
-      files, arguments.picture,
-      {resolve(a, reading), std::move(second), moved, nullptr, {title, "A", "B", title}, true});
+  Figure figure;
+  figure.layers = {{resolve(a, reading), "first", "A"},
+                   {second, "second", "B"},
+                   {moved, "sum", "B, " + vector_text(depth.vector)}};
+  Point end = sum_of(b.region.point(0), depth.vector);
+  if (depth.contact) {
+    Geometry contact = contact_of(*depth.contact, a, b, depth.vector);
+    end = contact.points.front();
+    const bool of_a = depth.contact->edge_operand == Operand::kFirst;
+    const char* const name =
+        of_a ? "Contact: edge of A, vertex of B" : "Contact: edge of B, vertex of A";
+    figure.layers.push_back({std::move(contact), "tight", name});
+  }
+  if (depth.squared.sign() != 0) {
+    const Point begin{end.x - depth.vector.x, end.y - depth.vector.y};
+    figure.layers.push_back({{{}, {{begin, end}}, {}}, "outline", "Shortest move"});
+    figure.layers.back().arrow = true;
+  }
+  write_picture(files, arguments.picture, [&] { return figure_picture(figure); });
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/output_file.hpp"
+#include "output/picture_file.hpp"
 #include "pictures/figure.hpp"
 #include "pictures/text_layout.hpp"
 #include "process/failure.hpp"
@@ -27,6 +28,7 @@ struct DrawArguments : FigureLook {
   std::vector<std::string> captions;
   bool faults = false;  ///< draw rings as they stand, with their faults
   bool labels = false;  ///< number the vertices
+  int zoom = 0;         ///< the number of the file that is shown; 0 = all
   FillRule fill = FillRule::kAutomatic;
   io::ReadLimits limits;
 };
@@ -93,6 +95,27 @@ void require_printable(const char* option, const std::string& text) {
                 std::string(option) + " takes text in UTF-8 without control characters");
 }
 
+Extent parse_box(const std::string& text) {
+  const auto numbers = parse_numbers("--bbox", text, 4, ',', "0,0,8,5.5");
+  Extent box;
+  for (int i : {0, 2}) {
+    const auto at = static_cast<std::size_t>(i);
+    box.include(numbers[at].to_double(), numbers[at + 1].to_double());
+  }
+  if (numbers[0] < numbers[2] && numbers[1] < numbers[3]) return box;
+  throw Failure(kWrongUsage, "--bbox goes from the lower left corner to the upper right one");
+}
+
+// The box of a layer with a tenth of its size around it.
+Extent surroundings_of(const Layer& layer) {
+  Extent box = extent_of(layer.geometry);
+  const double around = std::max(box.width(), box.height()) / 10;
+  if (box.empty || !(around > 0)) return box;
+  box.include(box.min_x - around, box.min_y - around);
+  box.include(box.max_x + around, box.max_y + around);
+  return box;
+}
+
 void add_look_options(const Command& command, DrawArguments& arguments) {
   command.add_option("--title", arguments.title, "A line above the picture").type_name("TEXT");
   add_choice(command, "--theme", kThemes, arguments.theme,
@@ -101,6 +124,18 @@ void add_look_options(const Command& command, DrawArguments& arguments) {
   command.add_option("--width", arguments.width, "Width in pixels (default 960)")
       .check(between(kMinWidth, kMaxWidth))
       .type_name("PX");
+  command
+      .add_option(
+          "--bbox", [&arguments](const std::string& text) { arguments.view = parse_box(text); },
+          "Show this box alone, and cut off what lies beyond")
+      .type_name("X0,Y0,X1,Y1");
+  command
+      .add_option("--zoom", arguments.zoom,
+                  "Show the surroundings of the N-th file alone, so that far parts of other files "
+                  "do not shrink it")
+      .in_range(1, 1'000'000)
+      .type_name("N")
+      .excludes("--bbox");
   command.add_flag("!--no-axes", arguments.axes, "Leave out axes and their numbers");
   command.add_flag("!--no-legend", arguments.legend, "Leave out the legend");
   command.add_flag("--labels", arguments.labels,
@@ -108,10 +143,12 @@ void add_look_options(const Command& command, DrawArguments& arguments) {
 }
 
 Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits) {
-  const Command command = line.add_command("draw", "Geometries as a picture (SVG)");
+  const Command command = line.add_command("draw", "Geometries as a picture: SVG, PNG or PDF");
   command.footer(kFooter);
   command.add_option("FILE", arguments.files, "What to draw").required().type_name("FILE");
-  command.add_option("-o,--output", arguments.output, "Write here, not to standard output")
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Write here, not to standard output: SVG, or PNG or PDF as the name ends")
       .type_name("FILE");
   command
       .add_option("--as", arguments.styles,
@@ -142,6 +179,7 @@ void convert(DrawArguments& arguments) {
   require_printable("--title", arguments.title);
   for (const std::string& caption : arguments.captions) require_printable("--caption", caption);
   if (arguments.output == "-") arguments.output.clear();
+  if (!arguments.output.empty()) require_picture("-o", arguments.output);
   const std::size_t count = arguments.files.size();
   if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) {
     throw Failure(kWrongUsage, "only one FILE can be standard input");
@@ -149,6 +187,10 @@ void convert(DrawArguments& arguments) {
   if (!arguments.styles.empty() && arguments.styles.size() != count) {
     throw Failure(kWrongUsage, "--as takes one layer for each file, of which there are " +
                                    std::to_string(count));
+  }
+  if (arguments.zoom > 0 && static_cast<std::size_t>(arguments.zoom) > count) {
+    throw Failure(kWrongUsage,
+                  "--zoom takes the number of a file, of which there are " + std::to_string(count));
   }
   if (arguments.captions.size() > count) {
     throw Failure(kWrongUsage, "more captions than files");
@@ -169,7 +211,11 @@ int run_draw(const DrawArguments& arguments) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     figure.layers.push_back(layer_of(arguments, i, given[i]));
   }
-  files.write(arguments.output, [&](std::ostream& out) { out << figure_picture(figure); });
+  if (arguments.zoom > 0) {
+    figure.view = surroundings_of(figure.layers[static_cast<std::size_t>(arguments.zoom) - 1]);
+    if (figure.view->empty) figure.view.reset();
+  }
+  write_picture(files, arguments.output, [&] { return figure_picture(figure); });
   files.finish();
   return kFine;
 }

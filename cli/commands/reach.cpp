@@ -10,6 +10,7 @@
 #include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
+#include "output/picture_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -146,9 +147,8 @@ int run_reach(const ReachArguments& arguments) {
       files.write(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
     }
     if (!arguments.picture.empty()) {
-      files.write(arguments.picture, [&](std::ostream& out) {
-        out << reach_picture(arguments, setting, scene, found);
-      });
+      write_picture(files, arguments.picture,
+                    [&] { return reach_picture(arguments, setting, scene, found); });
     }
     write_standard_output([&](std::ostream& out) {
       arguments.json ? write_json(out, found) : write_text(out, found);
@@ -167,7 +167,7 @@ void convert(const ReachArguments& arguments) {
   if (arguments.output == "-") {
     throw Failure(kWrongUsage, "-o needs a file, not standard output");
   }
-  require_file(arguments.picture);
+  require_picture("--svg", arguments.picture);
 }
 
 void add_reach(Program& program) { program.add(add_reach, run_reach); }

@@ -2,6 +2,7 @@
 
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
+#include "output/picture_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -46,10 +47,6 @@ const std::map<std::string, Cap> kCaps = {
 
 void add_picture_option(const Command& command, std::string& picture, const char* what) {
   command.add_option("--svg", picture, what).type_name("FILE");
-}
-
-void require_file(const std::string& picture) {
-  if (picture == "-") throw Failure(kWrongUsage, "--svg needs a file, not standard output");
 }
 
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits) {
@@ -183,7 +180,7 @@ Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& l
 
 void convert(MorphologyArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
-  require_file(arguments.picture);
+  require_picture("--svg", arguments.picture);
   convert_result(arguments);
   arguments.options.tight = arguments.tight;
 }
@@ -191,7 +188,7 @@ void convert(MorphologyArguments& arguments) {
 void convert(NoFitArguments& arguments) {
   require_one_standard_input(arguments.operands,
                              arguments.inner_fit ? "BIN and PART" : "FIXED and MOVING");
-  require_file(arguments.picture);
+  require_picture("--svg", arguments.picture);
   convert_result(arguments);
   for (const std::string& text : arguments.typed_placements) {
     arguments.placements.push_back(parse_point("--at", text));
@@ -199,7 +196,7 @@ void convert(NoFitArguments& arguments) {
 }
 
 void convert(OffsetArguments& arguments) {
-  require_file(arguments.picture);
+  require_picture("--svg", arguments.picture);
   convert_result(arguments);
   const OffsetOptions& shape = arguments.shape;
   const bool round = shape.join == Join::kRound && shape.cap == Cap::kRound;
@@ -212,7 +209,7 @@ void convert(OffsetArguments& arguments) {
 
 void convert(DepthArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
-  require_file(arguments.picture);
+  require_picture("--svg", arguments.picture);
 }
 
 }  // namespace minksum::cli

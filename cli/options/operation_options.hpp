@@ -13,8 +13,6 @@ namespace minksum::cli {
 
 /// Adds --svg, which draws what `what` says.
 void add_picture_option(const Command& command, std::string& picture, const char* what);
-/// Throws a Failure if the picture would go to standard output.
-void require_file(const std::string& picture);
 
 /// Each function adds the subcommand that its arguments name; parsing fills the arguments.
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits);

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "output/picture_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -137,9 +138,7 @@ void convert(SumArguments& arguments) {
   if (arguments.stats == "-" && arguments.tight == "-") {
     throw usage("--stats and --tight cannot both be standard output");
   }
-  if (arguments.picture == "-") {
-    throw usage("--svg needs a file (--format svg draws the sum alone)");
-  }
+  require_picture("--svg", arguments.picture);
   if (!arguments.trace.empty() && arguments.options.method == Method::kSigned) {
     throw usage("--trace shows the stages of the reduced and full methods, not of signed");
   }

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace minksum::cli {
 namespace {
@@ -30,6 +31,18 @@ Step step_of_at_least(double apart) {
   return {1, exponent + 1};
 }
 
+// Returns 2·10⁻⁷ for 2e-07.
+std::string with_power(const std::string& number) {
+  const std::size_t e = number.find('e');
+  if (e == std::string::npos) return number;
+  constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = number.substr(0, e) == "1" ? "10" : number.substr(0, e) + "·10";
+  const int power = std::stoi(number.substr(e + 1));
+  if (power < 0) text += "⁻";
+  for (const char digit : std::to_string(std::abs(power))) text += kDigits[digit - '0'];
+  return text;
+}
+
 std::string label_of(double value) {
   constexpr double kSmall = 1e-4;
   constexpr double kLarge = 1e9;
@@ -39,7 +52,7 @@ std::string label_of(double value) {
   const auto end =
       plain ? std::to_chars(buffer, buffer + sizeof buffer, size, std::chars_format::fixed)
             : std::to_chars(buffer, buffer + sizeof buffer, size);
-  return (value < 0 ? "−" : "") + std::string(buffer, end.ptr);
+  return (value < 0 ? "−" : "") + with_power(std::string(buffer, end.ptr));
 }
 
 }  // namespace

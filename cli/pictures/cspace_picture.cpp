@@ -5,6 +5,7 @@
 
 #include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
+#include "pictures/picture_key.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -29,6 +30,13 @@ std::string label_of(const Turn& turn) {
   return text;
 }
 
+std::vector<KeyEntry> key_of(bool free) {
+  return {free ? KeyEntry{"sum", "Free: where the robot's dot can be"}
+               : KeyEntry{"blocked", "Blocked: where the robot's dot cannot be"},
+          {"first", "Obstacles"},
+          {"second", "The robot as it is turned"}};
+}
+
 double column_width() { return (kWidth - 2 * kMargin - (kColumns - 1) * kGap) / kColumns; }
 
 std::size_t rows_of(std::size_t shown) { return (shown + kColumns - 1) / kColumns; }
@@ -36,16 +44,19 @@ std::size_t rows_of(std::size_t shown) { return (shown + kColumns - 1) / kColumn
 }  // namespace
 
 CspacePicture::CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
-                             const ConfigurationOptions& setting, const Options& options)
-    : boundary_(space.boundary()),
+                             const ConfigurationOptions& setting, const Options& options, bool free)
+    : free_(free),
+      boundary_(space.boundary()),
       obstacles_(resolve(obstacles, {.fill = options.fill})),
       robot_(space.robot()),
-      corner_{boundary_.max.x - space.radius(), boundary_.max.y - space.radius()} {
+      corner_{boundary_.max.x + space.radius(), boundary_.max.y - space.radius()} {
   if (setting.workspace) {
     const Options reading{.fill = options.fill, .regularize = true};
     workspace_ = resolve(*setting.workspace, reading).region;
   }
   extent_.include({as_region(boundary_), {}, {}});
+  // The robot stands beside the plane, where nobody takes it for a part of the free space.
+  extent_.include({{}, {}, {{corner_.x + space.radius(), corner_.y}}});
 }
 
 double CspacePicture::height_for(double width) const {
@@ -59,13 +70,13 @@ void CspacePicture::draw(SvgPicture& picture, const Slice& slice, double left, d
   picture.text(left, top + kLabel - 8, "title", label_of(slice.turn));
   const Region ground = as_region(boundary_);
   picture.region(ground, placement, "pale");
-  if (!slice.free.empty()) {
+  if (free_) {
     picture.region(slice.free.region, placement, "sum");
     picture.thin_parts(slice.free, placement, "tight");
   } else {
-    picture.region(workspace_.empty() ? slice.obstacles.region
-                                      : intersect(slice.obstacles.region, ground),
-                   placement, "sum");
+    picture.region(
+        workspace_.empty() ? slice.obstacles.region : intersect(slice.obstacles.region, ground),
+        placement, "blocked");
   }
   if (!workspace_.empty()) picture.region(workspace_, placement, "grid");
   picture.geometry(obstacles_, placement, "first");
@@ -75,9 +86,11 @@ void CspacePicture::draw(SvgPicture& picture, const Slice& slice, double left, d
 }
 
 std::string CspacePicture::one(const Slice& slice) const {
-  SvgPicture picture(kOneWidth + 2 * kMargin, height_for(kOneWidth) + 2 * kMargin,
+  const double key = kKeyRow * key_rows(key_of(free_), kOneWidth);
+  SvgPicture picture(kOneWidth + 2 * kMargin, height_for(kOneWidth) + key + 2 * kMargin,
                      "Slice at " + label_of(slice.turn));
-  draw(picture, slice, kMargin, kMargin, kOneWidth);
+  draw_key(picture, key_of(free_), kMargin, kMargin, kOneWidth);
+  draw(picture, slice, kMargin, kMargin + key, kOneWidth);
   return std::move(picture).finish();
 }
 
@@ -88,10 +101,7 @@ Overview::Overview(const CspacePicture& slices, std::size_t count, bool free)
       picture_(kWidth, top(rows_of(shown_) * kColumns) - kGap + kMargin, "Configuration space") {
   picture_.text(kMargin, kMargin + 14, "title",
                 free ? "Free space" : "Configuration-space obstacles");
-  picture_.text(kMargin, kMargin + 32, "note",
-                std::string(free ? "Green: where the robot's dot can be"
-                                 : "Green: where the robot's dot cannot be") +
-                    ". Blue: obstacles. Orange: the robot as it is turned.");
+  draw_key(picture_, key_of(free), kMargin, kMargin + 22, kWidth - 2 * kMargin);
 }
 
 double Overview::left(std::size_t shown) const {

@@ -12,7 +12,7 @@ namespace minksum::cli {
 class CspacePicture {
  public:
   CspacePicture(const ConfigurationSpace& space, const Geometry& obstacles,
-                const ConfigurationOptions& setting, const Options& options);
+                const ConfigurationOptions& setting, const Options& options, bool free);
 
   /// Returns the height of a slice's drawing of that width.
   [[nodiscard]] double height_for(double width) const;
@@ -22,6 +22,7 @@ class CspacePicture {
   [[nodiscard]] std::string one(const Slice& slice) const;
 
  private:
+  bool free_;  ///< free space is shown, not the obstacles
   Box boundary_;
   Extent extent_;
   Geometry obstacles_;

@@ -6,6 +6,7 @@
 
 #include "output/faults.hpp"
 #include "pictures/axes.hpp"
+#include "pictures/figure_labels.hpp"
 #include "pictures/text_layout.hpp"
 
 namespace minksum::cli {
@@ -93,6 +94,12 @@ Layout lay_out(const Figure& figure, double top) {
   for (const Layer& layer : figure.layers) {
     layout.extent.include(layer.geometry);
     if (layer.numbered != nullptr) layout.extent.include(*layer.numbered);
+  }
+  if (figure.view && !layout.extent.empty) {
+    const Extent all = layout.extent;
+    layout.extent = *figure.view;
+    fit(figure, kMargin, layout);
+    static_cast<void>(PictureTransform(all, 0, 0, layout.scale));  // as below, for what is cut off
   }
   layout.top = top;
   fit(figure, kMargin, layout);
@@ -185,65 +192,24 @@ void draw_axes(SvgPicture& picture, const Layout& layout) {
   picture.lines(lines, "axis");
 }
 
-struct Direction {
-  double x;
-  double y;
-};
-
-Direction direction(const Trace::Vertex& from, const Trace::Vertex& to) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  if (!(length > 0)) return {0, 0};
-  return {(to.x - from.x) / length, (to.y - from.y) / length};
-}
-
-// Writes a number at each vertex, on the side of its larger angle, because there is more room.
-// Vertices are in units of the picture.
-void number_vertices(SvgPicture& picture, const std::vector<Trace::Vertex>& vertices, bool closed) {
-  const std::size_t n = vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool has_before = closed || i > 0;
-    const bool has_after = closed || i + 1 < n;
-    const Trace::Vertex& at = vertices[i];
-    const Direction before =
-        has_before ? direction(at, vertices[(i + n - 1) % n]) : Direction{0, 0};
-    const Direction after = has_after ? direction(at, vertices[(i + 1) % n]) : Direction{0, 0};
-    Direction away{-before.x - after.x, -before.y - after.y};
-    double length = std::hypot(away.x, away.y);
-    if (length < 1e-3) {  // straight: to the right; a lone point: below
-      away = after.x == 0 && after.y == 0 ? Direction{0, 1} : Direction{-after.y, after.x};
-      length = 1;
-    }
-    constexpr double kDistance = 11;
-    picture.text(at.x + away.x / length * kDistance, at.y + away.y / length * kDistance + 4,
-                 "label middle", std::to_string(i + 1));
-  }
-}
-
-void number_vertices(SvgPicture& picture, const Geometry& geometry,
-                     const PictureTransform& placement) {
-  const auto in_picture = [&placement](const Point& point) {
-    return Trace::Vertex{placement.x(point.x.to_double()), placement.y(point.y.to_double())};
-  };
-  const Region& region = geometry.region;
-  std::vector<Trace::Vertex> vertices;
-  for (const std::size_t polygon : region.polygons()) {
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      vertices.clear();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        vertices.push_back({placement.x(region.x(v)), placement.y(region.y(v))});
-      }
-      number_vertices(picture, vertices, true);
+void draw_arrowheads(SvgPicture& picture, const Layer& layer, const PictureTransform& placement) {
+  constexpr double kLength = 9;
+  constexpr double kHalfWidth = 4;
+  std::vector<PictureLine> lines;
+  for (const Polyline& polyline : layer.geometry.polylines) {
+    if (polyline.size() < 2) continue;
+    const auto at = [&](const Point& point) {
+      return PicturePoint{placement.x(point.x.to_double()), placement.y(point.y.to_double())};
+    };
+    const PicturePoint tip = at(polyline.back());
+    const PicturePoint back = direction_between(tip, at(polyline[polyline.size() - 2]));
+    const double x = tip.x + back.x * kLength;
+    const double y = tip.y + back.y * kLength;
+    for (const double side : {-kHalfWidth, kHalfWidth}) {
+      lines.push_back({x - back.y * side, y + back.x * side, tip.x, tip.y});
     }
   }
-  for (const Polyline& polyline : geometry.polylines) {
-    vertices.clear();
-    for (const Point& point : polyline) vertices.push_back(in_picture(point));
-    number_vertices(picture, vertices, false);
-  }
-  for (std::size_t i = 0; i < geometry.points.size(); ++i) {
-    const Trace::Vertex at = in_picture(geometry.points[i]);
-    picture.text(at.x, at.y + 15, "label middle", std::to_string(i + 1));
-  }
+  picture.lines(lines, "thin " + layer.style);
 }
 
 void draw_layers(SvgPicture& picture, const Figure& figure, const PictureTransform& placement) {
@@ -251,74 +217,16 @@ void draw_layers(SvgPicture& picture, const Figure& figure, const PictureTransfo
     const Region& region = layer.geometry.region;
     if (!region.empty()) picture.region(region, placement, layer.style);
   }
+  // Areas hide what lies below them, so that each has its colour of the legend. Outlines are seen.
+  for (const Layer& layer : figure.layers) {
+    const Region& region = layer.geometry.region;
+    const bool hidden = &layer != &figure.layers.back() && !region.empty();
+    if (hidden) picture.outlines(region, placement, layer.style);
+  }
   // Thin parts come after all areas, so that no area of a later layer hides them.
   for (const Layer& layer : figure.layers) {
     picture.thin_parts(layer.geometry, placement, layer.style);
-  }
-  for (const Layer& layer : figure.layers) {
-    if (layer.numbered != nullptr) number_vertices(picture, *layer.numbered, placement);
-  }
-}
-
-// Numbers of faults whose marks lie at the same place, or nearly so.
-struct FaultLabel {
-  double x;  // position of the mark
-  double y;
-  std::string numbers;
-  std::size_t last;
-  bool is_run;  // a run of numbers up to `last` is not yet written
-};
-
-void add_number(std::vector<FaultLabel>& labels, double x, double y, std::size_t number) {
-  constexpr double kNear = 13;
-  const auto found = std::ranges::find_if(labels, [x, y](const FaultLabel& label) {
-    return std::fabs(label.x - x) < kNear && std::fabs(label.y - y) < kNear;
-  });
-  if (found == labels.end()) {
-    labels.push_back({x, y, std::to_string(number), number, false});
-    return;
-  }
-  const auto end_run = [&found] {
-    if (found->is_run) found->numbers += "–" + std::to_string(found->last);
-    found->is_run = false;
-  };
-  if (number == found->last + 1) {
-    found->is_run = true;
-  } else {
-    end_run();
-    found->numbers += ", " + std::to_string(number);
-  }
-  found->last = number;
-}
-
-// Draws marks with numbers, which the list below the frame explains.
-void mark_faults(SvgPicture& picture, const Figure& figure, const PictureTransform& placement) {
-  constexpr double kRadius = 7;
-  std::size_t number = 0;
-  std::vector<FaultLabel> labels;
-  for (const Layer& layer : figure.layers) {
-    for (const Fault& fault : layer.faults) {
-      ++number;
-      if (fault.at) {
-        add_number(labels, placement.x(fault.at->x.to_double()),
-                   placement.y(fault.at->y.to_double()), number);
-      }
-    }
-  }
-  for (const FaultLabel& label : labels) {
-    std::string text = label.numbers;
-    if (label.is_run) text += "–" + std::to_string(label.last);
-    const double beside = kRadius + 2;
-    const bool fits = label.x + beside + text_width(text) <= figure.width;
-    picture.text(fits ? label.x + beside : label.x - beside, label.y - kRadius + 2,
-                 fits ? "number" : "number end", text);
-  }
-  for (const Layer& layer : figure.layers) {
-    std::vector<Trace::Vertex> places;
-    for (const Fault& fault : layer.faults) {
-      if (fault.at) places.push_back({fault.at->x.to_double(), fault.at->y.to_double()});
-    }
-    if (!places.empty()) picture.dots(places, placement, kRadius, "fault");
+    if (layer.arrow) draw_arrowheads(picture, layer, placement);
   }
 }
 
@@ -376,8 +284,10 @@ std::string figure_picture(const Figure& figure) {
   if (figure.axes) draw_axes(picture, layout);
   if (!layout.extent.empty) {
     const PictureTransform placement = layout.placement();
+    if (figure.view) picture.begin_clip(layout.left, layout.top, layout.width, layout.height);
     draw_layers(picture, figure, placement);
-    mark_faults(picture, figure, placement);
+    label_figure(picture, figure, placement);
+    if (figure.view) picture.end_clip();
   }
   baseline = layout.bottom;
   for (const ListedLine& line : faults) {

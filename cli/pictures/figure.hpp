@@ -1,6 +1,7 @@
 // Draws figures: geometries on top of each other in one frame, to one scale, with a legend.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,11 @@ struct Layer {
   Geometry geometry;            ///< the geometry to be drawn
   std::string style = "first";  ///< a class of SvgPicture
   std::string caption;
-  std::vector<Fault> faults;  ///< faults to be marked and listed
+  std::vector<Fault> faults = {};  ///< faults to be marked and listed
   /// The geometry as it was read, if its vertices are to be numbered. Numbers start from 1 in each
   /// ring, each polyline and the set of points.
   const Geometry* numbered = nullptr;
+  bool arrow = false;  ///< polylines end in arrowheads
 };
 
 struct FigureLook {
@@ -27,6 +29,7 @@ struct FigureLook {
   Theme theme = Theme::kAuto;
   bool axes = true;
   bool legend = true;
+  std::optional<Extent> view;  ///< what the frame shows; none = everything
 };
 
 struct Figure : FigureLook {

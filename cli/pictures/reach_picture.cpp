@@ -4,6 +4,8 @@
 
 #include "commands/reach.hpp"
 #include "minksum/resolve.hpp"
+#include "pictures/figure_labels.hpp"
+#include "pictures/picture_key.hpp"
 #include "pictures/sum_picture.hpp"
 #include "pictures/svg_picture.hpp"
 
@@ -50,6 +52,10 @@ std::vector<Waypoint> poses_on(const std::vector<Waypoint>& path) {
   return poses;
 }
 
+PicturePoint in_picture(const Point& point, const PictureTransform& placement) {
+  return {placement.x(point.x.to_double()), placement.y(point.y.to_double())};
+}
+
 std::string note_on(const Reach& found) {
   if (!found.reachable) return "no way";
   std::size_t turns = 0;
@@ -91,11 +97,18 @@ std::string reach_picture(const ReachArguments& arguments, const ReachOptions& s
 
   const double scale =
       fitting_scale(extent, kWidth - 2 * kMargin, kMaxHeight - 2 * kMargin - kCaption);
-  const double width = std::max(extent.width() * scale, 240.0) + 2 * kMargin;
-  SvgPicture picture(width, extent.height() * scale + 2 * kMargin + kCaption, "Reach");
+  const double width = std::max(extent.width() * scale, 420.0) + 2 * kMargin;
+  std::vector<KeyEntry> key{{"first", "Obstacles"}, {"second", "The robot at start and goal"}};
+  if (found.reachable) {
+    key.push_back({"edge-second", "on its way", true});
+    key.push_back({"thin tight", "Way of its reference point", true});
+  }
+  const double above = kCaption + kKeyRow * key_rows(key, width - 2 * kMargin);
+  SvgPicture picture(width, extent.height() * scale + 2 * kMargin + above, "Reach");
   picture.text(kMargin, kMargin + 14, "title", found.reachable ? "Reachable" : "Not reachable");
   picture.text(kMargin, kMargin + 32, "note", note_on(found));
-  const PictureTransform placement(extent, kMargin, kMargin + kCaption, scale);
+  draw_key(picture, key, kMargin, kMargin + kCaption - 2, width - 2 * kMargin);
+  const PictureTransform placement(extent, kMargin, kMargin + above, scale);
   if (!workspace.empty()) picture.region(workspace, placement, "pale");
   picture.geometry(obstacles, placement, "first");
   for (const Region& ghost : ghosts) picture.region(ghost, placement, "edge-second");
@@ -108,6 +121,17 @@ std::string reach_picture(const ReachArguments& arguments, const ReachOptions& s
   }
   way.points = {arguments.from.at, arguments.to.at};
   picture.thin_parts(way, placement, "tight");
+  const PicturePoint at[] = {in_picture(arguments.from.at, placement),
+                             in_picture(arguments.to.at, placement)};
+  LabelPlaces places(width);
+  for (int i = 0; i < 2; ++i) {
+    constexpr const char* kNames[] = {"start", "goal"};
+    constexpr double kLabelWidth = 38;
+    // Away from the other end, where the way does not lead.
+    const PicturePoint away = direction_between(at[1 - i], at[i]);
+    const PicturePoint middle = places.place(at[i], away, 16, kLabelWidth, 14);
+    picture.text(middle.x - kLabelWidth / 2, middle.y + 5, "title", kNames[i]);
+  }
   return std::move(picture).finish();
 }
 

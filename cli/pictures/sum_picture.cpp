@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <ostream>
 
 #include "minksum/resolve.hpp"
+#include "output/picture_file.hpp"
 #include "pictures/svg_picture.hpp"
 
 namespace minksum::cli {
@@ -72,6 +72,11 @@ struct PictureFrame {
   const char* style;
 };
 
+bool contains(const Extent& outer, const Extent& inner) {
+  return !outer.empty && outer.min_x <= inner.min_x && outer.min_y <= inner.min_y &&
+         outer.max_x >= inner.max_x && outer.max_y >= inner.max_y;
+}
+
 void draw(SvgPicture& picture, const Geometry& geometry, const PictureFrame& place,
           const Geometry* tight = nullptr, const Geometry* below = nullptr) {
   picture.text(place.left, place.top + 14, "title", place.name);
@@ -80,8 +85,16 @@ void draw(SvgPicture& picture, const Geometry& geometry, const PictureFrame& pla
   picture.text(place.left, place.top + 32, "note", note);
   if (place.extent.empty) return;
   const PictureTransform placement(place.extent, place.left, place.top + kCaption, place.scale);
-  if (below != nullptr) picture.geometry(*below, placement, "first");
+  // The smaller one lies on top, because areas hide what is below them.
+  const bool covers = below != nullptr && contains(extent_of(geometry), extent_of(*below));
+  if (below != nullptr && !covers) picture.geometry(*below, placement, "first");
   picture.geometry(geometry, placement, place.style);
+  if (covers) {
+    picture.geometry(*below, placement, "first");
+    picture.outlines(geometry.region, placement, place.style);
+  } else if (below != nullptr) {
+    picture.outlines(below->region, placement, "first");
+  }
   if (tight != nullptr) picture.thin_parts(*tight, placement, "tight");
 }
 
@@ -120,7 +133,7 @@ Drawing drawing_of(const SumRun& run, const Options& options) {
 std::string sum_picture(const Drawing& drawing) { return picture_of(drawing, &drawing.sum); }
 
 void write_picture(OutputFiles& files, const std::string& file, const Drawing& drawing) {
-  files.write(file, [&](std::ostream& out) { out << sum_picture(drawing); });
+  write_picture(files, file, [&] { return sum_picture(drawing); });
 }
 
 std::string operands_picture(const Drawing& drawing) { return picture_of(drawing, nullptr); }

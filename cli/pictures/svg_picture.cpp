@@ -10,20 +10,24 @@ namespace minksum::cli {
 namespace {
 
 // The colours are from Okabe and Ito; the colour-blind can tell them apart. The second set is for
-// dark surroundings. CSS variables are avoided, because several renderers do not know them.
+// dark surroundings. CSS variables are avoided, because several renderers do not know them. Areas
+// of geometries are opaque, so that each has the colour that the legend shows, whatever lies below
+// it.
 constexpr std::string_view kStyle = R"(
 text{font:13px system-ui,"Segoe UI","DejaVu Sans",Helvetica,Arial,sans-serif;fill:#555}
 .title{font-size:15px;font-weight:600;fill:#222}
 .ground{fill:#fffdf8}
 path,circle{vector-effect:non-scaling-stroke;stroke-linejoin:round;stroke-linecap:round;fill:none}
 .region{fill-rule:evenodd;stroke-width:.9}
-.first{fill:#0072b2;fill-opacity:.22;stroke:#0072b2}
-.second{fill:#d55e00;fill-opacity:.22;stroke:#d55e00}
-.sum{fill:#009e73;fill-opacity:.24;stroke:#00694d}
-.tight{stroke:#a3346f;fill:#a3346f}
-.mark{stroke:#222;fill:#222}
+.first{color:#0072b2;fill:#c7dee9;stroke:currentColor}
+.second{color:#d55e00;fill:#f6dac1;stroke:currentColor}
+.sum{color:#00694d;fill:#c2e6d8;stroke:currentColor}
+.blocked{color:#a06a00;fill:#f6dca1;stroke:currentColor}
+.tight{color:#a3346f;fill:#ebd1da;stroke:currentColor}
+.mark{color:#222;fill:#222;stroke:currentColor}
+path.edge{fill:none;stroke-width:.9}
 path.thin{fill:none;stroke-width:2.2}
-circle.dot{fill-opacity:1}
+circle.dot,circle.mark{fill:currentColor}
 .pale{fill:#777;fill-opacity:.1;stroke:none}
 .edge-first{stroke:#0072b2;stroke-width:.6}
 .edge-second{stroke:#d55e00;stroke-width:.6}
@@ -37,17 +41,17 @@ circle.dot{fill-opacity:1}
 )";
 constexpr std::string_view kIfDark = "@media (prefers-color-scheme:dark){\n";
 constexpr std::string_view kDarkStyle = R"(text{fill:#b5b5b5}.title{fill:#eee}.ground{fill:#16181c}
-.first{fill:#56b4e9;stroke:#56b4e9}.second{fill:#ff9950;stroke:#ff9950}
-.sum{fill:#2fd6a5;stroke:#2fd6a5}.tight{fill:#e79cc5;stroke:#e79cc5}.pale{fill:#aaa}
+.first{color:#56b4e9;fill:#243a49}.second{color:#ff9950;fill:#493427}
+.sum{color:#2fd6a5;fill:#1c463d}.blocked{color:#f3bd45;fill:#63522a}
+.tight{color:#e79cc5;fill:#443541}.pale{fill:#aaa}
 .edge-first{stroke:#56b4e9}.edge-second{stroke:#ff9950}
-.dropped,.grid{stroke:#777}.covered{fill:#2fd6a5}.node{fill:#eee}.mark{stroke:#eee;fill:#eee}
+.dropped,.grid{stroke:#777}.covered{fill:#2fd6a5}.node{fill:#eee}.mark{color:#eee;fill:#eee}
 .accepted{fill:#2fd6a5;stroke:#2fd6a5}
 .nesting{fill:#e79cc5;stroke:#e79cc5}.collision{fill:#f3bd45;stroke:#f3bd45}
 )";
 // Classes that only figures use.
-constexpr std::string_view kFigureStyle = R"(.region.tight{fill-opacity:.22}
-.outline{fill:#444;stroke:#444}
-.region.outline{fill:none;stroke-width:1.2}
+constexpr std::string_view kFigureStyle = R"(.outline{color:#444;fill:none;stroke:currentColor}
+.region.outline{stroke-width:1.2}
 .fault{stroke:#222;stroke-width:1.6}
 .axis{stroke:#999;stroke-width:.8}
 .label{font-size:11px}
@@ -55,7 +59,7 @@ constexpr std::string_view kFigureStyle = R"(.region.tight{fill-opacity:.22}
 .middle{text-anchor:middle}
 .end{text-anchor:end}
 )";
-constexpr std::string_view kDarkFigureStyle = R"(.outline{fill:#ccc;stroke:#ccc}
+constexpr std::string_view kDarkFigureStyle = R"(.outline{color:#ccc}
 .fault{stroke:#eee}.number{fill:#eee}.axis{stroke:#777}
 )";
 
@@ -135,6 +139,18 @@ SvgPicture::SvgPicture(double width, double height, std::string_view title,
 void SvgPicture::region(const Region& region, const PictureTransform& placement,
                         std::string_view style) {
   begin_path(std::string("region ").append(style));
+  add_rings(region, placement);
+  end_path();
+}
+
+void SvgPicture::outlines(const Region& region, const PictureTransform& placement,
+                          std::string_view style) {
+  begin_path(std::string("edge ").append(style));
+  add_rings(region, placement);
+  end_path();
+}
+
+void SvgPicture::add_rings(const Region& region, const PictureTransform& placement) {
   for (const std::size_t polygon : region.polygons()) {
     for (const std::size_t ring : region.rings_of(polygon)) {
       const char* command = "M";
@@ -144,7 +160,6 @@ void SvgPicture::region(const Region& region, const PictureTransform& placement,
       if (*command == 'L') text_ += 'Z';
     }
   }
-  end_path();
 }
 
 void SvgPicture::thin_parts(const Geometry& geometry, const PictureTransform& placement,
@@ -251,6 +266,12 @@ void SvgPicture::lines(std::span<const PictureLine> lines, std::string_view styl
     line_to(line.x1, line.y1);
   }
   end_path();
+}
+
+void SvgPicture::begin_clip(double left, double top, double width, double height) {
+  text_ += "<clipPath id=\"frame\">";
+  box(left, top, width, height, "frame");
+  text_ += "</clipPath>\n<g clip-path=\"url(#frame)\">\n";
 }
 
 void SvgPicture::box(double left, double top, double width, double height, std::string_view style) {

@@ -21,6 +21,9 @@ struct Extent {
 
   void include(double x, double y);
   void include(const Geometry& geometry);
+  [[nodiscard]] bool has(double x, double y) const {
+    return !empty && min_x <= x && x <= max_x && min_y <= y && y <= max_y;
+  }
   [[nodiscard]] double width() const { return max_x - min_x; }
   [[nodiscard]] double height() const { return max_y - min_y; }
 };
@@ -59,8 +62,8 @@ class PictureTransform {
 [[nodiscard]] double fitting_scale(const Extent& extent, double width, double height);
 
 /// Builds a picture. Each `style` is one of the classes in svg_picture.cpp: first, second, sum,
-/// tight, mark, pale, edge-first, edge-second, dropped, covered, grid, node, accepted, nesting,
-/// collision.
+/// blocked, tight, mark, pale, edge-first, edge-second, dropped, covered, grid, node, accepted,
+/// nesting, collision.
 class SvgPicture {
  public:
   /// With `figure`, which figure.hpp gives, there are the further classes outline, fault, axis,
@@ -68,6 +71,8 @@ class SvgPicture {
   SvgPicture(double width, double height, std::string_view title, std::optional<Theme> figure = {});
 
   void region(const Region& region, const PictureTransform& placement, std::string_view style);
+  /// Draws the outlines of a region alone.
+  void outlines(const Region& region, const PictureTransform& placement, std::string_view style);
   /// Draws polylines as strokes and points as dots, thicker than outlines, in the style's colour.
   void thin_parts(const Geometry& geometry, const PictureTransform& placement,
                   std::string_view style);
@@ -104,6 +109,9 @@ class SvgPicture {
   void cells(const Trace::Grid& grid, const PictureTransform& placement, std::string_view style);
   void text(double x, double y, std::string_view style, std::string_view words);
   void lines(std::span<const PictureLine> lines, std::string_view style);
+  /// What is drawn up to `end_clip` is cut off at this box. There may be one such box.
+  void begin_clip(double left, double top, double width, double height);
+  void end_clip() { text_ += "</g>\n"; }
   void box(double left, double top, double width, double height, std::string_view style);
 
   /// Completes the picture and returns it.
@@ -112,6 +120,7 @@ class SvgPicture {
  private:
   void begin_path(std::string_view style);
   void end_path();
+  void add_rings(const Region& region, const PictureTransform& placement);
   void move_to(double x, double y);
   void line_to(double x, double y);
   void add_segment(const Trace::Segment& segment, const PictureTransform& placement);

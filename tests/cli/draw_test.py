@@ -1,6 +1,7 @@
 """Tests minksum draw and its page."""
 import os
 import re
+import shutil
 import xml.etree.ElementTree as ElementTree
 
 from support import FRAME, SQUARE, TRIANGLE, Page, ProgramTest, main, run
@@ -205,6 +206,61 @@ class Draw(ProgramTest):
     def test_labels_are_those_of_messages(self):
         picture = self.picture(self.frame, "--labels", "--no-axes", "--no-legend")
         self.assertEqual(sorted(self.texts(picture)), sorted(["1", "2", "3", "4"] * 2))
+
+    def test_converted_pictures(self):
+        for name, begin in (("a.png", b"\x89PNG"), ("a.PDF", b"%PDF")):
+            out = self.folder / name
+            nothing = {"PATH": str(self.folder)}
+            self.assertRegex(self.fails(2, "needs the program rsvg-convert", "draw", "nowhere.wkt",
+                                        "-o", out, before=lambda: os.environ.update(nothing)).stderr,
+                             b"\\.svg needs nothing")
+            if not shutil.which("rsvg-convert"):
+                self.skipTest("rsvg-convert is not there")
+            for command in (["draw", self.frame, "-o"],
+                            ["depth", self.frame, self.square, "--svg"]):
+                out.unlink(missing_ok=True)
+                run(*command, out)
+                self.assertTrue(out.read_bytes().startswith(begin))
+        # A converter that fails leaves the old file.
+        (self.folder / "rsvg-convert").write_text("#!/bin/sh\nexit 1\n")
+        (self.folder / "rsvg-convert").chmod(0o755)
+        out.write_text("old")
+        self.fails(2, "could not convert the picture", "draw", self.frame, "-o", out,
+                   before=lambda: os.environ.update(nothing))
+        self.assertEqual(out.read_text(), "old")
+        for command in (["draw", "nowhere.wkt", "-o"], ["sum", "nowhere.wkt", "b", "--svg"]):
+            self.fails(1, "there are .svg, .png, .pdf", *command, "x.gif")
+
+    def test_views(self):
+        """A part of the picture is shown, at the scale that it would have alone."""
+        far = self.file("far.wkt", "MULTIPOLYGON (((0 0, 4 0, 0 4, 0 0)), "
+                                   "((1e6 1e6, 1000001 1e6, 1e6 1000001, 1e6 1e6)))")
+        def ticks(*arguments):
+            texts = self.texts(self.picture(far, self.square, "--no-legend", *arguments))
+            return sorted({float(text.replace("\u2212", "-")) for text in texts})
+        self.assertEqual(ticks()[-1], 1e6)
+        self.assertEqual([ticks("--bbox", "0,0,4,4")[i] for i in (0, -1)], [0, 4])
+        self.assertLess(ticks("--zoom", 2)[-1], 3)
+        labels = self.texts(self.picture(far, "--labels", "--bbox=-1,-1,3,3", "--no-axes",
+                                         "--no-legend"))
+        self.assertEqual(labels, ["1"])
+        for arguments in (["--bbox", "0,0,0,4"], ["--bbox", "0,0,4"], ["--bbox", "4,0,0,4"],
+                          ["--zoom", 3], ["--zoom", 0], ["--zoom", 1, "--bbox", "0,0,1,1"]):
+            self.fails(1, "", "draw", far, self.square, *arguments)
+        beyond = self.file("beyond.wkt", "MULTIPOINT (0 0, 1e308 0)")
+        self.fails(3, "no picture", "draw", beyond, "--bbox", "0,0,1e-9,1e-9")
+
+    def test_labels_do_not_overlap(self):
+        """All vertices of four squares meet in one point or lie close to it."""
+        squares = self.file("squares.wkt", "MULTIPOLYGON (" + ", ".join(
+            f"((0 0, {x} 0, {x} {y}, 0 {y}, 0 0))" for x in (-9, 9) for y in (-9, 9)) + ")")
+        picture = self.picture(squares, "--labels", "--no-axes", "--no-legend", "--fill", "nonzero",
+                               note="not valid")
+        places = [(float(e.get("x")), float(e.get("y"))) for e in picture.iter(SVG + "text")]
+        self.assertEqual(len(places), 16)
+        for i, (x, y) in enumerate(places):
+            for u, v in places[:i]:
+                self.assertTrue(abs(x - u) >= 9 or abs(y - v) >= 11, (x, y, u, v))
 
     def test_files(self):
         out = self.folder / "out.svg"

@@ -121,7 +121,7 @@ class Offset(ProgramTest):
                 ("--tolerance", ("x", "inf"), "takes a number"),
                 ("--miter-limit", ("0", "0.99", "-3"), "at least 1"),
                 ("--miter-limit", ("x",), "takes a number"),
-                ("--join", ("mitre", "ROUND", "1"), "--join"),
+                ("--join", ("mitred", "rounded", "1"), "--join"),
                 ("--cap", ("flat", "bevel"), "--cap"),
                 ("--side", ("left",), "--side"),
                 ("--coords", ("three",), "--coords")):

@@ -343,6 +343,7 @@ class Files(ProgramTest):
         self.fails(2, "No space left", "cspace", self.p, bracket, "--angles", "4", "-o", out,
                    "--slices", self.folder / "slices", "--stats", full)
         self.assertEqual(list((self.folder / "slices").iterdir()), [])
+        out = old["d.svg"]
         for command in (["depth", self.p, bracket, "--svg", out],
                         ["sum", self.p, self.p, "--svg", out],
                         ["reach", self.p, bracket, "--angles", "4", "--from", "20,20,0", "--to",
@@ -379,7 +380,7 @@ class Files(ProgramTest):
                              ("new", self.folder / "new")):
                     self.fails(1, f"{first} and {second} are the same file", *command, first, a,
                                second, b, cwd=self.folder)
-        for option, name in (("--trace", "7-result.svg"), ("--trace", "3-cover.json")):
+        for option, name in (("--trace", "7-result.svg"), ("--trace", "3-cover.svg")):
             self.fails(1, f"--svg and {option} are the same file", "sum", self.p, self.p, option,
                        "sub", "--svg", f"here/sub/{name}", cwd=self.folder)
         self.fails(1, "--svg and --slices are the same file", "cspace", self.p, bracket, *robot,
