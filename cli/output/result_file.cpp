@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "pictures/figure.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -18,6 +19,12 @@ RoundOptions rounding_of(const ResultArguments& arguments) {
 void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
                     io::Format format, const io::Coordinates& coordinates,
                     const std::string* properties) {
+  if (format == io::Format::kSvg) {  // in the style of all other pictures
+    Figure figure;
+    figure.legend = false;
+    figure.layers.push_back({geometry, "sum", "Result"});
+    return files.write(file, [&](std::ostream& out) { out << figure_picture(figure); });
+  }
   files.write(file, [&](std::ostream& out) {
     if (properties != nullptr) {
       out << R"({"type": "Feature", "properties": )" << *properties << R"(, "geometry": )";

@@ -165,7 +165,8 @@ class TraceWriter {
 
   void write_loops() const {
     save_picture("5-loops", "Orientable loops",
-                 grouped(trace_.loops.size()) + " loops, on the convolution's segments",
+                 grouped(trace_.loops.size()) + (trace_.loops.size() == 1 ? " loop" : " loops") +
+                     ", on the convolution's segments",
                  [this](SvgPicture& picture, const PictureTransform& placement) {
                    picture.segments(trace_.pieces, placement, "dropped",
                                     [](const Segment&) { return true; });

@@ -29,8 +29,8 @@ path.edge{fill:none;stroke-width:.9}
 path.thin{fill:none;stroke-width:2.2}
 circle.dot,circle.mark{fill:currentColor}
 .pale{fill:#777;fill-opacity:.1;stroke:none}
-.edge-first{stroke:#0072b2;stroke-width:.6}
-.edge-second{stroke:#d55e00;stroke-width:.6}
+.edge-first{stroke:#0072b2;stroke-width:.8}
+.edge-second{stroke:#d55e00;stroke-width:.8}
 .dropped{stroke:#999;stroke-width:.3;stroke-opacity:.6}
 .covered{fill:#009e73;fill-opacity:.2}
 .grid{stroke:#999;stroke-width:.3;stroke-dasharray:2 3}

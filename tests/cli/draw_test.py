@@ -278,6 +278,11 @@ class Draw(ProgramTest):
             self.picture(self.file(name, text))
 
 
+class GalleryPage(Page, ProgramTest):
+    page_name = "gallery.md"
+    pictures = 10
+
+
 class DrawPage(Page, ProgramTest):
     page_name = "draw.md"
     pictures = 2
