@@ -1,6 +1,7 @@
 """Draws plots as hand-written SVG: log-log curves and dots, for light and dark pages. Colours are
 from Okabe and Ito, for colour-blind people, and each series has its own marker."""
 import math
+import re
 
 STYLE = """text{font:12px system-ui,"Segoe UI","DejaVu Sans",Helvetica,Arial,sans-serif;fill:#333}
 .t{font-weight:600;font-size:13px}.s{fill:#666;font-size:11px}
@@ -16,6 +17,11 @@ COLOURS = {"minksum": "#0072b2", "CGAL": "#d55e00", "output": "#009e73", "segmen
 
 def escape(text):
     return str(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def raised(text):
+    """Returns the escaped text, in which what follows a ^ is an exponent."""
+    return re.sub(r"\^([\d.]+)", r'<tspan dy="-4" font-size="9">\1</tspan>', escape(text))
 
 
 def number(value):
@@ -55,9 +61,9 @@ class Panel:
         self.left, self.top, self.width, self.height = left, top, width, height
         self.x0, self.x1 = x_range
         self.y0, self.y1 = y_range
-        self.parts = [f'<text class="t" x="{left}" y="{top - 20}">{escape(title)}</text>']
+        self.parts = [f'<text class="t" x="{left}" y="{top - 22}">{escape(title)}</text>']
         if note:
-            self.parts.append(f'<text class="s" x="{left}" y="{top - 6}">{escape(note)}</text>')
+            self.parts.append(f'<text class="s" x="{left}" y="{top - 6}">{raised(note)}</text>')
 
     def x(self, value):
         return self.left + self.width * (math.log10(value) - self.x0) / (self.x1 - self.x0)
@@ -66,19 +72,24 @@ class Panel:
         part = (math.log10(value) - self.y0) / (self.y1 - self.y0)
         return self.top + self.height * (1 - part)
 
-    def axes(self, y_label, x_label=count_label):
+    def axes(self, y_label, y_title, x_title, x_label=count_label):
         for e in range(math.ceil(self.x0), math.floor(self.x1) + 1):
             x = number(self.x(10.0 ** e))
             self.parts.append(f'<path class="g" d="M{x} {self.top}V{self.top + self.height}"/>')
             self.parts.append(f'<text class="s" x="{x}" y="{self.top + self.height + 14}" '
-                              f'text-anchor="middle">{x_label(e)}</text>')
+                              f'text-anchor="middle">{raised(x_label(e))}</text>')
         for e in range(self.y0, self.y1 + 1):
             y = number(self.y(10.0 ** e))
             self.parts.append(f'<path class="g" d="M{self.left} {y}H{self.left + self.width}"/>')
             self.parts.append(f'<text class="s" x="{self.left - 5}" y="{number(float(y) + 4)}" '
-                              f'text-anchor="end">{y_label(e)}</text>')
+                              f'text-anchor="end">{raised(y_label(e))}</text>')
         self.parts.append(f'<path class="a" d="M{self.left} {self.top}v{self.height}'
                           f'h{self.width}"/>')
+        self.parts.append(f'<text class="s" x="{self.left + self.width}" '
+                          f'y="{self.top + self.height + 27}" text-anchor="end">{x_title}</text>')
+        middle = self.top + self.height // 2
+        self.parts.append(f'<text class="s" transform="translate({self.left - 50},{middle})'
+                          f'rotate(-90)" text-anchor="middle">{y_title}</text>')
 
     def series(self, points, colour, kind="circle", line=True, dash=""):
         points = [(self.x(x), self.y(y)) for x, y in points if x > 0 and y > 0]
@@ -121,7 +132,7 @@ def families(series):
     for i, (name, note, lines) in enumerate(series):
         panel = Panel(70 + (i % columns) * (width + 80), 80 + (i // columns) * (height + 75),
                       width, height, x_range, y_range, name, note)
-        panel.axes(power_label)
+        panel.axes(power_label, "time", "vertices of P")
         panel.series(lines.get("CGAL", []), COLOURS["CGAL"], "square")
         panel.series(lines.get("minksum", []), COLOURS["minksum"])
         parts += panel.parts
@@ -137,8 +148,8 @@ def pairs(points, goal_mean, goal_least):
     low, high = decades(min(p[1] for p in points), max(p[1] for p in points))
     panel = Panel(70, 60, 640, 300, x_range, (min(low, 0), max(high, 3)),
                   "Times as fast as CGAL's reduced convolution",
-                  "each dot a pair of models; across: segments of its reduced convolution")
-    panel.axes(count_label)
+                  "each dot a pair of models")
+    panel.axes(count_label, "times as fast", "segments of the reduced convolution")
     for goal, text in ((goal_mean, "goal: mean"), (goal_least, "goal: least")):
         y = number(panel.y(goal))
         panel.parts.append(f'<path d="M70 {y}h640" stroke="{COLOURS["grey"]}" '
@@ -156,8 +167,8 @@ def crossings(rows):
     x_range = decades(min(r[0] for r in rows), max(r[0] for r in rows))
     panel = Panel(70, 80, 640, 300, x_range, decades(max(1, min(values)), max(values)),
                   "Crossings to be found",
-                  "each mark a pair of models; across: segments of its reduced convolution")
-    panel.axes(count_label)
+                  "each mark a pair of models")
+    panel.axes(count_label, "crossings", "segments of the reduced convolution")
     kinds = (("full convolution", "GEOS", "square", 3), ("reduced convolution", "CGAL", "cross", 2),
              ("outside the cover: what minksum finds", "minksum", "circle", 1))
     for _, colour, kind, column in kinds:
