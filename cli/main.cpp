@@ -24,12 +24,13 @@ Errors are one line on standard error: "minksum: FILE:LINE:COLUMN: what", or
 and ring 1 is the outer one.)";
 
 int run(int argc, char** argv, ProcessLimits& limits) {
-  CommandLine line("Exact Minkowski sums in the plane", "minksum");
+  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+  const bool asks_for_one = !words.empty() && !words[0].starts_with('-') && words[0] != "help";
+  CommandLine line("Exact Minkowski sums in the plane", "minksum", asks_for_one ? words[0] : "");
   line.add_version("minksum " MINKSUM_VERSION);
   Program program{line, limits, {}, {}};
   for (const auto add : kSubcommands) add(program);
   line.add_footer(kFooter);
-  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   try {
     if (const auto asked = line.parse(words)) {
       write_standard_output([&](std::ostream& out) { out << *asked; });

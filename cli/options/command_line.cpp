@@ -95,13 +95,24 @@ bool looks_like_option(const std::string& word) { return word.size() > 1 && word
 
 }  // namespace
 
-Option Option::required() const { return Option(*option_->required()); }
+// A command that nobody asks for has no options, and so nothing is done to them.
+Option Option::required() const {
+  if (option_ != nullptr) option_->required();
+  return *this;
+}
 
-Option Option::type_name(const char* name) const { return Option(*option_->type_name(name)); }
+Option Option::type_name(const char* name) const {
+  if (option_ != nullptr) option_->type_name(name);
+  return *this;
+}
 
-Option Option::group(const char* name) const { return Option(*option_->group(name)); }
+Option Option::group(const char* name) const {
+  if (option_ != nullptr) option_->group(name);
+  return *this;
+}
 
 Option Option::one_of(const std::vector<std::string>& names) const {
+  if (option_ == nullptr) return *this;
   const auto accept = [names](std::string& typed) -> std::string {
     const std::string lower = in_lower_case(typed);
     if (std::ranges::find(names, lower) == names.end()) {
@@ -114,7 +125,8 @@ Option Option::one_of(const std::vector<std::string>& names) const {
   };
   std::string all = kChoices;
   for (const std::string& name : names) all += (&name == names.data() ? "" : ",") + name;
-  return Option(*option_->transform(CLI::Validator(accept, "", all)));
+  option_->transform(CLI::Validator(accept, "", all));
+  return *this;
 }
 
 Option Option::in_range(int low, int high) const {
@@ -130,53 +142,66 @@ Option Option::in_range(int low, int high) const {
 }
 
 Option Option::check(const ValueCheck& check) const {
+  if (option_ == nullptr) return *this;
   append(*option_, " (" + check.what + ")");
-  return Option(*option_->check(CLI::Validator(check.fault, "")));
+  option_->check(CLI::Validator(check.fault, ""));
+  return *this;
 }
 
 Option Option::repeats() const {
-  return Option(*option_->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll));
+  if (option_ != nullptr) {
+    option_->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+  return *this;
 }
 
-Option Option::delimiter(char between) const { return Option(*option_->delimiter(between)); }
+Option Option::delimiter(char between) const {
+  if (option_ != nullptr) option_->delimiter(between);
+  return *this;
+}
 
-Option Option::excludes(const char* other) const { return Option(*option_->excludes(other)); }
+Option Option::excludes(const char* other) const {
+  if (option_ != nullptr) option_->excludes(other);
+  return *this;
+}
 
 Option Command::add_option(const char* names, std::string& value, const std::string& what) const {
-  return Option(*app_->add_option(names, value, what));
+  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, std::vector<std::string>& value,
                            const std::string& what) const {
-  return Option(*app_->add_option(names, value, what));
+  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, int& value, const std::string& what) const {
-  return Option(*app_->add_option(names, value, what));
+  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, std::uint64_t& value, const std::string& what) const {
-  return Option(*app_->add_option(names, value, what));
+  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, double& value, const std::string& what) const {
-  return Option(*app_->add_option(names, value, what));
+  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, const Take& take, const std::string& what) const {
-  return Option(*app_->add_option_function<std::string>(names, take, what));
+  return Option(asked_for_ ? app_->add_option_function<std::string>(names, take, what) : nullptr);
 }
 
 Option Command::add_flag(const char* names, bool& value, const std::string& what) const {
-  return Option(*app_->add_flag(names, value, what));
+  return Option(asked_for_ ? app_->add_flag(names, value, what) : nullptr);
 }
 
 Option Command::add_flag(const char* name, const std::function<void()>& take,
                          const std::string& what) const {
-  return Option(*app_->add_flag_callback(name, take, what));
+  return Option(asked_for_ ? app_->add_flag_callback(name, take, what) : nullptr);
 }
 
-void Command::remove_option(const char* name) const { app_->remove_option(app_->get_option(name)); }
+void Command::remove_option(const char* name) const {
+  if (asked_for_) app_->remove_option(app_->get_option(name));
+}
 
 void Command::footer(const char* text) const { app_->footer(text); }
 
@@ -186,8 +211,8 @@ bool Command::has_option(const char* name) const {
   return app_->get_option_no_throw(name) != nullptr;
 }
 
-CommandLine::CommandLine(const char* what, const char* program)
-    : app_(std::make_unique<CLI::App>(what, program)) {
+CommandLine::CommandLine(const char* what, const char* program, std::string only)
+    : app_(std::make_unique<CLI::App>(what, program)), only_(std::move(only)) {
   app_->require_subcommand(1);
   app_->set_help_flag("-h,--help", "Print this help");
 }
@@ -195,7 +220,7 @@ CommandLine::CommandLine(const char* what, const char* program)
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::add_command(const char* name, const char* what) {
-  return Command(*app_->add_subcommand(name, what));
+  return Command(*app_->add_subcommand(name, what), only_.empty() || only_ == name);
 }
 
 void CommandLine::add_version(const char* text) {

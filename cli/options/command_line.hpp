@@ -28,7 +28,7 @@ struct ValueCheck {
 /// An option of a subcommand, which owns it. Each function returns the option itself.
 class Option {
  public:
-  explicit Option(CLI::Option& option) : option_(&option) {}
+  explicit Option(CLI::Option* option) : option_(option) {}
 
   Option required() const;
   Option type_name(const char* name) const;  ///< names its value in --help
@@ -53,7 +53,8 @@ class Command {
  public:
   using Take = std::function<void(const std::string& text)>;
 
-  explicit Command(CLI::App& app) : app_(&app) {}
+  /// Unless the command is `asked_for`, options that are added to it are left out.
+  Command(CLI::App& app, bool asked_for) : app_(&app), asked_for_(asked_for) {}
 
   /// Adds an option with names such as "-o,--output". A name without a hyphen makes a positional.
   Option add_option(const char* names, std::string& value, const std::string& what) const;
@@ -74,12 +75,15 @@ class Command {
 
  private:
   CLI::App* app_;
+  bool asked_for_;
 };
 
 /// Parses a command line that has one subcommand.
 class CommandLine {
  public:
-  explicit CommandLine(const char* what = "", const char* program = "");
+  /// If `only` names a subcommand, the others get no options: adding those of all takes longer
+  /// than a small sum.
+  explicit CommandLine(const char* what = "", const char* program = "", std::string only = "");
   ~CommandLine();
 
   Command add_command(const char* name, const char* what);
@@ -98,6 +102,7 @@ class CommandLine {
   [[nodiscard]] std::string reason_of(const CLI::ParseError& error) const;
 
   std::unique_ptr<CLI::App> app_;
+  std::string only_;
 };
 
 /// Throws what makes the parser refuse the value of an option.
