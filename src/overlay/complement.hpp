@@ -9,12 +9,11 @@
 
 namespace minksum {
 
-/// Returns the box less a valid region, in canonical form, or nothing. The region must touch itself
-/// nowhere. Each ring must lie strictly inside the box, but for one that may go around it. Then the
-/// result has the region's rings, the other way round. Doubles tell that this is so, and the rings
-/// are copied. The time is O(n log n) for n vertices, with next to no arithmetic on exact
-/// coordinates. Returns nothing if the conditions do not hold, are not certain, or would take
-/// longer to test than an overlay. Throws Error(kCancelled).
+/// Returns the box less a valid region, in canonical form. The region must not be empty, and its
+/// rings must touch neither each other nor the box. Then the result has those of its rings that lie
+/// in the box, the other way round, and the rings are copied. A sweep tells, in O(n log n) for n
+/// vertices, whether this is so, and which ring is in which. Returns nothing if it is not so, or if
+/// a ring does not turn at a vertex. Throws Error(kCancelled).
 [[nodiscard]] std::optional<Region> complement_in(const Box& box, const Region& region,
                                                   const Options& options = {});
 

@@ -130,11 +130,11 @@ TEST(Complement, WhatTouches) {
   EXPECT_FALSE(expect_difference(box_of(0, -10, 60, 60), hole, "an edge on the box"));
   EXPECT_FALSE(expect_difference(box_of(5, 5, 25, 60), hole, "a box that cuts"));
   EXPECT_FALSE(expect_difference(box_of(100, 100, 120, 120), hole, "a box elsewhere"));
-  EXPECT_FALSE(expect_difference(box_of(2, 2, 6, 6), hole, "a box that is all covered, uncertain"));
+  EXPECT_FALSE(expect_difference(box_of(2, 2, 6, 6), hole, "a box that is all covered"));
   EXPECT_FALSE(expect_difference(box, {}, "nothing"));
 }
 
-// The rings are so close that doubles cannot tell.
+// The rings are so close that doubles cannot tell; exact numbers do.
 TEST(Complement, HairsApart) {
   const Rational hair(1, std::int64_t{1} << 62);
   const Region left = test::make_polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
@@ -142,13 +142,13 @@ TEST(Complement, HairsApart) {
     const Region right = transform(test::make_polygon({{0, 4}, {9, 0}, {9, 9}}),
                                    Affine::translation(Rational(10) + gap, Rational(0)));
     const Region both = unite(left, right);
-    EXPECT_EQ(expect_difference(box_of(-3, -3, 30, 30), both, "a hair"), gap == Rational(1, 1000));
+    EXPECT_EQ(expect_difference(box_of(-3, -3, 30, 30), both, "a hair"), gap.sign() != 0);
   }
   const Region square = test::rectangle(0, 0, 10, 10);
-  EXPECT_FALSE(expect_difference(widened(*bounding_box(square), hair), square, "a hair's margin"));
+  EXPECT_TRUE(expect_difference(widened(*bounding_box(square), hair), square, "a hair's margin"));
 }
 
-// For such lists, the test of the rings would take longer than an overlay.
+// Comparing all pairs of edges, or of rings, would take long.
 TEST(Complement, LongLists) {
   // The edges lie one above the other.
   test::Outline comb;
@@ -161,7 +161,7 @@ TEST(Complement, LongLists) {
   comb.push_back({0, 1000});
   comb.push_back({0, -1});
   const Region teeth = canonical(test::make_polygon(comb));
-  EXPECT_FALSE(expect_difference(box_of(-9, -9, 2000, 2000), teeth, "a comb"));
+  EXPECT_TRUE(expect_difference(box_of(-9, -9, 2000, 2000), teeth, "a comb"));
   // The islands lie in a hole.
   const Region hole = test::round_polygon(2000, 100'000);
   Polygon around{
@@ -173,8 +173,8 @@ TEST(Complement, LongLists) {
     const int y = -30'000 + 2000 * (i / 30);
     polygons.push_back({{{x, y}, {x + 900, y}, {x, y + 900}}, {}});
   }
-  const Region islands{std::span<const Polygon>(polygons)};
-  EXPECT_FALSE(expect_difference(box_of(-300'000, -300'000, 300'000, 300'000), islands, "islands"));
+  const Region islands = canonical(Region(std::span<const Polygon>(polygons)));
+  EXPECT_TRUE(expect_difference(box_of(-300'000, -300'000, 300'000, 300'000), islands, "islands"));
 }
 
 // Rings may have any direction, any first vertex and any order.
