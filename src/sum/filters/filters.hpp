@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "minksum/trace.hpp"
 #include "sum/filters/collision.hpp"
 #include "sum/loops/loops.hpp"
 
 namespace minksum {
 
-enum class LoopState : std::uint8_t { kAccepted, kRejectedByNesting, kRejectedByCollision };
+using LoopState = Trace::LoopState;
 
 struct FilteredLoops {
   std::vector<LoopState> state;  ///< by loop

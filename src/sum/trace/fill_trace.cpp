@@ -55,17 +55,7 @@ class Tracer {
     for (std::size_t i = 0; i < loops.size(); ++i) {
       Trace::Loop loop;
       loop.positive = loops.positive[i] != 0;
-      switch (filtered.state[i]) {
-        case LoopState::kAccepted:
-          loop.state = Trace::LoopState::kAccepted;
-          break;
-        case LoopState::kRejectedByNesting:
-          loop.state = Trace::LoopState::kRejectedByNesting;
-          break;
-        case LoopState::kRejectedByCollision:
-          loop.state = Trace::LoopState::kRejectedByCollision;
-          break;
-      }
+      loop.state = filtered.state[i];
       for (const PieceId p : loops.loop(i)) {
         loop.vertices.push_back(vertex(arrangement.nodes[arrangement.pieces[p].from].at));
       }
