@@ -301,6 +301,34 @@ inline void unite_shared(std::vector<std::uint32_t>& parent, std::uint32_t a, st
   }
 }
 
+/// Compares nodes exactly, with the filter in front.
+class NodeOrder {
+ public:
+  NodeOrder(const Arrangement& arrangement, Predicates& predicates)
+      : nodes_(&arrangement.nodes), predicates_(&predicates) {}
+
+  Sign compare(NodeId a, NodeId b, Axis axis) const {
+    if (a == b) return kZero;
+    const Node& p = (*nodes_)[a];
+    const Node& q = (*nodes_)[b];
+    return predicates_->compare(p.point, p.at, p.error, q.point, q.at, q.error, axis);
+  }
+  /// Compares by x, and then by y.
+  Sign compare(NodeId a, NodeId b) const {
+    const Sign by_x = compare(a, b, Axis::kX);
+    return by_x != kZero ? by_x : compare(a, b, Axis::kY);
+  }
+  /// Returns the side of a segment on which a node lies.
+  Sign orientation(const Segment& segment, NodeId node) const {
+    const Node& n = (*nodes_)[node];
+    return predicates_->orientation(segment, n.point, n.at, n.error);
+  }
+
+ private:
+  const std::vector<Node>* nodes_;
+  Predicates* predicates_;
+};
+
 /// Returns what is wrong with the arrangement, or nothing. Pieces and nodes must fit exactly.
 [[nodiscard]] std::optional<std::string> check(const Arrangement& arrangement,
                                                const Operands& operands);

@@ -12,7 +12,10 @@ namespace {
 class LoopFilter {
  public:
   LoopFilter(const Arrangement& arrangement, const Loops& loops, Predicates& predicates)
-      : arrangement_(arrangement), loops_(loops), predicates_(predicates) {}
+      : arrangement_(arrangement),
+        loops_(loops),
+        predicates_(predicates),
+        order_(arrangement, predicates) {}
 
   /// Returns the loop that is the sum's outer boundary if the operands are connected. It is the
   /// positive loop that has the lexicographically smallest node.
@@ -22,7 +25,7 @@ class LoopFilter {
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       if (loops_.positive[i] == 0) continue;
       const NodeId node = smallest_node(i);
-      if (best == loops_.size() || less(node, best_node)) {
+      if (best == loops_.size() || order_.compare(node, best_node) == kNegative) {
         best = i;
         best_node = node;
       }
@@ -49,19 +52,11 @@ class LoopFilter {
 
  private:
   [[nodiscard]] const Node& node(NodeId id) const { return arrangement_.nodes[id]; }
-  bool less(NodeId a, NodeId b) {
-    if (a == b) return false;
-    for (const Axis axis : {Axis::kX, Axis::kY}) {
-      const Sign order = predicates_.compare(node(a).point, node(a).at, node(a).error,
-                                             node(b).point, node(b).at, node(b).error, axis);
-      if (order != kZero) return order == kNegative;
-    }
-    return false;
-  }
   NodeId smallest_node(std::size_t loop) {
     NodeId best = arrangement_.pieces[loops_.loop(loop)[0]].from;
     visit_in_pieces(loops_.loop(loop), predicates_.cancellation(), [&](PieceId p) {
-      if (less(arrangement_.pieces[p].from, best)) best = arrangement_.pieces[p].from;
+      const NodeId from = arrangement_.pieces[p].from;
+      if (order_.compare(from, best) == kNegative) best = from;
     });
     return best;
   }
@@ -69,6 +64,7 @@ class LoopFilter {
   const Arrangement& arrangement_;
   const Loops& loops_;
   Predicates& predicates_;
+  NodeOrder order_;
 };
 
 }  // namespace

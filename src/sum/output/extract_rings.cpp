@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "machine/make_room.hpp"
-#include "sum/output/node_order.hpp"
 #include "sum/output/output.hpp"
 
 namespace minksum {

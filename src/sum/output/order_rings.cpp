@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "machine/make_room.hpp"
-#include "sum/output/node_order.hpp"
 #include "sum/output/output.hpp"
 
 namespace minksum {

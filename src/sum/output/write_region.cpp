@@ -3,7 +3,6 @@
 
 #include "machine/make_room.hpp"
 #include "region/region_access.hpp"
-#include "sum/output/node_order.hpp"
 #include "sum/output/output.hpp"
 
 namespace minksum {
