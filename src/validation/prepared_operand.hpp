@@ -114,7 +114,12 @@ void find_faults(std::size_t max_faults, Cancellation& cancellation, OperandScra
 void approximate_sites(std::size_t count, const SumSettings& options, Cancellation& cancellation,
                        OperandScratch& scratch, PreparedOperand& operand);
 /// Sets which site follows which around the rings, and the edges between them.
-void connect_rings(Cancellation& cancellation, PreparedOperand& operand);
+void connect_rings(std::span<const OperandRing> rings, ExactKernel& kernel,
+                   Cancellation& cancellation, ApproximateSites& sites,
+                   std::vector<SiteId>& previous);
+inline void connect_rings(Cancellation& cancellation, PreparedOperand& operand) {
+  connect_rings(operand.rings, *operand.kernel, cancellation, operand.sites, operand.previous);
+}
 /// Returns the narrowest rung for coordinates of so many bits, unless a wider one is asked for.
 [[nodiscard]] Arithmetic rung_for(int bits, Arithmetic asked);
 /// Coordinates of more bits than this are not given to fixed-width arithmetic.

@@ -240,22 +240,24 @@ void approximate_sites(std::size_t count, const SumSettings& options, Cancellati
   operand.kernel->approximate_sites(operand.sites.x, operand.sites.y, cancellation);
 }
 
-void connect_rings(Cancellation& cancellation, PreparedOperand& operand) {
-  const std::size_t n = operand.sites.x.size();
-  operand.sites.next.resize(n);
-  operand.previous.resize(n);
-  for (const OperandRing& ring : operand.rings) {
+void connect_rings(std::span<const OperandRing> rings, ExactKernel& kernel,
+                   Cancellation& cancellation, ApproximateSites& sites,
+                   std::vector<SiteId>& previous) {
+  const std::size_t n = sites.x.size();
+  sites.next.resize(n);
+  previous.resize(n);
+  for (const OperandRing& ring : rings) {
     for (SiteId i = ring.begin; i < ring.end; ++i) {
-      operand.sites.next[i] = i + 1;
-      operand.previous[i] = i - 1;
+      sites.next[i] = i + 1;
+      previous[i] = i - 1;
     }
-    operand.sites.next[ring.end - 1] = ring.begin;
-    operand.previous[ring.begin] = ring.end - 1;
+    sites.next[ring.end - 1] = ring.begin;
+    previous[ring.begin] = ring.end - 1;
   }
-  operand.kernel->connect(operand.sites.next);
-  operand.sites.dx.resize(n);
-  operand.sites.dy.resize(n);
-  operand.kernel->approximate_edges(operand.sites.dx, operand.sites.dy, cancellation);
+  kernel.connect(sites.next);
+  sites.dx.resize(n);
+  sites.dy.resize(n);
+  kernel.approximate_edges(sites.dx, sites.dy, cancellation);
 }
 
 void clean_rings(const SumSettings& options, Cancellation& cancellation, OperandScratch& scratch,

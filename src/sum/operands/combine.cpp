@@ -108,26 +108,6 @@ void append_kept(const std::vector<Value>& from, std::span<const SiteId> kept,
   for (const SiteId site : kept) to.push_back(from[site]);
 }
 
-void connect(Cancellation& cancellation, Operands& o) {
-  const SiteId n = o.size();
-  o.sites.next.resize(n);
-  o.previous.resize(n);
-  o.on_hole.resize(n);
-  for (const OperandRing& ring : o.rings) {
-    for (SiteId i = ring.begin; i < ring.end; ++i) {
-      o.sites.next[i] = i + 1;
-      o.previous[i] = i - 1;
-      o.on_hole[i] = ring.is_hole() ? 1 : 0;
-    }
-    o.sites.next[ring.end - 1] = ring.begin;
-    o.previous[ring.begin] = ring.end - 1;
-  }
-  o.kernel->connect(o.sites.next);
-  o.sites.dx.resize(n);
-  o.sites.dy.resize(n);
-  o.kernel->approximate_edges(o.sites.dx, o.sites.dy, cancellation);
-}
-
 Vec<double> size_of(const PreparedOperand& operand, const OperandRing& ring) {
   const auto& x = operand.sites.x;
   const auto& y = operand.sites.y;
@@ -245,7 +225,11 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSet
   o.sites.y.resize(n);
   o.kernel->approximate_sites(o.sites.x, o.sites.y, cancellation);
   if (!common.fits) measure_extent(o);
-  connect(cancellation, o);
+  o.on_hole.assign(n, 0);
+  for (const OperandRing& ring : o.rings) {
+    if (ring.is_hole()) std::fill_n(o.on_hole.begin() + ring.begin, ring.end - ring.begin, 1);
+  }
+  connect_rings(o.rings, *o.kernel, cancellation, o.sites, o.previous);
 }
 
 void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumSettings& options,
