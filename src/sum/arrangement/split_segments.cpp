@@ -294,17 +294,13 @@ class Splitter {
   }
   /// Whether each of these sorted directions is followed by another one within half a circle.
   [[nodiscard]] bool turns_are_small(std::span<const Incident> around) const {
-    const std::uint32_t size = operands_.place_count;
-    const auto turn = [size](std::uint32_t from, std::uint32_t to) {
-      return to >= from ? to - from : to + size - from;
-    };
     DirectionRank last = around.back().rank;
     if (last == around.front().rank) return false;
     for (const Incident& incident : around) {
       if (incident.rank == last) continue;
       const std::uint32_t from = operands_.place[last];
-      if (turn(from, operands_.place[incident.rank]) >=
-          turn(from, operands_.reverse_place[last])) {
+      if (operands_.turn(from, operands_.place[incident.rank]) >=
+          operands_.turn(from, operands_.reverse_place[last])) {
         return false;
       }
       last = incident.rank;

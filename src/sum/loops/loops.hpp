@@ -44,7 +44,7 @@ class DirectionCircle {
   [[nodiscard]] std::uint32_t size() const { return operands_->place_count; }
   /// Returns the steps counter-clockwise from one place to another.
   [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
-    return to >= from ? to - from : to + size() - from;
+    return operands_->turn(from, to);
   }
   /// Returns how often a turn by less than half a circle passes the positive x axis, where places
   /// begin: -1, 0 or 1. A left turn passes it if the turn's end comes before the reverse of its

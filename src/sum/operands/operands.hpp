@@ -73,6 +73,10 @@ struct Operands {
   [[nodiscard]] bool both_thin() const { return thin[0] && thin[1]; }
   /// Whether the sum has no area, because all edges of two thin operands are parallel.
   [[nodiscard]] bool all_parallel() const { return both_thin() && rank_count == 2; }
+  /// Returns the steps counter-clockwise from one place on the circle of directions to another.
+  [[nodiscard]] std::uint32_t turn(std::uint32_t from, std::uint32_t to) const {
+    return to >= from ? to - from : to + place_count - from;
+  }
   /// Whether the ring turns back by half a circle at a site. Only the ends of a walk do.
   [[nodiscard]] bool turns_back(SiteId site) const {
     return place[rank[site]] == reverse_place[rank[previous[site]]];

@@ -110,11 +110,8 @@ OverlapTest::Arc OverlapTest::half_plane(const EdgePart& part) const {
                                        : Arc{o_.reverse_place[rank], o_.place[rank]};
 }
 bool OverlapTest::meet(const Arc& a, const Arc& b) const {
-  const auto turn = [this](std::uint32_t from, std::uint32_t to) {
-    return to >= from ? to - from : to + o_.place_count - from;
-  };
-  return turn(a.begin, b.begin) < turn(a.begin, a.end) ||
-         turn(b.begin, a.begin) < turn(b.begin, b.end);
+  return o_.turn(a.begin, b.begin) < o_.turn(a.begin, a.end) ||
+         o_.turn(b.begin, a.begin) < o_.turn(b.begin, b.end);
 }
 
 Sign OverlapTest::side(SiteId edge, SiteId vertex) {

@@ -121,7 +121,7 @@ class TouchFinder {
       for (const Member& other : around) {
         const SiteId in = other.starts ? o_.previous[other.edge] : other.edge;
         const std::uint32_t to = o_.reverse_place[o_.rank[in]];
-        const std::uint32_t turn = to >= from ? to - from : to + o_.place_count - from;
+        const std::uint32_t turn = o_.turn(from, to);
         if (turn < least) {
           least = turn;
           last = in;
