@@ -168,10 +168,24 @@ class Predicates {
                                [&] { return kernel_->compare(a, b, axis); });
   }
   Sign orientation(const Segment& s, const NodePoint& node, const Vec<double>& p, double p_error) {
-    const Vec<double> a = start(s);
-    return filtered_cross(direction(s.edge), {p.x - a.x, p.y - a.y}, bounds_.direction,
-                          p_error + bounds_.difference + bounds_.position,
-                          [&] { return kernel_->orientation(s, node); });
+    return side(s.edge, start_vertex(s), p, p_error + bounds_.position,
+                [&] { return kernel_->orientation(s, node); });
+  }
+
+  // -- Points that are known within an error; `exact` is asked where the filter cannot tell -----
+  /// Returns on which side of an edge, moved so that v is on its line, a point lies.
+  template <class Exact>
+  Sign side(SiteId edge, const SumVertex& v, const Vec<double>& at, double error, Exact exact) {
+    const Vec<double> p = position(v);
+    return filtered_cross(direction(edge), {at.x - p.x, at.y - p.y}, bounds_.direction,
+                          bounds_.difference + error, exact);
+  }
+  /// Returns the sign of a point minus v along an axis.
+  template <class Exact>
+  Sign compare(const Vec<double>& at, double error, const SumVertex& v, Axis axis, Exact exact) {
+    const Vec<double> p = position(v);
+    return filtered_difference(axis == Axis::kX ? at.x - p.x : at.y - p.y,
+                               bounds_.difference + error, exact);
   }
 
   // -- Probes -------------------------------------------------------------------------------
@@ -187,19 +201,16 @@ class Predicates {
   /// Returns a sign that is never zero. The probe stands off its segment by an infinitesimal along
   /// its right normal, and by one of second order along its direction.
   Sign orientation(SiteId edge, const SumVertex& v, const Probe& probe, const Vec<double>& at) {
-    const Vec<double> p = position(v);
-    return filtered_cross(direction(edge), {at.x - p.x, at.y - p.y}, bounds_.direction,
-                          bounds_.difference + 2 * bounds_.position, [&] {
-                            Sign sign = kernel_->probe_orientation(edge, v, probe);
-                            if (sign == kZero) sign = -dot(edge, probe.segment.edge);
-                            if (sign == kZero) sign = cross(edge, probe.segment.edge);
-                            return sign;
-                          });
+    return side(edge, v, at, 2 * bounds_.position, [&] {
+      Sign sign = kernel_->probe_orientation(edge, v, probe);
+      if (sign == kZero) sign = -dot(edge, probe.segment.edge);
+      if (sign == kZero) sign = cross(edge, probe.segment.edge);
+      return sign;
+    });
   }
   /// Returns the sign of (probe − v) along y, which is never zero for the same reason.
   Sign compare_y(const Probe& probe, const Vec<double>& at, const SumVertex& v) {
-    const double bound = bounds_.difference + 2 * bounds_.position;
-    return filtered_difference(at.y - position(v).y, bound, [&] {
+    return compare(at, 2 * bounds_.position, v, Axis::kY, [&] {
       Sign sign = kernel_->probe_compare(probe, v, Axis::kY);
       if (sign == kZero) sign = -component(probe.segment.edge, Axis::kX);
       if (sign == kZero) sign = component(probe.segment.edge, Axis::kY);

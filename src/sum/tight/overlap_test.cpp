@@ -118,33 +118,19 @@ Sign OverlapTest::side(SiteId edge, SiteId vertex) {
   if (x_.node != nullptr) {
     return predicates_.orientation({edge, vertex}, x_.node->point, x_.at, x_.error);
   }
-  const Vec<double> d = predicates_.direction(edge);
-  const Vec<double> p = predicates_.position(sum_vertex(edge, vertex));
-  const Vec<double> w{x_.at.x - p.x, x_.at.y - p.y};
-  const double left = d.x * w.y;
-  const double right = d.y * w.x;
-  const double bound =
-      predicates_.cross_bound(d, w, left, right, x_.error + predicates_.bounds().difference);
-  if (left - right > bound || left - right < -bound) {
-    predicates_.count_filtered(1);
-    return sign_of(left - right);
-  }
-  predicates_.count_kernel();
-  return predicates_.kernel().probe_orientation(edge, sum_vertex(edge, vertex), x_.probe);
+  const SumVertex v = sum_vertex(edge, vertex);
+  return predicates_.side(edge, v, x_.at, x_.error, [&] {
+    return predicates_.kernel().probe_orientation(edge, v, x_.probe);
+  });
 }
 
 Sign OverlapTest::compare(SiteId a, SiteId b, Axis axis) {
   const SumVertex v = sum_vertex(a, b);
-  const Vec<double> p = predicates_.position(v);
-  const double difference = axis == Axis::kX ? x_.at.x - p.x : x_.at.y - p.y;
-  const double bound = x_.error + predicates_.bounds().difference;
-  if (difference > bound || difference < -bound) {
-    predicates_.count_filtered(1);
-    return sign_of(difference);
-  }
-  predicates_.count_kernel();
-  if (x_.node == nullptr) return predicates_.kernel().probe_compare(x_.probe, v, axis);
-  return predicates_.kernel().compare(x_.node->point, {false, {}, {}, v}, axis);
+  return predicates_.compare(x_.at, x_.error, v, axis, [&] {
+    const ExactKernel& kernel = predicates_.kernel();
+    return x_.node == nullptr ? kernel.probe_compare(x_.probe, v, axis)
+                              : kernel.compare(x_.node->point, {false, {}, {}, v}, axis);
+  });
 }
 
 bool OverlapTest::a_ring_is_inside(int operand) {
