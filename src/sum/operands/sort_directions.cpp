@@ -35,69 +35,29 @@ bool by_key(const KeyedEdge& a, const KeyedEdge& b) {
   return a.key != b.key ? a.key < b.key : a.edge < b.edge;
 }
 
-/// Sorts edges by key, and edges of equal keys by id. The input must be in order of ids.
-class RadixSort {
- public:
-  explicit RadixSort(OperandScratch& scratch) : scratch_(scratch) {}
-
-  void run(std::vector<KeyedEdge>& edges) {
-    if (edges.size() < kWorthIt) return sort_few(edges);
-    scratch_.keyed.resize(edges.size());
-    for (int pass = 0; pass < kPasses; ++pass) {
-      distribute(edges, scratch_.keyed, pass);
-      std::swap(edges, scratch_.keyed);
-    }
-    // Sorts the runs of keys that agree in all these digits.
-    for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
-      for (j = i + 1; j < edges.size() && digits(edges[j]) == digits(edges[i]); ++j) {
-      }
-      if (j - i > 1) sort_run(std::span(edges).subspan(i, j - i));
-    }
+/// Sorts edges by key, and edges of equal keys by id: roughly by ranges of keys, as many as there
+/// are edges, and then range by range.
+void sort_by_key(std::vector<KeyedEdge>& edges, OperandScratch& scratch) {
+  constexpr std::size_t kMostRanges = 1 << 16;  // more would not fit the cache
+  const std::size_t ranges = std::clamp<std::size_t>(std::bit_ceil(edges.size()), 8, kMostRanges);
+  const auto range = [scale = static_cast<double>(ranges) / 4](const KeyedEdge& e) {
+    return static_cast<std::size_t>(static_cast<std::int32_t>(e.key * scale));
+  };
+  auto& place = scratch.counts;
+  place.assign(ranges + 2, 0);  // a key may be 4 after rounding
+  for (const KeyedEdge& e : edges) ++place[range(e) + 1];
+  for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
+  auto& sorted = scratch.keyed;
+  sorted.resize(edges.size());
+  for (const KeyedEdge& e : edges) sorted[place[range(e)]++] = e;
+  std::swap(edges, sorted);
+  auto begin = edges.begin();
+  for (std::size_t i = 0; i <= ranges; ++i) {
+    const auto end = edges.begin() + place[i];
+    if (end - begin > 1 && !std::is_sorted(begin, end, by_key)) std::sort(begin, end, by_key);
+    begin = end;
   }
-
- private:
-  static constexpr std::size_t kWorthIt = 200;
-  static constexpr int kDigitBits = 11;
-  static constexpr int kPasses = 2;
-  static std::uint32_t digits(const KeyedEdge& e) {
-    return static_cast<std::uint32_t>(e.key * (1 << (kDigitBits * kPasses - 2)));
-  }
-  /// Sorts a few edges: roughly by one digit, and then by insertion.
-  void sort_few(std::vector<KeyedEdge>& edges) {
-    const std::size_t ranges = std::bit_ceil(std::max<std::size_t>(edges.size(), 8));
-    const auto range = [scale = static_cast<double>(ranges) / 4](const KeyedEdge& e) {
-      return static_cast<std::size_t>(static_cast<std::int32_t>(e.key * scale));
-    };
-    auto& place = scratch_.counts;
-    place.assign(ranges + 2, 0);  // a key may be 4 after rounding
-    for (const KeyedEdge& e : edges) ++place[range(e) + 1];
-    for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
-    auto& sorted = scratch_.keyed;
-    sorted.resize(edges.size());
-    for (const KeyedEdge& e : edges) sorted[place[range(e)]++] = e;
-    for (std::size_t i = 1; i < sorted.size(); ++i) {
-      const KeyedEdge edge = sorted[i];
-      std::size_t j = i;
-      for (; j > 0 && by_key(edge, sorted[j - 1]); --j) sorted[j] = sorted[j - 1];
-      sorted[j] = edge;
-    }
-    std::swap(edges, sorted);
-  }
-  static void sort_run(std::span<KeyedEdge> run) {
-    if (!std::is_sorted(run.begin(), run.end(), by_key)) std::sort(run.begin(), run.end(), by_key);
-  }
-  void distribute(const std::vector<KeyedEdge>& from, std::vector<KeyedEdge>& to, int pass) {
-    const auto digit = [&](const KeyedEdge& e) {
-      return (digits(e) >> (pass * kDigitBits)) & ((1U << kDigitBits) - 1);
-    };
-    auto& counts = scratch_.counts;
-    counts.assign((std::size_t{1} << kDigitBits) + 1, 0);
-    for (const KeyedEdge& e : from) ++counts[digit(e) + 1];
-    for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
-    for (const KeyedEdge& e : from) to[counts[digit(e)]++] = e;
-  }
-  OperandScratch& scratch_;
-};
+}
 
 /// Sorts exactly within each chain of keys that are too close to tell.
 void mend(std::vector<KeyedEdge>& edges, bool keys_tell, Predicates& predicates) {
@@ -130,7 +90,7 @@ void sort_directions(Cancellation& cancellation, OperandScratch& scratch,
         operand.keys_tell ? angle_key(operand.sites.dx[e], operand.sites.dy[e]) : 0;
     edges[e] = {key, e};
   }
-  RadixSort(scratch).run(edges);
+  sort_by_key(edges, scratch);
   mend(edges, operand.keys_tell, predicates);
 }
 
