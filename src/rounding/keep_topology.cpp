@@ -64,13 +64,6 @@ class TopologyChecker {
     });
   }
 
-  [[nodiscard]] std::size_t ring_of(SiteId site) const {
-    const auto after =
-        std::upper_bound(operand_.rings.begin(), operand_.rings.end(), site,
-                         [](SiteId s, const OperandRing& ring) { return s < ring.begin; });
-    return static_cast<std::size_t>(after - operand_.rings.begin()) - 1;
-  }
-
   [[nodiscard]] bool interiors_connected() {
     Classes points(operand_.size());
     for (const RingTouch& touch : scratch_.touches) {
@@ -81,8 +74,8 @@ class TopologyChecker {
     std::vector<std::pair<std::size_t, std::size_t>> joints;
     for (const RingTouch& touch : scratch_.touches) {
       cancellation_.check(4);
-      const std::size_t a = ring_of(touch.vertex);
-      const std::size_t b = ring_of(touch.other);
+      const std::size_t a = ring_of(operand_.rings, touch.vertex);
+      const std::size_t b = ring_of(operand_.rings, touch.other);
       if (operand_.rings[a].polygon != operand_.rings[b].polygon) continue;
       const std::size_t point = points.find(touch.vertex);
       joints.emplace_back(a, point);

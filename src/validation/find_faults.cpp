@@ -137,12 +137,7 @@ class ContactFinder {
     }
   }
 
-  [[nodiscard]] std::size_t ring_of(SiteId v) const {
-    const auto after =
-        std::upper_bound(o_.rings.begin(), o_.rings.end(), v,
-                         [](SiteId site, const OperandRing& r) { return site < r.begin; });
-    return static_cast<std::size_t>(after - o_.rings.begin()) - 1;
-  }
+  [[nodiscard]] std::size_t ring_of(SiteId v) const { return minksum::ring_of(o_.rings, v); }
 
   [[nodiscard]] bool boxes_apart(SiteId e, SiteId f) const {
     const auto& [x, y, dx, dy, next] = o_.sites;

@@ -11,6 +11,7 @@
 #include "exact/predicates.hpp"
 #include "minksum/testing.hpp"
 #include "minksum/validity.hpp"
+#include "spatial/box.hpp"
 #include "spatial/box_pairs.hpp"
 #include "validation/misplaced_rings.hpp"
 #include "validation/ring_sweep.hpp"
@@ -29,6 +30,20 @@ struct OperandRing {
 };
 [[nodiscard]] inline bool has_holes(std::span<const OperandRing> rings) {
   return std::ranges::any_of(rings, &OperandRing::is_hole);
+}
+/// Returns the index of the ring that holds a site.
+[[nodiscard]] inline std::size_t ring_of(std::span<const OperandRing> rings, SiteId site) {
+  const auto after = std::ranges::upper_bound(rings, site, {}, &OperandRing::begin);
+  return static_cast<std::size_t>(after - rings.begin()) - 1;
+}
+
+/// Returns the box around a ring.
+[[nodiscard]] inline BoxOf<double> box_of(const ApproximateSites& sites, const OperandRing& ring) {
+  const auto [x0, x1] =
+      std::minmax_element(sites.x.begin() + ring.begin, sites.x.begin() + ring.end);
+  const auto [y0, y1] =
+      std::minmax_element(sites.y.begin() + ring.begin, sites.y.begin() + ring.end);
+  return {*x0, *y0, *x1, *y1};
 }
 
 /// An edge with its key, a rounded, monotone function of its direction in [0, 4). The key is off by

@@ -70,10 +70,7 @@ void BoxTrees::build(const Operands& o, Cancellation& cancellation) {
   outer_rings.clear();
   for (const OperandRing& ring : o.rings) {
     if (!ring.is_hole()) outer_rings.push_back(ring_boxes.size());
-    const auto& [x, y, dx, dy, next] = o.sites;
-    const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
-    const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
-    ring_boxes.push_back({*x0, *y0, *x1, *y1});
+    ring_boxes.push_back(box_of(o.sites, ring));
   }
   for (const int operand : {0, 1}) tree[operand].build(o, operand, ring_boxes);
 }

@@ -109,11 +109,8 @@ void append_kept(const std::vector<Value>& from, std::span<const SiteId> kept,
 }
 
 Vec<double> size_of(const PreparedOperand& operand, const OperandRing& ring) {
-  const auto& x = operand.sites.x;
-  const auto& y = operand.sites.y;
-  const auto [x0, x1] = std::minmax_element(x.begin() + ring.begin, x.begin() + ring.end);
-  const auto [y0, y1] = std::minmax_element(y.begin() + ring.begin, y.begin() + ring.end);
-  return {*x1 - *x0, *y1 - *y0};
+  const BoxOf<double> box = box_of(operand.sites, ring);
+  return {box.x1 - box.x0, box.y1 - box.y0};
 }
 
 /// Decides which holes of one operand are filled: those into which no polygon of the other fits.

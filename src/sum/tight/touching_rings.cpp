@@ -67,7 +67,7 @@ class TouchFinder {
     tree_.any_edge(tree_.leaves(), misses, [&](SiteId e) {
       cancellation_.check();
       const bool own = e >= ring.begin && e < ring.end;
-      if (!own && ring_of(e).polygon == ring.polygon) add_touch(v, e);
+      if (!own && o_.rings[ring_index(e)].polygon == ring.polygon) add_touch(v, e);
       return false;
     });
   }
@@ -82,26 +82,18 @@ class TouchFinder {
       touches_.push_back({v, e, false});
     }
   }
-  [[nodiscard]] const OperandRing& ring_of(SiteId site) const { return o_.rings[ring_index(site)]; }
   [[nodiscard]] std::uint32_t ring_index(SiteId site) const {
-    const auto after =
-        std::upper_bound(o_.rings.begin(), o_.rings.end(), site,
-                         [](SiteId s, const OperandRing& ring) { return s < ring.begin; });
-    return static_cast<std::uint32_t>(after - o_.rings.begin()) - 1;
+    return static_cast<std::uint32_t>(ring_of(o_.rings, site));
   }
 
-  static std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
   void unite_points() {
     std::vector<std::uint32_t> parent(o_.size());
     std::iota(parent.begin(), parent.end(), 0U);
     for (const Touch& t : touches_) {
-      if (t.at_start) parent[root(parent, t.at)] = root(parent, t.edge);
+      if (t.at_start) parent[find_root(parent, t.at)] = find_root(parent, t.edge);
     }
     for (const Touch& t : touches_) {
-      const SiteId point = root(parent, t.at);
+      const SiteId point = find_root(parent, t.at);
       members_.push_back({point, t.at, true});
       members_.push_back({point, t.edge, t.at_start});
     }
@@ -141,10 +133,10 @@ class TouchFinder {
   /// Joins the rings at a touching point. If other touching points have joined two of these rings
   /// before, the two enclose something between them.
   void join_rings(std::span<const Member> around) {
-    const std::uint32_t first = root(ring_parent_, ring_index(around.front().edge));
+    const std::uint32_t first = find_root(ring_parent_, ring_index(around.front().edge));
     for (const Member& member : around.subspan(1)) {
-      const std::uint32_t ring = root(ring_parent_, ring_index(member.edge));
-      if (ring == root(ring_parent_, first)) result_.parts_inside = true;
+      const std::uint32_t ring = find_root(ring_parent_, ring_index(member.edge));
+      if (ring == find_root(ring_parent_, first)) result_.parts_inside = true;
       ring_parent_[ring] = first;
     }
   }
