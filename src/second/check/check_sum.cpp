@@ -46,7 +46,7 @@ class Witness {
   Witness(const Geometry& result, const Geometry& p, const Geometry& q, const Rational& within,
           Cancellation& cancellation, SumCheck& check)
       : cancellation_(cancellation),
-        result_(result, cancellation),
+        result_(result, cancellation.options()),
         sum_(p, q, cancellation),
         check_(check) {
     if (within.sign() == 0) return;
@@ -57,8 +57,7 @@ class Witness {
   void ask(const Point& x) {
     ++check_.points;
     cancellation_.check(work_of(x));
-    const Corner corner(x);
-    const bool in_result = contains(result_, corner, cancellation_);
+    const bool in_result = result_.locate(x) != Location::kOutside;
     if (in_result == sum_.in_sum(x)) return;
     if (near_sum_ && (in_result ? near_sum_ : near_result_)->in_sum(x)) return;
     ++check_.disagreements;
@@ -67,7 +66,7 @@ class Witness {
 
  private:
   Cancellation& cancellation_;
-  EdgeTree result_;
+  PointLocator result_;
   PlacedOperand sum_;
   std::optional<PlacedOperand> near_result_;  ///< tells if x is near the result, if that may be off
   std::optional<PlacedOperand> near_sum_;     ///< tells if x is near the sum, likewise

@@ -12,12 +12,12 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr DoubleBox kNothing{kInfinity, kInfinity, -kInfinity, -kInfinity};
 
+}  // namespace
+
 DoubleBox around(const Corner& c) {
   if (!std::isfinite(c.error)) return kEverything;
   return {c.x - c.error, c.y - c.error, c.x + c.error, c.y + c.error};
 }
-
-}  // namespace
 
 Corner::Corner(const Point& point)
     : vertex(&point),
@@ -40,17 +40,17 @@ EdgeTree::EdgeTree(const Geometry& geometry, Cancellation& cancellation) {
         cancellation.check(4);
         points_.push_back(region.point(v));
       }
-      add_path(first, true, true);
+      add_path(first, true);
     }
   }
   for (const Polyline& line : geometry.polylines) {
     const std::size_t first = points_.size();
     points_.insert(points_.end(), line.begin(), line.end());
-    add_path(first, false, false);
+    add_path(first, false);
   }
   for (const Point& point : geometry.points) {
     heads_.push_back(points_.size());
-    edges_.push_back({points_.size(), points_.size(), false});
+    edges_.push_back({points_.size(), points_.size()});
     points_.push_back(point);
   }
   corners_.reserve(points_.size());
@@ -67,12 +67,12 @@ std::size_t EdgeTree::last_edge(std::size_t leaf) const {
   return std::min(edges_.size(), first_edge(leaf) + kLeaf);
 }
 
-void EdgeTree::add_path(std::size_t first, bool closed, bool of_ring) {
+void EdgeTree::add_path(std::size_t first, bool closed) {
   const std::size_t last = points_.size();
   if (first == last) return;
   heads_.push_back(first);
-  for (std::size_t i = first; i + 1 < last; ++i) edges_.push_back({i, i + 1, of_ring});
-  if (closed) edges_.push_back({last - 1, first, of_ring});
+  for (std::size_t i = first; i + 1 < last; ++i) edges_.push_back({i, i + 1});
+  if (closed) edges_.push_back({last - 1, first});
 }
 
 void EdgeTree::build(Cancellation& cancellation) {

@@ -37,14 +37,16 @@ struct Corner {
   }
 };
 
-/// An edge between two corners, which are the same for a point. Edges of rings count for parity.
+/// Returns a box that contains the corner.
+[[nodiscard]] DoubleBox around(const Corner& corner);
+
+/// An edge between two corners, which are the same for a point.
 struct Edge {
   std::size_t from;
   std::size_t to;
-  bool of_ring;
 };
 
-/// Holds all edges, rings first, and a binary tree of boxes over runs of them.
+/// Holds all edges, and a binary tree of boxes over runs of them.
 class EdgeTree {
  public:
   static constexpr std::size_t kLeaf = 4;
@@ -52,7 +54,6 @@ class EdgeTree {
   EdgeTree(const EdgeTree&) = delete;
   EdgeTree& operator=(const EdgeTree&) = delete;
 
-  [[nodiscard]] bool empty() const { return edges_.empty(); }
   /// Returns the greatest work (see Cancellation) of a decision about the corners.
   [[nodiscard]] std::uint64_t work() const { return work_; }
   [[nodiscard]] const Corner& corner(std::size_t i) const { return corners_[i]; }
@@ -67,7 +68,7 @@ class EdgeTree {
   [[nodiscard]] std::size_t last_edge(std::size_t leaf) const;
 
  private:
-  void add_path(std::size_t first, bool closed, bool of_ring);
+  void add_path(std::size_t first, bool closed);
   void build(Cancellation& cancellation);
 
   std::uint64_t work_ = 0;

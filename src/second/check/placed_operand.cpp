@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "region/point_arithmetic.hpp"
 #include "region/point_predicates.hpp"
 
 namespace minksum::checking {
@@ -33,50 +34,21 @@ DoubleBox placed(const Corner& x, const DoubleBox& box) {
 
 }  // namespace
 
-bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation) {
-  if (tree.empty()) return false;
-  bool odd = false;
-  std::vector<std::size_t> stack{1};
-  while (!stack.empty()) {
-    cancellation.check(2);
-    const std::size_t node = stack.back();
-    stack.pop_back();
-    const DoubleBox& box = tree.box(node);
-    const double slack = 2 * c.error;
-    if (box.y0 > c.y + slack || box.y1 < c.y - slack || box.x1 < c.x - slack) continue;
-    if (!tree.is_leaf(node)) {
-      stack.push_back(2 * node);
-      stack.push_back(2 * node + 1);
-      continue;
-    }
-    for (std::size_t e = tree.first_edge(node); e < tree.last_edge(node); ++e) {
-      cancellation.check(tree.work());
-      const Edge& edge = tree.edges()[e];
-      const Corner& a = tree.corner(edge.from);
-      const Corner& b = tree.corner(edge.to);
-      const int side = turn(a, b, c);
-      if (side == 0 && between(a, b, c)) return true;
-      if (!edge.of_ring) continue;
-      const bool up = compare_y(a, c) <= 0 && compare_y(b, c) > 0;
-      const bool down = compare_y(b, c) <= 0 && compare_y(a, c) > 0;
-      if ((up && side > 0) || (down && side < 0)) odd = !odd;
-    }
-  }
-  return odd;
-}
-
 bool PlacedOperand::in_sum(const Point& x) const {
-  if (p_.empty() || q_.empty()) return false;
   const Corner at(x);
   if (edges_meet(at)) return true;
   // No two edges meet, so each connected part lies wholly inside the other set or wholly outside.
-  for (const std::size_t head : q_.heads()) {
-    if (contains(p_, Corner(at, q_.corner(head)), cancellation_)) return true;
-  }
-  for (const std::size_t head : p_.heads()) {
-    if (contains(q_, Corner(at, p_.corner(head)), cancellation_)) return true;  // x − p in Q
-  }
-  return false;
+  const auto holds_part = [&](const EdgeTree& set, const PointLocator& in_set,
+                              const EdgeTree& other) {
+    return std::ranges::any_of(other.heads(), [&](std::size_t head) {
+      cancellation_.check(2);
+      const Corner& v = other.corner(head);
+      if (!set.box(1).meets(around(Corner(at, v)))) return false;
+      cancellation_.check(work_of(*v.vertex));
+      return in_set.locate(minus(x, *v.vertex)) != Location::kOutside;
+    });
+  };
+  return holds_part(p_, in_p_, q_) || holds_part(q_, in_q_, p_);  // x − p in Q
 }
 
 bool PlacedOperand::edges_meet(const Corner& x) const {

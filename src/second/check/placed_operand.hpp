@@ -1,13 +1,10 @@
 // Decides without any sum whether x is in P ⊕ Q.
 #pragma once
 
+#include "minksum/locate.hpp"
 #include "second/check/edge_tree.hpp"
 
 namespace minksum::checking {
-
-/// Tells whether the closed set with these edges contains c. The set contains c if c lies on an
-/// edge, or has an odd number of ring edges to its right. O(log n + edges at c's height).
-[[nodiscard]] bool contains(const EdgeTree& tree, const Corner& c, Cancellation& cancellation);
 
 /// Answers for any number of points x whether x is in P ⊕ Q.
 ///
@@ -18,7 +15,11 @@ class PlacedOperand {
  public:
   /// Both operands must be resolved.
   PlacedOperand(const Geometry& p, const Geometry& q, Cancellation& cancellation)
-      : cancellation_(cancellation), p_(p, cancellation), q_(q, cancellation) {}
+      : cancellation_(cancellation),
+        p_(p, cancellation),
+        q_(q, cancellation),
+        in_p_(p, cancellation.options()),
+        in_q_(q, cancellation.options()) {}
   [[nodiscard]] bool in_sum(const Point& x) const;
 
  private:
@@ -28,6 +29,8 @@ class PlacedOperand {
   Cancellation& cancellation_;
   EdgeTree p_;
   EdgeTree q_;
+  PointLocator in_p_;
+  PointLocator in_q_;
 };
 
 }  // namespace minksum::checking
