@@ -1,8 +1,11 @@
-// Visits the points of sets, and makes images of sets, point by point.
+// Visits the points of sets, and makes images of sets and walks along them, point by point.
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
+#include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum {
@@ -14,6 +17,24 @@ void for_each_thin_point(const Geometry& geometry, Visit visit) {
     for (const Point& p : line) visit(p);
   }
   for (const Point& p : geometry.points) visit(p);
+}
+
+/// Makes a region whose polygons are walks. A walk goes along a polyline from its start to its end
+/// and back: it is a ring without area. Polylines must be as in a resolved Geometry: simple, and
+/// without straight vertices. A closed polyline is cut at its first vertex.
+inline void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
+                                Region& walks) {
+  walks.clear();
+  for (const Polyline& polyline : polylines) {
+    walks.begin_polygon();
+    walks.begin_ring();
+    const auto add = [&](const Point& at) {
+      cancellation.check(work_of(at));
+      walks.add_vertex(at.x, at.y);
+    };
+    std::for_each(polyline.begin(), polyline.end(), add);
+    std::for_each(polyline.rbegin() + 1, polyline.rend() - 1, add);
+  }
 }
 
 /// Returns a region with the rings of another one; add(image, v) adds the image of vertex v.

@@ -9,6 +9,7 @@
 #include "minksum/testing.hpp"
 #include "operations/sum/fixed_sum.hpp"
 #include "operations/sum/geometry_sum.hpp"
+#include "region/map_points.hpp"
 #include "second/signed_convolution/signed_convolution.hpp"
 #include "sum/pipeline.hpp"
 #include "sum/small/small_sum.hpp"

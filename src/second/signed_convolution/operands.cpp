@@ -182,21 +182,6 @@ DirectedOperands make_operands(const Region& p, const Region& q, Cancellation& c
   return operands;
 }
 
-Region walks_along(std::span<const Polyline> polylines, Cancellation& cancellation) {
-  Region walks;
-  for (const Polyline& polyline : polylines) {
-    walks.begin_polygon();
-    walks.begin_ring();
-    const auto add = [&](const Point& at) {
-      cancellation.check(work_of(at));
-      walks.add_vertex(at.x, at.y);
-    };
-    std::for_each(polyline.begin(), polyline.end(), add);
-    std::for_each(polyline.rbegin() + 1, polyline.rend() - 1, add);
-  }
-  return walks;
-}
-
 void check(const DirectedOperands& operands) {
   std::vector<std::pair<DirectionRank, Direction>> edges;
   for_each_ring(operands, [&](const DirectedRing& ring, bool is_hole) {

@@ -56,9 +56,6 @@ struct DirectedOperands {
 [[nodiscard]] DirectedOperands make_operands(const Region& p, const Region& q,
                                              Cancellation& cancellation);
 
-/// Returns polylines, which must be those of a resolved Geometry, as walks.
-[[nodiscard]] Region walks_along(std::span<const Polyline> polylines, Cancellation& cancellation);
-
 /// Throws Error(kInternal) unless the operands are as described above. Rings must be oriented or
 /// walks, without straight or repeated vertices. Ranks must be in cyclic order of the directions.
 void check(const DirectedOperands& operands);

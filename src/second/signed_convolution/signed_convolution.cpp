@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "overlay/chains.hpp"
+#include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
 #include "second/signed_convolution/broken.hpp"
 #include "second/signed_convolution/segments.hpp"
@@ -90,14 +91,18 @@ void signed_convolution_sum(const Region& p, std::span<const Polyline> q,
                             const SumSettings& options, Region& result) {
   Cancellation cancellation(options);
   Statistics unasked;
-  signed_convolution_sum(p, signed_sum::walks_along(q, cancellation), options, unasked, result);
+  Region walks;
+  walk_there_and_back(q, cancellation, walks);
+  signed_convolution_sum(p, walks, options, unasked, result);
 }
 
 void signed_convolution_sum(std::span<const Polyline> p, std::span<const Polyline> q,
                             const SumSettings& options, Geometry& result) {
   Cancellation cancellation(options);
   result = {};
-  signed_convolution_sum(signed_sum::walks_along(p, cancellation), q, options, result.region);
+  Region walks;
+  walk_there_and_back(p, cancellation, walks);
+  signed_convolution_sum(walks, q, options, result.region);
   for (const Polyline& a : p) {
     for (const Polyline& b : q) {
       signed_sum::add_parallel_sums(a, b, cancellation, result.polylines);

@@ -19,12 +19,6 @@ void prepare_operand(const Region& region, const SumSettings& options, std::size
                      Cancellation& cancellation, OperandScratch& scratch, PreparedOperand& operand,
                      std::vector<Fault>& faults);
 
-/// Makes a region whose polygons are walks. A walk goes along a polyline from its start to its end
-/// and back: it is a ring without area. Polylines must be as in a resolved Geometry: simple, and
-/// without straight vertices. A closed polyline is cut at its first vertex.
-void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
-                         Region& walks);
-
 /// Fills `operand` from the union of the polylines that `walks` goes along, as `prepare_operand`
 /// does from polygons.
 ///

@@ -4,22 +4,6 @@
 
 namespace minksum {
 
-void walk_there_and_back(std::span<const Polyline> polylines, Cancellation& cancellation,
-                         Region& walks) {
-  walks.clear();
-  for (const Polyline& polyline : polylines) {
-    walks.begin_polygon();
-    walks.begin_ring();
-    const std::size_t last = polyline.size() - 1;
-    const auto add = [&](const Point& at) {
-      cancellation.check(work_of(at));
-      walks.add_vertex(at.x, at.y);
-    };
-    for (std::size_t i = 0; i <= last; ++i) add(polyline[i]);
-    for (std::size_t i = last; i-- > 1;) add(polyline[i]);
-  }
-}
-
 void prepare_thin_operand(const Region& walks, const SumSettings& options,
                           Cancellation& cancellation, OperandScratch& scratch,
                           PreparedOperand& operand) {
