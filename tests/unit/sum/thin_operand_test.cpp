@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "region/map_points.hpp"
 #include "second/signed_convolution/segments.hpp"
 #include "sum/convolution/convolution.hpp"
 #include "support/geometries.hpp"
@@ -131,7 +132,8 @@ TEST(SignedThinOperand, IsClosedAndChecked) {
   using namespace minksum::signed_sum;
   const Geometry hook = make_lines(kHook);
   Cancellation never;
-  const Region walks = walks_along(hook.polylines, never);
+  Region walks;
+  walk_there_and_back(hook.polylines, never, walks);
   const DirectedOperands operands = make_operands(kTriangle, walks, never);
   EXPECT_NO_THROW(check(operands));
   EXPECT_NO_THROW((void)signed_convolutions(operands, UINT64_MAX, never));

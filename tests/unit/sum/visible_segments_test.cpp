@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "region/map_points.hpp"
 #include "sum/filters/filters.hpp"
 #include "sum/output/output.hpp"
 #include "support/generators.hpp"
