@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -87,6 +88,21 @@ void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
   if (size <= kPiece) return list.assign(size, value);
   list.clear();
   resize_in_pieces(list, size, cancellation, value);
+}
+
+/// Lists values by key. for_each(visit) calls visit(key, value) for each of them, counts its work,
+/// and is called twice. The values of a key, in their order, begin at begin[key] and end where
+/// those of the next key begin.
+template <class Value, class ForEach>
+void list_by_key(std::size_t keys, Cancellation& cancellation, std::vector<std::uint32_t>& begin,
+                 std::vector<Value>& values, ForEach for_each) {
+  assign_in_pieces(begin, keys + 2, 0U, cancellation);
+  for_each([&](std::size_t key, const Value&) { ++begin[key + 2]; });
+  std::uint32_t sum = 0;
+  visit_in_pieces(begin, cancellation, [&](std::uint32_t& count) { count = sum += count; });
+  resize_in_pieces(values, sum, cancellation);
+  for_each([&](std::size_t key, const Value& value) { values[begin[key + 1]++] = value; });
+  begin.pop_back();
 }
 
 /// Does what `clear` does, for elements that hold memory. A vector by itself would free that of a

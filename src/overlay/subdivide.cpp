@@ -72,13 +72,8 @@ class Subdivider {
 
   /// Lists the nodes inside each segment, in order.
   void list_stops() {
-    const std::size_t count = segments_.list.size();
-    assign_in_pieces(first_stop_, count + 2, 0U, cancellation_);
-    for_each_stop([&](SegmentId s, NodeId) { ++first_stop_[s + 2]; });
-    std::partial_sum(first_stop_.begin(), first_stop_.end(), first_stop_.begin());
-    resize_in_pieces(stops_, first_stop_.back(), cancellation_);
-    for_each_stop([&](SegmentId s, NodeId node) { stops_[first_stop_[s + 1]++] = node; });
-    first_stop_.pop_back();
+    list_by_key(segments_.list.size(), cancellation_, first_stop_, stops_,
+                [&](auto visit) { for_each_stop(visit); });
   }
   template <class Visit>
   void for_each_stop(Visit visit) const {

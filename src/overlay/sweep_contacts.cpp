@@ -1,6 +1,5 @@
 // Finds the touches of segments that do not cross, and the segments that do.
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 #include "machine/make_room.hpp"
@@ -46,15 +45,11 @@ class ContactSweeper {
   /// Lists the segments by one of their ends.
   template <class End>
   void list_by(End end, std::vector<std::uint32_t>& first, std::vector<SegmentId>& list) {
-    assign_in_pieces(first, segments_.sources.size() + 2, 0U, cancellation_);
-    visit_in_pieces(segments_.list, cancellation_,
-                    [&](const Segment& s) { ++first[end(s.ends) + 2]; });
-    cancellation_.check(first.size() / 4);
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    resize_in_pieces(list, segments_.list.size(), cancellation_);
-    SegmentId s = 0;
-    visit_in_pieces(segments_.list, cancellation_,
-                    [&](const Segment& segment) { list[first[end(segment.ends) + 1]++] = s++; });
+    list_by_key(segments_.sources.size(), cancellation_, first, list, [&](auto visit) {
+      SegmentId s = 0;
+      visit_in_pieces(segments_.list, cancellation_,
+                      [&](const Segment& segment) { visit(end(segment.ends), s++); });
+    });
   }
   [[nodiscard]] static std::span<SegmentId> at(PointId p, const std::vector<std::uint32_t>& first,
                                                std::vector<SegmentId>& list) {

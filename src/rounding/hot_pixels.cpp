@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "exact/sign.hpp"
+#include "machine/make_room.hpp"
 
 namespace minksum {
 namespace {
@@ -148,18 +148,16 @@ void HotPixels::place_in_cells(Cancellation& cancellation) {
   const int fine = static_cast<int>(std::clamp(longer / kReach, 1.0, static_cast<double>(side)));
   grid_ = UniformGrid::over(std::max(extent.x, 1.0), std::max(extent.y, 1.0), fine);
   margin_ = kReach <= grid_.cell * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
-  cell_begin_.assign(static_cast<std::size_t>(grid_.size()) + 1, 0);
   const auto cell_of = [&](PixelId p) {
     return static_cast<std::size_t>(grid_.row(near_[p].y)) *
                static_cast<std::size_t>(grid_.columns) +
            static_cast<std::size_t>(grid_.column(near_[p].x));
   };
-  cancellation.check(4 * centres_.size());
-  for (PixelId p = 0; p < centres_.size(); ++p) ++cell_begin_[cell_of(p) + 1];
-  std::partial_sum(cell_begin_.begin(), cell_begin_.end(), cell_begin_.begin());
-  in_cells_.resize(centres_.size());
-  std::vector<std::uint32_t> end(cell_begin_.begin(), cell_begin_.end() - 1);
-  for (PixelId p = 0; p < centres_.size(); ++p) in_cells_[end[cell_of(p)]++] = p;
+  list_by_key(static_cast<std::size_t>(grid_.size()), cancellation, cell_begin_, in_cells_,
+              [&](auto visit) {
+                cancellation.check(2 * centres_.size());
+                for (PixelId p = 0; p < centres_.size(); ++p) visit(cell_of(p), p);
+              });
 }
 
 void HotPixels::list_met(const SnapPoint& a, std::size_t index_a, const SnapPoint& b,

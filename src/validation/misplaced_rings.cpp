@@ -1,7 +1,6 @@
 #include "validation/misplaced_rings.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "machine/make_room.hpp"
 #include "validation/prepared_operand.hpp"
@@ -45,18 +44,12 @@ class Walk {
   }
   /// Lists the rings directly inside of each ring.
   void list_inner(std::span<const std::uint32_t> parent, Cancellation& cancellation) {
-    assign_in_pieces(s_.first_inner, rings_.size() + 3, 0U, cancellation);
-    for (std::uint32_t r = 0; r < root(); ++r) {
-      cancellation.check();
-      ++s_.first_inner[parent_of(parent, r) + 2];
-    }
-    std::partial_sum(s_.first_inner.begin(), s_.first_inner.end(), s_.first_inner.begin());
-    resize_in_pieces(s_.inner, rings_.size(), cancellation);
-    for (std::uint32_t r = 0; r < root(); ++r) {
-      cancellation.check();
-      s_.inner[s_.first_inner[parent_of(parent, r) + 1]++] = r;
-    }
-    s_.first_inner.pop_back();
+    list_by_key(rings_.size() + 1, cancellation, s_.first_inner, s_.inner, [&](auto visit) {
+      for (std::uint32_t r = 0; r < root(); ++r) {
+        cancellation.check();
+        visit(parent_of(parent, r), r);
+      }
+    });
   }
   void enter(std::uint32_t r) {
     const OperandRing& ring = rings_[r];

@@ -25,23 +25,15 @@ class EventOrder {
     std::size_t events = 0;
     for (const Meetings& part : scratch_.meetings) events += part.events.size();
     limit_events(events);
-    auto& begin = scratch_.event_begin;
-    assign_in_pieces(begin, arrangement_.kept.size() + 2, 0U, cancellation_);
-    for (const Meetings& part : scratch_.meetings) {
-      visit_in_pieces(part.events, cancellation_,
-                      [&](const Event& event) { ++begin[event.segment + 2]; });
-    }
-    std::uint32_t sum = 0;
-    visit_in_pieces(begin, cancellation_, [&](std::uint32_t& count) { count = sum += count; });
-    resize_in_pieces(scratch_.sorted_events, events, cancellation_);
-    for (const Meetings& part : scratch_.meetings) {
-      visit_in_pieces(part.events, cancellation_, [&](const Event& event) {
-        Event& sorted = scratch_.sorted_events[begin[event.segment + 1]++];
-        sorted = event;
-        sorted.point += event.point < points_.ends() ? 0 : part.before;
-      });
-    }
-    begin.pop_back();
+    list_by_key(arrangement_.kept.size(), cancellation_, scratch_.event_begin,
+                scratch_.sorted_events, [&](auto visit) {
+                  for (const Meetings& part : scratch_.meetings) {
+                    visit_in_pieces(part.events, cancellation_, [&](Event event) {
+                      if (event.point >= points_.ends()) event.point += part.before;
+                      visit(event.segment, event);
+                    });
+                  }
+                });
   }
 
   /// Orders the events on each segment. Threads order those that doubles tell apart, on most

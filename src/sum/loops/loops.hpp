@@ -83,30 +83,19 @@ struct Incidence {
 template <class Take>
 void list_incidence(const Arrangement& arrangement, const DirectionCircle& circle, Take take,
                     Cancellation& cancellation, Incidence& incidence) {
-  auto& begin = incidence.begin;
   const auto& pieces = arrangement.pieces;
-  assign_in_pieces(begin, arrangement.nodes.size() + 2, 0U, cancellation);
-  const auto for_each_piece = [&](auto visit) {
+  const auto for_each_spoke = [&](auto visit) {
     in_pieces(pieces.size(), cancellation, [&](std::size_t first, std::size_t last) {
-      for (std::size_t p = first; p < last; ++p) visit(static_cast<PieceId>(p));
+      for (std::size_t i = first; i < last; ++i) {
+        const auto p = static_cast<PieceId>(i);
+        const auto& [from, to, segment] = pieces[p];
+        if (take(p, from)) visit(from, Spoke{circle.place(circle.rank(p)), 2 * p});
+        if (take(p, to)) visit(to, Spoke{circle.reverse(circle.rank(p)), 2 * p + 1});
+      }
     });
   };
-  for_each_piece([&](PieceId p) {
-    if (take(p, pieces[p].from)) ++begin[pieces[p].from + 2];
-    if (take(p, pieces[p].to)) ++begin[pieces[p].to + 2];
-  });
-  std::uint32_t sum = 0;
-  visit_in_pieces(begin, cancellation, [&](std::uint32_t& count) { count = sum += count; });
-  resize_in_pieces(incidence.spokes, begin.back(), cancellation);
-  for_each_piece([&](PieceId p) {
-    if (take(p, pieces[p].from)) {
-      incidence.spokes[begin[pieces[p].from + 1]++] = {circle.place(circle.rank(p)), 2 * p};
-    }
-    if (take(p, pieces[p].to)) {
-      incidence.spokes[begin[pieces[p].to + 1]++] = {circle.reverse(circle.rank(p)), 2 * p + 1};
-    }
-  });
-  begin.pop_back();
+  list_by_key(arrangement.nodes.size(), cancellation, incidence.begin, incidence.spokes,
+              for_each_spoke);
 }
 
 /// A summary of the pieces that begin or end at a node.

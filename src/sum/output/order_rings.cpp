@@ -186,16 +186,12 @@ class PolygonBuilder {
     rows.count = std::min<std::size_t>(4 * lone.size(), 1U << 20U);
     const double height = top - rows.bottom;
     rows.inverse = height > 0x1p-900 ? static_cast<double>(rows.count) / height : 1;
-    rows.begin.assign(rows.count + 4, 0);
-    const auto row = [&](const LoneWalk& walk) {
-      return rows.row_of(arrangement_.nodes[walk.leftmost].at.y);
-    };
-    cancellation_.check(2 * lone.size() + rows.count);
-    for (const LoneWalk& walk : lone) ++rows.begin[row(walk) + 2];
-    for (std::size_t i = 2; i < rows.begin.size(); ++i) rows.begin[i] += rows.begin[i - 1];
-    rows.walks.resize(lone.size());
-    for (std::uint32_t w = 0; w < lone.size(); ++w) rows.walks[rows.begin[row(lone[w]) + 1]++] = w;
-    rows.begin.pop_back();
+    list_by_key(rows.count + 2, cancellation_, rows.begin, rows.walks, [&](auto visit) {
+      cancellation_.check(lone.size());
+      for (std::uint32_t w = 0; w < lone.size(); ++w) {
+        visit(rows.row_of(arrangement_.nodes[lone[w].leftmost].at.y), w);
+      }
+    });
   }
 
   /// Whether the point (−ε, −ε²) off a node is inside a ring, by parity along a ray to the right.
