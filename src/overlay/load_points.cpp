@@ -1,94 +1,60 @@
 #include "overlay/load_points.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdlib>
 #include <limits>
+#include <optional>
 
 #include "overlay/exact_points_of.hpp"
 #include "region/region_access.hpp"
+#include "validation/grid_scale.hpp"
 
 namespace minksum::overlay {
 namespace {
 
-template <class Visit>
-void for_each_coordinate(std::span<const Source> sources, Cancellation& cancellation, Visit visit) {
-  for (const Source& source : sources) {
-    cancellation.check();
-    visit(RegionAccess::x(*source.region, source.vertex));
-    visit(RegionAccess::y(*source.region, source.vertex));
-  }
-}
-
-/// Finds the smallest powers of two and ten in use. Returns false if the integers on that grid have
-/// so many bits that their differences do not fit the widest rung.
-bool find_grid(std::span<const Source> sources, Cancellation& cancellation, Frame& frame) {
-  constexpr int kHigh = std::numeric_limits<int>::max();
-  frame.exp2 = frame.exp10 = kHigh;
+/// Returns the scale of the coordinates. Returns nothing if one is stored as a quotient.
+std::optional<Scale> common_scale(std::span<const Source> sources, Cancellation& cancellation) {
   bool quotients = false;
-  for_each_coordinate(sources, cancellation, [&](const StoredCoordinate& c) {
-    quotients |= c.denominator_limbs != 0;
-    if (c.payload == 0) return;
-    frame.exp2 = std::min<int>(frame.exp2, c.exp2);
-    frame.exp10 = std::min<int>(frame.exp10, c.exp10);
+  const Scale scale = scale_of([&](auto visit) {
+    const auto visit_one = [&](const StoredCoordinate& c) {
+      quotients |= c.denominator_limbs != 0;
+      visit(c.payload, c.exp2, c.exp10);
+    };
+    for (std::size_t i = 0; i < sources.size() && !quotients; ++i) {
+      cancellation.check();
+      visit_one(RegionAccess::x(*sources[i].region, sources[i].vertex));
+      visit_one(RegionAccess::y(*sources[i].region, sources[i].vertex));
+    }
   });
-  if (quotients) return false;
-  if (frame.exp2 == kHigh) frame.exp2 = frame.exp10 = 0;  // all are zero
-  int bits = 0;
-  for_each_coordinate(sources, cancellation, [&](const StoredCoordinate& c) {
-    if (c.payload == 0) return;
-    bits = std::max(bits, bit_width(Int128{c.payload}) + (c.exp2 - frame.exp2) +
-                              bits_of_ten_to(c.exp10 - frame.exp10));
-  });
-  return bits < WideRung::kBits;  // a difference has one bit more
+  return quotients ? std::nullopt : std::optional(scale);
 }
-
-Int128 on_grid(const StoredCoordinate& c, const Frame& frame) {
-  if (c.payload == 0) return 0;
-  Int128 value = c.payload;
-  for (int i = frame.exp10; i < c.exp10; ++i) value *= 10;
-  return value * (Int128{1} << (c.exp2 - frame.exp2));
-}
-
-struct GridPoint {
-  Int128 x;
-  Int128 y;
-};
 
 template <class Rung>
-std::unique_ptr<ExactPoints> make(std::span<const GridPoint> points, Frame frame) {
+std::unique_ptr<ExactPoints> make(const GridCoordinates& grid) {
   std::vector<typename ExactPointsOf<Rung>::Own> own;
-  own.reserve(points.size());
+  own.reserve(grid.large_sites.size());
   using Length = typename Rung::Length;
-  for (const GridPoint& p : points) {
+  for (const Vec<Int128>& p : grid.large_sites) {
     own.push_back({static_cast<Length>(p.x), static_cast<Length>(p.y)});
   }
+  Frame frame{grid.offset.x, grid.offset.y, grid.unit.exp2, grid.unit.exp10};
   return std::make_unique<ExactPointsOf<Rung>>(std::move(own), std::vector<Length>{},
                                                std::move(frame));
 }
 
-std::unique_ptr<ExactPoints> load_grid(std::span<const Source> sources, Cancellation& cancellation,
-                                       Frame frame) {
-  std::vector<GridPoint> points;
-  points.reserve(sources.size());
-  for (const Source& s : sources) {
-    cancellation.check(4);
-    points.push_back({on_grid(RegionAccess::x(*s.region, s.vertex), frame),
-                      on_grid(RegionAccess::y(*s.region, s.vertex), frame)});
-  }
-  GridPoint low = points.empty() ? GridPoint{0, 0} : points[0];
-  GridPoint high = low;
-  for (const GridPoint& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  for (GridPoint& p : points) p = {p.x - low.x, p.y - low.y};
-  frame.offset_x = low.x;
-  frame.offset_y = low.y;
-  const int bits = std::max(bit_width(high.x - low.x), bit_width(high.y - low.y));
-  if (bits <= NarrowRung::kBits) return make<NarrowRung>(points, std::move(frame));
-  if (bits <= MediumRung::kBits) return make<MediumRung>(points, std::move(frame));
-  return make<WideRung>(points, std::move(frame));
+std::unique_ptr<ExactPoints> load_on_grid(std::span<const Source> sources, const Scale& scale,
+                                          Cancellation& cancellation) {
+  GridCoordinates grid;
+  const auto at = [&](std::size_t i) {
+    const auto on = [&](const StoredCoordinate& c) {
+      return on_grid<Int128>(c.payload, c.exp2, c.exp10, scale);
+    };
+    const auto& [region, v] = sources[i];
+    return Vec<Int128>{on(RegionAccess::x(*region, v)), on(RegionAccess::y(*region, v))};
+  };
+  load_grid(sources.size(), scale, at, cancellation, grid.large_sites, grid);
+  if (grid.bits <= NarrowRung::kBits) return make<NarrowRung>(grid);
+  if (grid.bits <= MediumRung::kBits) return make<MediumRung>(grid);
+  return make<WideRung>(grid);
 }
 
 LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& cancellation) {
@@ -129,9 +95,10 @@ LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& can
 
 LoadedPoints load_points(std::span<const Source> sources, Cancellation& cancellation) {
   constexpr std::uint64_t kWorkOnGrid = 8;
-  Frame frame;
-  if (find_grid(sources, cancellation, frame)) {
-    return {load_grid(sources, cancellation, frame), kWorkOnGrid};
+  const std::optional<Scale> scale = common_scale(sources, cancellation);
+  // A difference has one bit more.
+  if (scale && scale->bits < WideRung::kBits) {
+    return {load_on_grid(sources, *scale, cancellation), kWorkOnGrid};
   }
   return load_homogeneous(sources, cancellation);
 }
