@@ -6,14 +6,12 @@
 namespace minksum {
 namespace {
 
-/// Orders vertices by x, then by y. Nearest doubles that differ have the order of the numbers.
+/// Orders vertices by x, then by y.
 bool before(const Region& region, std::size_t a, std::size_t b) {
-  const double xa = region.x(a);
-  const double xb = region.x(b);
-  if (xa != xb) return xa < xb;
-  const auto by_x = region.exact_x(a) <=> region.exact_x(b);
+  const auto by_x =
+      RegionAccess::compare(region, RegionAccess::x(region, a), RegionAccess::x(region, b));
   if (by_x != 0) return by_x < 0;
-  return region.exact_y(a) < region.exact_y(b);
+  return RegionAccess::compare(region, RegionAccess::y(region, a), RegionAccess::y(region, b)) < 0;
 }
 
 }  // namespace
