@@ -31,8 +31,8 @@ class ApproximateVertices {
       right_ = std::max(right_, at_[v].x);
       largest_ = std::max({largest_, std::abs(at_[v].x), std::abs(at_[v].y)});
     }
-    // Let M be the largest magnitude. Differences are off by M·2^-51 at most, and so two products of
-    // differences by less than M²·2^-47. Their roundings are less than that, too.
+    // Let M be the largest magnitude. Differences are off by M·2^-51 at most, and so two products
+    // of differences by less than M²·2^-47. Their roundings are less than that, too.
     doubt_ = largest_ * largest_ * 0x1p-46;
   }
   /// Tells whether products of two differences neither overflow nor vanish.
@@ -164,8 +164,8 @@ class InsideOut {
       for (Vertex v = 0; v < n; ++v) visit(vertices_.column(v, n), v);
     });
     const auto at = [&](std::size_t i) { return order_.begin() + begin[i]; };
-    const auto before = cancellation_.counting(
-        [&](Vertex v, Vertex w) { return vertices_.is_before(v, w); });
+    const auto before =
+        cancellation_.counting([&](Vertex v, Vertex w) { return vertices_.is_before(v, w); });
     for (std::size_t i = 0; i < n; ++i) {
       if (begin[i + 1] - begin[i] > 1) std::sort(at(i), at(i + 1), before);
     }
@@ -219,8 +219,8 @@ class InsideOut {
   [[nodiscard]] Region write() {
     Region result;
     const auto limbs = RegionAccess::limbs(region_);
-    RegionAccess::reserve(
-        result, {order_.size(), 0, rings_.size(), polygons_.size(), limbs.size()});
+    RegionAccess::reserve(result,
+                          {order_.size(), 0, rings_.size(), polygons_.size(), limbs.size()});
     RegionAccess::append_limbs(result, limbs);
     for (const std::vector<RingId>& polygon : polygons_) {
       result.begin_polygon();

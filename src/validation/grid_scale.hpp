@@ -51,8 +51,8 @@ Scale scale_of(ForEach for_each) {
   low.bits = 0;
   for_each([&](Int128 payload, int exp2, int exp10) {
     if (payload == 0) return;
-    low.bits = std::max(low.bits, bit_width(payload) + (exp2 - low.exp2) +
-                                      bits_of_ten_to(exp10 - low.exp10));
+    low.bits = std::max(low.bits,
+                        bit_width(payload) + (exp2 - low.exp2) + bits_of_ten_to(exp10 - low.exp10));
   });
   return low;
 }
