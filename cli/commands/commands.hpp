@@ -79,6 +79,7 @@ struct CheckArguments {
 struct OperandArguments {
   std::string operands[2];  ///< file names; "-" = standard input; the second is empty = only one
   std::string picture;      ///< empty = none
+  std::string stats;        ///< empty = none
   io::ReadLimits limits;
   Options options;
 };

@@ -2,12 +2,15 @@
 // too. All functions throw Error, whose culprit names the operand.
 #pragma once
 
+#include <ostream>
 #include <vector>
 
 #include "commands/commands.hpp"
 #include "output/json.hpp"
 #include "output/output_file.hpp"
+#include "output/statistics_json.hpp"
 #include "process/failure.hpp"
+#include "process/stopwatch.hpp"
 
 namespace minksum::cli {
 
@@ -18,15 +21,25 @@ void run_on_operands(const OperandArguments& arguments, const std::string& outpu
   OutputFiles files;
   files.expect("-o", output);
   files.expect_if_any("--svg", arguments.picture);
+  files.expect_if_any("--stats", arguments.stats);
+  OperationSeconds seconds;
+  const Stopwatch reading;
   Geometry operands[2];
   for (int i = 0; i < 2 && !arguments.operands[i].empty(); ++i) {
     operands[i] =
         read_operand(arguments.operands[i], arguments.limits, arguments.options.fill).geometry;
   }
+  seconds.read = reading.seconds();
+  const Stopwatch working;
   try {
     work(operands[0], operands[1], files);
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
+  }
+  seconds.work = working.seconds();
+  if (!arguments.stats.empty()) {
+    const Json json = statistics_json(arguments, operands, seconds);
+    files.write(arguments.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
   }
   files.finish();
 }

@@ -1,5 +1,4 @@
 // minksum sum: reads two geometries, adds them, and writes the sum and any other output.
-#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <ostream>
@@ -13,21 +12,12 @@
 #include "output/trace_files.hpp"
 #include "pictures/sum_picture.hpp"
 #include "process/failure.hpp"
+#include "process/stopwatch.hpp"
 
 namespace minksum::cli {
 namespace {
 
 using Style = io::Coordinates::Style;
-
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void expect_files(const SumArguments& arguments, OutputFiles& files) {
   files.expect("-o", arguments.output);

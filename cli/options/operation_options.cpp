@@ -35,6 +35,11 @@ void require_one_standard_input(const std::string (&operands)[2], const std::str
   }
 }
 
+void require_free_output(const std::string& stats, bool has_output) {
+  if (stats != "-" || has_output) return;
+  throw Failure(kWrongUsage, "--stats - needs -o FILE: standard output already takes the result");
+}
+
 const std::map<std::string, Join> kJoins = {{"round", Join::kRound},
                                             {"miter", Join::kMiter},
                                             {"mitre", Join::kMiter},
@@ -47,6 +52,10 @@ const std::map<std::string, Cap> kCaps = {
 
 void add_picture_option(const Command& command, std::string& picture, const char* what) {
   command.add_option("--svg", picture, what).type_name("FILE");
+}
+
+void add_stats_option(const Command& command, std::string& stats) {
+  command.add_option("--stats", stats, "Write sizes and times as JSON").type_name("FILE");
 }
 
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits) {
@@ -62,6 +71,7 @@ Command add_morphology(CommandLine& line, MorphologyArguments& arguments, Proces
                        ? "Keep what has no area: a dilation always does"
                        : "Keep what has no area: where B fits with no play");
   add_picture_option(command, arguments.picture, "Draw A, B and the result");
+  add_stats_option(command, arguments.stats);
   add_limit_options(command, limits, true);
   return command;
 }
@@ -86,6 +96,7 @@ Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& 
       .type_name("X,Y");
   add_result_options(command, arguments, "polygon");
   add_picture_option(command, arguments.picture, "Draw both shapes and the polygon");
+  add_stats_option(command, arguments.stats);
   if (!inner_fit) {
     const Option at =
         command
@@ -151,6 +162,7 @@ Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits&
   add_result_options(command, arguments, "result");
   add_fill_option(command, arguments.options.fill);
   add_picture_option(command, arguments.picture, "Draw A and its offset");
+  add_stats_option(command, arguments.stats);
   add_limit_options(command, limits, true);
   return command;
 }
@@ -173,6 +185,7 @@ Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& l
       .type_name("DX,DY");
   command.add_flag("--json", arguments.json, "As JSON");
   add_picture_option(command, arguments.picture, "Draw A, and B before and after");
+  add_stats_option(command, arguments.stats);
   add_fill_option(command, arguments.options.fill);
   add_limit_options(command, limits, true);
   return command;
@@ -182,6 +195,7 @@ void convert(MorphologyArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
   require_picture("--svg", arguments.picture);
   convert_result(arguments);
+  require_free_output(arguments.stats, !arguments.output.empty());
   arguments.options.tight = arguments.tight;
 }
 
@@ -190,6 +204,7 @@ void convert(NoFitArguments& arguments) {
                              arguments.inner_fit ? "BIN and PART" : "FIXED and MOVING");
   require_picture("--svg", arguments.picture);
   convert_result(arguments);
+  require_free_output(arguments.stats, !arguments.output.empty());
   for (const std::string& text : arguments.typed_placements) {
     arguments.placements.push_back(parse_point("--at", text));
   }
@@ -198,6 +213,7 @@ void convert(NoFitArguments& arguments) {
 void convert(OffsetArguments& arguments) {
   require_picture("--svg", arguments.picture);
   convert_result(arguments);
+  require_free_output(arguments.stats, !arguments.output.empty());
   const OffsetOptions& shape = arguments.shape;
   const bool round = shape.join == Join::kRound && shape.cap == Cap::kRound;
   if (shape.side != RoundingSide::kNearest && !round) {
@@ -210,6 +226,7 @@ void convert(OffsetArguments& arguments) {
 void convert(DepthArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
   require_picture("--svg", arguments.picture);
+  require_free_output(arguments.stats, false);
 }
 
 }  // namespace minksum::cli

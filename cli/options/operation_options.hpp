@@ -14,6 +14,9 @@ namespace minksum::cli {
 /// Adds --svg, which draws what `what` says.
 void add_picture_option(const Command& command, std::string& picture, const char* what);
 
+/// Adds --stats for an operation.
+void add_stats_option(const Command& command, std::string& stats);
+
 /// Each function adds the subcommand that its arguments name; parsing fills the arguments.
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits);
 Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits);

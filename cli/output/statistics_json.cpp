@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "minksum/measure.hpp"
 #include "minksum/version.hpp"
@@ -16,6 +17,16 @@ Json size_json(const Geometry& geometry) {
           {"parts", geometry.region.polygon_count()},
           {"polylines", geometry.polylines.size()},
           {"points", geometry.points.size()}};
+}
+
+Json operands_json(const std::string (&files)[2], const Geometry (&operands)[2]) {
+  Json json = Json::array();
+  for (int i = 0; i < 2 && !files[i].empty(); ++i) {
+    Json operand = size_json(operands[i]);
+    operand["file"] = files[i];
+    json.push_back(std::move(operand));
+  }
+  return json;
 }
 
 double length(const std::vector<Polyline>& polylines) {
@@ -102,13 +113,17 @@ const char* to_string(Arithmetic arithmetic) {
   return kNames[static_cast<std::size_t>(arithmetic)];
 }
 
+Json statistics_json(const OperandArguments& arguments, const Geometry (&operands)[2],
+                     const OperationSeconds& seconds) {
+  return {{"operands", operands_json(arguments.operands, operands)},
+          {"seconds", {{"read", seconds.read}, {"work", seconds.work}}},
+          {"fill", minksum::to_string(arguments.options.fill)},
+          {"version", MINKSUM_VERSION}};
+}
+
 Json statistics_json(const SumArguments& arguments, const SumRun& run) {
   Json json;
-  for (int i = 0; i < 2; ++i) {
-    Json operand = size_json(run.operands[i]);
-    operand["file"] = arguments.operands[i];
-    json["operands"].push_back(operand);
-  }
+  json["operands"] = operands_json(arguments.operands, run.operands);
   json["result"] = result_json(arguments, run);
   if (run.rounding) json["rounding"] = rounding_json(arguments.rounding, *run.rounding);
   json["seconds"] = seconds_json(run.seconds);

@@ -18,6 +18,14 @@ namespace minksum::cli {
 
 [[nodiscard]] Json statistics_json(const SumArguments& arguments, const SumRun& run);
 
+/// Times of one run of an operation on one or two operands.
+struct OperationSeconds {
+  double read = 0;
+  double work = 0;  ///< computing and writing
+};
+[[nodiscard]] Json statistics_json(const OperandArguments& arguments, const Geometry (&operands)[2],
+                                   const OperationSeconds& seconds);
+
 /// Returns seconds for people to read, such as "1.2 ms".
 [[nodiscard]] std::string readable_seconds(double seconds);
 

@@ -167,6 +167,26 @@ class Nesting(ProgramTest):
         self.fails(1, "--at takes two numbers", "nfp", self.square, self.square, "--at", "1,x")
 
 
+class OperationStatistics(ProgramTest):
+    def test_sizes_and_times(self):
+        frame, square = self.file("frame.wkt", FRAME), self.file("square.wkt", SQUARE)
+        stats, out = self.folder / "stats.json", self.folder / "out.wkt"
+        for command in (["erode", frame, square], ["nfp", frame, square], ["ifp", frame, square],
+                        ["offset", frame, "-d1"], ["depth", frame, square]):
+            self.fine(*command, "--stats", stats,
+                      *([] if command[0] == "depth" else ["-o", out]))
+            found = json.loads(stats.read_text())
+            self.assertEqual([o["vertices"] for o in found["operands"]],
+                             [8, 4] if command[-1] == square else [8])
+            self.assertEqual(found["operands"][0]["file"], str(frame))
+            self.assertGreater(found["seconds"]["work"], 0)
+            self.fails(1, "--stats", *command, "--stats", "-")
+            stats.unlink()
+        both = self.fine("erode", frame, square, "--stats", "-", "-o", out)
+        self.assertEqual(json.loads(both)["fill"], "automatic")
+        self.fails(1, "the same file", "erode", frame, square, "--stats", out, "-o", out)
+
+
 class DepthOfTwo(ProgramTest):
     def depth(self, a, b, *options):
         return json.loads(self.fine("depth", self.file("a.wkt", a), self.file("b.wkt", b), "--json",
