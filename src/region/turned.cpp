@@ -17,11 +17,13 @@ struct StoredPoint {
 };
 
 /// Turns a region by so many right angles.
-template <int kQuarters>
 class Turner {
  public:
-  Turner(const Region& region, bool with_origins, Cancellation& cancellation)
-      : region_(region), cancellation_(cancellation), with_origins_(with_origins) {
+  Turner(const Region& region, int quarters, bool with_origins, Cancellation& cancellation)
+      : region_(region),
+        quarters_(((quarters % 4) + 4) % 4),
+        cancellation_(cancellation),
+        with_origins_(with_origins) {
     RegionAccess::Room room = RegionAccess::room_of(region);
     if (!with_origins) room.origins = 0;
     RegionAccess::reserve(image_, room);
@@ -93,9 +95,9 @@ class Turner {
     cancellation_.check();
     const StoredCoordinate& x = RegionAccess::x(region_, vertex);
     const StoredCoordinate& y = RegionAccess::y(region_, vertex);
-    if constexpr (kQuarters == 1) return {negative(y), x};
-    if constexpr (kQuarters == 2) return {negative(x), negative(y)};
-    if constexpr (kQuarters == 3) return {y, negative(x)};
+    if (quarters_ == 2) return {negative(x), negative(y)};
+    if (quarters_ == 1) return {negative(y), x};
+    if (quarters_ == 3) return {y, negative(x)};
     return {x, y};
   }
 
@@ -147,37 +149,20 @@ class Turner {
   }
 
   const Region& region_;
+  int quarters_;
   Cancellation& cancellation_;
   bool with_origins_;
   Region image_;
 };
 
-/// Returns what `turn` makes with the Turner of so many right angles.
-template <class Turn>
-Region by_quarters(int quarters, const Region& region, bool with_origins,
-                   Cancellation& cancellation, Turn turn) {
-  switch (((quarters % 4) + 4) % 4) {
-    case 1:
-      return turn(Turner<1>(region, with_origins, cancellation));
-    case 2:
-      return turn(Turner<2>(region, with_origins, cancellation));
-    case 3:
-      return turn(Turner<3>(region, with_origins, cancellation));
-    default:
-      return turn(Turner<0>(region, with_origins, cancellation));
-  }
-}
-
 }  // namespace
 
 Region turned(const Region& region, int quarters, Cancellation& cancellation) {
   if (quarters % 4 == 0) return region;
-  return by_quarters(quarters, region, region.has_origins(), cancellation,
-                     [](auto turner) { return turner.in_canonical_order(); });
+  return Turner(region, quarters, region.has_origins(), cancellation).in_canonical_order();
 }
 Region turned_in_order(const Region& region, int quarters, Cancellation& cancellation) {
-  return by_quarters(quarters, region, false, cancellation,
-                     [](auto turner) { return turner.in_order(); });
+  return Turner(region, quarters, false, cancellation).in_order();
 }
 
 }  // namespace minksum
