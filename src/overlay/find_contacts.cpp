@@ -13,18 +13,15 @@ namespace {
 
 /// A segment in doubles, used to cut boxes by its line and to find pairs that are far apart.
 struct Slant {
-  double x, y;    ///< its lower end
-  double x2, y2;  ///< its upper end
-  double dx, dy;
-  double slope;       ///< dy / dx
-  double inverse;     ///< dx / dy
-  double cut_error;   ///< error of a y by `slope`, over 1 + |slope|; same for x
+  Vec<double> low;
+  Vec<double> high;
+  Vec<double> d;
   double side_error;  ///< error of `side`
-  bool by_x;          ///< wide enough for a good `slope`
-  bool by_y;
 
   /// Returns the cross product of the segment and the vector from its lower end to a point.
-  [[nodiscard]] double side(double px, double py) const { return dx * (py - y) - dy * (px - x); }
+  [[nodiscard]] double side(const Vec<double>& p) const {
+    return cross(d, {p.x - low.x, p.y - low.y});
+  }
 };
 
 class ContactFinder {
@@ -90,26 +87,11 @@ class ContactFinder {
       return std::max(u.value + 2 * u.error, v.value + 2 * v.error);
     };
     items_.push_back({{low(a.x, b.x), low(a.y, b.y), high(a.x, b.x), high(a.y, b.y)}, s});
-    Slant slant{};
-    slant.x = a.x.value;
-    slant.y = a.y.value;
-    slant.x2 = b.x.value;
-    slant.y2 = b.y.value;
-    slant.dx = slant.x2 - slant.x;
-    slant.dy = slant.y2 - slant.y;
-    slant.slope = slant.dy / slant.dx;
-    slant.inverse = slant.dx / slant.dy;
-    const double largest = std::max(
-        {std::fabs(slant.x), std::fabs(slant.x2), std::fabs(slant.y), std::fabs(slant.y2)});
-    // Coordinates are off by 2^-52 of the largest. Over such a width, a slope is off by at most
-    // 2^-21 of itself, and a cut by some such errors, times the slope.
-    const double enough = largest * 0x1p-30 + 0x1p-900;
-    slant.by_x = std::fabs(slant.dx) > enough;
-    slant.by_y = std::fabs(slant.dy) > enough;
-    slant.cut_error = largest * 0x1p-46 + 0x1p-900;
+    Slant slant{{a.x.value, a.y.value}, {b.x.value, b.y.value}, {}, 0};
+    slant.d = {slant.high.x - slant.low.x, slant.high.y - slant.low.y};
     // Any point is at most 2·extent away along each axis. The point and both ends are off by
     // `position_error` each, and each of the six roundings by 2^-53.
-    const double length = std::fabs(slant.dx) + std::fabs(slant.dy);
+    const double length = std::fabs(slant.d.x) + std::fabs(slant.d.y);
     slant.side_error = 16 * position_error_ * extent_ +
                        length * (4 * position_error_ + 0x1p-49 * extent_) + 0x1p-900;
     slants_.push_back(slant);
@@ -133,14 +115,11 @@ class ContactFinder {
   }
   template <Axis axis>
   [[nodiscard]] bool cut(SegmentId segment, double at, LineCut& result) const {
-    constexpr bool kByX = axis == Axis::kX;
+    // Coordinates are off by 2^-52 of the extent. Over the shortest width, a slope is off by at
+    // most 2^-21 of itself, and a cut by some such errors, times the slope.
     const Slant& slant = slants_[segment];
-    if (!(kByX ? slant.by_x : slant.by_y)) return false;
-    const double slope = kByX ? slant.slope : slant.inverse;
-    result.place = kByX ? slant.y + (at - slant.x) * slope : slant.x + (at - slant.y) * slope;
-    result.error = slant.cut_error * (1 + std::fabs(slope));
-    result.slope = slope;
-    return true;
+    return cut_segment<axis>(slant.low, slant.high, at, extent_ * 0x1p-30 + 0x1p-900,
+                             extent_ * 0x1p-46 + 0x1p-900, result);
   }
   void meet_few(std::size_t begin, std::size_t end) { test_all(begin, end); }
   void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& /*box*/) {
@@ -217,8 +196,8 @@ class ContactFinder {
   [[nodiscard]] bool beside(SegmentId s, SegmentId t) const {
     const Slant& line = slants_[s];
     const Slant& other = slants_[t];
-    const double low = line.side(other.x, other.y);
-    const double high = line.side(other.x2, other.y2);
+    const double low = line.side(other.low);
+    const double high = line.side(other.high);
     if ((low > line.side_error && high > line.side_error) ||
         (low < -line.side_error && high < -line.side_error)) {
       return true;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "exact/formulas.hpp"
 #include "machine/make_room.hpp"
 #include "spatial/box.hpp"
 
@@ -24,6 +25,22 @@ struct LineCut {
   double error;  ///< bound on the error of `place`
   double slope;  ///< its sign tells which end of the segment is on which side
 };
+
+/// Tells where the segment from a to b meets the line axis = at. Its ends are off by less than
+/// `error`, which is also far above the roundings here. An end that is off by e moves the line by
+/// e · (1 + |slope|) between the ends. Returns false if the segment is no longer along the axis
+/// than `shortest`.
+template <Axis axis>
+bool cut_segment(const Vec<double>& a, const Vec<double>& b, double at, double shortest,
+                 double error, LineCut& result) {
+  constexpr auto kAlong = axis == Axis::kX ? &Vec<double>::x : &Vec<double>::y;
+  constexpr auto kAcross = axis == Axis::kX ? &Vec<double>::y : &Vec<double>::x;
+  const double run = b.*kAlong - a.*kAlong;
+  if (!(std::abs(run) > shortest)) return false;
+  const double slope = (b.*kAcross - a.*kAcross) / run;
+  result = {a.*kAcross + (at - a.*kAlong) * slope, error * (2 + std::abs(slope)), slope};
+  return true;
+}
 
 /// Divides a crowd of segments at medians, along x or y, until few are left in each part, or
 /// dividing does not pay. Boxes are cut to each part.

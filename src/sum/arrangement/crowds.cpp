@@ -19,21 +19,6 @@ void CrowdFinder::solve(const PlanePart& part) {
   items_.clear();
 }
 
-/// A cut is off by at most cut_error_ · (2 + |slope|): an end that is off by e moves the line by
-/// e · (1 + |slope|) between the ends, and each of the roundings, by 2^-53 of the extent, does
-/// less.
-template <Axis axis>
-bool CrowdFinder::cut(KeptId segment, double at, LineCut& result) const {
-  constexpr auto kAlong = axis == Axis::kX ? &Vec<double>::x : &Vec<double>::y;
-  constexpr auto kAcross = axis == Axis::kX ? &Vec<double>::y : &Vec<double>::x;
-  const KeptSegment& s = kept_[segment];
-  const double run = s.b.*kAlong - s.a.*kAlong;
-  if (std::abs(run) <= shortest_) return false;
-  const double slope = (s.b.*kAcross - s.a.*kAcross) / run;
-  result = {s.a.*kAcross + (at - s.a.*kAlong) * slope, cut_error_ * (2 + std::abs(slope)), slope};
-  return true;
-}
-
 void CrowdFinder::meet_few(std::size_t begin, std::size_t end) {
   cancellation_.check(end - begin);
   for (std::size_t i = begin + 1; i < end; ++i) {

@@ -47,7 +47,9 @@ class CrowdFinder {
     return true;
   }
   template <Axis axis>
-  [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const;
+  [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const {
+    return cut_segment<axis>(kept_[segment].a, kept_[segment].b, at, shortest_, cut_error_, result);
+  }
   void meet_few(std::size_t begin, std::size_t end);
   void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& box);
   [[nodiscard]] bool is_sorted_soon(std::size_t begin, std::size_t end,
