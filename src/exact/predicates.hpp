@@ -154,6 +154,11 @@ class Predicates {
     return filtered_difference(coordinate[a] - coordinate[b], bounds_.difference,
                                [&] { return kernel_->compare(a, b, axis); });
   }
+  /// Returns the order by x, then by y.
+  Sign compare(SiteId a, SiteId b) {
+    const Sign by_x = compare(a, b, Axis::kX);
+    return by_x != kZero ? by_x : compare(a, b, Axis::kY);
+  }
   /// Returns the order of two points along s, whose parameters are known within their errors.
   Sign compare_along(const Segment& s, double lambda_a, double error_a, const PointOnSegment& a,
                      double lambda_b, double error_b, const PointOnSegment& b) {

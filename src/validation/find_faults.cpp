@@ -180,10 +180,7 @@ class ContactFinder {
     }
     return true;
   }
-  bool equal(SiteId a, SiteId b) {
-    return predicates_.compare(a, b, Axis::kX) == kZero &&
-           predicates_.compare(a, b, Axis::kY) == kZero;
-  }
+  bool equal(SiteId a, SiteId b) { return predicates_.compare(a, b) == kZero; }
 
   void collinear(SiteId e, SiteId f) {
     const SiteId e1 = o_.sites.next[e];

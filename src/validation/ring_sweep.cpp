@@ -70,8 +70,7 @@ class Sweeper {
     const double doubt = o_.bounds.difference;
     if (a.x + doubt < b.x) return kNegative;
     if (b.x + doubt < a.x) return kPositive;
-    const Sign by_x = predicates_.compare(a.site, b.site, Axis::kX);
-    return by_x != kZero ? by_x : predicates_.compare(a.site, b.site, Axis::kY);
+    return predicates_.compare(a.site, b.site);
   }
   void sort_sites() {
     auto& keys = s_.keys;

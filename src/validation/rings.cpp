@@ -94,10 +94,7 @@ class RingCleaner {
     }
     return all;
   }
-  bool equal(SiteId a, SiteId b) {
-    return predicates_.compare(a, b, Axis::kX) == kZero &&
-           predicates_.compare(a, b, Axis::kY) == kZero;
-  }
+  bool equal(SiteId a, SiteId b) { return predicates_.compare(a, b) == kZero; }
   void drop_repeated(std::size_t ring) {
     distinct_.clear();
     for (const std::size_t v : region_.vertices_of(ring)) {
@@ -154,12 +151,7 @@ class RingCleaner {
       return lowest;
     }
     for (std::size_t i = begin_ + 1; i < order_.size(); ++i) {
-      const Sign by_x = predicates_.compare(order_[i], order_[lowest], Axis::kX);
-      if (by_x == kNegative ||
-          (by_x == kZero &&
-           predicates_.compare(order_[i], order_[lowest], Axis::kY) == kNegative)) {
-        lowest = i;
-      }
+      if (predicates_.compare(order_[i], order_[lowest]) == kNegative) lowest = i;
     }
     return lowest;
   }
