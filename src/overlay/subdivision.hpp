@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -139,12 +137,6 @@ void join_lines(Segments& segments);
 /// balanced tree. No pieces cross, so their order changes only at nodes. A place is sought, by
 /// exact comparison, only where no piece ends. O(n log n).
 void sweep(const Segments& segments, const Rule& rule, Subdivision& subdivision);
-
-/// Returns the first fault of a subdivision, or nothing. Nodes must be distinct and in order.
-/// Pieces must meet only at nodes and be listed around them counter-clockwise. The pieces around a
-/// face must agree on it. Only tests call this, because every pair of pieces is tested.
-[[nodiscard]] std::optional<std::string> check(const Segments& segments,
-                                               const Subdivision& subdivision);
 
 /// Extracts the closed area, in canonical form.
 void extract_area(const Segments& segments, const Subdivision& subdivision, Region& area);

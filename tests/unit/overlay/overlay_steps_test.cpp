@@ -15,6 +15,7 @@
 #include "reference/exact.hpp"
 #include "support/messes.hpp"
 #include "support/shapes.hpp"
+#include "unit/overlay/check_subdivision.hpp"
 
 namespace {
 

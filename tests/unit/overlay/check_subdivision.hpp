@@ -1,12 +1,16 @@
 // Checks by exact numbers alone that a subdivision is as described.
+#pragma once
+
+#include <optional>
+#include <string>
+
 #include "overlay/subdivision.hpp"
 
 namespace minksum::overlay {
-namespace {
 
-class Checker {
+class SubdivisionChecker {
  public:
-  Checker(const Segments& segments, const Subdivision& subdivision)
+  SubdivisionChecker(const Segments& segments, const Subdivision& subdivision)
       : segments_(segments), exact_(segments.predicates.exact()), s_(subdivision) {}
 
   std::optional<std::string> run() const {
@@ -85,10 +89,12 @@ class Checker {
   const Subdivision& s_;
 };
 
-}  // namespace
-
-std::optional<std::string> check(const Segments& segments, const Subdivision& subdivision) {
-  return Checker(segments, subdivision).run();
+/// Returns the first fault of a subdivision, or nothing. Nodes must be distinct and in order.
+/// Pieces must meet only at nodes and be listed around them counter-clockwise. The pieces around a
+/// face must agree on it. Every pair of pieces is tested.
+[[nodiscard]] inline std::optional<std::string> check(const Segments& segments,
+                                                      const Subdivision& subdivision) {
+  return SubdivisionChecker(segments, subdivision).run();
 }
 
 }  // namespace minksum::overlay
