@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -88,6 +89,14 @@ void assign_in_pieces(std::vector<T>& list, std::size_t size, const T& value,
   if (size <= kPiece) return list.assign(size, value);
   list.clear();
   resize_in_pieces(list, size, cancellation, value);
+}
+
+/// Sorts a list, and leaves one of equal elements.
+template <class T>
+void sort_unique(std::vector<T>& list, Cancellation& cancellation) {
+  std::sort(list.begin(), list.end(), cancellation.counting(std::less<>()));
+  const auto same = cancellation.counting(std::equal_to<>());
+  list.erase(std::unique(list.begin(), list.end(), same), list.end());
 }
 
 /// Lists values by key. for_each(visit) calls visit(key, value) for each of them, counts its work,

@@ -1,7 +1,6 @@
 // Finds where segments meet: cells are divided until few segments are left in each.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
@@ -44,10 +43,7 @@ class ContactFinder {
     MedianDivision(*this, items_, 0, cancellation_)
         .divide({-HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL});
     if (too_many()) return false;
-    auto& touches = contacts_.touches;
-    std::sort(touches.begin(), touches.end(), cancellation_.counting(std::less<>()));
-    const auto same = cancellation_.counting(std::equal_to<>());
-    touches.erase(std::unique(touches.begin(), touches.end(), same), touches.end());
+    sort_unique(contacts_.touches, cancellation_);
     sort_crossings();
     return true;
   }
@@ -259,9 +255,7 @@ class ContactFinder {
   /// Sorts crossings, so that those found in several cells count once. Throws if they are too many.
   void sort_crossings() {
     auto& crossings = contacts_.crossings;
-    std::sort(crossings.begin(), crossings.end(), cancellation_.counting(std::less<>()));
-    const auto same = cancellation_.counting(std::equal_to<>());
-    crossings.erase(std::unique(crossings.begin(), crossings.end(), same), crossings.end());
+    sort_unique(crossings, cancellation_);
     if (crossings.size() <= max_crossings_) return;
     throw exceeded("Limits::max_crossings", max_crossings_, "an overlay has", "crossings");
   }

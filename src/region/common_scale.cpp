@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
 #include <utility>
 
 #include "exact/gcd.hpp"
+#include "machine/make_room.hpp"
 #include "region/fraction_sum.hpp"
 #include "region/rational_access.hpp"
 #include "region/region_access.hpp"
@@ -73,8 +73,7 @@ class Denominators {
 // their length. That of a long and a short number takes hardly more than a division.
 BigInteger least_common_multiple(BigInteger common, std::vector<BigInteger> values,
                                  Cancellation& cancellation) {
-  std::sort(values.begin(), values.end(), cancellation.counting(std::less<>()));
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+  sort_unique(values, cancellation);
   for (const BigInteger& value : values) {
     cancellation.check(8 * work_of_product(bit_length(value)) + bit_length(common) / 16);
     const BigInteger rest = divided(common, value, cancellation).rest;

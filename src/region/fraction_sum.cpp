@@ -1,12 +1,12 @@
 #include "region/fraction_sum.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <span>
 #include <utility>
 
 #include "exact/gcd.hpp"
+#include "machine/make_room.hpp"
 
 namespace minksum {
 namespace {
@@ -55,8 +55,7 @@ Division divided(const BigInteger& value, const BigInteger& divisor, Cancellatio
 
 FractionSum::FractionSum(std::vector<BigInteger> factors, Cancellation& cancellation)
     : cancellation_(cancellation), factors_(std::move(factors)) {
-  std::ranges::sort(factors_, cancellation.counting(std::less<>()));
-  factors_.erase(std::unique(factors_.begin(), factors_.end()), factors_.end());
+  sort_unique(factors_, cancellation);
 }
 
 std::uint32_t FractionSum::index_of(const BigInteger& factor) const {

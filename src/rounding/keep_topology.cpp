@@ -1,10 +1,10 @@
 #include "rounding/keep_topology.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <utility>
 
+#include "machine/make_room.hpp"
 #include "region/region_access.hpp"
 #include "rounding/orientation.hpp"
 #include "validation/prepared_operand.hpp"
@@ -81,8 +81,7 @@ class TopologyChecker {
       joints.emplace_back(a, point);
       joints.emplace_back(b, point);
     }
-    std::sort(joints.begin(), joints.end(), cancellation_.counting(std::less<>()));
-    joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+    sort_unique(joints, cancellation_);
     const std::size_t rings = operand_.rings.size();
     // Rings of several polygons may meet at one point, so each polygon has a node of its own there.
     std::vector<std::pair<std::size_t, std::size_t>> nodes;
@@ -90,8 +89,7 @@ class TopologyChecker {
       return std::pair{std::size_t{operand_.rings[joint.first].polygon}, joint.second};
     };
     for (const auto& joint : joints) nodes.push_back(node_of(joint));
-    std::sort(nodes.begin(), nodes.end(), cancellation_.counting(std::less<>()));
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    sort_unique(nodes, cancellation_);
     Classes parts(rings + nodes.size());
     return std::all_of(joints.begin(), joints.end(), [&](const auto& joint) {
       cancellation_.check(4);

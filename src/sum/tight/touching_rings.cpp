@@ -1,8 +1,8 @@
 // Finds where rings of one polygon touch.
 #include <algorithm>
-#include <functional>
 #include <numeric>
 
+#include "machine/make_room.hpp"
 #include "sum/tight/tight.hpp"
 
 namespace minksum {
@@ -97,8 +97,7 @@ class TouchFinder {
       members_.push_back({point, t.at, true});
       members_.push_back({point, t.edge, t.at_start});
     }
-    std::sort(members_.begin(), members_.end(), cancellation_.counting(std::less<>()));
-    members_.erase(std::unique(members_.begin(), members_.end()), members_.end());
+    sort_unique(members_, cancellation_);
   }
 
   /// Makes the corners at a touching point. Each edge out of the point starts a corner, which goes
