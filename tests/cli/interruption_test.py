@@ -115,7 +115,7 @@ class Interrupted(ProgramTest):
                 (["batch", jobs], b"interrupted: what was printed is incomplete"),
                 (["sum", p, p, "--method", "full"], b"interrupted: no output was changed")):
             process = self.start(*arguments)
-            time.sleep(0.3)
+            time.sleep(1)  # a batch begins its output at once, and the sum takes far longer
             process.send_signal(signal.SIGINT)
             self.assertIn(words, process.stderr.read())
             process.stderr.close()
