@@ -111,7 +111,7 @@ struct NamedOperand {
 };
 
 NamedOperand read(std::string_view value, const char* name, const std::string& folder,
-                  const io::ReadLimits& limits) {
+                  const io::ReadOptions& limits) {
   const auto read_text = [&](std::string_view text) -> NamedOperand {
     try {
       return {io::read_geometry(text, limits), name};
@@ -270,7 +270,7 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     const ReadyOperation& operation = ready(job, arguments_, worker);
     seconds = operation.seconds;
     const Watchdog::Watch watch(watchdog_, seconds);
-    io::ReadLimits limits = operation.limits;
+    io::ReadOptions limits = operation.limits;
     limits.cancel = watch.token();
     const NamedOperand a = read(job.a, "a", folder_, limits);
     if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");

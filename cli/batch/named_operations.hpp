@@ -32,7 +32,7 @@ struct ReadyOperation {
                             const std::optional<CancelToken>& cancel, Worker& worker)>
       run;
   FillRule fill = FillRule::kAutomatic;  ///< the rule by which operands are read
-  io::ReadLimits limits;
+  io::ReadOptions limits;
   double seconds = 0;  ///< 0 = no limit
 };
 

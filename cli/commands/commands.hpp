@@ -52,7 +52,7 @@ struct SumArguments : ResultArguments {
   std::string trace;    ///< a folder; empty = none
   int repeat = 1;
   bool verbose = false;
-  io::ReadLimits limits;
+  io::ReadOptions limits;
   SumSettings options;
 };
 
@@ -61,7 +61,7 @@ struct InfoArguments {
   std::string file;
   bool json = false;
   std::uint64_t max_crossings = 0;
-  io::ReadLimits limits;
+  io::ReadOptions limits;
   Options options;
 };
 
@@ -70,7 +70,7 @@ struct CheckArguments {
   std::string result;
   std::string operands[2];
   bool json = false;
-  io::ReadLimits limits;
+  io::ReadOptions limits;
   CheckOptions how;
   Options options;
 };
@@ -80,7 +80,7 @@ struct OperandArguments {
   std::string operands[2];  ///< file names; "-" = standard input; the second is empty = only one
   std::string picture;      ///< empty = none
   std::string stats;        ///< empty = none
-  io::ReadLimits limits;
+  io::ReadOptions limits;
   Options options;
 };
 

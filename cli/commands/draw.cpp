@@ -30,7 +30,7 @@ struct DrawArguments : FigureLook {
   bool labels = false;  ///< number the vertices
   int zoom = 0;         ///< the number of the file that is shown; 0 = all
   FillRule fill = FillRule::kAutomatic;
-  io::ReadLimits limits;
+  io::ReadOptions limits;
 };
 
 constexpr const char* kFooter = R"(

@@ -34,7 +34,7 @@ void expect_files(const SumArguments& arguments, OutputFiles& files) {
 void read_operands(const SumArguments& arguments, SumRun& run) {
   const Stopwatch watch;
   for (int i = 0; i < 2; ++i) {
-    ReadOperand operand =
+    io::Document operand =
         read_operand(arguments.operands[i], arguments.limits, arguments.options.fill);
     run.operands[i] = std::move(operand.geometry);
     if (i == 0) run.properties = std::move(operand.properties);

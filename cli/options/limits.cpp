@@ -115,6 +115,8 @@ void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) 
       .type_name("SIZE")
       .group(kGroup);
   add_seconds(command, limits.seconds, "Time for everything (default: none)");
+  command.add_flag("--drop-z", limits.read.drop_z,
+                   "Drop heights and measures (Z, M) of operands; they are errors otherwise");
 }
 
 void add_max_crossings(const Command& command, std::uint64_t& most, const char* what) {

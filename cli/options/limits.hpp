@@ -12,7 +12,7 @@
 namespace minksum::cli {
 
 struct ProcessLimits {
-  io::ReadLimits read;
+  io::ReadOptions read;
   Limits sum;
   /// Bytes of addresses; none = no limit. Without the option it is `default_memory`.
   std::optional<std::uint64_t> memory;

@@ -59,8 +59,8 @@ std::string with_option(const Error& error) {
   constexpr std::pair<std::string_view, const char*> kOptions[] = {
       {"Limits::max_segments", "--max-segments"},
       {"Limits::max_crossings", "--max-crossings"},
-      {"io::ReadLimits::max_vertices", "--max-vertices"},
-      {"io::ReadLimits::max_bytes", "--max-bytes"},
+      {"io::ReadOptions::max_vertices", "--max-vertices"},
+      {"io::ReadOptions::max_bytes", "--max-bytes"},
       {"doubles", "--coords exact, or decimal:N"}};
   std::string message = error.what();
   for (const auto& [limit, option] : kOptions) {
@@ -70,6 +70,17 @@ std::string with_option(const Error& error) {
     message += " (";
     message += option;
     message += ')';
+  }
+  return message;
+}
+
+// Names the program's option instead of the library's.
+std::string with_reading_option(std::string message) {
+  constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
+      {"io::ReadOptions::drop_z", "--drop-z"}, {"io::ReadOptions::column", "--column"}};
+  for (const auto& [member, option] : kOptions) {
+    const std::size_t at = message.find(member);
+    if (at != std::string::npos) message.replace(at, member.size(), option);
   }
   return message;
 }
@@ -111,7 +122,8 @@ Failure failure_of(const Error& error, const std::string& file) {
     line += part;
   };
   if (const std::string place = describe(error.culprit()); !place.empty()) append(place + ":");
-  append(error.code() == ErrorCode::kLimitExceeded ? with_option(error) : error.what());
+  append(error.code() == ErrorCode::kLimitExceeded ? with_option(error)
+                                                   : with_reading_option(error.what()));
   return Failure(exit_code_of(error.code()), line);
 }
 
@@ -127,19 +139,35 @@ void fail_about(const Error& error, const std::string (&operands)[2]) {
   throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : "");
 }
 
-ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits) {
+io::Document read_operand(const std::string& file, const io::ReadOptions& limits) {
   try {
-    const std::string text = io::load_text(file, limits);
-    ReadOperand operand{io::read_geometry(text, limits), io::feature_properties(text, limits)};
-    tell_detail(shown_name(file) + ": " + summary(operand.geometry));
-    return operand;
+    io::Document document = io::read_document_file(file, limits);
+    if (const auto skipped = note_of_skipped(document.source)) {
+      note(shown_name(file) + ": " + *skipped);
+    }
+    tell_detail(shown_name(file) + ": " + summary(document.geometry));
+    return document;
   } catch (const Error& error) {
     throw failure_of(error, file);
   }
 }
 
-ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits, FillRule fill) {
-  ReadOperand operand = read_operand(file, limits);
+std::optional<std::string> note_of_skipped(const io::SourceInfo& source) {
+  const std::size_t without = source.null_geometries;
+  const std::size_t empty = source.features > 1 ? source.empty_geometries : 0;
+  if (without + empty == 0) return {};
+  const auto counted = [](std::size_t count, const char* what) {
+    return std::to_string(count) + (count == 1 ? " has " : " have ") + what;
+  };
+  std::string note = std::to_string(without + empty) + " of " + std::to_string(source.features) +
+                     " features skipped: ";
+  if (without > 0) note += counted(without, "no geometry");
+  if (empty > 0) note += (without > 0 ? ", " : "") + counted(empty, "an empty one");
+  return note;
+}
+
+io::Document read_operand(const std::string& file, const io::ReadOptions& limits, FillRule fill) {
+  io::Document operand = read_operand(file, limits);
   if (const auto reading = reading_of_faults(operand.geometry.region, fill)) {
     note(shown_name(file) + ": " + *reading);
   }

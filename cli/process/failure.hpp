@@ -9,6 +9,7 @@
 
 #include "commands/commands.hpp"
 #include "minksum/error.hpp"
+#include "minksum/io.hpp"
 #include "minksum/resolve.hpp"
 
 namespace minksum::cli {
@@ -55,17 +56,16 @@ auto made_for(const std::string& output, Make make) {
   }
 }
 
-/// An operand as it was read from a file.
-struct ReadOperand {
-  Geometry geometry;
-  std::optional<std::string> properties;  ///< see io::feature_properties
-};
-/// Reads an operand. Throws a Failure that names the file.
-[[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits);
+/// Reads an operand. Throws a Failure that names the file. A note on standard error says how many
+/// features have no shape.
+[[nodiscard]] io::Document read_operand(const std::string& file, const io::ReadOptions& limits);
 /// Does the same for an operand that will be resolved by this rule. If its polygons are not valid,
 /// a note on standard error says how they are read.
-[[nodiscard]] ReadOperand read_operand(const std::string& file, const io::ReadLimits& limits,
-                                       FillRule fill);
+[[nodiscard]] io::Document read_operand(const std::string& file, const io::ReadOptions& limits,
+                                        FillRule fill);
+
+/// Returns how many features have no shape, or nothing if all that matter have one.
+[[nodiscard]] std::optional<std::string> note_of_skipped(const io::SourceInfo& source);
 
 /// Returns why the polygons are not valid and how this rule reads them. Returns nothing if they are
 /// valid or if the rule refuses them.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,13 +43,47 @@ class MINKSUM_API ReadError : public Error {
   std::size_t column_;
 };
 
-/// Limits on what is read. Exceeding one is a ReadError(kLimitExceeded) that names it. A token that
-/// is cancelled leads to Error(kCancelled).
-struct ReadLimits {
+/// Says how a text is read, and within which limits. Exceeding a limit is a
+/// ReadError(kLimitExceeded) that names it. A token that is cancelled leads to Error(kCancelled).
+struct ReadOptions {
   std::size_t max_bytes = std::size_t{1} << 30;     ///< size of the text
   std::size_t max_vertices = std::size_t{1} << 30;  ///< vertices of rings and polylines, and points
   int max_depth = 32;                               ///< depth of parentheses, brackets and braces
   std::optional<CancelToken> cancel = {};           ///< stops reading
+  /// Drops what a point has beyond x and y: heights (Z) and measures (M). Otherwise they are
+  /// errors.
+  bool drop_z = false;
+  /// Names the column of a table (CSV) that holds the geometries. Without a name it is found.
+  std::string column = {};
+};
+
+/// What a text says once about all that it holds, and how much of it has no shape.
+struct SourceInfo {
+  /// The number of the reference system (EWKT, EWKB); 0, which means unknown, counts as nothing.
+  std::optional<std::int32_t> srid = {};
+  std::string crs = {};              ///< the member `crs` of GeoJSON, as it is written; or ""
+  std::size_t features = 0;          ///< features, including those without a shape
+  std::size_t null_geometries = 0;   ///< features whose geometry is `null`, or an empty cell
+  std::size_t empty_geometries = 0;  ///< features whose geometry is empty
+};
+
+/// All that a text holds, as one set.
+struct Document {
+  Geometry geometry;  ///< all features together
+  SourceInfo source;  ///< what holds for all of them
+  /// The `properties` of the only feature, see Feature. Nothing if there are more, or it has none.
+  std::optional<std::string> properties = {};
+};
+
+/// One feature of a text: one record with its geometry.
+struct Feature {
+  Geometry geometry;  ///< never empty
+  /// In GeoJSON the member `properties` as it is written ("null" if it is missing), and for a bare
+  /// geometry "". In a table a JSON object of the other cells, as strings.
+  std::string properties = {};
+  std::string id = {};    ///< the member `id` as it is written, in quotes if it is a string; or ""
+  std::size_t index = 0;  ///< counts from 0, with the features that have no shape
+  std::size_t line = 0;   ///< where the feature begins, from 1; 0 in binary formats
 };
 
 /// Returns the format in which the text seems to be, by its first characters, or else WKT.
@@ -62,26 +98,56 @@ struct ReadLimits {
 /// characters. Throws ReadError: kBadInput with line and column, or with the number of the byte in
 /// the message if the text is WKB; kLimitExceeded. Throws Error(kCancelled).
 [[nodiscard]] MINKSUM_API Geometry read_geometry(std::string_view text,
-                                                 const ReadLimits& limits = {});
+                                                 const ReadOptions& options = {});
 /// Returns the same from a file, or from standard input for "-". A file that cannot be read is a
 /// ReadError(kBadInput) without a line. Messages do not name the file, which the caller knows.
 [[nodiscard]] MINKSUM_API Geometry read_geometry_file(const std::string& path,
-                                                      const ReadLimits& limits = {});
+                                                      const ReadOptions& options = {});
 
 /// Returns the region of a text, which is read as above. Polylines, points and rings of fewer than
 /// three vertices are errors.
-[[nodiscard]] MINKSUM_API Region read(std::string_view text, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API Region read(std::string_view text, const ReadOptions& options = {});
 /// Returns the region of a file, or of standard input for "-". Throws as above.
-[[nodiscard]] MINKSUM_API Region read_file(const std::string& path, const ReadLimits& limits = {});
+[[nodiscard]] MINKSUM_API Region read_file(const std::string& path,
+                                           const ReadOptions& options = {});
 
 /// Returns the text of a file, or of standard input for "-". Throws as read_geometry_file does.
 [[nodiscard]] MINKSUM_API std::string load_text(const std::string& path,
-                                                const ReadLimits& limits = {});
-/// Returns the `properties` of a text that is one GeoJSON Feature, or a FeatureCollection of one,
-/// as they are written there ("null" if it has none). Returns nothing for any other text. Throws as
-/// read_geometry does.
-[[nodiscard]] MINKSUM_API std::optional<std::string> feature_properties(
-    std::string_view text, const ReadLimits& limits = {});
+                                                const ReadOptions& options = {});
+/// Returns what read_geometry does, with what the text says about it. Throws as that does.
+[[nodiscard]] MINKSUM_API Document read_document(std::string_view text,
+                                                 const ReadOptions& options = {});
+/// Returns the same from a file, or from standard input for "-".
+[[nodiscard]] MINKSUM_API Document read_document_file(const std::string& path,
+                                                      const ReadOptions& options = {});
+
+/// Gives the features of a text one after another, so that only one is in memory beside the text.
+///
+/// A feature is a Feature of GeoJSON, a geometry of WKT or hexadecimal WKB, or a row of a table.
+/// Any other text is one feature. Features without a shape are passed over and counted.
+class MINKSUM_API FeatureReader {
+ public:
+  /// Reads a text, which must live as long. Throws as read_geometry does, for what the first
+  /// characters tell.
+  explicit FeatureReader(std::string_view text, const ReadOptions& options = {});
+  /// Reads a file, or standard input for "-". Throws as read_geometry_file does.
+  [[nodiscard]] static FeatureReader from_file(const std::string& path,
+                                               const ReadOptions& options = {});
+  ~FeatureReader();
+  FeatureReader(FeatureReader&& other) noexcept;
+  FeatureReader& operator=(FeatureReader&& other) noexcept;
+
+  /// Returns the next feature, or nothing at the end and after an error. Throws as read_geometry
+  /// does. The limit on vertices holds for each feature.
+  [[nodiscard]] std::optional<Feature> next();
+  /// Returns what the text has said so far. All of it is known when next() has returned nothing.
+  [[nodiscard]] const SourceInfo& source() const;
+
+ private:
+  struct State;
+  explicit FeatureReader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
 
 /// Says how coordinates are written.
 struct Coordinates {

@@ -15,19 +15,18 @@ enum class Layout {
 
 class DatReader {
  public:
-  DatReader(std::string_view text, const ReadLimits& limits, Layout layout, Rules rules)
+  DatReader(std::string_view text, const ReadOptions& options, Layout layout, Rules rules)
       : cursor_(text),
-        options_{.cancel = limits.cancel},
+        options_{.cancel = options.cancel},
         cancellation_(options_),
         layout_(layout),
         fewest_(fewest_vertices(rules)) {}
 
   /// Reads to the end of the text, without storing anything. Throws ReadError.
   void try_to_read() { read(nullptr); }
-  [[nodiscard]] Geometry read(const ReadLimits& limits, Rules rules) {
-    GeometryBuilder builder(cursor_, limits, rules);
+  void read_into(GeometryBuilder& builder) {
+    builder.follow(cursor_);
     read(&builder);
-    return builder.take();
   }
   [[nodiscard]] std::size_t position() const { return cursor_.position(); }
 
@@ -86,8 +85,8 @@ struct Attempt {
   std::size_t reached = 0;
 };
 
-Attempt try_layout(std::string_view text, const ReadLimits& limits, Layout layout, Rules rules) {
-  DatReader reader(text, limits, layout, rules);
+Attempt try_layout(std::string_view text, const ReadOptions& options, Layout layout, Rules rules) {
+  DatReader reader(text, options, layout, rules);
   try {
     reader.try_to_read();
   } catch (const ReadError& error) {
@@ -97,21 +96,23 @@ Attempt try_layout(std::string_view text, const ReadLimits& limits, Layout layou
 }
 
 // Returns the layout that fits. If neither fits, the one that got further is the likelier meaning.
-Attempt try_layouts(std::string_view text, const ReadLimits& limits, Rules rules) {
-  Attempt simple = try_layout(text, limits, Layout::kSimple, rules);
+Attempt try_layouts(std::string_view text, const ReadOptions& options, Rules rules) {
+  Attempt simple = try_layout(text, options, Layout::kSimple, rules);
   if (!simple.error) return simple;
-  Attempt with_holes = try_layout(text, limits, Layout::kWithHoles, rules);
+  Attempt with_holes = try_layout(text, options, Layout::kWithHoles, rules);
   return !with_holes.error || with_holes.reached > simple.reached ? with_holes : simple;
 }
 
 }  // namespace
 
-Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules) {
+void read_dat(std::string_view text, const ReadOptions& options, GeometryBuilder& builder) {
   // The rules of regions come first: with rings of one or two vertices, the wrong layout may fit.
-  Attempt attempt = try_layouts(text, limits, Rules::kRegion);
-  if (attempt.error && rules == Rules::kGeometry) attempt = try_layouts(text, limits, rules);
+  Attempt attempt = try_layouts(text, options, Rules::kRegion);
+  if (attempt.error && builder.rules() == Rules::kGeometry) {
+    attempt = try_layouts(text, options, builder.rules());
+  }
   if (attempt.error) throw *attempt.error;
-  return DatReader(text, limits, attempt.layout, rules).read(limits, rules);
+  DatReader(text, options, attempt.layout, builder.rules()).read_into(builder);
 }
 
 }  // namespace minksum::io

@@ -1,7 +1,6 @@
 // Declares a reader and a writer for each format.
 #pragma once
 
-#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -12,13 +11,20 @@
 
 namespace minksum::io {
 
-[[nodiscard]] Geometry read_wkt(std::string_view text, const ReadLimits& limits, Rules rules);
-[[nodiscard]] Geometry read_geojson(std::string_view text, const ReadLimits& limits, Rules rules);
-[[nodiscard]] Geometry read_poly(std::string_view text, const ReadLimits& limits, Rules rules);
-[[nodiscard]] Geometry read_dat(std::string_view text, const ReadLimits& limits, Rules rules);
-[[nodiscard]] Geometry read_wkb(std::string_view bytes, const ReadLimits& limits, Rules rules);
+// Readers of a whole text, which is one feature.
+void read_poly(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
+void read_dat(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
+void read_wkb(std::string_view bytes, const ReadOptions& options, GeometryBuilder& builder);
+
+// Readers of one geometry at the cursor. Something else may follow it.
+void read_wkt(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& builder);
 /// Reads WKB whose bytes are written as hexadecimal digits.
-[[nodiscard]] Geometry read_hex_wkb(std::string_view text, const ReadLimits& limits, Rules rules);
+void read_hex_wkb(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& builder);
+/// Reads either of the two, which its first characters tell.
+void read_wkt_or_hex_wkb(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& builder);
+
+/// Returns the text without a mark of UTF-8 at its beginning.
+[[nodiscard]] std::string_view without_mark(std::string_view text);
 
 /// Throws a ReadError that names the format, if the text begins as files of a format that is not
 /// read.
@@ -29,10 +35,6 @@ void refuse_other_formats(std::string_view text);
 /// Tells whether a text begins so in hexadecimal digits. That takes 18 of them, so a short number
 /// is not taken for WKB.
 [[nodiscard]] bool looks_like_hex_wkb(std::string_view text);
-
-/// Returns the same as `feature_properties`, for a text that is GeoJSON.
-[[nodiscard]] std::optional<std::string> geojson_properties(std::string_view text,
-                                                            const ReadLimits& limits);
 
 /// Refers to a geometry without owning it, so that regions are written without a copy.
 struct GeometryView {

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/feature_source.hpp"
 #include "io/formats.hpp"
 #include "io/json_cursor.hpp"
 #include "io/nested_writer.hpp"
@@ -20,23 +21,103 @@ std::string quoted(std::string_view name) {
 
 constexpr std::size_t kAbsent = std::string_view::npos;
 
-class GeoJsonReader {
+// Reads a text of one object, or of several, which lines or marks (RFC 8142) separate.
+class GeoJsonSource : public FeatureSource {
  public:
-  GeoJsonReader(std::string_view text, const ReadLimits& limits, Rules rules)
-      : json_(text, limits.max_depth), builder_(json_.text(), limits, rules) {}
-
-  Geometry read() {
-    if (json_.peek() == '[') {
-      json_.text().fail("expected a GeoJSON object with a member \"type\", found an array");
-    }
-    object(Expected::kAnything);
-    json_.skip_space();
-    if (!json_.text().at_end()) json_.text().fail_expected("the end of the text");
-    return builder_.take();
+  GeoJsonSource(std::string_view text, const ReadOptions& options, Rules rules)
+      : FeatureSource(options, rules), json_(text, options.max_depth), drop_z_(options.drop_z) {
+    builder_.follow(json_.text());
   }
+
+  [[nodiscard]] std::string properties() const override { return std::string(properties_); }
+  [[nodiscard]] std::string id() const override { return std::string(id_); }
 
  private:
   enum class Expected { kAnything, kGeometry, kFeature };
+  static constexpr char kMark = '\x1E';  // before each object of a text sequence
+
+  bool read_next() override {
+    properties_ = id_ = {};
+    for (;;) {
+      if (in_collection_) {
+        if (feature_of_collection()) return true;
+      } else {
+        if (!next_object()) return false;
+        if (!in_collection_) return true;
+      }
+    }
+  }
+
+  // Reads the next object of the text. Stops at the features of a FeatureCollection.
+  bool next_object() {
+    if (!separator()) return false;
+    if (json_.peek() == '[') {
+      json_.text().fail("expected a GeoJSON object with a member \"type\", found an array");
+    }
+    if (objects_++ > 0) name_feature();
+    begin_feature_here();
+    collection_ = {};
+    collection_.start = json_.text().position();
+    json_.enter('{', "'{'");
+    go_on_with_object();
+    return true;
+  }
+
+  // Returns whether another object follows.
+  bool separator() {
+    bool separated = objects_ == 0;
+    for (;; json_.text().advance()) {
+      const char c = json_.text().peek();
+      if (c == '\n' || c == kMark) separated = true;
+      if (c != kMark && c != ' ' && c != '\n' && c != '\r' && c != '\t') break;
+    }
+    if (json_.text().at_end() && objects_ > 0) return false;
+    if (!separated) json_.text().fail_expected("the end of the line or of the text");
+    return true;
+  }
+
+  // Reads the object of the text to its end, or to the features that it has.
+  void go_on_with_object() {
+    if (members(collection_, Expected::kAnything)) return begin_features();
+    const std::size_t end = json_.text().position();
+    if (!finish(collection_, Expected::kAnything)) return;
+    after_features_ = end;
+    begin_features();
+  }
+
+  void begin_features() {
+    json_.enter('[', "an array of features");
+    in_collection_ = first_ = true;
+  }
+
+  // Reads the next feature. After the last one it reads the rest of the collection.
+  bool feature_of_collection() {
+    if (json_.next_item(first_, ']')) {
+      name_feature();
+      begin_feature_here();
+      object(Expected::kFeature);
+      return true;
+    }
+    in_collection_ = false;
+    json_.text().name_record({});
+    if (after_features_ != kAbsent) {
+      json_.text().move_to(std::exchange(after_features_, kAbsent));
+    } else {
+      collection_.content_read = true;
+      collection_.first = false;
+      go_on_with_object();
+    }
+    return false;
+  }
+
+  void name_feature() {
+    json_.text().name_record("feature " + std::to_string(builder_.source().features + 1) + ": ");
+  }
+
+  void begin_feature_here() {
+    json_.skip_space();
+    start_ = json_.text().position();
+  }
 
   // Positions of one object's members, which may come in any order.
   struct Members {
@@ -47,48 +128,82 @@ class GeoJsonReader {
     std::size_t geometries = kAbsent;
     std::size_t features = kAbsent;
     std::size_t geometry = kAbsent;
+    std::string_view properties = "null";
+    std::string_view id;
+    bool first = true;  // no member has been read
     bool content_read = false;
   };
 
   // If "type" comes first, the content is read where it stands. Otherwise the reader goes back for
   // it at the end of the object, and so passes over that content twice.
   void object(Expected expected) {
-    Members members;
-    members.start = json_.text().position();
-    json_.object("'{'", [&](const std::string& name) { member(name, members, expected); });
-    const std::size_t end = json_.text().position();
-    if (!members.type) fail_at(members.start, "an object has no member \"type\"");
-    check_type(members, expected);
-    if (members.content_read) return;
-    const std::size_t content = *content_of(members);
-    if (content == kAbsent) {
-      fail_at(members.start,
-              "a " + *members.type + " has no member \"" + content_name(*members.type) + '"');
-    }
-    json_.text().move_to(content);
-    read_content(*members.type);
-    json_.text().move_to(end);
+    Members found;
+    found.start = json_.text().position();
+    json_.enter('{', "'{'");
+    members(found, expected);
+    finish(found, expected);
   }
 
-  void member(const std::string& name, Members& members, Expected expected) {
+  // Reads members to the end of the object. Returns true if it stops at the features of a
+  // FeatureCollection, which are read one by one.
+  bool members(Members& found, Expected expected) {
+    while (json_.next_item(found.first, '}')) {
+      if (member(json_.take_name(), found, expected)) return true;
+    }
+    return false;
+  }
+
+  // Reads the content of an object that was read to its end, if it stands before the type. Returns
+  // true if it stops at features.
+  bool finish(Members& found, Expected expected) {
+    const std::size_t end = json_.text().position();
+    if (!found.type) fail_at(found.start, "an object has no member \"type\"");
+    check_type(found, expected);
+    if (*found.type == "Feature") {
+      properties_ = found.properties;
+      id_ = found.id;
+    }
+    if (found.content_read) return false;
+    const std::size_t content = *content_of(found);
+    if (content == kAbsent) {
+      fail_at(found.start,
+              "a " + *found.type + " has no member \"" + content_name(*found.type) + '"');
+    }
+    json_.text().move_to(content);
+    if (*found.type == "FeatureCollection") return true;
+    read_content(*found.type);
+    json_.text().move_to(end);
+    return false;
+  }
+
+  bool member(const std::string& name, Members& found, Expected expected) {
+    const std::size_t start = json_.text().position();
     if (name == "type") {
-      if (members.type) json_.text().fail("a second member \"type\"");
+      if (found.type) json_.text().fail("a second member \"type\"");
       if (json_.peek() != '"') json_.text().fail_expected("the type in quotes");
-      members.type_at = json_.text().position();
-      members.type = json_.take_string();
-      return;
+      found.type_at = start;
+      found.type = json_.take_string();
+      return false;
     }
-    std::size_t* place = member_place(name, members);
-    if (place == nullptr) return json_.skip_value();
-    if (*place != kAbsent) json_.text().fail("a second member \"" + name + '"');
-    *place = json_.text().position();
-    if (members.type && name == content_name(*members.type)) {
-      check_type(members, expected);
-      read_content(*members.type);
-      members.content_read = true;
-    } else {
-      json_.skip_value();
+    std::size_t* place = member_place(name, found);
+    if (place != nullptr && *place != kAbsent) {
+      json_.text().fail("a second member \"" + name + '"');
     }
+    if (place != nullptr) *place = start;
+    if (place != nullptr && found.type && name == content_name(*found.type)) {
+      check_type(found, expected);
+      if (name == "features") return true;
+      read_content(*found.type);
+      found.content_read = true;
+      return false;
+    }
+    json_.skip_value();
+    const std::string_view value =
+        json_.text().text().substr(start, json_.text().position() - start);
+    if (name == "properties") found.properties = value;
+    if (name == "id") found.id = value;
+    if (name == "crs" && value != "null") builder_.set_crs(value, start);
+    return false;
   }
 
   static std::size_t* member_place(const std::string& name, Members& members) {
@@ -131,7 +246,7 @@ class GeoJsonReader {
   }
 
   void read_content(const std::string& type) {
-    if (json_.peek() == 'n') fail_null(type);
+    if (json_.peek() == 'n') return read_null(type);
     if (type == "Polygon") {
       polygon();
     } else if (type == "MultiPolygon") {
@@ -146,16 +261,18 @@ class GeoJsonReader {
       json_.array("an array of lines", [this] { line(); });
     } else if (type == "Feature") {
       object(Expected::kGeometry);
-    } else if (type == "FeatureCollection") {
-      json_.array("an array of features", [this] { object(Expected::kFeature); });
     } else {
       json_.array("an array of geometries", [this] { object(Expected::kGeometry); });
     }
   }
 
-  [[noreturn]] void fail_null(const std::string& type) {
-    if (!json_.text().rest().starts_with("null")) json_.text().fail_expected("a JSON value");
-    json_.text().fail("the " + content_name(type) + " of a " + type + " is null");
+  // A Feature may have no geometry, which `null` says (RFC 7946, section 3.2).
+  void read_null(const std::string& type) {
+    const std::size_t start = json_.text().position();
+    json_.skip_value();
+    if (type != "Feature")
+      fail_at(start, "the " + content_name(type) + " of a " + type + " is null");
+    is_null_ = true;
   }
 
   void polygon() {
@@ -203,8 +320,10 @@ class GeoJsonReader {
     Number x = coordinate();
     json_.expect(',', "',' and the second coordinate");
     Number y = coordinate();
-    if (json_.peek() == ',') {
-      json_.text().fail("a position has three coordinates; only two are supported");
+    while (json_.accept(',')) {
+      if (!drop_z_) json_.text().fail("a position" + more_than_two());
+      json_.skip_space();
+      static_cast<void>(coordinate());
     }
     json_.expect(']', "']'");
     return {std::move(x), std::move(y)};
@@ -228,7 +347,14 @@ class GeoJsonReader {
   }
 
   JsonCursor json_;
-  GeometryBuilder builder_;
+  bool drop_z_;
+  std::size_t objects_ = 0;
+  std::string_view properties_;
+  std::string_view id_;
+  Members collection_;                    // the object of the text
+  bool in_collection_ = false;            // the cursor stands among its features
+  bool first_ = true;                     // no feature of it has been read
+  std::size_t after_features_ = kAbsent;  // where to go on, if the features stand before the type
 };
 
 constexpr Notation kNotation{
@@ -245,8 +371,9 @@ constexpr Notation kNotation{
 
 }  // namespace
 
-Geometry read_geojson(std::string_view text, const ReadLimits& limits, Rules rules) {
-  return GeoJsonReader(text, limits, rules).read();
+std::unique_ptr<FeatureSource> geojson_source(std::string_view text, const ReadOptions& options,
+                                              Rules rules) {
+  return std::make_unique<GeoJsonSource>(text, options, rules);
 }
 
 void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {

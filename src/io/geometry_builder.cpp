@@ -10,12 +10,31 @@ std::string counted_points(std::size_t count) {
 
 void GeometryBuilder::count_vertex() {
   // The work counts all text since the last vertex; a number of many digits takes quadratic time.
-  const std::size_t length = cursor_.position() - std::exchange(counted_to_, cursor_.position());
+  const std::size_t length = cursor_->position() - std::exchange(counted_to_, cursor_->position());
   cancellation_.check(16 + work_of_product(4 * length));
   if (++vertices_ <= max_vertices_) return;
-  cursor_.fail(ErrorCode::kLimitExceeded,
-               "more vertices than the limit of " + std::to_string(max_vertices_),
-               cursor_.position(), ExceededLimit{"io::ReadLimits::max_vertices", max_vertices_});
+  cursor_->fail(ErrorCode::kLimitExceeded,
+                "more vertices than the limit of " + std::to_string(max_vertices_),
+                cursor_->position(), ExceededLimit{"io::ReadOptions::max_vertices", max_vertices_});
+}
+
+void GeometryBuilder::set_srid(std::int32_t srid, std::size_t position) {
+  if (srid == 0) return;
+  if (source_.srid && *source_.srid != srid) {
+    cursor_->fail(ErrorCode::kBadInput,
+                  "the reference system " + std::to_string(srid) +
+                      " differs from that of earlier geometries, " + std::to_string(*source_.srid) +
+                      "; transform one of them first",
+                  position);
+  }
+  source_.srid = srid;
+}
+
+void GeometryBuilder::set_crs(std::string_view crs, std::size_t position) {
+  if (source_.crs.empty()) source_.crs = crs;
+  if (source_.crs == crs) return;
+  cursor_->fail(ErrorCode::kBadInput,
+                "this \"crs\" differs from an earlier one; transform one of them first", position);
 }
 
 void GeometryBuilder::begin_polygon() {
@@ -34,7 +53,7 @@ void GeometryBuilder::add_vertex(const Number& x, const Number& y) {
 
 void GeometryBuilder::begin_closed_ring() {
   begin_ring();
-  start_ = cursor_.position();
+  start_ = cursor_->position();
   points_ = 0;
 }
 
@@ -52,15 +71,16 @@ void GeometryBuilder::add_to_closed_ring(Number x, Number y) {
 
 void GeometryBuilder::end_closed_ring() {
   if (points_ == 0 || (points_ < 4 && rules_ == Rules::kRegion)) {
-    cursor_.fail(ErrorCode::kBadInput,
-                 ring_name() + " has " + counted_points(points_) +
-                     (rules_ == Rules::kRegion ? ", a ring needs at least 4 with the first repeated"
-                                               : ", a ring needs at least 1"),
-                 start_);
+    cursor_->fail(
+        ErrorCode::kBadInput,
+        ring_name() + " has " + counted_points(points_) +
+            (rules_ == Rules::kRegion ? ", a ring needs at least 4 with the first repeated"
+                                      : ", a ring needs at least 1"),
+        start_);
   }
   if (!(first_x_ == last_x_) || !(first_y_ == last_y_)) {
-    cursor_.fail(ErrorCode::kBadInput,
-                 ring_name() + " is not closed: its last point must repeat the first", start_);
+    cursor_->fail(ErrorCode::kBadInput,
+                  ring_name() + " is not closed: its last point must repeat the first", start_);
   }
   if (points_ == 1) add_vertex(last_x_, last_y_);
   ++ring_;
@@ -68,7 +88,7 @@ void GeometryBuilder::end_closed_ring() {
 
 void GeometryBuilder::begin_line() {
   geometry_.polylines.emplace_back();
-  start_ = cursor_.position();
+  start_ = cursor_->position();
 }
 
 void GeometryBuilder::add_to_line(const Number& x, const Number& y) {
@@ -80,7 +100,7 @@ void GeometryBuilder::end_line() {
   const std::size_t points = geometry_.polylines.back().size();
   if (points == 0) return geometry_.polylines.pop_back();
   if (points == 1) {
-    cursor_.fail(ErrorCode::kBadInput, "a line has 1 point, it needs at least 2", start_);
+    cursor_->fail(ErrorCode::kBadInput, "a line has 1 point, it needs at least 2", start_);
   }
 }
 
@@ -91,8 +111,7 @@ void GeometryBuilder::add_point(const Number& x, const Number& y) {
 
 std::string GeometryBuilder::ring_name() const {
   // Messages count from 1, as they do for lines and columns.
-  return "polygon " + std::to_string(geometry_.region.polygon_count()) + ", ring " +
-         std::to_string(ring_ + 1);
+  return "polygon " + std::to_string(polygon_count()) + ", ring " + std::to_string(ring_ + 1);
 }
 
 }  // namespace minksum::io

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "io/number.hpp"
 #include "machine/cancellation.hpp"
@@ -22,22 +24,48 @@ enum class Rules {
   return rules == Rules::kRegion ? 3 : 1;
 }
 
+/// Returns the end of a message about coordinates beyond x and y.
+[[nodiscard]] inline std::string more_than_two() {
+  return " has more than two coordinates (io::ReadOptions::drop_z keeps x and y)";
+}
+
 /// Returns the count in words, such as "3 points" or "1 point".
 [[nodiscard]] std::string counted_points(std::size_t count);
 
-/// Builds a geometry vertex by vertex as a reader goes on, and keeps the limit on vertices.
+/// Builds a geometry vertex by vertex as a reader goes on, keeps the limit on vertices, and keeps
+/// what the text says about all of its features.
 class GeometryBuilder {
  public:
-  /// `cursor` belongs to the reader; errors name the position at which it stands.
-  GeometryBuilder(const TextCursor& cursor, const ReadLimits& limits, Rules rules)
-      : cursor_(cursor),
-        max_vertices_(limits.max_vertices),
-        options_{.cancel = limits.cancel},
+  GeometryBuilder(const ReadOptions& options, Rules rules)
+      : max_vertices_(options.max_vertices),
+        options_{.cancel = options.cancel},
         cancellation_(options_),
         rules_(rules) {}
 
+  /// Begins a feature, which is added to what was read before. Errors number its polygons from 1.
+  void begin_feature() {
+    polygons_before_ = geometry_.region.polygon_count();
+    vertices_before_ = vertices_;
+  }
+  /// Tells whether the feature has no points so far.
+  [[nodiscard]] bool feature_is_empty() const { return vertices_ == vertices_before_; }
+  /// Makes errors name positions of `cursor`, which belongs to the reader, from now on.
+  void follow(const TextCursor& cursor) {
+    cursor_ = &cursor;
+    counted_to_ = cursor.position();
+  }
+
   [[nodiscard]] Rules rules() const { return rules_; }
-  [[nodiscard]] std::size_t polygon_count() const { return geometry_.region.polygon_count(); }
+  [[nodiscard]] SourceInfo& source() { return source_; }
+  /// Returns how many polygons the feature has.
+  [[nodiscard]] std::size_t polygon_count() const {
+    return geometry_.region.polygon_count() - polygons_before_;
+  }
+
+  /// Notes the reference system, whose name stands at `position`. Fails if another one was named.
+  void set_srid(std::int32_t srid, std::size_t position);
+  void set_crs(std::string_view crs, std::size_t position);
+
   void begin_polygon();
 
   /// Begins a ring whose text does not repeat the first vertex.
@@ -57,18 +85,25 @@ class GeometryBuilder {
 
   void add_point(const Number& x, const Number& y);
 
-  [[nodiscard]] Geometry take() { return std::move(geometry_); }
+  /// Returns what was read since the last time.
+  [[nodiscard]] Geometry take() {
+    vertices_ = 0;
+    return std::exchange(geometry_, {});
+  }
 
  private:
   void count_vertex();
   [[nodiscard]] std::string ring_name() const;
 
-  const TextCursor& cursor_;
+  const TextCursor* cursor_ = nullptr;
   std::size_t max_vertices_;
   Options options_;  ///< of reading
   Cancellation cancellation_;
   Rules rules_;
   Geometry geometry_;
+  SourceInfo source_;
+  std::size_t polygons_before_ = 0;  ///< this feature
+  std::size_t vertices_before_ = 0;
   std::size_t vertices_ = 0;
   std::size_t counted_to_ = 0;  // position in the text at the last counted vertex
   std::size_t ring_ = 0;

@@ -39,13 +39,12 @@ bool looks_like_hex_wkb(std::string_view text) {
   return looks_like_wkb(bytes);
 }
 
-Geometry read_hex_wkb(std::string_view text, const ReadLimits& limits, Rules rules) {
-  const Options options{.cancel = limits.cancel};
-  Cancellation cancellation(options);
-  TextCursor cursor(text);
-  cursor.move_to(static_cast<std::size_t>(digits_of(text).data() - text.data()));
+void read_hex_wkb(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& builder) {
+  const Options cancel{.cancel = options.cancel};
+  Cancellation cancellation(cancel);
+  const std::size_t start = cursor.position();
+  cursor.move_to(static_cast<std::size_t>(digits_of(cursor.rest()).data() - cursor.text().data()));
   std::string bytes;
-  bytes.reserve(cursor.rest().size() / 2);
   while (digit_of(cursor.peek()) >= 0) {
     cancellation.check();
     const int high = digit_of(cursor.peek());
@@ -54,9 +53,13 @@ Geometry read_hex_wkb(std::string_view text, const ReadLimits& limits, Rules rul
     bytes += static_cast<char>(16 * high + digit_of(cursor.peek()));
     cursor.advance();
   }
-  cursor.skip_space();
-  if (!cursor.at_end()) cursor.fail_expected("a hexadecimal digit, or the end");
-  return read_wkb(bytes, limits, rules);
+  if (is_letter(cursor.peek())) cursor.fail_expected("a hexadecimal digit, or the end of the line");
+  try {
+    read_wkb(bytes, options, builder);
+  } catch (const ReadError& error) {  // it knows the byte, but not the line
+    cursor.fail(error.code(), error.what(), start, error.limit());
+  }
+  builder.follow(cursor);
 }
 
 }  // namespace minksum::io

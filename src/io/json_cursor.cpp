@@ -45,6 +45,20 @@ void JsonCursor::expect(char c, const char* what) {
   if (!accept(c)) cursor_.fail_expected(what);
 }
 
+void JsonCursor::enter(char open, const char* what) {
+  expect(open, what);
+  if (depth_ >= max_depth_) fail_too_deep(cursor_, max_depth_);
+  ++depth_;
+}
+
+std::string JsonCursor::take_name() {
+  if (peek() != '"') cursor_.fail_expected("the name of a member in quotes");
+  std::string name = take_string();
+  expect(':', "':'");
+  skip_space();
+  return name;
+}
+
 std::string JsonCursor::take_string() {
   const std::size_t start = cursor_.position();
   cursor_.advance();  // the opening quote

@@ -38,33 +38,35 @@ class JsonCursor {
   /// Passes over a value of any kind, which must be valid JSON.
   void skip_value();
 
+  /// Begins the array or object here, whose bracket is `open`.
+  void enter(char open, const char* what);
+  /// Goes on to the next item of what was entered, or ends it behind its bracket `close`. Returns
+  /// whether there is an item. `first` must be true at first.
+  [[nodiscard]] bool next_item(bool& first, char close) {
+    if (first ? !accept(close) : accept(',')) {
+      first = false;
+      skip_space();
+      return true;
+    }
+    if (!first) expect(close, close == ']' ? "',' or ']'" : "',' or '}'");
+    --depth_;
+    return false;
+  }
+  /// Takes the name of a member. The cursor then stands at its value.
+  std::string take_name();
+
   /// Calls item() for each element of the array here; item must read that element.
   template <typename Item>
   void array(const char* what, Item item) {
-    expect('[', what);
-    const DepthGuard guard(cursor_, depth_, max_depth_);
-    if (accept(']')) return;
-    do {
-      skip_space();
-      item();
-    } while (accept(','));
-    expect(']', "',' or ']'");
+    enter('[', what);
+    for (bool first = true; next_item(first, ']');) item();
   }
   /// Calls member(name) for each member of the object here. The cursor then stands at the member's
   /// value, and `member` must read that value.
   template <typename Member>
   void object(const char* what, Member member) {
-    expect('{', what);
-    const DepthGuard guard(cursor_, depth_, max_depth_);
-    if (accept('}')) return;
-    do {
-      if (peek() != '"') cursor_.fail_expected("the name of a member in quotes");
-      const std::string name = take_string();
-      expect(':', "':'");
-      skip_space();
-      member(name);
-    } while (accept(','));
-    expect('}', "',' or '}'");
+    enter('{', what);
+    for (bool first = true; next_item(first, '}');) member(take_name());
   }
 
  private:

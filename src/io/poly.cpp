@@ -13,10 +13,11 @@ namespace {
 
 class PolyReader {
  public:
-  PolyReader(std::string_view text, const ReadLimits& limits, Rules rules)
-      : cursor_(text), builder_(cursor_, limits, rules) {}
+  PolyReader(std::string_view text, GeometryBuilder& builder) : cursor_(text), builder_(builder) {
+    builder_.follow(cursor_);
+  }
 
-  Geometry read() {
+  void read() {
     cursor_.skip_space_and_comments();
     const std::size_t chains = scan_count(cursor_, "the number of chains");
     for (chain_ = 0; chain_ < chains; ++chain_) {
@@ -26,7 +27,6 @@ class PolyReader {
     if (!cursor_.at_end()) {
       cursor_.fail_expected("the end of the text after " + std::to_string(chains) + " chains");
     }
-    return builder_.take();
   }
 
  private:
@@ -87,7 +87,7 @@ class PolyReader {
   [[nodiscard]] std::string name() const { return "chain " + std::to_string(chain_ + 1); }
 
   TextCursor cursor_;
-  GeometryBuilder builder_;
+  GeometryBuilder& builder_;
   std::size_t chain_ = 0;
   std::vector<std::pair<Number, Number>> points_;
   std::vector<bool> seen_;
@@ -95,8 +95,8 @@ class PolyReader {
 
 }  // namespace
 
-Geometry read_poly(std::string_view text, const ReadLimits& limits, Rules rules) {
-  return PolyReader(text, limits, rules).read();
+void read_poly(std::string_view text, const ReadOptions&, GeometryBuilder& builder) {
+  PolyReader(text, builder).read();
 }
 
 void write_poly(std::ostream& out, const Region& region, const Coordinates& style) {

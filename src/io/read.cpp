@@ -5,6 +5,7 @@
 #include <memory>
 #include <system_error>
 
+#include "io/feature_source.hpp"
 #include "io/formats.hpp"
 #include "io/text_cursor.hpp"
 
@@ -13,11 +14,6 @@ namespace minksum::io {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-std::string_view without_mark(std::string_view text) {
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  return text;
-}
 
 void check_encoding(std::string_view text) {
   const bool marked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
@@ -51,7 +47,7 @@ bool looks_like_poly(TextCursor cursor) {
 [[noreturn]] void fail_too_large(std::size_t limit) {
   throw ReadError(ErrorCode::kLimitExceeded,
                   "the text is longer than the limit of " + std::to_string(limit) + " bytes", 0, 0,
-                  ExceededLimit{"io::ReadLimits::max_bytes", limit});
+                  ExceededLimit{"io::ReadOptions::max_bytes", limit});
 }
 
 [[noreturn]] void fail_unreadable(int reason) {
@@ -59,28 +55,87 @@ bool looks_like_poly(TextCursor cursor) {
                   "cannot be read: " + std::generic_category().message(reason), 0, 0);
 }
 
-std::string read_all(std::FILE* file, const ReadLimits& limits, std::size_t expected) {
+std::string read_all(std::FILE* file, const ReadOptions& options, std::size_t expected) {
   constexpr std::size_t kChunk = std::size_t{1} << 18;
   std::string text;
   text.reserve(expected);
   for (;;) {
     const std::size_t before = text.size();
     // Reading stops one byte beyond the limit, which is enough to see that it is exceeded.
-    const std::size_t room = limits.max_bytes - before;
+    const std::size_t room = options.max_bytes - before;
     const std::size_t want = room < kChunk ? room + 1 : kChunk;
     text.resize(before + want);
     errno = 0;
     const std::size_t got = std::fread(text.data() + before, 1, want, file);
     text.resize(before + got);
     if (std::ferror(file) != 0) fail_unreadable(errno == 0 ? EIO : errno);
-    if (text.size() > limits.max_bytes) fail_too_large(limits.max_bytes);
+    if (text.size() > options.max_bytes) fail_too_large(options.max_bytes);
     if (got < want) return text;
   }
 }
 
-Geometry read_by_rules(std::string_view text, const ReadLimits& limits, Rules rules) {
-  if (text.size() > limits.max_bytes) fail_too_large(limits.max_bytes);
-  if (looks_like_wkb(text)) return read_wkb(text, limits, rules);
+/// Gives the only feature of a text of another format.
+class WholeText : public FeatureSource {
+ public:
+  using Read = void (*)(std::string_view, const ReadOptions&, GeometryBuilder&);
+  WholeText(std::string_view text, const ReadOptions& options, Rules rules, Read read)
+      : FeatureSource(options, rules), text_(text), options_(options), read_(read) {}
+  [[nodiscard]] bool has_lines() const override { return read_ != read_wkb; }
+
+ private:
+  bool read_next() override {
+    if (done_) return false;
+    done_ = true;
+    read_(text_, options_, builder_);
+    return true;
+  }
+
+  std::string_view text_;
+  const ReadOptions& options_;
+  Read read_;
+  bool done_ = false;
+};
+
+}  // namespace
+
+std::string_view without_mark(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  return text;
+}
+
+std::string load_text(const std::string& path, const ReadOptions& options) {
+  if (path == "-") return read_all(stdin, options, 0);
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  const std::size_t expected = unknown ? 0 : static_cast<std::size_t>(size);
+  if (expected > options.max_bytes) fail_too_large(options.max_bytes);
+  errno = 0;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) fail_unreadable(errno);
+  return read_all(file.get(), options, expected + 1);
+}
+
+Format detect_format(std::string_view text) {
+  if (looks_like_wkb(text)) return Format::kWkb;
+  TextCursor cursor(without_mark(text));
+  cursor.skip_space();
+  const char first = cursor.peek();
+  if (first == '{' || first == '[' || first == '\x1E') return Format::kGeoJson;
+  cursor.skip_space_and_comments();
+  if (looks_like_hex_wkb(cursor.rest())) return Format::kWkb;
+  const char c = cursor.peek();
+  if (!is_digit(c) && (first != '#' || is_letter(c) || c == '"' || c == '\'')) return Format::kWkt;
+  return looks_like_poly(cursor) ? Format::kPoly : Format::kDat;
+}
+
+std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOptions& options,
+                                           Rules rules) {
+  if (text.size() > options.max_bytes) fail_too_large(options.max_bytes);
+  const auto whole = [&](std::string_view content, WholeText::Read read) {
+    return std::make_unique<WholeText>(content, options, rules, read);
+  };
+  if (looks_like_wkb(text)) return whole(text, read_wkb);
   check_encoding(text);
   const std::string_view content = without_mark(text);
   refuse_other_formats(content);
@@ -93,64 +148,14 @@ Geometry read_by_rules(std::string_view text, const ReadLimits& limits, Rules ru
   }
   switch (detect_format(content)) {
     case Format::kGeoJson:
-      return read_geojson(content, limits, rules);
+      return geojson_source(content, options, rules);
     case Format::kPoly:
-      return read_poly(content, limits, rules);
+      return whole(content, read_poly);
     case Format::kDat:
-      return read_dat(content, limits, rules);
-    case Format::kWkb:
-      return read_hex_wkb(content, limits, rules);
+      return whole(content, read_dat);
     default:
-      return read_wkt(content, limits, rules);
+      return record_source(content, options, rules);
   }
-}
-
-}  // namespace
-
-std::string load_text(const std::string& path, const ReadLimits& limits) {
-  if (path == "-") return read_all(stdin, limits, 0);
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(path, unknown);
-  const std::size_t expected = unknown ? 0 : static_cast<std::size_t>(size);
-  if (expected > limits.max_bytes) fail_too_large(limits.max_bytes);
-  errno = 0;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) fail_unreadable(errno);
-  return read_all(file.get(), limits, expected + 1);
-}
-
-Format detect_format(std::string_view text) {
-  if (looks_like_wkb(text) || looks_like_hex_wkb(without_mark(text))) return Format::kWkb;
-  TextCursor cursor(without_mark(text));
-  cursor.skip_space();
-  const char first = cursor.peek();
-  if (first == '{' || first == '[') return Format::kGeoJson;
-  cursor.skip_space_and_comments();
-  const char c = cursor.peek();
-  if (!is_digit(c) && first != '#') return Format::kWkt;
-  return looks_like_poly(cursor) ? Format::kPoly : Format::kDat;
-}
-
-std::optional<std::string> feature_properties(std::string_view text, const ReadLimits& limits) {
-  if (detect_format(text) != Format::kGeoJson) return {};
-  return geojson_properties(without_mark(text), limits);
-}
-
-Geometry read_geometry(std::string_view text, const ReadLimits& limits) {
-  return read_by_rules(text, limits, Rules::kGeometry);
-}
-
-Geometry read_geometry_file(const std::string& path, const ReadLimits& limits) {
-  return read_geometry(load_text(path, limits), limits);
-}
-
-Region read(std::string_view text, const ReadLimits& limits) {
-  return read_by_rules(text, limits, Rules::kRegion).region;
-}
-
-Region read_file(const std::string& path, const ReadLimits& limits) {
-  return read(load_text(path, limits), limits);
 }
 
 }  // namespace minksum::io

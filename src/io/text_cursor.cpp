@@ -43,7 +43,8 @@ std::string TextCursor::found() const {
 void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t position,
                       const std::optional<ExceededLimit>& limit) const {
   if (counts_ == Counts::kBytes) {
-    throw ReadError(code, "byte " + std::to_string(position + 1) + ": " + message, 0, 0, limit);
+    throw ReadError(code, record_ + "byte " + std::to_string(position + 1) + ": " + message, 0, 0,
+                    limit);
   }
   const std::string_view before = text_.substr(0, position);
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
@@ -53,7 +54,7 @@ void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t po
   const auto column = std::count_if(in_line.begin(), in_line.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   });
-  throw ReadError(code, message, line, static_cast<std::size_t>(column) + 1, limit);
+  throw ReadError(code, record_ + message, line, static_cast<std::size_t>(column) + 1, limit);
 }
 
 void TextCursor::fail_expected(const std::string& what) const {
@@ -64,7 +65,7 @@ void fail_too_deep(const TextCursor& cursor, int limit) {
   cursor.fail(ErrorCode::kLimitExceeded,
               "brackets are nested deeper than the limit of " + std::to_string(limit),
               cursor.position(),
-              ExceededLimit{"io::ReadLimits::max_depth", static_cast<std::uint64_t>(limit)});
+              ExceededLimit{"io::ReadOptions::max_depth", static_cast<std::uint64_t>(limit)});
 }
 
 DepthGuard::DepthGuard(const TextCursor& cursor, int& depth, int limit) : depth_(depth) {

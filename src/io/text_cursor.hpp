@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "minksum/io.hpp"
 
@@ -56,10 +57,14 @@ class TextCursor {
   }
   [[noreturn]] void fail_expected(const std::string& what) const;
 
+  /// Makes messages begin with the name of a record, such as "feature 3: ", from now on.
+  void name_record(std::string name) { record_ = std::move(name); }
+
  private:
   std::string_view text_;
   Counts counts_;
   std::size_t position_ = 0;
+  std::string record_;
 };
 
 /// Counts one level of nesting while it lives, and fails beyond the limit.

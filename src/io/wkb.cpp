@@ -1,4 +1,5 @@
 // Reads and writes well-known binary: that of the OGC and ISO, and PostGIS's extended form.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -78,18 +79,17 @@ Value load(std::string_view bytes, bool little) {
 
 class WkbReader {
  public:
-  WkbReader(std::string_view bytes, const ReadLimits& limits, Rules rules)
-      : cursor_(bytes, TextCursor::Counts::kBytes),
-        limits_(limits),
-        builder_(cursor_, limits, rules) {}
+  WkbReader(std::string_view bytes, const ReadOptions& options, GeometryBuilder& builder)
+      : cursor_(bytes, TextCursor::Counts::kBytes), options_(options), builder_(builder) {
+    builder_.follow(cursor_);
+  }
 
-  Geometry read() {
+  void read() {
     geometry(0);
     if (!cursor_.at_end()) {
       cursor_.fail("expected the end, found " + std::to_string(cursor_.rest().size()) +
                    " more bytes");
     }
-    return builder_.take();
   }
 
  private:
@@ -113,16 +113,20 @@ class WkbReader {
     if (member != 0 && code.kind != member) {
       fail_here("expected a " + std::string(kNames[member]) + ", found a " + name);
     }
-    if (code.has_z || code.has_m) {
-      fail_here(name + ' ' + (code.has_z ? "Z" : "") + (code.has_m ? "M" : "") +
-                " is not supported: only two coordinates are");
+    if ((code.has_z || code.has_m) && !options_.drop_z) {
+      fail_here(name + ' ' + (code.has_z ? "Z" : "") + (code.has_m ? "M" : "") + more_than_two());
     }
     if (code.kind > kCollection) fail_here(name + " is not supported");
     if (builder_.rules() == Rules::kRegion && code.kind != kPolygon && code.kind != kMultiPolygon &&
         code.kind != kCollection) {
       fail_here("a region needs polygons: " + name + " has no area");
     }
-    if (code.has_srid) static_cast<void>(take<std::uint32_t>("the reference system"));
+    if (code.has_srid) {
+      const std::size_t srid_place = cursor_.position();
+      const auto srid = static_cast<std::int32_t>(take<std::uint32_t>("the reference system"));
+      builder_.set_srid(std::max(srid, 0), srid_place);
+    }
+    dropped_ = (std::size_t{code.has_z} + std::size_t{code.has_m}) * sizeof(double);
     content(code.kind);
   }
 
@@ -137,13 +141,13 @@ class WkbReader {
       default:
         break;
     }
-    if (depth_ >= limits_.max_depth) {
+    if (depth_ >= options_.max_depth) {
       cursor_.fail(
           ErrorCode::kLimitExceeded,
-          "collections are nested deeper than the limit of " + std::to_string(limits_.max_depth),
+          "collections are nested deeper than the limit of " + std::to_string(options_.max_depth),
           cursor_.position(),
-          ExceededLimit{"io::ReadLimits::max_depth",
-                        static_cast<std::uint64_t>(limits_.max_depth)});
+          ExceededLimit{"io::ReadOptions::max_depth",
+                        static_cast<std::uint64_t>(options_.max_depth)});
     }
     ++depth_;
     const std::uint32_t member = kind == kCollection ? 0 : kind - kMultiPoint + kPoint;
@@ -156,15 +160,14 @@ class WkbReader {
   // The empty point has no numbers as coordinates.
   void point() {
     const std::size_t start = cursor_.position();
-    const auto x = take<double>("a coordinate");
-    const auto y = take<double>("a coordinate");
+    const auto [x, y] = doubles();
     if (std::isnan(x) && std::isnan(y)) return;
     builder_.add_point(number(x, start), number(y, start + sizeof(double)));
   }
 
   void line() {
     builder_.begin_line();
-    for (auto left = take_count("points", 2 * sizeof(double)); left > 0; --left) {
+    for (auto left = take_count("points", 2 * sizeof(double) + dropped_); left > 0; --left) {
       const auto [x, y] = position();
       builder_.add_to_line(x, y);
     }
@@ -176,7 +179,8 @@ class WkbReader {
     if (left > 0) builder_.begin_polygon();
     for (; left > 0; --left) {
       builder_.begin_closed_ring();
-      for (auto points = take_count("points", 2 * sizeof(double)); points > 0; --points) {
+      for (auto points = take_count("points", 2 * sizeof(double) + dropped_); points > 0;
+           --points) {
         auto [x, y] = position();
         builder_.add_to_closed_ring(std::move(x), std::move(y));
       }
@@ -186,9 +190,17 @@ class WkbReader {
 
   std::pair<Number, Number> position() {
     const std::size_t start = cursor_.position();
+    const auto [x, y] = doubles();
+    return {number(x, start), number(y, start + sizeof(double))};
+  }
+
+  std::pair<double, double> doubles() {
     const auto x = take<double>("a coordinate");
     const auto y = take<double>("a coordinate");
-    return {number(x, start), number(y, start + sizeof(double))};
+    if (cursor_.rest().size() < dropped_)
+      cursor_.fail("expected a height or measure, found the end");
+    cursor_.advance(dropped_);
+    return {x, y};
   }
 
   Number number(double value, std::size_t place) const {
@@ -232,8 +244,9 @@ class WkbReader {
   }
 
   TextCursor cursor_;
-  const ReadLimits& limits_;
-  GeometryBuilder builder_;
+  const ReadOptions& options_;
+  GeometryBuilder& builder_;
+  std::size_t dropped_ = 0;  ///< bytes of each point behind x and y
   bool little_ = true;
   int depth_ = 0;
 };
@@ -343,8 +356,8 @@ bool looks_like_wkb(std::string_view bytes) {
   return Code(load<std::uint32_t>(bytes.substr(1), bytes[0] == 1)).kind != 0;
 }
 
-Geometry read_wkb(std::string_view bytes, const ReadLimits& limits, Rules rules) {
-  return WkbReader(bytes, limits, rules).read();
+void read_wkb(std::string_view bytes, const ReadOptions& options, GeometryBuilder& builder) {
+  WkbReader(bytes, options, builder).read();
 }
 
 void write_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {

@@ -1,5 +1,7 @@
 // Reads and writes well-known text: polygons, lines, points, several of each, and collections.
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "io/formats.hpp"
@@ -12,20 +14,17 @@ namespace {
 
 class WktReader {
  public:
-  WktReader(std::string_view text, const ReadLimits& limits, Rules rules)
-      : cursor_(text), limits_(limits), builder_(cursor_, limits, rules) {}
+  WktReader(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& builder)
+      : cursor_(cursor), options_(options), builder_(builder) {}
 
-  Geometry read() {
-    skip_srid();
+  void read() {
+    srid();
     geometry();
-    cursor_.skip_space();
-    if (!cursor_.at_end()) cursor_.fail_expected("the end of the text");
-    return builder_.take();
   }
 
  private:
-  // PostGIS writes a prefix such as `SRID=4326;`, which says nothing about the shape.
-  void skip_srid() {
+  // PostGIS writes a prefix such as `SRID=4326;`. Its numbers below 0 mean unknown, as 0 does.
+  void srid() {
     cursor_.skip_space();
     const std::size_t start = cursor_.position();
     if (cursor_.take_word() != "SRID") {
@@ -33,9 +32,14 @@ class WktReader {
       return;
     }
     if (!cursor_.accept('=')) cursor_.fail_expected("'=' after SRID");
-    cursor_.accept('-');
-    static_cast<void>(scan_count(cursor_, "the number of the reference system"));
+    const std::size_t place = cursor_.position();
+    const bool negative = cursor_.accept('-');
+    const std::size_t number = scan_count(cursor_, "the number of the reference system");
+    if (number > std::numeric_limits<std::int32_t>::max()) {
+      cursor_.fail(ErrorCode::kBadInput, "the number of a reference system has 31 bits", place);
+    }
     if (!cursor_.accept(';')) cursor_.fail_expected("';' after the SRID");
+    if (!negative) builder_.set_srid(static_cast<std::int32_t>(number), place);
   }
 
   void geometry() {
@@ -43,12 +47,12 @@ class WktReader {
     const std::size_t start = cursor_.position();
     std::string word = cursor_.take_word();
     const std::string dimension = take_dimension(word);
-    if (!dimension.empty()) {
-      cursor_.fail(ErrorCode::kBadInput,
-                   word + ' ' + dimension + " is not supported: only two coordinates are", start);
+    if (!dimension.empty() && !options_.drop_z) {
+      cursor_.fail(ErrorCode::kBadInput, word + ' ' + dimension + more_than_two(), start);
     }
+    coordinates_ = dimension.empty() ? 0 : 2 + dimension.size();
     if (word == "GEOMETRYCOLLECTION") {
-      const DepthGuard guard(cursor_, depth_, limits_.max_depth);
+      const DepthGuard guard(cursor_, depth_, options_.max_depth);
       if (!accept_empty()) list([this] { geometry(); });
     } else if (!areas(word) && (builder_.rules() == Rules::kRegion || !thin_parts(word))) {
       cursor_.move_to(start);
@@ -131,7 +135,7 @@ class WktReader {
     for (const char c : cursor_.rest()) {
       if (is_space(c)) continue;
       if (c != '(') return;
-      if (++depth > limits_.max_depth) fail_too_deep(cursor_, limits_.max_depth);
+      if (++depth > options_.max_depth) fail_too_deep(cursor_, options_.max_depth);
     }
   }
 
@@ -213,22 +217,44 @@ class WktReader {
     cursor_.skip_space();
     Number y = coordinate();
     const char next = cursor_.peek();
-    if (next != ',' && next != ')') fail_on_third_coordinate(next);  // nearly always one of the two
+    if ((next == ',' || next == ')') && coordinates_ == 0) {  // nearly always
+      coordinates_ = 2;
+    } else if (coordinates_ != 2 || (next != ',' && next != ')')) {
+      further_coordinates();
+    }
     return {std::move(x), std::move(y)};
   }
 
-  void fail_on_third_coordinate(char next) {
-    cursor_.skip_space();
-    const char after = cursor_.peek();
-    if (is_space(next) && (is_digit(after) || after == '-' || after == '+' || after == '.')) {
-      cursor_.fail("a point has three coordinates; only two are supported");
+  // Passes over what a point has beyond x and y. All points of a geometry must have the same.
+  void further_coordinates() {
+    std::size_t count = 2;
+    std::size_t place = cursor_.position();
+    while (is_space(cursor_.peek())) {
+      cursor_.skip_space();
+      const char c = cursor_.peek();
+      if (!is_digit(c) && !is_letter(c) && c != '-' && c != '+' && c != '.') break;
+      place = cursor_.position();
+      if (!options_.drop_z) cursor_.fail("a point" + more_than_two());
+      if (++count > 4) cursor_.fail("a point has more than four coordinates");
+      // Programs write heights that they do not know as NaN.
+      if (!is_letter(c) || cursor_.take_word() != "NAN") {
+        cursor_.move_to(place);
+        static_cast<void>(scan_number(cursor_, NumberSyntax::kLenient));
+      }
     }
+    if (coordinates_ == 0) coordinates_ = count;
+    if (count == coordinates_) return;
+    cursor_.fail(ErrorCode::kBadInput,
+                 "a point has " + std::to_string(count) + " coordinates, where " +
+                     std::to_string(coordinates_) + " are expected",
+                 place);
   }
 
-  TextCursor cursor_;
-  const ReadLimits& limits_;
-  GeometryBuilder builder_;
+  TextCursor& cursor_;
+  const ReadOptions& options_;
+  GeometryBuilder& builder_;
   int depth_ = 0;
+  std::size_t coordinates_ = 0;  ///< of each point of this geometry; 0 = not known yet
 };
 
 // The OGC's standard puts parentheses around each point of a MULTIPOINT.
@@ -243,8 +269,8 @@ constexpr Notation kNotation{{"POLYGON ", "MULTIPOLYGON ", "LINESTRING ", "MULTI
 
 }  // namespace
 
-Geometry read_wkt(std::string_view text, const ReadLimits& limits, Rules rules) {
-  return WktReader(text, limits, rules).read();
+void read_wkt(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& builder) {
+  WktReader(cursor, options, builder).read();
 }
 
 void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {

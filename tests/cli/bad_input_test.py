@@ -79,8 +79,6 @@ TABLE = [
     ("GeoJSON open ring", geojson("Polygon", [RING[:-1]]), 2, "polygon 1, ring 1"),
     ("GeoJSON line of one point", geojson("LineString", [[0, 0]]), 2, "a line has 1 point"),
     ("GeoJSON point with a height", geojson("Point", [0, 0, 1]), 2, "coordinates"),
-    ("GeoJSON feature without geometry", '{"type":"Feature","properties":{},"geometry":null}', 2,
-     "geometry"),
     ("GeoJSON number 1e400000", '{"type":"Polygon","coordinates":[[[1e400000,0],[1,0],[1,1],[0,0]]]}',
      3, "4096"),
     ("JSON string not in UTF-8", b'{"type": "Point", "coordinates": [1, 2],\n "n": "a\xe9b"}', 2,

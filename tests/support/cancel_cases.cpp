@@ -139,7 +139,7 @@ std::vector<Unary> unary_operations() {
     std::ostringstream out;
     io::Coordinates exact{io::Coordinates::Style::kExact, 6, c.cancel};
     io::write(out, a, io::Format::kWkt, exact);
-    io::ReadLimits limits;
+    io::ReadOptions limits;
     limits.cancel = c.cancel;
     static_cast<void>(io::read_geometry(out.str(), limits));
   });

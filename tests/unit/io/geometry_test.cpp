@@ -251,7 +251,7 @@ TEST(Geometries, VerticesAreCounted) {
       {"3 0 0 1 0 0 1", 3},
   };
   for (const auto& [text, vertices] : table) {
-    ReadLimits limits;
+    ReadOptions limits;
     limits.max_vertices = vertices;
     EXPECT_NO_THROW(static_cast<void>(read_geometry(text, limits))) << text;
     limits.max_vertices = vertices - 1;
@@ -267,24 +267,27 @@ TEST(Geometries, VerticesAreCounted) {
   }
 }
 
+std::optional<std::string> properties_of(const std::string& text) {
+  return read_document(text).properties;
+}
+
 TEST(Properties, AreThoseOfTheOnlyFeature) {
   const std::string geometry = R"("geometry":{"type":"Point","coordinates":[1,2]})";
   const std::string feature =
       R"({"type":"Feature","properties":{"n": 1.50, "s":"\u00e9"},)" + geometry + "}";
   const std::string properties = R"({"n": 1.50, "s":"\u00e9"})";
-  EXPECT_EQ(feature_properties(feature), properties);
-  EXPECT_EQ(feature_properties("\xEF\xBB\xBF " + feature), properties);
-  EXPECT_EQ(feature_properties(R"({"features":[)" + feature + R"( ],"type":"FeatureCollection"})"),
+  EXPECT_EQ(properties_of(feature), properties);
+  EXPECT_EQ(properties_of("\xEF\xBB\xBF " + feature), properties);
+  EXPECT_EQ(properties_of(R"({"features":[)" + feature + R"( ],"type":"FeatureCollection"})"),
             properties);
-  EXPECT_EQ(feature_properties(R"({"type":"Feature",)" + geometry + "}"), "null");
-  EXPECT_EQ(feature_properties(R"({"properties": null ,"type":"Feature",)" + geometry + "}"),
-            "null");
+  EXPECT_EQ(properties_of(R"({"type":"Feature",)" + geometry + "}"), "null");
+  EXPECT_EQ(properties_of(R"({"properties": null ,"type":"Feature",)" + geometry + "}"), "null");
   for (const std::string& other :
        {R"({"type":"FeatureCollection","features":[)" + feature + "," + feature + "]}",
         std::string(R"({"type":"FeatureCollection","features":[]})"),
         std::string(R"({"type":"Point","coordinates":[1,2],"properties":{"a":1}})"),
-        std::string("POINT (1 2)"), std::string()}) {
-    EXPECT_EQ(feature_properties(other), std::nullopt) << other;
+        std::string("POINT (1 2)")}) {
+    EXPECT_EQ(properties_of(other), std::nullopt) << other;
   }
 }
 

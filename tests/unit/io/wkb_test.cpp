@@ -144,11 +144,11 @@ TEST(Wkb, RefusalsNameTheByte) {
   for (int i = 0; i < 33; ++i) nested = Bytes(true).code(7).number(1).add(nested).text();
   const std::vector<Refusal> refusals = {
       {Bytes(true).code(1003).number(0).text(),
-       "byte 2: POLYGON Z is not supported: only two coordinates are"},
+       "byte 2: POLYGON Z has more than two coordinates (io::ReadOptions::drop_z keeps x and y)"},
       {Bytes(true).code(0xC000'0001).text(),
-       "byte 2: POINT ZM is not supported: only two coordinates are"},
+       "byte 2: POINT ZM has more than two coordinates (io::ReadOptions::drop_z keeps x and y)"},
       {Bytes(false).code(2001).text(),
-       "byte 2: POINT M is not supported: only two coordinates are"},
+       "byte 2: POINT M has more than two coordinates (io::ReadOptions::drop_z keeps x and y)"},
       {Bytes(true).code(8).number(0).text(), "byte 2: CIRCULARSTRING is not supported"},
       {Bytes(true).code(6).number(1).add(Bytes(true).code(2).number(0).text()).text(),
        "byte 11: expected a POLYGON, found a LINESTRING"},
@@ -168,19 +168,20 @@ TEST(Wkb, RefusalsNameTheByte) {
       {nested, "byte 294: collections are nested deeper than the limit of 32",
        ErrorCode::kLimitExceeded},
   };
-  const auto expect_refused = [](const Refusal& refusal, const std::string& text) {
+  const auto expect_refused = [](const Refusal& refusal, const std::string& text,
+                                 std::size_t line) {
     try {
       static_cast<void>(read_geometry(text));
       ADD_FAILURE() << "no error: " << refusal.message;
     } catch (const ReadError& error) {
       EXPECT_EQ(std::string(error.what()), refusal.message);
       EXPECT_EQ(error.code(), refusal.code) << refusal.message;
-      EXPECT_EQ(error.line(), 0U);
+      EXPECT_EQ(error.line(), line);
     }
   };
   for (const Refusal& refusal : refusals) {
-    expect_refused(refusal, refusal.bytes);
-    if (refusal.bytes.size() >= 9) expect_refused(refusal, hex(refusal.bytes));
+    expect_refused(refusal, refusal.bytes, 0);
+    if (refusal.bytes.size() >= 9) expect_refused(refusal, "\n" + hex(refusal.bytes), 2);
   }
 }
 
@@ -198,7 +199,9 @@ TEST(Wkb, DigitsAreRefusedInTheirPlace) {
   EXPECT_EQ(refusal(digits + "0"),
             "1:20: expected a second hexadecimal digit of the byte, found the end of the text");
   EXPECT_EQ(refusal("\n" + digits + " g"),
-            "2:20: expected a hexadecimal digit, or the end, found 'g'");
+            "2:20: expected the end of the line or ';' after a geometry, found 'g'");
+  EXPECT_EQ(refusal(digits + "g"),
+            "1:19: expected a hexadecimal digit, or the end of the line, found 'g'");
 }
 
 TEST(Wkb, RegionsHavePolygonsAlone) {

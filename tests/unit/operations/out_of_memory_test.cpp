@@ -89,8 +89,9 @@ TEST(OutOfMemory, Reading) {
   for (const std::string& text : kTexts) {
     const Geometry expected = io::read_geometry(text);
     EXPECT_GT(fail_at_each([&] { return io::read_geometry(text) == expected; }), 5) << text;
-    const auto properties = io::feature_properties(text);
-    fail_at_each([&] { return io::feature_properties(text) == properties; });
+    const auto properties = io::read_document(text).properties;
+    fail_at_each([&] { return io::read_document(text).properties == properties; });
+    fail_at_each([&] { return io::FeatureReader(text).next()->geometry == expected; });
   }
 }
 

@@ -1,0 +1,166 @@
+// Tests that the features of a text are read one by one, with what they and the text say.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "minksum/io.hpp"
+
+namespace minksum::io {
+namespace {
+
+std::vector<Feature> features_of(FeatureReader& reader) {
+  std::vector<Feature> features;
+  while (auto feature = reader.next()) features.push_back(std::move(*feature));
+  EXPECT_FALSE(reader.next().has_value());
+  return features;
+}
+
+std::string refusal(const std::string& text, const ReadOptions& options = {}) {
+  try {
+    static_cast<void>(read_document(text, options));
+  } catch (const ReadError& error) {
+    return std::to_string(error.line()) + ':' + std::to_string(error.column()) + ": " +
+           error.what();
+  }
+  return "no error";
+}
+
+TEST(Features, OfACollection) {
+  const std::string text =
+      "\xEF\xBB\xBF{\"type\": \"FeatureCollection\", \"crs\": {\"n\": 1},\n"
+      R"("features": [{"type": "Feature", "id": "a", "properties": {"x": [1.50]},)"
+      "\n"
+      R"("geometry": {"type": "Point", "coordinates": [1, 2]}},)"
+      "\n"
+      R"({"type": "Feature", "geometry": null},)"
+      R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": []}},)"
+      "\n"
+      R"({"geometry": {"coordinates": [3, 4], "type": "Point"}, "id": 7, "type": "Feature"}]})";
+  FeatureReader reader(text);
+  const std::vector<Feature> features = features_of(reader);
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[0].geometry, (Geometry{{}, {}, {{1, 2}}}));
+  EXPECT_EQ(features[0].properties, R"({"x": [1.50]})");
+  EXPECT_EQ(features[0].id, "\"a\"");
+  EXPECT_EQ(features[0].index, 0U);
+  EXPECT_EQ(features[0].line, 2U);
+  EXPECT_EQ(features[1].geometry, (Geometry{{}, {}, {{3, 4}}}));
+  EXPECT_EQ(features[1].properties, "null");
+  EXPECT_EQ(features[1].id, "7");
+  EXPECT_EQ(features[1].index, 3U);
+  EXPECT_EQ(features[1].line, 5U);
+  EXPECT_EQ(reader.source().crs, R"({"n": 1})");
+  EXPECT_EQ(reader.source().features, 4U);
+  EXPECT_EQ(reader.source().null_geometries, 1U);
+  EXPECT_EQ(reader.source().empty_geometries, 1U);
+  const Document document = read_document(text);
+  EXPECT_EQ(document.geometry, (Geometry{{}, {}, {{1, 2}, {3, 4}}}));
+  EXPECT_EQ(document.source.features, 4U);
+  EXPECT_EQ(document.properties, std::nullopt);
+}
+
+// The features may stand before the type, and members behind them.
+TEST(Features, OfObjectsInAnyOrderAndNumber) {
+  const std::string collection =
+      R"({"features": [{"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]}}],)"
+      R"( "x": 1, "type": "FeatureCollection", "crs": null})";
+  const std::string point = R"({"type": "Point", "coordinates": [3, 4]})";
+  for (const char* between : {"\n", "\r\n", "\n\x1E", " \x1E", "\n\n"}) {
+    const std::string text = collection + between + point + between + collection + "\n";
+    FeatureReader reader(text);
+    EXPECT_EQ(features_of(reader).size(), 3U) << between;
+    EXPECT_EQ(read_geometry("\x1E" + text).points.size(), 3U) << between;
+  }
+  EXPECT_EQ(refusal(point + ' ' + point),
+            "1:42: expected the end of the line or of the text, found '{'");
+  EXPECT_EQ(refusal(point + "\n{}"), "2:1: feature 2: an object has no member \"type\"");
+  EXPECT_EQ(refusal(R"({"type":"FeatureCollection","features":[],"features":[]})"),
+            "1:54: a second member \"features\"");
+}
+
+TEST(Features, OfAList) {
+  const std::string digits = "0101000000000000000000f03f0000000000000040";
+  const std::string text = "# a list\n\nSRID=5;POINT (1 2); LINESTRING (0 0,\n 1 1)\n\"" + digits +
+                           "\"\n" + digits + " # c\n'POINT (3 4)';;POINT EMPTY\n";
+  EXPECT_EQ(refusal(text).substr(0, 60),
+            "7:15: geometry 6: expected POLYGON, LINESTRING, POINT, MULTI");
+  const std::string good = text.substr(0, text.find(";;")) + ";\nPOINT EMPTY;\n";
+  FeatureReader reader(good);
+  const std::vector<Feature> features = features_of(reader);
+  ASSERT_EQ(features.size(), 5U);
+  EXPECT_EQ(features[0].line, 3U);
+  EXPECT_EQ(features[1].geometry, (Geometry{{}, {{{0, 0}, {1, 1}}}, {}}));
+  EXPECT_EQ(features[2].geometry, (Geometry{{}, {}, {{1, 2}}}));
+  EXPECT_EQ(features[2].line, 5U);
+  EXPECT_EQ(features[4].geometry, (Geometry{{}, {}, {{3, 4}}}));
+  EXPECT_EQ(features[4].properties, "");
+  EXPECT_EQ(reader.source().srid, 5);
+  EXPECT_EQ(reader.source().features, 6U);
+  EXPECT_EQ(reader.source().empty_geometries, 1U);
+  EXPECT_EQ(features_of(reader).size(), 0U);
+  FeatureReader broken("POINT (1 2)\nPOINT (3)\nPOINT (5 6)");
+  EXPECT_TRUE(broken.next().has_value());
+  EXPECT_THROW(static_cast<void>(broken.next()), ReadError);
+  EXPECT_FALSE(broken.next().has_value());
+}
+
+// Each feature counts its own polygons and vertices.
+TEST(Features, ErrorsNameTheFeature) {
+  const std::string triangle = "POLYGON ((0 0, 1 0, 0 1, 0 0))\n";
+  EXPECT_EQ(refusal(triangle + "POLYGON ((0 0, 1 0))"),
+            "2:10: geometry 2: polygon 1, ring 1 is not closed: its last point must repeat the "
+            "first");
+  const std::string two = triangle + triangle;
+  FeatureReader reader(two, {.max_vertices = 3});
+  EXPECT_EQ(features_of(reader).size(), 2U);
+  EXPECT_EQ(refusal(triangle + triangle, {.max_vertices = 3}),
+            "2:19: geometry 2: more vertices than the limit of 3");
+}
+
+TEST(Features, ReferenceSystemsAgree) {
+  EXPECT_EQ(read_document("SRID=4326;POINT (1 2)\nPOINT (3 4)\nSRID=4326;POINT EMPTY").source.srid,
+            4326);
+  EXPECT_EQ(read_document("SRID=0;POINT (1 2)\nSRID=-1;POINT (3 4)").source.srid, std::nullopt);
+  EXPECT_EQ(refusal("SRID=1;POINT (1 2)\nSRID=2;POINT (1 2)"),
+            "2:6: geometry 2: the reference system 2 differs from that of earlier geometries, 1; "
+            "transform one of them first");
+  EXPECT_EQ(refusal("SRID=3000000000;POINT (1 2)"),
+            "1:6: the number of a reference system has 31 bits");
+  EXPECT_EQ(refusal("0101000020e6100000000000000000f03f0000000000000040\nSRID=1;POINT (1 2)"),
+            "2:6: geometry 2: the reference system 1 differs from that of earlier geometries, "
+            "4326; transform one of them first");
+  EXPECT_EQ(
+      refusal(R"({"type":"FeatureCollection","crs":1,"features":[{"crs":2}]})"),
+      "1:56: feature 1: this \"crs\" differs from an earlier one; transform one of them first");
+}
+
+TEST(Features, CoordinatesBeyondTwoAreDroppedOnRequest) {
+  const ReadOptions drop{.drop_z = true};
+  const Geometry point{{}, {}, {{1, 2}}};
+  for (const char* text :
+       {"POINT Z (1 2 3)", "POINTZ(1 2 3)", "POINT M (1 2 3)", "POINT ZM (1 2 3 4)",
+        "POINT (1 2 3)", "POINT (1 2 3 4)", "POINT Z (1 2 NaN)", "POINT (1 2 -1e9)", "POINT (1 2)",
+        R"({"type":"Point","coordinates":[1,2,3]})", R"({"type":"Point","coordinates":[1,2,3,4]})",
+        "0101000080000000000000f03f00000000000000400000000000000840",
+        "01e9030000000000000000f03f00000000000000400000000000000840",
+        "01b90b0000000000000000f03f000000000000004000000000000008400000000000000840"}) {
+    EXPECT_EQ(read_document(text, drop).geometry, point) << text;
+    if (std::string(text) == "POINT (1 2)") continue;
+    EXPECT_NE(refusal(text).find("(io::ReadOptions::drop_z keeps x and y)"), std::string::npos)
+        << refusal(text);
+  }
+  EXPECT_TRUE(read_document("POLYGON Z EMPTY", drop).geometry.empty());
+  EXPECT_EQ(refusal("LINESTRING (1 2, 3 4 5)", drop),
+            "1:22: a point has 3 coordinates, where 2 are expected");
+  EXPECT_EQ(refusal("LINESTRING Z (1 2, 3 4 5)", drop),
+            "1:18: a point has 2 coordinates, where 3 are expected");
+  EXPECT_EQ(refusal("POINT (1 2 3 4 5)", drop), "1:16: a point has more than four coordinates");
+  EXPECT_EQ(refusal("POINT (1 2 x)", drop), "1:12: expected a number, found 'x'");
+  EXPECT_EQ(refusal("0101000080000000000000f03f0000000000000040", drop),
+            "1:1: byte 22: expected a height or measure, found the end");
+}
+
+}  // namespace
+}  // namespace minksum::io
