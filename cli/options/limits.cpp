@@ -4,6 +4,7 @@
 #include <limits>
 #include <string_view>
 
+#include "options/drawing_options.hpp"
 #include "process/process.hpp"
 
 namespace minksum::cli {
@@ -117,6 +118,8 @@ void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) 
   add_seconds(command, limits.seconds, "Time for everything (default: none)");
   command.add_flag("--drop-z", limits.read.drop_z,
                    "Drop heights and measures (Z, M) of operands; they are errors otherwise");
+  // An offset has a tolerance and a side of its own, which hold for its operand, too.
+  add_drawing_options(command, limits.read.drawing, command.name() == "offset");
 }
 
 void add_max_crossings(const Command& command, std::uint64_t& most, const char* what) {

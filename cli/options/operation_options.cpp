@@ -147,8 +147,8 @@ Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits&
   command
       .add_option(
           "--tolerance",
-          [&shape](const std::string& text) {
-            shape.tolerance = parse_number("--tolerance", text);
+          [&shape, &limits](const std::string& text) {
+            limits.read.drawing.tolerance = shape.tolerance = parse_number("--tolerance", text);
             if (shape.tolerance->sign() > 0) return;
             throw Failure(kWrongUsage, "--tolerance must be positive");
           },

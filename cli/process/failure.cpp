@@ -77,7 +77,12 @@ std::string with_option(const Error& error) {
 // Names the program's option instead of the library's.
 std::string with_reading_option(std::string message) {
   constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
-      {"io::ReadOptions::drop_z", "--drop-z"}, {"io::ReadOptions::column", "--column"}};
+      {"io::ReadOptions::drop_z", "--drop-z"},
+      {"io::ReadOptions::column", "--column"},
+      {"io::DrawingOptions::tolerance", "--tolerance"},
+      {"io::DrawingOptions::side", "--side"},
+      {"io::DrawingOptions::layer", "--layer"},
+      {"io::DrawingOptions::join_ends", "--join-ends"}};
   for (const auto& [member, option] : kOptions) {
     const std::size_t at = message.find(member);
     if (at != std::string::npos) message.replace(at, member.size(), option);
@@ -144,6 +149,11 @@ io::Document read_operand(const std::string& file, const io::ReadOptions& limits
     io::Document document = io::read_document_file(file, limits);
     if (const auto skipped = note_of_skipped(document.source)) {
       note(shown_name(file) + ": " + *skipped);
+    }
+    const io::SourceInfo& source = document.source;
+    if (!source.unit.empty()) {
+      note(shown_name(file) + ": a drawing, whose unit is " + source.unit +
+           (source.remarks.empty() ? "" : "; " + source.remarks));
     }
     tell_detail(shown_name(file) + ": " + summary(document.geometry));
     return document;

@@ -13,6 +13,7 @@
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
 #include "minksum/region.hpp"
+#include "minksum/round.hpp"
 
 namespace minksum::io {
 
@@ -22,8 +23,9 @@ enum class Format {
   kGeoJson,  ///< RFC 7946
   kPoly,     ///< `.poly`: chains of points, and which of them are holes
   kDat,      ///< `.dat`: CGAL's plain polygons, which are only read
-  kSvg,      ///< a picture, which is only written
+  kSvg,      ///< Scalable Vector Graphics: drawings when read, pictures when written
   kWkb,  ///< Well-Known Binary; when read, also PostGIS's form, and either in hexadecimal digits
+  kDxf,  ///< Drawing Exchange Format of AutoCAD, which is only read
 };
 
 /// An error in a text, with its place. Lines and columns count from 1; 0 means not known.
@@ -43,6 +45,21 @@ class MINKSUM_API ReadError : public Error {
   std::size_t column_;
 };
 
+/// Says how drawings are read (SVG and DXF).
+struct DrawingOptions {
+  /// How far the polyline of a curve may be off, in the unit of the result. A drawing with curves
+  /// is an error without it. So is one with shapes that are turned by angles whose sines are
+  /// irrational. Must be positive.
+  std::optional<Rational> tolerance = {};
+  /// kOutside: areas contain those of the drawing. kInside: they are contained. kNearest: they have
+  /// fewer vertices.
+  RoundingSide side = RoundingSide::kNearest;
+  std::string layer = {};  ///< reads this layer alone; "" = all that are shown
+  /// Joins ends of outlines that are at most so far apart by straight pieces. Without it, only
+  /// equal ends are joined. DXF draws an outline in pieces. Must not be negative.
+  Rational join_ends = {};
+};
+
 /// Says how a text is read, and within which limits. Exceeding a limit is a
 /// ReadError(kLimitExceeded) that names it. A token that is cancelled leads to Error(kCancelled).
 struct ReadOptions {
@@ -55,6 +72,7 @@ struct ReadOptions {
   bool drop_z = false;
   /// Names the column of a table (CSV) that holds the geometries. Without a name it is found.
   std::string column = {};
+  DrawingOptions drawing = {};  ///< how drawings are read
 };
 
 /// What a text says once about all that it holds, and how much of it has no shape.
@@ -65,6 +83,8 @@ struct SourceInfo {
   std::size_t features = 0;          ///< features, including those without a shape
   std::size_t null_geometries = 0;   ///< features whose geometry is `null`, or an empty cell
   std::size_t empty_geometries = 0;  ///< features whose geometry is empty
+  std::string unit = {};     ///< what the coordinates of a drawing count, such as "mm"; or ""
+  std::string remarks = {};  ///< on a drawing, such as "not read: 2 TEXT, 1 HATCH"; or ""
 };
 
 /// All that a text holds, as one set.

@@ -14,6 +14,8 @@ namespace minksum::io {
 // Readers of a whole text, which is one feature.
 void read_poly(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
 void read_dat(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
+void read_svg(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
+void read_dxf(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
 void read_wkb(std::string_view bytes, const ReadOptions& options, GeometryBuilder& builder);
 
 // Readers of one geometry at the cursor. Something else may follow it.
@@ -25,6 +27,11 @@ void read_wkt_or_hex_wkb(TextCursor& cursor, const ReadOptions& options, Geometr
 
 /// Returns the text without a mark of UTF-8 at its beginning.
 [[nodiscard]] std::string_view without_mark(std::string_view text);
+
+/// Tells whether the text is XML whose first element is `svg`.
+[[nodiscard]] bool looks_like_svg(std::string_view text);
+/// Tells whether the text begins as a DXF drawing in ASCII.
+[[nodiscard]] bool looks_like_dxf(std::string_view text);
 
 /// Throws a ReadError that names the format, if the text begins as files of a format that is not
 /// read.

@@ -85,6 +85,11 @@ class GeometryBuilder {
 
   void add_point(const Number& x, const Number& y);
 
+  /// Makes a geometry the feature. Vertices were counted while it was made.
+  void set_feature(Geometry geometry) {
+    vertices_ += std::size_t{geometry.empty() ? 0U : 1U};
+    geometry_ = std::move(geometry);
+  }
   /// Returns what was read since the last time.
   [[nodiscard]] Geometry take() {
     vertices_ = 0;

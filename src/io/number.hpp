@@ -18,6 +18,7 @@ struct Number {
 
 enum class NumberSyntax {
   kLenient,  ///< [+-] digits, also `.5`, `5.`, exponents and `p/q`
+  kPlain,    ///< the same without `p/q`
   kJson,     ///< the numbers that JSON allows
 };
 

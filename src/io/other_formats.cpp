@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "io/drawing/xml.hpp"
 #include "io/formats.hpp"
 #include "io/text_cursor.hpp"
 
@@ -14,8 +15,7 @@ constexpr const char* kByGdal =
 constexpr const char* kUnpack = "unpack it first";
 constexpr const char* kPicture =
     "a picture has no coordinates that could be read; take the file that it was made from";
-constexpr const char* kDrawing =
-    "export its outlines as WKT or GeoJSON, with curves replaced by short lines";
+constexpr const char* kDrawing = "export its outlines as SVG or as DXF in ASCII";
 
 struct Other {
   std::string_view begin;
@@ -56,7 +56,6 @@ constexpr std::array kOthers = {
 
 // By the name of a document's first element, without its prefix and in lower case.
 constexpr std::array kElements = {
-    Other{"svg", "SVG", kDrawing},
     Other{"kml", "KML", kByGdal},
     Other{"featurecollection", "GML", kByGdal},
     Other{"gml", "GML", kByGdal},
@@ -75,8 +74,10 @@ std::string first_element(TextCursor cursor) {
     cursor.skip_space();
     if (cursor.rest().starts_with("<!--")) {
       skip_past("-->");
-    } else if (cursor.rest().starts_with("<?") || cursor.rest().starts_with("<!")) {
-      skip_past(">");
+    } else if (cursor.rest().starts_with("<?")) {
+      skip_past("?>");
+    } else if (cursor.rest().starts_with("<!")) {
+      cursor.advance(std::min(length_of_declaration(cursor.rest()), cursor.rest().size()));
     } else {
       break;
     }
@@ -95,9 +96,17 @@ std::string first_element(TextCursor cursor) {
   return name;
 }
 
-/// A DXF drawing has pairs of lines, a number and its value; the first pair begins a section. Pairs
-/// with 999 are comments.
-bool looks_like_dxf(TextCursor cursor) {
+[[noreturn]] void fail_other(const std::string& name, const std::string& advice) {
+  throw ReadError(ErrorCode::kBadInput,
+                  "this looks like " + name + ", which is not read: " + advice, 1, 1);
+}
+
+}  // namespace
+
+// A DXF drawing has pairs of lines, a number and its value; the first pair begins a section. Pairs
+// with 999 are comments.
+bool looks_like_dxf(std::string_view text) {
+  TextCursor cursor(text);
   const auto take_line = [&cursor] {
     const std::string_view rest = cursor.rest();
     const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -113,22 +122,17 @@ bool looks_like_dxf(TextCursor cursor) {
   }
 }
 
-[[noreturn]] void fail_other(const std::string& name, const std::string& advice) {
-  throw ReadError(ErrorCode::kBadInput,
-                  "this looks like " + name + ", which is not read: " + advice, 1, 1);
-}
-
-}  // namespace
+bool looks_like_svg(std::string_view text) { return first_element(TextCursor(text)) == "svg"; }
 
 void refuse_other_formats(std::string_view text) {
   for (const Other& other : kOthers) {
     if (text.starts_with(other.begin)) fail_other(other.name, other.advice);
   }
   TextCursor cursor(text);
-  if (looks_like_dxf(cursor)) fail_other("a DXF drawing", kDrawing);
   cursor.skip_space();
   if (cursor.peek() != '<') return;
   const std::string element = first_element(cursor);
+  if (element == "svg") return;
   for (const Other& other : kElements) {
     if (element == other.begin) fail_other(other.name, other.advice);
   }

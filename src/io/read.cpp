@@ -121,6 +121,8 @@ Format detect_format(std::string_view text) {
   TextCursor cursor(without_mark(text));
   cursor.skip_space();
   const char first = cursor.peek();
+  if (first == '<' && looks_like_svg(cursor.rest())) return Format::kSvg;
+  if (looks_like_dxf(cursor.rest())) return Format::kDxf;
   if (first == '{' || first == '[' || first == '\x1E') return Format::kGeoJson;
   cursor.skip_space_and_comments();
   if (looks_like_hex_wkb(cursor.rest())) return Format::kWkb;
@@ -153,6 +155,10 @@ std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOpti
       return whole(content, read_poly);
     case Format::kDat:
       return whole(content, read_dat);
+    case Format::kSvg:
+      return whole(content, read_svg);
+    case Format::kDxf:
+      return whole(content, read_dxf);
     default:
       return record_source(content, options, rules);
   }

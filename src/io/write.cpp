@@ -24,9 +24,10 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
     case Format::kSvg:
       return write_svg(out, geometry);
     case Format::kDat:
+    case Format::kDxf:
       break;
   }
-  throw Error(ErrorCode::kBadInput, "regions are not written as .dat");
+  throw Error(ErrorCode::kBadInput, "regions are not written as .dat or as DXF");
 }
 
 template <class Set>

@@ -33,7 +33,6 @@ TABLE = [
     ("WKT cut after a ring", "POLYGON ((0 0, 1 0, 1 1, 0 0)", 2, ":1:30:"),
     ("WKT cut in a number", "POLYGON ((0 0, 1 0, 1 1, 0 0.", 2, ":1:"),
     ("WKT with text after it", SQUARE + " and more", 2, ":1:"),
-    ("two WKT geometries", SQUARE + "\n" + SQUARE, 2, ":2:1:"),
     ("WKT with NaN", "POLYGON ((0 0, nan 0, 1 1, 0 0))", 2, ":1:16:"),
     ("WKT with an infinity", "POLYGON ((0 0, 1 0, 1 inf, 0 0))", 2, ":1:"),
     ("WKT with a lone coordinate", "POLYGON ((0 0, 1, 1 1, 0 0))", 2, ":1:"),

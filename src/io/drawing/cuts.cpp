@@ -1,0 +1,184 @@
+#include "io/drawing/cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "minksum/error.hpp"
+
+namespace minksum::io {
+namespace {
+
+/// Cuts one part after the other, each piece as long as it may be.
+class Cutter {
+ public:
+  static constexpr std::size_t kMostPieces = std::size_t{1} << 20;
+
+  Cutter(const DoubleCurve& curve, double width, double diameter, Cancellation& cancellation)
+      : curve_(curve), width_(width), diameter_(diameter), cancellation_(cancellation) {}
+
+  std::vector<Piece> run() {
+    const std::size_t last = curve_.size() - 1;
+    for (std::size_t part = 0; part < last; ++part) cut_evenly(part, 0, 1);
+    // The last piece ends with the curve, and so it is found backwards.
+    double begin = last == 0 ? longest(0, 0, 1, true).end : 0;
+    double end = longest(last, 0, 1, false).begin;
+    if (last == 0 && begin >= end) begin = end = (begin + end) / 2;
+    if (last == 0) add(0, 0, begin);
+    if (begin < end) cut_evenly(last, begin, end);
+    add(last, end, 1);
+    return std::move(pieces_);
+  }
+
+ private:
+  [[nodiscard]] Piece piece(std::size_t part, double begin, double end) const {
+    cancellation_.check(300);
+    Piece result{part, begin, end, false, measure(curve_, part, begin, end)};
+    const Extent& extent = result.extent;
+    const bool fits = extent.regular && extent.left + extent.right <= width_ && extent.length > 0;
+    result.boxed = !fits && extent.diameter <= diameter_;
+    if (!fits && !result.boxed) result.extent.length = -1;
+    return result;
+  }
+  static bool fits(const Piece& piece) { return piece.extent.length >= 0; }
+
+  void add(std::size_t part, double begin, double end) {
+    pieces_.push_back(piece(part, begin, end));
+  }
+
+  /// Returns the longest piece that fits and begins at `begin`, or that ends at `end`.
+  [[nodiscard]] Piece longest(std::size_t part, double begin, double end, bool forwards) const {
+    constexpr double kShortest = 0x1p-40;
+    const auto of_size = [&](double size) {
+      return forwards ? piece(part, begin, begin + size) : piece(part, end - size, end);
+    };
+    const double whole = end - begin;
+    Piece best = piece(part, begin, end);
+    if (fits(best)) return best;
+    double low = 0;
+    double high = whole;
+    double size = std::min(whole, guess_);
+    // Widths grow about as squares of lengths. So few steps find a piece that is nearly the
+    // longest.
+    for (int step = 0; low < 0.97 * high; ++step) {
+      const Piece tried = of_size(size);
+      const double width = tried.extent.left + tried.extent.right;
+      if (fits(tried)) {
+        best = tried;
+        low = size;
+      } else {
+        high = size;
+      }
+      if (low == 0 && size < kShortest) {
+        throw Error(ErrorCode::kLimitExceeded,
+                    "a curve is not smooth enough to be flattened within the tolerance");
+      }
+      const double grown = size * std::sqrt(0.99 * width_ / std::max(width, 1e-3 * width_));
+      const bool inside = grown > low && grown < high && step % 3 != 2;
+      size = inside ? grown : low == 0 ? high / 4 : (low + high) / 2;
+    }
+    guess_ = low;
+    return best;
+  }
+
+  [[nodiscard]] std::vector<Piece> cut_by(double width, std::size_t part, double begin,
+                                          double end) {
+    const double kept = std::exchange(width_, width);
+    std::vector<Piece> pieces;
+    while (begin < end) {
+      pieces.push_back(longest(part, begin, end, true));
+      begin = pieces.back().end;
+      if (pieces.size() > kMostPieces) {
+        throw Error(ErrorCode::kLimitExceeded,
+                    "a curve would have more than 2^20 vertices by this tolerance");
+      }
+    }
+    width_ = kept;
+    return pieces;
+  }
+
+  /// Cuts from `begin` to `end` into pieces of about equal widths.
+  void cut_evenly(std::size_t part, double begin, double end) {
+    std::vector<Piece> pieces = cut_by(width_, part, begin, end);
+    const std::size_t count = pieces.size();
+    if (count > 1) {
+      const Extent& last = pieces.back().extent;
+      const double share = std::sqrt(std::min((last.left + last.right) / width_, 1.0));
+      const double even = (static_cast<double>(count) - 1 + share) / static_cast<double>(count);
+      std::vector<Piece> others =
+          cut_by(width_ * std::min(even * even * 1.05, 1.0), part, begin, end);
+      if (others.size() == count) pieces = std::move(others);
+    }
+    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+  }
+
+  const DoubleCurve& curve_;
+  double width_;
+  double diameter_;
+  Cancellation& cancellation_;
+  mutable double guess_ = 1;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+DoubleCurve middle_of(const Curve& curve) {
+  DoubleCurve result;
+  for (const Bezier<Interval>& part : curve.parts) {
+    Bezier<double> near;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      near.push_back({part[i].x.middle(), part[i].y.middle(), part[i].w.middle()});
+    }
+    result.push_back(near);
+  }
+  return result;
+}
+
+Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double end) {
+  const Bezier<double> piece = curve[part].between(begin, end);
+  const bool at_begin = part == 0 && begin == 0;
+  const bool at_end = part + 1 == curve.size() && end == 1;
+  const auto [x, y] = piece.front();
+  const Vector<double> last = piece.back();
+  Extent extent;
+  extent.chord = {last.x - x, last.y - y};
+  const double length = extent.length = std::hypot(extent.chord.x, extent.chord.y);
+  const double dx = extent.chord.x / length;
+  const double dy = extent.chord.y / length;
+  double before = 0;
+  double low_x = x, high_x = x, low_y = y, high_y = y;
+  for_each_control(piece, [&](const Vector<double>& p) {
+    low_x = std::min(low_x, p.x);
+    high_x = std::max(high_x, p.x);
+    low_y = std::min(low_y, p.y);
+    high_y = std::max(high_y, p.y);
+    const double along = (p.x - x) * dx + (p.y - y) * dy;
+    double across = (p.y - y) * dx - (p.x - x) * dy;
+    if (!(along >= before * (1 - 1e-9) - 1e-12 * length)) extent.regular = false;
+    before = along;
+    // Ends of pieces are on the chord up to rounding.
+    const double near_end = 1e-9 * length;
+    if (along < near_end || along > length - near_end) {
+      if (std::abs(across) > near_end) extent.regular = false;
+      return;
+    }
+    double factor = 1;
+    if (at_begin) factor = length / along;
+    if (at_end) factor = std::max(factor, length / (length - along));
+    across *= factor;
+    extent.right = std::max(extent.right, -across);
+    extent.left = std::max(extent.left, across);
+  });
+  extent.diameter = std::hypot(high_x - low_x, high_y - low_y);
+  // The ribbon of a curve of one piece would have no width anywhere.
+  if (at_begin && at_end) extent.regular = false;
+  if (!(length > 0)) extent.regular = false;
+  return extent;
+}
+
+std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter,
+                       Cancellation& cancellation) {
+  return Cutter(curve, width, diameter, cancellation).run();
+}
+
+}  // namespace minksum::io

@@ -1,0 +1,357 @@
+#include "io/drawing/flatten.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/drawing/cuts.hpp"
+#include "minksum/error.hpp"
+
+namespace minksum::io {
+namespace {
+
+[[noreturn]] void fail_too_small() {
+  throw Error(ErrorCode::kLimitExceeded,
+              "the tolerance is too small for this curve beside its coordinates, which are proved "
+              "in doubles");
+}
+
+Span operator-(const Span& a, const Span& b) { return {a.x - b.x, a.y - b.y}; }
+Interval cross(const Span& a, const Span& b) { return a.x * b.y - a.y * b.x; }
+Interval dot(const Span& a, const Span& b) { return a.x * b.x + a.y * b.y; }
+
+/// The ends of a cut, and the vertex of the polyline there.
+struct Cut {
+  Point left;
+  Point right;
+  Point vertex;
+  double before = 0;  ///< the parameters before and behind the cut up to which pieces are tested
+  double behind = 0;  ///< against one quadrilateral; what lies between is tested against both
+};
+
+/// The corners of a quadrilateral from cut 0 to cut 1, and both vertices.
+struct Quad {
+  Span left0, right0, left1, right1, vertex0, vertex1;
+  bool begins = false;  ///< whether the curve begins at cut 0, which then is a point
+  bool ends = false;
+
+  Quad(const Point& origin, const Cut& a, const Cut& b, bool begins_here, bool ends_here)
+      : left0(span_between(origin, a.left)),
+        right0(span_between(origin, a.right)),
+        left1(span_between(origin, b.left)),
+        right1(span_between(origin, b.right)),
+        vertex0(span_between(origin, a.vertex)),
+        vertex1(span_between(origin, b.vertex)),
+        begins(begins_here),
+        ends(ends_here) {}
+
+  /// The end of the curve is the origin, which is exact. So a point there is found on its lines.
+  static bool is_left(const Span& from, const Span& to, const Span& p) {
+    const bool ends_at_origin = to.x.is_zero() && to.y.is_zero();
+    return cross(to - from, p - (ends_at_origin ? to : from)).low >= 0;
+  }
+  [[nodiscard]] bool holds_beside(const Span& p) const {
+    return is_left(right0, right1, p) && is_left(left1, left0, p);
+  }
+  [[nodiscard]] bool is_behind_begin(const Span& p) const {
+    return begins || is_left(left0, right0, p);
+  }
+  [[nodiscard]] bool is_before_end(const Span& p) const {
+    return ends || is_left(right1, left1, p);
+  }
+  [[nodiscard]] bool holds(const Span& p) const {
+    return holds_beside(p) && is_behind_begin(p) && is_before_end(p);
+  }
+  [[nodiscard]] bool is_convex() const {
+    const auto turns_left = [](const Span& a, const Span& b, const Span& c) {
+      return cross(b - a, c - b).low > 0;
+    };
+    return (begins || (turns_left(left0, right0, right1) && turns_left(left1, left0, right0))) &&
+           (ends || (turns_left(right0, right1, left1) && turns_left(right1, left1, left0)));
+  }
+  /// Tells whether all of it is so close to the curve, which passes both cuts. Let x be any point
+  /// of it. Either the line through x, at right angles to the polyline, parts the cuts and so meets
+  /// the curve, or it meets a cut.
+  [[nodiscard]] bool is_within(double tolerance, RoundingSide side) const {
+    const Span along = vertex1 - vertex0;
+    const Interval length = square_root(dot(along, along));
+    Interval left, right, slant;
+    const auto widen = [](Interval& bound, const Interval& value) {
+      bound.high = std::max(bound.high, value.high);
+    };
+    for (const Span* const p : {&left0, &right0, &left1, &right1}) {
+      const Interval across = cross(along, *p - vertex0);
+      widen(left, across);
+      widen(right, -across);
+    }
+    for (const Span* const p : {&left0, &right0}) {
+      const Interval off = dot(along, *p - vertex0);
+      widen(slant, off);
+      widen(slant, -off);
+    }
+    for (const Span* const p : {&left1, &right1}) {
+      const Interval off = dot(along, *p - vertex1);
+      widen(slant, off);
+      widen(slant, -off);
+    }
+    const double width =
+        side == RoundingSide::kNearest ? std::max(left.high, right.high) : left.high + right.high;
+    const Interval sum = Interval(width) + slant.high + slant.high;
+    return ((sum * Interval::widened(1, 1)) / length).high <= tolerance;
+  }
+};
+
+/// The pieces of one curve, with what holds them.
+class Ribbon {
+ public:
+  Ribbon(const Curve& curve, double width, double tolerance, RoundingSide side,
+         const VertexGrid& grid, Cancellation& cancellation)
+      : curve_(curve), grid_(grid), tolerance_(tolerance), side_(side) {
+    const DoubleCurve near = middle_of(curve);
+    pieces_ = cut(near, width, width / 4, cancellation);
+    cuts_.resize(pieces_.size() + 1);
+    cuts_.front() = {curve.from, curve.from, curve.from, 0, 0};
+    cuts_.back() = {curve.to, curve.to, curve.to, 1, 1};
+    for (std::size_t i = 1; i < pieces_.size(); ++i) {
+      cancellation.check(1000);
+      place(near, i);
+    }
+  }
+
+  /// Tells whether the curve and its tolerance are proved. Sets boxes on the way.
+  [[nodiscard]] bool is_proved(Cancellation& cancellation) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      cancellation.check(1000);
+      if (!(pieces_[i].boxed ? box(i) : piece_is_held(i))) return false;
+      if (i > 0 && !pieces_[i - 1].boxed && !pieces_[i].boxed && !cut_is_held(i)) return false;
+    }
+    return true;
+  }
+
+  void write(std::vector<Point>& path, Region& ribbons) const {
+    for (std::size_t i = 1; i < cuts_.size(); ++i) path.push_back(cuts_[i].vertex);
+    if (side_ == RoundingSide::kNearest) return;
+    const auto begin = [&ribbons] {
+      ribbons.begin_polygon();
+      ribbons.begin_ring();
+    };
+    for (const auto& [low, high] : boxes_) {
+      begin();
+      ribbons.add_vertex(low.x, low.y);
+      ribbons.add_vertex(high.x, low.y);
+      ribbons.add_vertex(high.x, high.y);
+      ribbons.add_vertex(low.x, high.y);
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (pieces_[i].boxed) continue;
+      const std::size_t first = i;
+      while (i + 1 < pieces_.size() && !pieces_[i + 1].boxed) ++i;
+      begin();
+      for (std::size_t k = first; k <= i + 1; ++k) {
+        ribbons.add_vertex(cuts_[k].right.x, cuts_[k].right.y);
+      }
+      for (std::size_t k = i + 2; k-- > first;) {
+        if (cuts_[k].left == cuts_[k].right) continue;
+        ribbons.add_vertex(cuts_[k].left.x, cuts_[k].left.y);
+      }
+    }
+  }
+
+ private:
+  /// Sets cut i, between two pieces, at right angles to the curve.
+  void place(const DoubleCurve& near, std::size_t i) {
+    const Piece& before = pieces_[i - 1];
+    const Piece& behind = pieces_[i];
+    const auto [x, y] = near[before.part].between(before.begin, before.end).back();
+    Vector<double> along{0, 0};
+    double count = 0;
+    for (const Piece* const piece : {&before, &behind}) {
+      if (piece->boxed) continue;
+      const Extent& extent = piece->extent;
+      along.x += extent.chord.x / extent.length;
+      along.y += extent.chord.y / extent.length;
+      ++count;
+    }
+    const double step = grid_.size();
+    Cut& cut = cuts_[i];
+    cut.vertex = grid_.near(curve_.from, x, y);
+    cut.left = cut.right = cut.vertex;
+    if (count == 0) return;
+    // Moved edges meet so much farther away than the edges are moved.
+    const double square = along.x * along.x + along.y * along.y;
+    const double factor = count / square;
+    const Vector<double> across{-along.y * factor, along.x * factor};
+    double right = 0, left = 0;
+    for (const Piece* const piece : {&before, &behind}) {
+      if (piece->boxed) continue;
+      // Where the ribbon is a triangle, it must be wider if its cut is moved away from its tip.
+      const Extent& extent = piece->extent;
+      double away = 0;
+      if (i == 1 && piece == &before) away = 1;
+      if (i + 1 == pieces_.size() && piece == &behind) away = -1;
+      away *= (across.x * extent.chord.x + across.y * extent.chord.y) / extent.length;
+      const auto widened = [&](double width, double moved) {
+        return width / std::max(1 - std::max(moved * width / extent.length, 0.0), 0.1);
+      };
+      right = std::max(right, widened(extent.right, -away));
+      left = std::max(left, widened(extent.left, away));
+    }
+    // Ends are rounded by less than a step, and what lies beside the cut bends less than a step.
+    const double margin = 2 * step;
+    const auto at = [&](double width) {
+      return grid_.near(curve_.from, x + width * across.x, y + width * across.y);
+    };
+    cut.right = at(-(right + margin));
+    cut.left = at(left + margin);
+    cut.vertex = side_ == RoundingSide::kNearest ? at((left - right) / 2) : cut.right;
+    cut.before = before.boxed ? before.end : beside(near, before, false);
+    cut.behind = behind.boxed ? behind.begin : beside(near, behind, true);
+  }
+
+  /// Returns the parameter of a piece that is some steps behind its begin, or before its end.
+  [[nodiscard]] double beside(const DoubleCurve& near, const Piece& piece, bool behind) const {
+    const double length = piece.end - piece.begin;
+    double size = std::min(2 * grid_.size() / piece.extent.length, 0.25) * length;
+    for (; size < length / 4; size *= 2) {
+      const double at = behind ? piece.begin + size : piece.end - size;
+      const Bezier<double> rest = behind ? near[piece.part].between(piece.begin, at)
+                                         : near[piece.part].between(at, piece.end);
+      const auto [ax, ay] = rest.front();
+      const auto [bx, by] = rest.back();
+      if (std::hypot(bx - ax, by - ay) >= 1.5 * grid_.size()) break;
+    }
+    return behind ? piece.begin + size : piece.end - size;
+  }
+
+  [[nodiscard]] Quad quad(const Point& origin, std::size_t i) const {
+    return {origin, cuts_[i], cuts_[i + 1], i == 0, i + 1 == pieces_.size()};
+  }
+
+  template <class Test>
+  [[nodiscard]] static bool all_controls(const Bezier<Interval>& curve, Test test) {
+    bool all = true;
+    for_each_control(curve, [&](const Span& p) { all = all && test(p); });
+    return all;
+  }
+
+  [[nodiscard]] bool piece_is_held(std::size_t i) const {
+    const Piece& piece = pieces_[i];
+    const bool last = i + 1 == pieces_.size();
+    const Quad here = quad(last ? curve_.to : curve_.from, i);
+    if (!here.is_convex() || !here.is_within(tolerance_, side_)) return false;
+    const double begin = i == 0 ? piece.begin : cuts_[i].behind;
+    const double end = last ? piece.end : cuts_[i + 1].before;
+    if (!(begin < end)) return false;
+    const Bezier<Interval> curve =
+        last ? curve_.ending.between(0, 1 - begin) : curve_.parts[piece.part].between(begin, end);
+    return all_controls(curve, [&](const Span& p) { return here.holds(p); });
+  }
+
+  [[nodiscard]] bool cut_is_held(std::size_t i) const {
+    const Quad before = quad(curve_.from, i - 1);
+    const Quad behind = quad(curve_.from, i);
+    const auto test = [&](const Span& p) {
+      return before.holds_beside(p) && behind.holds_beside(p) && before.is_behind_begin(p) &&
+             behind.is_before_end(p);
+    };
+    return all_controls(before_cut(i), test) && all_controls(behind_cut(i), test);
+  }
+  [[nodiscard]] Bezier<Interval> before_cut(std::size_t i) const {
+    const Piece& piece = pieces_[i - 1];
+    return curve_.parts[piece.part].between(cuts_[i].before, piece.end);
+  }
+  [[nodiscard]] Bezier<Interval> behind_cut(std::size_t i) const {
+    const Piece& piece = pieces_[i];
+    return curve_.parts[piece.part].between(piece.begin, cuts_[i].behind);
+  }
+
+  /// Puts a box around a piece, both its cuts, and what lies beside them.
+  [[nodiscard]] bool box(std::size_t i) {
+    double low_x = 0, high_x = 0, low_y = 0, high_y = 0;
+    bool begun = false;
+    const auto take = [&](const Span& p) {
+      low_x = begun ? std::min(low_x, p.x.low) : p.x.low;
+      high_x = begun ? std::max(high_x, p.x.high) : p.x.high;
+      low_y = begun ? std::min(low_y, p.y.low) : p.y.low;
+      high_y = begun ? std::max(high_y, p.y.high) : p.y.high;
+      begun = true;
+    };
+    const Piece& piece = pieces_[i];
+    for_each_control(curve_.parts[piece.part].between(piece.begin, piece.end), take);
+    if (i > 0 && !pieces_[i - 1].boxed) for_each_control(before_cut(i), take);
+    if (i + 1 < pieces_.size() && !pieces_[i + 1].boxed) for_each_control(behind_cut(i + 1), take);
+    for (const Cut* const cut : {&cuts_[i], &cuts_[i + 1]}) {
+      for (const Point* const p : {&cut->left, &cut->right, &cut->vertex}) {
+        take(span_between(curve_.from, *p));
+      }
+    }
+    const double step = grid_.size();
+    const Point low = grid_.near(curve_.from, low_x - step, low_y - step);
+    const Point high = grid_.near(curve_.from, high_x + step, high_y + step);
+    boxes_.emplace_back(low, high);
+    const Rational width = high.x - low.x;
+    const Rational height = high.y - low.y;
+    return width * width + height * height <= Rational(tolerance_) * Rational(tolerance_);
+  }
+
+  const Curve& curve_;
+  const VertexGrid& grid_;
+  double tolerance_;
+  RoundingSide side_;
+  std::vector<Piece> pieces_;
+  std::vector<Cut> cuts_;
+  std::vector<std::pair<Point, Point>> boxes_;
+};
+
+}  // namespace
+
+VertexGrid::VertexGrid(const Rational& tolerance) {
+  const Rational bound = tolerance / Rational(256);
+  const auto bits = [](const Rational& integer) { return static_cast<double>(integer.bits()); };
+  // This logarithm is at most 1 off.
+  const double log2 = bits(bound.numerator()) - bits(bound.denominator());
+  exponent_ = static_cast<int>(std::floor((log2 + 1) * 0.30103)) + 1;
+  const auto power = [](int exponent) { return Rational(Decimal{1, exponent}); };
+  while (bound < power(exponent_)) --exponent_;
+  step_ = power(exponent_);
+  size_ = step_.to_double();
+  if (!(size_ > 1e-200 && size_ < 1e200)) fail_too_small();
+}
+
+Rational VertexGrid::at(double steps) const {
+  constexpr double kMost = 0x1p50;
+  if (!(std::abs(steps) < kMost)) fail_too_small();
+  return Rational(Decimal{static_cast<std::int64_t>(std::llround(steps)), exponent_});
+}
+
+Rational VertexGrid::near(const Rational& value) const { return at((value / step_).to_double()); }
+
+Point VertexGrid::near(const Point& origin, double x, double y) const {
+  if (!std::isfinite(x) || !std::isfinite(y)) fail_too_small();
+  return {near(origin.x + Rational(x)), near(origin.y + Rational(y))};
+}
+
+Flattener::Flattener(const Rational& tolerance, RoundingSide side)
+    : tolerance_(std::max(Interval::of(tolerance).low, 0.0)), side_(side), grid_(tolerance) {}
+
+void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ribbons,
+                        Cancellation& cancellation) const {
+  // A proof needs some thousand roundings' room beside the coordinates.
+  double size = 0;
+  for (const Bezier<Interval>& part : curve.parts) {
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const auto [x, y] = part.at(i);
+      size = std::max({size, std::abs(x.low), std::abs(x.high), std::abs(y.low), std::abs(y.high)});
+    }
+  }
+  if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small();
+  // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces.
+  double width = (side_ == RoundingSide::kNearest ? 2 : 1) * tolerance_ - 9 * grid_.size();
+  for (; width > tolerance_ / 16; width *= 0.8) {
+    Ribbon ribbon(curve, width, tolerance_, side_, grid_, cancellation);
+    if (!ribbon.is_proved(cancellation)) continue;
+    return ribbon.write(path, ribbons);
+  }
+  fail_too_small();
+}
+
+}  // namespace minksum::io

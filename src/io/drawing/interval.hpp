@@ -1,0 +1,62 @@
+// Intervals of doubles that certainly contain the number that they stand for.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "minksum/rational.hpp"
+
+namespace minksum::io {
+
+/// All numbers from `low` to `high`. Each operation rounds outwards, so its result contains every
+/// result on members. Zero is exact: products with it and sums with it are not rounded.
+struct Interval {
+  double low = 0;
+  double high = 0;
+
+  Interval() = default;
+  Interval(double value) : low(value), high(value) {}  // NOLINT(google-explicit-constructor)
+  Interval(double from, double to) : low(from), high(to) {}
+  /// Returns an interval around a number that need not be a double.
+  static Interval of(const Rational& value) {
+    const double near = value.to_double();
+    return near == 0 && value.sign() == 0 ? Interval() : widened(near, near);
+  }
+  /// Returns the interval with its ends rounded outwards.
+  static Interval widened(double low, double high) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {std::nextafter(low, -kInfinity), std::nextafter(high, kInfinity)};
+  }
+  [[nodiscard]] bool is_zero() const { return low == 0 && high == 0; }
+  [[nodiscard]] double middle() const { return low + (high - low) / 2; }
+};
+
+inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
+inline Interval operator+(const Interval& a, const Interval& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  return Interval::widened(a.low + b.low, a.high + b.high);
+}
+inline Interval operator-(const Interval& a, const Interval& b) { return a + (-b); }
+inline Interval operator*(const Interval& a, const Interval& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+  return Interval::widened(std::min({p, q, r, s}), std::max({p, q, r, s}));
+}
+/// `b` must not contain 0: the quotient is then not finite, and proves nothing.
+inline Interval operator/(const Interval& a, const Interval& b) {
+  if (a.is_zero()) return {};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!(b.low > 0 || b.high < 0)) return {-kInfinity, kInfinity};
+  const double p = a.low / b.low, q = a.low / b.high, r = a.high / b.low, s = a.high / b.high;
+  return Interval::widened(std::min({p, q, r, s}), std::max({p, q, r, s}));
+}
+/// Takes what is below 0 as 0.
+inline Interval square_root(const Interval& a) {
+  const Interval root =
+      Interval::widened(std::sqrt(std::max(a.low, 0.0)), std::sqrt(std::max(a.high, 0.0)));
+  return {std::max(root.low, 0.0), a.high <= 0 ? 0 : root.high};
+}
+
+}  // namespace minksum::io

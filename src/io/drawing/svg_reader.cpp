@@ -1,0 +1,318 @@
+// Reads the shapes of SVG documents.
+#include <algorithm>
+#include <map>
+
+#include "io/drawing/svg_style.hpp"
+#include "io/drawing/svg_values.hpp"
+#include "io/formats.hpp"
+
+namespace minksum::io {
+namespace {
+
+/// Elements that are drawn only where others refer to them, or that have no shape.
+constexpr std::string_view kUndrawn[] = {
+    "defs",         "symbol",         "clipPath", "mask",   "pattern",
+    "marker",       "linearGradient", "filter",   "title",  "desc",
+    "metadata",     "radialGradient", "style",    "script", "a11y",
+    "cursor",       "view",           "animate",  "set",    "animateTransform",
+    "animateMotion"};
+constexpr std::string_view kGroups[] = {"g", "a", "switch", "svg"};
+
+template <class List>
+bool is_one_of(std::string_view name, const List& list) {
+  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+/// An element with what its reader asks for.
+struct Element {
+  std::size_t index;
+  std::string_view name;
+  std::vector<XmlAttribute> attributes;
+
+  [[nodiscard]] const XmlAttribute* find(std::string_view wanted) const {
+    for (const XmlAttribute& attribute : attributes) {
+      if (attribute.name == wanted) return &attribute;
+    }
+    return nullptr;
+  }
+};
+
+struct State {
+  NearAffine map;
+  SvgStyle style;
+};
+
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, const ReadOptions& limits)
+      : limits_(limits),
+        options_{.cancel = limits.cancel},
+        cancellation_(options_),
+        document_(text, limits.max_depth, cancellation_),
+        outlines_(document_.cursor(), limits) {}
+
+  void read(GeometryBuilder& builder) {
+    for (std::size_t i = 0; i < document_.elements().size(); ++i) {
+      cancellation_.check(16);
+      if (document_.name(i) == "style") styles_.add(document_.content(i), ignored_);
+    }
+    const Element root = element(0);
+    State state;
+    state.map = of_root(root);
+    state.style = styles_.style_of({}, root.name, root.attributes, ignored_);
+    if (!state.style.removed) children(0, state, 0);
+    finish(outlines_.take(), unit_, ignored_, {}, builder);
+  }
+
+ private:
+  [[nodiscard]] Element element(std::size_t index) const {
+    return {index, document_.name(index), document_.attributes(index)};
+  }
+  [[noreturn]] void fail(const std::string& message, std::size_t position) const {
+    document_.cursor().fail(ErrorCode::kBadInput, message, position);
+  }
+  [[nodiscard]] std::size_t position_of(const Element& e) const {
+    return document_.elements()[e.index].position;
+  }
+
+  /// Returns a length in units of the user: px, or millimetres as 96 px to the inch.
+  [[nodiscard]] Rational length(const Element& e, std::string_view name,
+                                const Rational& missing = {}) const {
+    const XmlAttribute* const attribute = e.find(name);
+    if (attribute == nullptr) return missing;
+    const auto [value, unit] = take_length(cursor_on(document_, *attribute));
+    if (unit.empty() || unit == "px") return value;
+    if (const auto size = millimetres(unit)) return value * *size * Rational(480, 127);
+    fail("the unit '" + std::string(unit) + "' depends on what is around the element: use px or mm",
+         attribute->position);
+  }
+
+  /// The whole picture points upwards: y becomes -y. If its width has a unit, that is the unit.
+  NearAffine of_root(const Element& root) {
+    unit_ = "px";
+    const NearAffine flipped{Affine{1, {}, {}, {}, -1, {}}};
+    const XmlAttribute* const width = root.find("width");
+    const XmlAttribute* const box = root.find("viewBox");
+    std::optional<Length> size;
+    if (width != nullptr && width->value != "auto")
+      size = take_length(cursor_on(document_, *width));
+    const auto physical = size ? millimetres(size->unit) : std::nullopt;
+    if (!physical) return flipped;
+    unit_ = size->unit;
+    Rational factor = Rational(127, 480) / *physical;  // of px
+    if (box != nullptr) {
+      const std::vector<Rational> view = view_box(*box);
+      if (size->value.sign() <= 0) fail("the width must be positive", width->position);
+      factor = size->value / view[2];
+      if (const XmlAttribute* const height = root.find("height")) {
+        const Length high = take_length(cursor_on(document_, *height));
+        const auto other = millimetres(high.unit);
+        if (!other || high.value * *other * view[2] != size->value * *physical * view[3]) {
+          near_ratio(*height, high, other, size->value * *physical, view);
+        }
+      }
+    }
+    return NearAffine{Affine::scaling(factor)}.after(flipped);
+  }
+
+  /// Programs write widths and heights in a few digits. Then both factors differ a little, and SVG
+  /// takes the smaller one; a larger difference is an error, as it would be another drawing.
+  void near_ratio(const XmlAttribute& height, const Length& high,
+                  const std::optional<Rational>& millimetre, const Rational& width,
+                  const std::vector<Rational>& view) {
+    if (millimetre) {
+      const Rational by_width = width * view[3];
+      const Rational by_height = high.value * *millimetre * view[2];
+      const Rational off = by_width - by_height;
+      if (off * Rational(1000) < by_width && -off * Rational(1000) < by_width) return;
+    }
+    fail("width and height have another ratio than the viewBox, so the scale is not known",
+         height.position);
+  }
+
+  [[nodiscard]] std::vector<Rational> view_box(const XmlAttribute& attribute) const {
+    std::vector<Rational> view = take_numbers(cursor_on(document_, attribute));
+    if (view.size() != 4 || view[2].sign() <= 0 || view[3].sign() <= 0) {
+      fail("a viewBox has four numbers, the last two of which are positive", attribute.position);
+    }
+    return view;
+  }
+
+  /// Places the content of an inner `svg` or a `symbol` into its frame.
+  NearAffine of_frame(const Element& e, const Rational& wide, const Rational& high) {
+    const XmlAttribute* const box = e.find("viewBox");
+    if (box == nullptr || wide.sign() == 0 || high.sign() == 0) return {};
+    const std::vector<Rational> view = view_box(*box);
+    const Rational x = wide / view[2];
+    const Rational y = high / view[3];
+    const Rational factor = std::min(x, y);
+    if (x != y && e.find("preserveAspectRatio") != nullptr) ++ignored_["preserveAspectRatio"];
+    // By default the content is in the middle of its frame.
+    const Rational left = (wide - factor * view[2]) / Rational(2) - factor * view[0];
+    const Rational top = (high - factor * view[3]) / Rational(2) - factor * view[1];
+    return {Affine{factor, {}, left, {}, factor, top}};
+  }
+
+  void children(std::size_t parent, const State& state, int depth) {
+    const auto& elements = document_.elements();
+    for (std::size_t i = parent + 1; i < elements[parent].next; i = elements[i].next) {
+      draw(i, state, depth);
+    }
+  }
+
+  void draw(std::size_t index, State state, int depth) {
+    constexpr std::size_t kMostDrawn = 10'000'000;  // symbols in symbols multiply
+    cancellation_.check(256);
+    const Element e = element(index);
+    if (is_one_of(e.name, kUndrawn)) return;
+    if (++drawn_ > kMostDrawn) {
+      document_.cursor().fail(ErrorCode::kLimitExceeded,
+                              "more elements are drawn than the limit of 10000000", position_of(e));
+    }
+    state.style = styles_.style_of(state.style, e.name, e.attributes, ignored_);
+    if (state.style.removed) return;
+    if (const XmlAttribute* const transform = e.find("transform")) {
+      state.map = state.map.after(take_transform(cursor_on(document_, *transform)));
+    }
+    if (is_one_of(e.name, kGroups)) {
+      if (e.name == "svg") {
+        state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
+        state.map = state.map.after(of_frame(e, length(e, "width"), length(e, "height")));
+      }
+      children(index, state, depth);
+    } else if (e.name == "use") {
+      use(e, state, depth);
+    } else if (!state.style.hidden) {
+      with_place(document_.cursor(), position_of(e), [&] { shape(e, state); });
+    }
+  }
+
+  void use(const Element& e, State state, int depth) {
+    if (++depth > limits_.max_depth) {
+      document_.cursor().fail(ErrorCode::kLimitExceeded,
+                              "elements refer to each other deeper than the limit of " +
+                                  std::to_string(limits_.max_depth),
+                              position_of(e));
+    }
+    const XmlAttribute* href = e.find("href");
+    if (href == nullptr) href = e.find("xlink:href");
+    if (href == nullptr) return;
+    if (!href->value.starts_with('#')) {
+      fail("only elements of the same document are drawn by 'use'", href->position);
+    }
+    if (ids_.empty()) find_ids();
+    const auto found = ids_.find(href->value.substr(1));
+    if (found == ids_.end()) {
+      fail("no element has the id '" + std::string(href->value.substr(1)) + "'", href->position);
+    }
+    state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
+    const Element target = element(found->second);
+    if (target.name != "symbol") return draw(target.index, state, depth);
+    const NearAffine frame = of_frame(target, length(e, "width", length(target, "width")),
+                                      length(e, "height", length(target, "height")));
+    state.map = state.map.after(frame);
+    state.style = styles_.style_of(state.style, target.name, target.attributes, ignored_);
+    if (!state.style.removed) children(target.index, state, depth);
+  }
+
+  void find_ids() {
+    for (std::size_t i = 0; i < document_.elements().size(); ++i) {
+      for (const XmlAttribute& attribute : document_.attributes(i)) {
+        cancellation_.check(64);
+        if (attribute.name == "id") ids_.emplace(attribute.value, i);
+      }
+    }
+  }
+
+  void shape(const Element& e, const State& state) {
+    outlines_.stand_at(position_of(e));
+    outlines_.set_map(state.map);
+    const bool filled = state.style.filled;
+    if (e.name == "path") {
+      if (const XmlAttribute* const d = e.find("d")) {
+        take_path(cursor_on(document_, *d), filled, outlines_);
+      }
+    } else if (e.name == "rect") {
+      box(e);
+    } else if (e.name == "circle" || e.name == "ellipse") {
+      const bool round = e.name == "circle";
+      const Rational rx = length(e, round ? "r" : "rx");
+      const Rational ry = round ? rx : length(e, "ry");
+      if (rx.sign() < 0 || ry.sign() < 0) fail("a radius is negative", position_of(e));
+      const Point at{length(e, "cx"), length(e, "cy")};
+      if (rx.sign() > 0 && ry.sign() > 0) {
+        add_rounded_box({at.x - rx, at.y - ry}, {at.x + rx, at.y + ry}, rx, ry, outlines_);
+      }
+    } else if (e.name == "line") {
+      outlines_.move_to({length(e, "x1"), length(e, "y1")});
+      outlines_.line_to({length(e, "x2"), length(e, "y2")});
+      outlines_.end_polyline();
+    } else if (e.name == "polygon" || e.name == "polyline") {
+      points(e, filled);
+    } else {
+      ++ignored_[std::string(e.name.substr(0, 40))];
+      return;
+    }
+    outlines_.end(state.style.even_odd ? FillRule::kEvenOdd : FillRule::kNonZero);
+  }
+
+  void box(const Element& e) {
+    const Rational wide = length(e, "width");
+    const Rational high = length(e, "height");
+    if (wide.sign() < 0 || high.sign() < 0) fail("a rectangle's size is negative", position_of(e));
+    if (wide.sign() == 0 || high.sign() == 0) return;
+    const auto radius = [&](std::string_view own, std::string_view other) {
+      const XmlAttribute* const found = e.find(own);
+      return found != nullptr && found->value != "auto" ? length(e, own) : length(e, other);
+    };
+    const Rational rx = std::min(radius("rx", "ry"), wide / Rational(2));
+    const Rational ry = std::min(radius("ry", "rx"), high / Rational(2));
+    if (rx.sign() < 0 || ry.sign() < 0) fail("a radius is negative", position_of(e));
+    const Point low{length(e, "x"), length(e, "y")};
+    add_rounded_box(low, {low.x + wide, low.y + high}, rx, ry, outlines_);
+  }
+
+  void points(const Element& e, bool filled) {
+    const XmlAttribute* const attribute = e.find("points");
+    if (attribute == nullptr) return;
+    const std::vector<Rational> numbers = take_numbers(cursor_on(document_, *attribute));
+    if (numbers.size() % 2 != 0) fail("an odd number of coordinates", attribute->position);
+    const std::size_t count = numbers.size() / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point point{numbers[2 * i], numbers[2 * i + 1]};
+      if (i == 0) {
+        outlines_.move_to(point);
+      } else {
+        outlines_.line_to(point);
+      }
+    }
+    if (count == 0) return;
+    const bool closed =
+        e.name == "polygon" || filled ||
+        (numbers[0] == numbers[2 * count - 2] && numbers[1] == numbers[2 * count - 1]);
+    if (closed) {
+      outlines_.end_ring();
+    } else {
+      outlines_.end_polyline();
+    }
+  }
+
+  const ReadOptions& limits_;
+  Options options_;
+  Cancellation cancellation_;
+  XmlDocument document_;
+  Outlines outlines_;
+  SvgStyles styles_;
+  Ignored ignored_;
+  std::string unit_;
+  std::map<std::string_view, std::size_t> ids_;
+  std::size_t drawn_ = 0;
+};
+
+}  // namespace
+
+void read_svg(std::string_view text, const ReadOptions& options, GeometryBuilder& builder) {
+  SvgReader(text, options).read(builder);
+}
+
+}  // namespace minksum::io

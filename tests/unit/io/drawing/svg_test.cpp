@@ -1,0 +1,241 @@
+// Tests what is read of SVG: straight shapes exactly, curves by where they lie, and refusals.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "minksum/io.hpp"
+#include "minksum/measure.hpp"
+#include "minksum/resolve.hpp"
+
+namespace minksum::io {
+namespace {
+
+std::string svg(const std::string& content, const std::string& attributes = "") {
+  return "<svg xmlns='http://www.w3.org/2000/svg'" + attributes + ">" + content + "</svg>";
+}
+
+std::string read_exactly(const std::string& text, const ReadOptions& options = {}) {
+  try {
+    return to_wkt(resolve(read_geometry(text, options)), {Coordinates::Style::kExact});
+  } catch (const ReadError& error) {
+    return std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
+           error.what();
+  }
+}
+
+ReadOptions within(const Rational& tolerance, RoundingSide side = RoundingSide::kNearest) {
+  ReadOptions options;
+  options.drawing.tolerance = tolerance;
+  options.drawing.side = side;
+  return options;
+}
+
+constexpr const char* kSquare = "POLYGON ((0 -1, 1 -1, 1 0, 0 0, 0 -1))";
+
+TEST(Svg, StraightShapesAreExact) {
+  struct Case {
+    std::string content;
+    std::string wkt;
+  };
+  const std::vector<Case> cases = {
+      {"<rect width='1' height='1'/>", kSquare},
+      {"<rect x='.1' y='0.2' width='1e-1' height='+.1'/>",
+       "POLYGON ((1/10 -3/10, 1/5 -3/10, 1/5 -1/5, 1/10 -1/5, 1/10 -3/10))"},
+      {"<rect width='0' height='1'/>", "POLYGON EMPTY"},
+      {"<path d='M0 0h1v1H0z'/>", kSquare},
+      {"<path d='m0,0 1,0 0,1-1 0z'/>", kSquare},
+      {"<path d='M0 0L1 0V1L0 1'/>", kSquare},
+      {"<path fill='none' d='M0 0L1 0V1L0 1'/>", "LINESTRING (0 -1, 1 -1, 1 0, 0 0)"},
+      {"<path fill='none' d='M0 0H1V1H0V0'/>", kSquare},
+      {"<path d='M0 0L1.5.5-1-2z'/>", "POLYGON ((-1 2, 0 0, 3/2 -1/2, -1 2))"},
+      {"<path d='M0 0C0 0 1 0 1 0S1 1 1 1Q1 1 0 1z'/>", kSquare},
+      {"<path d='M0 0A0 5 0 0 1 1 0L1 1 0 1Z'/>", kSquare},
+      {"<path d='M0 0H4V4H0zM1 1H3V3H1z'/>", "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4))"},
+      {"<path fill-rule='evenodd' d='M0 0H4V4H0zM1 1H3V3H1z'/>",
+       "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4), (1 -3, 1 -1, 3 -1, 3 -3, 1 -3))"},
+      {"<path d='M0 0H4V4H0zm1 1v2h2v-2z'/>",
+       "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4), (1 -3, 1 -1, 3 -1, 3 -3, 1 -3))"},
+      {"<path d='M0 0H1V1H0Zh-1v1z'/>",
+       "MULTIPOLYGON (((-1 -1, 0 0, -1 0, -1 -1)), ((0 -1, 1 -1, 1 0, 0 0, 0 -1)))"},
+      {"<path d='none'/><path d=''/><path/>", "POLYGON EMPTY"},
+      {"<polygon points='0,0 1,0 1,1 0 1'/>", kSquare},
+      {"<polyline fill='none' points='0 0,1 0,1 1'/>", "LINESTRING (0 0, 1 0, 1 -1)"},
+      {"<polyline points='0 0,1 0,1 1'/>", "POLYGON ((0 0, 1 -1, 1 0, 0 0))"},
+      {"<line x1='1' y1='2' x2='3' y2='4'/>", "LINESTRING (1 -2, 3 -4)"},
+      {"<g transform='translate(-1-2) scale(.5)'><rect x='2' y='4' width='2' height='2'/></g>",
+       kSquare},
+      {"<rect transform='matrix(0 1 -1 0 1 0)' width='1' height='1'/>", kSquare},
+      {"<rect transform='rotate(90, .5, .5)' width='1' height='1'/>", kSquare},
+      {"<rect transform='skewX(45)' width='1' height='1'/>",
+       "POLYGON ((0 0, 1 -1, 2 -1, 1 0, 0 0))"},
+      {"<rect transform='skewY(-45)' width='1' height='1'/>",
+       "POLYGON ((0 -1, 1 0, 1 1, 0 0, 0 -1))"},
+      {"<defs><rect id='r' width='1' height='1'/></defs>", "POLYGON EMPTY"},
+      {"<defs><rect id='r' width='1' height='1'/></defs><use href='#r' x='1' y='1'/>",
+       "POLYGON ((1 -2, 2 -2, 2 -1, 1 -1, 1 -2))"},
+      {"<use xmlns:xlink='x' xlink:href='#r'/><rect id='r' width='1' height='1'/>", kSquare},
+      {"<symbol id='s' viewBox='0 0 4 4'><rect width='4' height='4'/></symbol>"
+       "<use href='#s' width='1' height='1'/>",
+       kSquare},
+      {"<svg x='1' width='2' height='4' viewBox='0 0 1 1'><rect width='1' height='1'/></svg>",
+       "POLYGON ((1 -3, 3 -3, 3 -1, 1 -1, 1 -3))"},
+      {"<g display='none'><rect width='9' height='9'/></g><rect width='1' height='1'/>", kSquare},
+      {"<g style='visibility:hidden'><rect width='9' height='9'/>"
+       "<rect style='visibility: visible' width='1' height='1'/></g>",
+       kSquare},
+      {"<style><![CDATA[ .a, #b { fill : none } rect.c{display:none} ]]></style>"
+       "<path class='x a' d='M0 0H1V1'/><rect class='c' width='1' height='1'/>",
+       "LINESTRING (0 0, 1 0, 1 -1)"},
+      {"<clipPath><rect width='1' height='1'/></clipPath>", "POLYGON EMPTY"},
+      {"<rect width='1mm' height='1cm' transform='scale(127)'/>",
+       "POLYGON ((0 -4800, 480 -4800, 480 0, 0 0, 0 -4800))"},
+  };
+  for (const auto& [content, wkt] : cases) EXPECT_EQ(read_exactly(svg(content)), wkt) << content;
+}
+
+TEST(Svg, TheWidthNamesTheUnit) {
+  const std::string rect = "<rect width='1' height='1'/>";
+  const auto unit = [&rect](const std::string& attributes) {
+    return read_document(svg(rect, attributes)).source.unit;
+  };
+  EXPECT_EQ(unit(""), "px");
+  EXPECT_EQ(unit(" width='100' viewBox='0 0 1 1'"), "px");
+  EXPECT_EQ(unit(" width='100%'"), "px");
+  EXPECT_EQ(unit(" width='1in' height='2in' viewBox='0 0 1 2'"), "in");
+  EXPECT_EQ(read_exactly(svg(rect, " width='5cm' height='5cm' viewBox='0 0 5 5'")), kSquare);
+  EXPECT_EQ(read_exactly(svg(rect, " width='1mm' height='1mm' viewBox='0 0 4 4'")),
+            "POLYGON ((0 -1/4, 1/4 -1/4, 1/4 0, 0 0, 0 -1/4))");
+  EXPECT_EQ(read_exactly(svg(rect, " width='1in'")),
+            "POLYGON ((0 -1/96, 1/96 -1/96, 1/96 0, 0 0, 0 -1/96))");
+}
+
+TEST(Svg, TheDocumentMayHaveAllThatXmlHas) {
+  const std::string head =
+      "\xEF\xBB\xBF<?xml version='1.0'?>\n<!DOCTYPE svg PUBLIC \"-//W3C\" \"a.dtd\" [\n"
+      "<!ENTITY a \"]>\">\n]>\n<!-- <rect> -->\n";
+  const std::string rect = "<s:rect width='1' height = \"1\"></s:rect>\n<s:text>a &lt; b</s:text>";
+  const Document document =
+      read_document(head + "<s:svg xmlns:s='x'>" + rect + "</s:svg>\n<!-- end -->\n");
+  EXPECT_EQ(to_wkt(document.geometry), kSquare);
+  EXPECT_EQ(document.source.remarks, "not read: 1 text");
+}
+
+TEST(Svg, CurvesNeedATolerance) {
+  EXPECT_EQ(read_exactly(svg("<g>\n<circle r='1'/></g>")),
+            "2:2: a curve becomes a polyline, and has to say how far that may be off "
+            "(io::DrawingOptions::tolerance)");
+  EXPECT_EQ(read_exactly(svg("<rect width='1' height='1' transform='rotate(30)'/>")),
+            "1:42: a turned shape has irrational coordinates, and has to say how far that may be "
+            "off (io::DrawingOptions::tolerance)");
+}
+
+TEST(Svg, CurvesHaveTheirAreaWithinTheTolerance) {
+  constexpr double kPi = 3.141592653589793;
+  struct Case {
+    const char* content;
+    double area;
+    double perimeter;  // at least
+  };
+  const std::vector<Case> cases = {
+      {"<circle cx='3' cy='4' r='2'/>", 4 * kPi, 13},
+      {"<ellipse rx='3' ry='1'/>", 3 * kPi, 14},
+      {"<rect width='10' height='8' rx='2'/>", 80 - (4 - kPi) * 4, 36},
+      {"<rect width='10' height='8' rx='9' ry='1'/>", 80 - (4 - kPi) * 5, 36},
+      {"<path d='M-2 0a2 2 0 1 0 4 0a2 2 0 1 0 -4 0'/>", 4 * kPi, 13},
+      {"<path d='M0 0a1 1 0 014 0z'/>", 2 * kPi, 11},
+      {"<path d='M0 0A4 2 0 0 0 4 2V0z'/>", 2 * kPi, 12},
+      {"<path d='M0 0A2 4 90 0 0 4 2V0z'/>", 2 * kPi, 12},
+      {"<path d='M0 0Q1 2 2 0T4 0'/>", 8.0 / 3, 10},
+      {"<path d='M0 0C0 2 2 2 2 0S4-2 4 0'/>", 4.8, 14},
+      {"<path transform='rotate(30)' d='M0 0h3v2h-3z'/>", 6, 10},
+      {"<circle r='1' transform='matrix(2 1 0 3 5 5)'/>", 6 * kPi, 20},
+  };
+  for (const auto& [content, area, perimeter] : cases) {
+    for (const Rational& tolerance : {Rational(1, 10), Rational(1, 1000)}) {
+      const double slack = perimeter * tolerance.to_double() + 1e-9;
+      const auto read_area = [&](RoundingSide side) {
+        const Geometry read = read_geometry(svg(content), within(tolerance, side));
+        return minksum::area(resolve(read).region).to_double();
+      };
+      EXPECT_NEAR(read_area(RoundingSide::kNearest), area, slack) << content;
+      const double outside = read_area(RoundingSide::kOutside);
+      EXPECT_GE(outside, area - 1e-9) << content;
+      EXPECT_LE(outside, area + slack) << content;
+      const double inside = read_area(RoundingSide::kInside);
+      EXPECT_LE(inside, area + 1e-9) << content;
+      EXPECT_GE(inside, area - slack) << content;
+    }
+  }
+}
+
+TEST(Svg, CurvesThatTurnSharplyAreRead) {
+  for (const char* const d :
+       {"M0 0C100 100 0 100 100 0", "M0 0C200 0-100 0 100 0V9", "M0 0C0 0 9 9 9 9V0",
+        "M0 0C0 0 70 99 99 99", "M0 0C99 99 0 99 98 0", "M0 0C50 0 50 0 50 50S0 50 0 50",
+        "M0 0A9 .001 0 0 0 9 0", "M0 0Q9 0 0 0V3"}) {
+    for (const RoundingSide side :
+         {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
+      const std::string text = svg("<path d='" + std::string(d) + "'/>");
+      EXPECT_NO_THROW(static_cast<void>(read_geometry(text, within(Rational(1, 100), side))))
+          << d << ' ' << to_string(side);
+    }
+  }
+}
+
+TEST(Svg, ALineThatIsCurvedHasNoInside) {
+  const std::string text = svg("<path fill='none' d='M0 0Q1 1 2 0'/>");
+  EXPECT_TRUE(read_geometry(text, within(1)).region.empty());
+  EXPECT_FALSE(read_geometry(text, within(1, RoundingSide::kOutside)).region.empty());
+  EXPECT_EQ(read_exactly(text, within(1, RoundingSide::kInside)).substr(0, 49),
+            "1:42: a curve that encloses no area has no inside");
+}
+
+TEST(Svg, FaultsHaveAPlace) {
+  struct Case {
+    std::string text;
+    const char* message;
+  };
+  const std::vector<Case> cases = {
+      {"<svg>", "1:2: the element 'svg' has no end tag"},
+      {"<svg><g></svg>", "1:9: expected the end tag of 'g', found that of 'svg'"},
+      {"<svg></svg></svg>", "1:12: an end tag without its begin"},
+      {"<svg/><svg/>", "1:7: a document has one root element"},
+      {"<svg/>x", "1:7: expected the end of the text, found 'x'"},
+      {"<svg a=1/>", "1:8: expected a value in quotes, found '1/'"},
+      {"<svg a='1/>", "1:8: the value of an attribute has no end"},
+      {"<svg a'1'/>", "1:7: expected '=', found '''"},
+      {"<svg><!-- </svg>", "1:6: a comment has no end"},
+      {"<svg><![CDATA[</svg>", "1:6: a CDATA section has no end"},
+      {svg("<path d='L1 1'/>"), "1:50: expected 'M', with which a path begins, found 'L1'"},
+      {svg("<path d='M1'/>"), "1:52: expected a number, found the end of the text"},
+      {svg("<path d='M1 1X'/>"), "1:54: expected a command of a path, found 'X'"},
+      {svg("<path d='M0 0A1 1 0 2 0 1 1'/>"), "1:61: expected a flag, 0 or 1, found '2'"},
+      {svg("<path d='M0 0L1/2 3'/>"), "1:56: expected a number, found '/2'"},
+      {svg("<polygon points='1 2 3'/>"), "1:58: an odd number of coordinates"},
+      {svg("<rect width='-1' height='1'/>"), "1:42: a rectangle's size is negative"},
+      {svg("<rect width='1em' height='1'/>"),
+       "1:54: the unit 'em' depends on what is around the element: use px or mm"},
+      {svg("<circle r='-1'/>"), "1:42: a radius is negative"},
+      {svg("<use href='#a'/>"), "1:52: no element has the id 'a'"},
+      {svg("<use href='b.svg#a'/>"), "1:52: only elements of the same document are drawn by 'use'"},
+      {svg("<g id='a'><use href='#a'/></g>"),
+       "1:52: elements refer to each other deeper than the limit of 32"},
+      {svg("<g transform='turn(3)'/>"),
+       "1:55: expected matrix, translate, scale, rotate, skewX or skewY with its numbers"},
+      {svg("", " width='1mm' height='1mm' viewBox='0 0 1 2'"),
+       "1:61: width and height have another ratio than the viewBox, so the scale is not known"},
+      {svg("", " width='1mm' viewBox='0 0 1'"),
+       "1:62: a viewBox has four numbers, the last two of which are positive"},
+  };
+  for (const auto& [text, message] : cases) EXPECT_EQ(read_exactly(text), message) << text;
+  std::string deep;
+  for (int i = 0; i < 40; ++i) deep += "<svg>";
+  EXPECT_EQ(read_exactly(deep), "1:161: elements are nested deeper than the limit of 32");
+  EXPECT_EQ(read_exactly(svg("<circle r='1'/>"), within(Rational(Decimal{1, -40}))),
+            "1:42: the tolerance is too small for this curve beside its coordinates, which are "
+            "proved in doubles");
+}
+
+}  // namespace
+}  // namespace minksum::io
