@@ -215,6 +215,8 @@ void convert(OffsetArguments& arguments) {
   convert_result(arguments);
   require_free_output(arguments.stats, !arguments.output.empty());
   const OffsetOptions& shape = arguments.shape;
+  // An offset grows with its operand, so an operand that is a drawing takes the same side.
+  arguments.limits.drawing.side = shape.side;
   const bool round = shape.join == Join::kRound && shape.cap == Cap::kRound;
   if (shape.side != RoundingSide::kNearest && !round) {
     throw Failure(kWrongUsage, "--side is for round joins and caps only");

@@ -11,9 +11,10 @@ namespace {
 constexpr int kMostCells = 4096;  // along a side; the cover accepts no more
 
 constexpr const char* kSumFooter = R"(
-P and Q are files, or one of them "-" for standard input: WKT, GeoJSON, .poly
-or .dat, told by content: areas, polylines, points, alone or together. Numbers are
-read exactly: 0.1 is one tenth, 1/3 a third.
+P and Q are files, or one of them "-" for standard input: WKT, GeoJSON, WKB, .poly,
+.dat, SVG or DXF, told by content: areas, polylines, points, alone or together. They may
+also be typed: 'POLYGON ((0 0, 1 0, 0 1, 0 0))', disc:R, box:WxH or ngon:N:R around the
+origin. Numbers are read exactly: 0.1 is one tenth, 1/3 a third.
 )";
 
 const std::map<std::string, Method> kMethods = {

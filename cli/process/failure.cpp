@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "options/typed_operand.hpp"
 #include "output/faults.hpp"
 #include "pictures/sum_picture.hpp"
 #include "pictures/text_layout.hpp"
@@ -92,7 +93,12 @@ std::string with_reading_option(std::string message) {
 
 }  // namespace
 
-std::string shown_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+std::string shown_name(const std::string& file) {
+  if (file == "-") return "standard input";
+  constexpr std::size_t kMostShown = 40;
+  if (!is_typed_wkt(file)) return file;
+  return "'" + (file.size() > kMostShown ? file.substr(0, kMostShown) + "..." : file) + "'";
+}
 
 void tell(const std::string& message) {
   StatusLine::remove();
@@ -146,7 +152,13 @@ void fail_about(const Error& error, const std::string (&operands)[2]) {
 
 io::Document read_operand(const std::string& file, const io::ReadOptions& limits) {
   try {
-    io::Document document = io::read_document_file(file, limits);
+    io::Document document;
+    if (std::optional<Geometry> shape = named_shape(file, limits.drawing)) {
+      document.geometry = std::move(*shape);
+    } else {
+      document = is_typed_wkt(file) ? io::read_document(file, limits)
+                                    : io::read_document_file(file, limits);
+    }
     if (const auto skipped = note_of_skipped(document.source)) {
       note(shown_name(file) + ": " + *skipped);
     }
