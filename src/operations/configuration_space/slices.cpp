@@ -21,7 +21,7 @@ namespace minksum {
 struct ConfigurationSpace::State {
   ConfigurationOptions setting;
   Options options;
-  Region robot;           ///< with its reference point at the origin
+  Region robot;  ///< with its reference point at the origin
   Rational radius;
   Geometry obstacles;
   Region workspace;
@@ -197,7 +197,8 @@ void ConfigurationSpace::for_each_slice(
     progress.finish_part();
     return made;
   };
-  for_each_in_order<Slice, Workspace>(turns.size(), state_->options.threads, make, visit);
+  for_each_in_order<Slice, Workspace>(turns.size(), state_->options.threads, progress.options(),
+                                      make, visit);
 }
 
 std::vector<Slice> ConfigurationSpace::slices(std::span<const Turn> turns, bool with_free) const {

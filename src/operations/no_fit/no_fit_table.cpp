@@ -27,10 +27,9 @@ struct NoFitTable::State {
   [[nodiscard]] int turns_with_itself() const { return turns / 2 + 1; }
   [[nodiscard]] const Geometry& sum(std::size_t fixed, std::size_t moving, int turn) const {
     const auto all = static_cast<std::size_t>(turns);
-    const std::size_t before =
-        fixed == moving
-            ? 0
-            : static_cast<std::size_t>(turns_with_itself()) + (moving - fixed - 1) * all;
+    const std::size_t before = fixed == moving ? 0
+                                               : static_cast<std::size_t>(turns_with_itself()) +
+                                                     (moving - fixed - 1) * all;
     return rows[fixed][before + static_cast<std::size_t>(turn)];
   }
 };
@@ -118,7 +117,7 @@ NoFitTable::NoFitTable(std::span<const Geometry> given, int turns, const Options
     return row;
   };
   for_each_in_order<std::vector<Geometry>, Memory>(
-      parts.size(), worthwhile_threads(given, turns, options.threads), make_row,
+      parts.size(), worthwhile_threads(given, turns, options.threads), progress.options(), make_row,
       [&](std::size_t, std::vector<Geometry>& row) { state.rows.push_back(std::move(row)); });
   state_ = std::make_shared<const State>(std::move(state));
 }
