@@ -13,7 +13,7 @@ enum class Method {
   kReduced,
   /// Signed convolution and winding numbers (Guibas, Ramshaw, Stolfi 1983). It shares nothing with
   /// the other two but what boolean operations use, so it is an independent check. It is meant for
-  /// operands of small and middle size. Of the settings below, only `check` concerns it.
+  /// operands of small and middle size. No setting below concerns it.
   kSigned,
   /// The full convolution of Wein (ESA 2006), with reflex vertices and without a cover. It is slow,
   /// and serves the comparisons of the paper.

@@ -5,12 +5,10 @@
 
 #include "region/point_arithmetic.hpp"
 #include "region/rational_access.hpp"
-#include "second/signed_convolution/broken.hpp"
 
 namespace minksum::signed_sum {
 namespace {
 
-BigInteger cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
 /// Returns the units of work of such a product.
 std::uint64_t work_of_cross(const Direction& a) {
   return 2 * work_of_product(64 * std::max(a.x.limb_count(), a.y.limb_count()));
@@ -61,7 +59,7 @@ int turn_of(std::span<const Vertex> ring, Cancellation& cancellation) {
                                       }));
   const Vertex& before = least == ring.begin() ? ring.back() : *(least - 1);
   const Vertex& after = least + 1 == ring.end() ? ring.front() : *(least + 1);
-  return minksum::cross(minus(least->at, before.at), minus(after.at, least->at)).sign();
+  return cross(minus(least->at, before.at), minus(after.at, least->at)).sign();
 }
 
 Point extent_of(std::span<const Vertex> ring, Cancellation& cancellation) {
@@ -113,16 +111,6 @@ std::vector<Part> make_parts(const Region& region, Cancellation& cancellation) {
   return parts;
 }
 
-/// Calls visit(ring, is_hole) for each ring of both operands.
-template <class Operands, class Visit>
-void for_each_ring(Operands& operands, Visit visit) {
-  for (auto* const parts : {&operands.p, &operands.q}) {
-    for (auto& part : *parts) {
-      for (auto& ring : part) visit(ring, &ring != &part.front());
-    }
-  }
-}
-
 void rank_directions(DirectedOperands& operands, Cancellation& cancellation) {
   struct Edge {
     DirectedRing* ring;
@@ -130,11 +118,15 @@ void rank_directions(DirectedOperands& operands, Cancellation& cancellation) {
     [[nodiscard]] const Direction& direction() const { return ring->edges[index]; }
   };
   std::vector<Edge> edges;
-  for_each_ring(operands, [&](DirectedRing& ring, bool) {
-    cancellation.check(ring.size());
-    for (std::uint32_t i = 0; i < ring.size(); ++i) edges.push_back({&ring, i});
-    ring.ranks.resize(ring.size());
-  });
+  for (auto* const parts : {&operands.p, &operands.q}) {
+    for (Part& part : *parts) {
+      for (DirectedRing& ring : part) {
+        cancellation.check(ring.size());
+        for (std::uint32_t i = 0; i < ring.size(); ++i) edges.push_back({&ring, i});
+        ring.ranks.resize(ring.size());
+      }
+    }
+  }
   std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) {
     cancellation.check(2 + work_of_cross(a.direction()));
     return direction_less(a.direction(), b.direction());
@@ -150,28 +142,6 @@ void rank_directions(DirectedOperands& operands, Cancellation& cancellation) {
   operands.direction_count = rank + 1;
 }
 
-void check_ring(const DirectedRing& ring, bool counter_clockwise, DirectionRank count) {
-  Rational area;
-  std::size_t ends = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point at = ring.point(i);
-    const Point in = minus(at, ring.point(ring.previous(i)));
-    const Point out = minus(ring.point(ring.next(i)), at);
-    const int turn = minksum::cross(in, out).sign();
-    area = area + minksum::cross(at, out);
-    if (turn == 0 && dot(in, out).sign() >= 0) broken("a vertex of an operand is straight");
-    ends += turn == 0 ? 1U : 0U;
-    if ((turn >= 0) != ring.convex[i]) broken("a vertex of an operand is misjudged");
-    if (ring.ranks[i] >= count) broken("a direction of an operand has no rank");
-  }
-  if (area.sign() != 0 && (area.sign() > 0) != counter_clockwise) {
-    broken("a ring of an operand has the wrong orientation");
-  }
-  if (ends != (area.sign() == 0 ? 2U : 0U)) {
-    broken("an operand is neither a polygon nor a polyline");
-  }
-}
-
 }  // namespace
 
 DirectedOperands make_operands(const Region& p, const Region& q, Cancellation& cancellation) {
@@ -180,26 +150,6 @@ DirectedOperands make_operands(const Region& p, const Region& q, Cancellation& c
   operands.q = make_parts(q, cancellation);
   rank_directions(operands, cancellation);
   return operands;
-}
-
-void check(const DirectedOperands& operands) {
-  std::vector<std::pair<DirectionRank, Direction>> edges;
-  for_each_ring(operands, [&](const DirectedRing& ring, bool is_hole) {
-    check_ring(ring, !is_hole, operands.direction_count);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      edges.emplace_back(ring.ranks[i], direction(ring.point(i), ring.point(ring.next(i))));
-    }
-  });
-  std::sort(edges.begin(), edges.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    const auto& [rank, direction] = edges[i - 1];
-    const auto& [next_rank, next_direction] = edges[i];
-    if (direction_less(direction, next_direction) != (rank < next_rank) ||
-        direction_less(next_direction, direction)) {
-      broken("the directions of the operands are not in order");
-    }
-  }
 }
 
 }  // namespace minksum::signed_sum

@@ -8,20 +8,23 @@
 #include <vector>
 
 #include "exact/big_integer.hpp"
+#include "exact/formulas.hpp"
 #include "machine/cancellation.hpp"
 #include "minksum/geometry.hpp"
 
 namespace minksum::signed_sum {
+
+/// Throws because an invariant of this method does not hold, which is never the input's fault.
+[[noreturn]] inline void broken(const char* message) {
+  throw Error(ErrorCode::kInternal, message, {}, "signed convolution");
+}
 
 /// The place of an edge's direction among all distinct directions of both operands, in
 /// counter-clockwise order. Equal directions have equal ranks. The order is cyclic.
 using DirectionRank = std::uint32_t;
 
 /// A vector of integers in an edge's direction.
-struct Direction {
-  BigInteger x;
-  BigInteger y;
-};
+using Direction = Vec<BigInteger>;
 
 /// A simple ring without repeated or straight vertices, with material on its left, or a walk along
 /// a polyline and back. Edge i runs from vertex i to vertex i + 1. In the limit, a walk is the
@@ -55,9 +58,5 @@ struct DirectedOperands {
 /// result.
 [[nodiscard]] DirectedOperands make_operands(const Region& p, const Region& q,
                                              Cancellation& cancellation);
-
-/// Throws Error(kInternal) unless the operands are as described above. Rings must be oriented or
-/// walks, without straight or repeated vertices. Ranks must be in cyclic order of the directions.
-void check(const DirectedOperands& operands);
 
 }  // namespace minksum::signed_sum

@@ -8,7 +8,6 @@
 #include "machine/make_room.hpp"
 #include "region/point_arithmetic.hpp"
 #include "region/region_access.hpp"
-#include "second/signed_convolution/broken.hpp"
 
 namespace minksum::signed_sum {
 namespace {

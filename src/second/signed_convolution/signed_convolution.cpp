@@ -5,7 +5,6 @@
 #include "overlay/chains.hpp"
 #include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
-#include "second/signed_convolution/broken.hpp"
 #include "second/signed_convolution/segments.hpp"
 
 namespace minksum {
@@ -40,7 +39,6 @@ void compute(const Region& p, const Region& q, const SumSettings& options, Stati
   Cancellation cancellation(options);
   cancellation.enter(Stage::kOperands);
   const DirectedOperands operands = make_operands(p, q, cancellation);
-  if (options.check) check(operands);
   timer.charge(Stage::kOperands);
   cancellation.enter(Stage::kConvolution);
   const Region convolutions =
