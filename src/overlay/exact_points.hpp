@@ -6,6 +6,7 @@
 #include <span>
 
 #include "exact/big_integer.hpp"
+#include "exact/formulas.hpp"
 #include "exact/sign.hpp"
 #include "minksum/region.hpp"
 
@@ -28,11 +29,6 @@ struct ExactLocation {
   static ExactLocation of_point(PointId point) { return {{point, point}, {}, false}; }
   static ExactLocation of_crossing(const Ends& a, const Ends& b) { return {a, b, true}; }
   [[nodiscard]] PointId point() const { return first.low; }
-};
-
-struct Approximation {
-  double x = 0;
-  double y = 0;
 };
 
 /// Holds the exact coordinates of all points and decides by them.
@@ -65,7 +61,7 @@ class ExactPoints {
 
   /// Returns the nearest doubles, in a unit and from an origin of the rung's own. Numbers that
   /// underflow are off by less than kAbsoluteError.
-  [[nodiscard]] virtual Approximation approximate(const ExactLocation& place) const = 0;
+  [[nodiscard]] virtual Vec<double> approximate(const ExactLocation& place) const = 0;
   static constexpr double kAbsoluteError = 0x1p-1020;
   /// Tells whether given points are integers in that unit.
   [[nodiscard]] virtual bool on_grid() const = 0;

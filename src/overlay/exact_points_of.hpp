@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/big_integer.hpp"
+#include "exact/bit_budget.hpp"
 #include "exact/formulas.hpp"
 #include "exact/gcd.hpp"
 #include "exact/wide_int.hpp"
@@ -18,52 +19,30 @@ namespace minksum::overlay {
 //   a line's direction (A, B)    B              its C                2B
 //   a crossing's W               2B + 1         its X, Y             3B + 1
 //   line · point                 2B + 2         line · crossing      4B + 3
-//   X₁·W₂ − X₂·W₁                5B + 3
-struct NarrowRung {
-  static constexpr int kBits = 30;
-  using Length = std::int64_t;  // coordinates and A, B
-  using Area = std::int64_t;    // C, W and line · point
-  using Volume = Int128;        // X, Y of a crossing
-  using Side = Int128;          // line · crossing
-  using Order = WideInt<3>;     // X₁·W₂ − X₂·W₁
-  using AreaSum = Int128;
+//   X₁·W₂ − X₂·W₁                5B + 3         sum of 2^32 C        2B + 32
+template <class Fixed, class VolumeType>
+struct FixedNumbers {
+  static constexpr int kBits = Fixed::kCoordinateBits;
+  using Length = typename Fixed::Coord;         // coordinates and A, B
+  using Area = typename Fixed::Cross;           // C, W and line · point
+  using Volume = VolumeType;                    // X, Y of a crossing
+  using Side = typename Fixed::Along;           // line · crossing
+  using Order = typename Fixed::Lexicographic;  // X₁·W₂ − X₂·W₁
+  using AreaSum = typename Fixed::ProbeNumber;
+  static_assert(kBits + 1 < Bits<Length>::value && 2 * kBits + 2 < Bits<Area>::value &&
+                3 * kBits + 1 < Bits<Volume>::value && 4 * kBits + 3 < Bits<Side>::value &&
+                5 * kBits + 3 < Bits<Order>::value && 2 * kBits + 33 < Bits<AreaSum>::value);
 };
-struct MediumRung {
-  static constexpr int kBits = 61;
-  using Length = std::int64_t;
-  using Area = Int128;
-  using Volume = WideInt<3>;
-  using Side = WideInt<4>;
-  using Order = WideInt<5>;
-  using AreaSum = WideInt<3>;
-};
-struct WideRung {
-  static constexpr int kBits = 125;
-  using Length = Int128;
-  using Area = WideInt<4>;
-  using Volume = WideInt<6>;
-  using Side = WideInt<8>;
-  using Order = WideInt<10>;
-  using AreaSum = WideInt<5>;
-};
-struct ArbitraryRung {
+using NarrowNumbers = FixedNumbers<NarrowRung, Int128>;
+using MediumNumbers = FixedNumbers<MediumRung, WideInt<3>>;
+using WideNumbers = FixedNumbers<WideRung, WideInt<6>>;
+struct ArbitraryNumbers {
   using Length = BigInteger;
   using Area = BigInteger;
   using Volume = BigInteger;
   using Side = BigInteger;
   using Order = BigInteger;
 };
-
-template <class Integer>
-constexpr int kMagnitudeBits = static_cast<int>(8 * sizeof(Integer)) - 1;
-template <class Rung>
-constexpr bool kFits = kMagnitudeBits<typename Rung::Length> >= Rung::kBits + 1 &&
-                       kMagnitudeBits<typename Rung::Area> >= 2 * Rung::kBits + 2 &&
-                       kMagnitudeBits<typename Rung::Volume> >= 3 * Rung::kBits + 1 &&
-                       kMagnitudeBits<typename Rung::Side> >= 4 * Rung::kBits + 3 &&
-                       kMagnitudeBits<typename Rung::Order> >= 5 * Rung::kBits + 3 &&
-                       kMagnitudeBits<typename Rung::AreaSum> >= 2 * Rung::kBits + 1 + 32;
-static_assert(kFits<NarrowRung> && kFits<MediumRung> && kFits<WideRung>);
 
 /// Relates the rung's own coordinates to the given ones: given = (own + offset)·2^exp2·10^exp10.
 struct Frame {
@@ -75,20 +54,17 @@ struct Frame {
   int approximate_exp2 = 0;
 };
 
-template <class Rung>
+template <class Numbers>
 class ExactPointsOf final : public ExactPoints {
-  static constexpr bool kHomogeneous = std::is_same_v<Rung, ArbitraryRung>;
-  using Length = typename Rung::Length;
-  using Area = typename Rung::Area;
-  using Volume = typename Rung::Volume;
-  using Side = typename Rung::Side;
-  using Order = typename Rung::Order;
+  static constexpr bool kHomogeneous = std::is_same_v<Numbers, ArbitraryNumbers>;
+  using Length = typename Numbers::Length;
+  using Area = typename Numbers::Area;
+  using Volume = typename Numbers::Volume;
+  using Side = typename Numbers::Side;
+  using Order = typename Numbers::Order;
 
  public:
-  struct Own {
-    Length x;
-    Length y;
-  };
+  using Own = Vec<Length>;
   /// `weights` are the W of points on the rung of any size. On other rungs it is empty.
   ExactPointsOf(std::vector<Own> points, std::vector<Length> weights, Frame frame)
       : points_(std::move(points)), weights_(std::move(weights)), frame_(std::move(frame)) {}
@@ -143,7 +119,7 @@ class ExactPointsOf final : public ExactPoints {
       const Quotient sum = doubled_area(ring, 0, ring.size());
       return sign_of(sum.numerator);
     } else {
-      using Sum = typename Rung::AreaSum;
+      using Sum = typename Numbers::AreaSum;
       Sum sum(0);
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Coefficients side = line_of({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
@@ -164,7 +140,7 @@ class ExactPointsOf final : public ExactPoints {
   }
 
   [[nodiscard]] bool on_grid() const override { return !kHomogeneous; }
-  [[nodiscard]] Approximation approximate(const ExactLocation& place) const override {
+  [[nodiscard]] Vec<double> approximate(const ExactLocation& place) const override {
     if constexpr (std::is_same_v<Length, std::int64_t>) {
       if (!place.is_crossing) {
         const Own& p = points_[place.point()];

@@ -5,40 +5,22 @@
 #include <optional>
 
 #include "overlay/exact_points_of.hpp"
-#include "region/region_access.hpp"
-#include "validation/grid_scale.hpp"
+#include "region/grid_scale.hpp"
 
 namespace minksum::overlay {
 namespace {
 
-/// Returns the scale of the coordinates. Returns nothing if one is stored as a quotient.
-std::optional<Scale> common_scale(std::span<const Source> sources, Cancellation& cancellation) {
-  bool quotients = false;
-  const Scale scale = scale_of([&](auto visit) {
-    const auto visit_one = [&](const StoredCoordinate& c) {
-      quotients |= c.denominator_limbs != 0;
-      visit(c.payload, c.exp2, c.exp10);
-    };
-    for (std::size_t i = 0; i < sources.size() && !quotients; ++i) {
-      cancellation.check();
-      visit_one(RegionAccess::x(*sources[i].region, sources[i].vertex));
-      visit_one(RegionAccess::y(*sources[i].region, sources[i].vertex));
-    }
-  });
-  return quotients ? std::nullopt : std::optional(scale);
-}
-
-template <class Rung>
+template <class Numbers>
 std::unique_ptr<ExactPoints> make(const GridCoordinates& grid) {
-  std::vector<typename ExactPointsOf<Rung>::Own> own;
+  std::vector<typename ExactPointsOf<Numbers>::Own> own;
   own.reserve(grid.large_sites.size());
-  using Length = typename Rung::Length;
+  using Length = typename Numbers::Length;
   for (const Vec<Int128>& p : grid.large_sites) {
     own.push_back({static_cast<Length>(p.x), static_cast<Length>(p.y)});
   }
   Frame frame{grid.offset.x, grid.offset.y, grid.unit.exp2, grid.unit.exp10};
-  return std::make_unique<ExactPointsOf<Rung>>(std::move(own), std::vector<Length>{},
-                                               std::move(frame));
+  return std::make_unique<ExactPointsOf<Numbers>>(std::move(own), std::vector<Length>{},
+                                                  std::move(frame));
 }
 
 std::unique_ptr<ExactPoints> load_on_grid(std::span<const Source> sources, const Scale& scale,
@@ -52,13 +34,13 @@ std::unique_ptr<ExactPoints> load_on_grid(std::span<const Source> sources, const
     return Vec<Int128>{on(RegionAccess::x(*region, v)), on(RegionAccess::y(*region, v))};
   };
   load_grid(sources.size(), scale, at, cancellation, grid.large_sites, grid);
-  if (grid.bits <= NarrowRung::kBits) return make<NarrowRung>(grid);
-  if (grid.bits <= MediumRung::kBits) return make<MediumRung>(grid);
-  return make<WideRung>(grid);
+  if (grid.bits <= NarrowNumbers::kBits) return make<NarrowNumbers>(grid);
+  if (grid.bits <= MediumNumbers::kBits) return make<MediumNumbers>(grid);
+  return make<WideNumbers>(grid);
 }
 
 LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& cancellation) {
-  std::vector<ExactPointsOf<ArbitraryRung>::Own> points;
+  std::vector<ExactPointsOf<ArbitraryNumbers>::Own> points;
   std::vector<BigInteger> weights;
   points.reserve(sources.size());
   weights.reserve(sources.size());
@@ -86,8 +68,8 @@ LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& can
   // The largest coordinate is about 2^100. So a product of three is far from overflow.
   Frame frame;
   frame.approximate_exp2 = log2_largest == std::numeric_limits<int>::min() ? 0 : 100 - log2_largest;
-  return {std::make_unique<ExactPointsOf<ArbitraryRung>>(std::move(points), std::move(weights),
-                                                         std::move(frame)),
+  return {std::make_unique<ExactPointsOf<ArbitraryNumbers>>(std::move(points), std::move(weights),
+                                                            std::move(frame)),
           work_of_decision(bits)};
 }
 
@@ -95,9 +77,14 @@ LoadedPoints load_homogeneous(std::span<const Source> sources, Cancellation& can
 
 LoadedPoints load_points(std::span<const Source> sources, Cancellation& cancellation) {
   constexpr std::uint64_t kWorkOnGrid = 8;
-  const std::optional<Scale> scale = common_scale(sources, cancellation);
+  const std::optional<Scale> scale = scale_of_stored([&](auto visit) {
+    visit_in_pieces(sources, cancellation, [&](const Source& s) {
+      visit(RegionAccess::x(*s.region, s.vertex));
+      visit(RegionAccess::y(*s.region, s.vertex));
+    });
+  });
   // A difference has one bit more.
-  if (scale && scale->bits < WideRung::kBits) {
+  if (scale && scale->bits < WideNumbers::kBits) {
     return {load_on_grid(sources, *scale, cancellation), kWorkOnGrid};
   }
   return load_homogeneous(sources, cancellation);

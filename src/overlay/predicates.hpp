@@ -97,7 +97,7 @@ class Predicates {
     const Bounded height = b.y - a.y;
     constexpr double kGoodEnough = 0x1p-40;
     if (part.error < kGoodEnough) return {a.x + part * width, a.y + part * height};
-    const Approximation at = exact().approximate(ExactLocation::of_crossing(s, t));
+    const Vec<double> at = exact().approximate(ExactLocation::of_crossing(s, t));
     return {rounded(at.x), rounded(at.y)};
   }
 
@@ -119,7 +119,7 @@ class Predicates {
     return {value, std::fabs(value) * 0x1p-52 + ExactPoints::kAbsoluteError};
   }
   [[nodiscard]] ApproximateLocation approximate(PointId p) const {
-    const Approximation at = exact_->approximate(ExactLocation::of_point(p));
+    const Vec<double> at = exact_->approximate(ExactLocation::of_point(p));
     const auto bounded = [&](double value) {
       // A value of 2^53 may be 2^53 + 1, rounded.
       const bool exact = exact_->on_grid() && std::fabs(value) < 0x1p53;

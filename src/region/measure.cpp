@@ -7,20 +7,35 @@
 
 #include "exact/gcd.hpp"
 #include "machine/cancellation.hpp"
-#include "region/common_scale.hpp"
+#include "region/denominators.hpp"
 #include "region/fraction_sum.hpp"
+#include "region/grid_scale.hpp"
 #include "region/rational_access.hpp"
-#include "region/region_access.hpp"
 
 namespace minksum {
 
 namespace {
 
-// Returns twice the signed area of a ring of integers below 2^61 in absolute value.
-BigInteger doubled_area(const std::vector<ScaledPoint>& points, IndexRange ring,
+// Puts all coordinates on one grid, as integers below 2^62. Returns false if there is no such grid.
+bool find_grid(const Region& region, Cancellation& cancellation, GridCoordinates& grid) {
+  const std::optional<Scale> scale =
+      scale_of_stored([&](auto visit) { for_each_coordinate(region, cancellation, visit); });
+  if (!scale || scale->bits >= GridCoordinates::kSmallBits) return false;
+  const auto on = [&](const StoredCoordinate& c) {
+    return on_grid<std::int64_t>(c.payload, c.exp2, c.exp10, *scale);
+  };
+  const auto at = [&](std::size_t v) {
+    return Vec<std::int64_t>{on(RegionAccess::x(region, v)), on(RegionAccess::y(region, v))};
+  };
+  load_grid(region.vertex_count(), *scale, at, cancellation, grid.small_sites, grid);
+  return true;
+}
+
+// Returns twice the signed area of a ring of integers below 2^62.
+BigInteger doubled_area(const std::vector<Vec<std::int64_t>>& points, IndexRange ring,
                         Cancellation& cancellation) {
   if (ring.size() < 3) return 0;
-  const ScaledPoint origin = points[ring.front()];
+  const Vec<std::int64_t> origin = points[ring.front()];
   WideInt<3> sum;
   std::int64_t last_x = 0;
   std::int64_t last_y = 0;
@@ -125,15 +140,6 @@ double approximate_doubled_area(const Region& region, IndexRange ring, Cancellat
   return std::abs(sum.value());
 }
 
-template <typename Better>
-bool better_exactly(const Region& region, const StoredCoordinate& a, const StoredCoordinate& b,
-                    Better better) {
-  const bool same_unit = a.denominator_limbs == 0 && b.denominator_limbs == 0 && a.exp2 == b.exp2 &&
-                         a.exp10 == b.exp10;
-  if (same_unit) return better(a.payload, b.payload);
-  return better(RegionAccess::exact(region, a), RegionAccess::exact(region, b));
-}
-
 // Returns the extreme coordinate. The nearest doubles decide, and exact comparison where they are
 // equal.
 template <typename Get, typename Better>
@@ -144,9 +150,9 @@ Rational extreme(const Region& region, Get get, Better better, Cancellation& can
     cancellation.check(work_of_product(RegionAccess::bits(region, v)));
     const double candidate = RegionAccess::nearest(region, get(region, v));
     if (better(best_double, candidate)) continue;
-    if (candidate == best_double &&
-        !better_exactly(region, get(region, v), get(region, best), better)) {
-      continue;
+    if (candidate == best_double) {
+      const auto order = RegionAccess::compare(region, get(region, v), get(region, best));
+      if (!better(order < 0 ? -1 : order > 0, 0)) continue;
     }
     best = v;
     best_double = candidate;
@@ -158,22 +164,19 @@ Rational extreme(const Region& region, Get get, Better better, Cancellation& can
 
 Rational area(const Region& region, const Options& options) {
   Cancellation cancellation(options);
-  CommonScale scale;
-  if (!find_common_scale(region, cancellation, scale)) {
-    return area_of_rationals(region, cancellation);
-  }
+  GridCoordinates grid;
+  if (!find_grid(region, cancellation, grid)) return area_of_rationals(region, cancellation);
   BigInteger doubled;
   for (const std::size_t polygon : region.polygons()) {
     bool outer = true;
     for (const std::size_t ring : region.rings_of(polygon)) {
       const BigInteger of_ring =
-          abs(doubled_area(scale.points, region.vertices_of(ring), cancellation));
+          abs(doubled_area(grid.small_sites, region.vertices_of(ring), cancellation));
       doubled += outer ? of_ring : -of_ring;
       outer = false;
     }
   }
-  return RationalAccess::make_reduced(std::move(doubled), 1) * scale.unit * scale.unit /
-         Rational(2);
+  return RationalAccess::make(std::move(doubled), 2, 2 * grid.unit.exp2, 2 * grid.unit.exp10);
 }
 
 double approximate_area(const Region& region, const Options& options) {

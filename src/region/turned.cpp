@@ -161,6 +161,9 @@ Region turned(const Region& region, int quarters, Cancellation& cancellation) {
   if (quarters % 4 == 0) return region;
   return Turner(region, quarters, region.has_origins(), cancellation).in_canonical_order();
 }
+Region in_canonical_order(const Region& region, Cancellation& cancellation) {
+  return Turner(region, 0, region.has_origins(), cancellation).in_canonical_order();
+}
 Region turned_in_order(const Region& region, int quarters, Cancellation& cancellation) {
   return Turner(region, quarters, false, cancellation).in_order();
 }

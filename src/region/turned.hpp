@@ -11,7 +11,11 @@ namespace minksum {
 /// are kept. Takes O(n), and sorting of rings.
 [[nodiscard]] Region turned(const Region& region, int quarters, Cancellation& cancellation);
 
-/// Does the same, but keeps the order of rings and vertices, and drops origins. O(n).
+/// Returns the region with its rings and vertices in canonical order. Outer rings must come first,
+/// and all rings must have the canonical direction.
+[[nodiscard]] Region in_canonical_order(const Region& region, Cancellation& cancellation);
+
+/// Does the same as `turned`, but keeps the order of rings and vertices, and drops origins. O(n).
 [[nodiscard]] Region turned_in_order(const Region& region, int quarters,
                                      Cancellation& cancellation);
 

@@ -3,36 +3,12 @@
 #include <numeric>
 #include <optional>
 
-#include "region/region_access.hpp"
-#include "validation/grid_scale.hpp"
+#include "region/grid_scale.hpp"
 #include "validation/prepared_operand.hpp"
 #include "validation/rational_sites.hpp"
 
 namespace minksum {
 namespace {
-
-template <class Visit>
-void for_each_coordinate(const Region& region, Cancellation& cancellation, Visit visit) {
-  in_pieces(region.vertex_count(), cancellation, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      visit(RegionAccess::x(region, v));
-      visit(RegionAccess::y(region, v));
-    }
-  });
-}
-
-/// Returns the scale of a region's coordinates. Returns nothing if one is stored as a quotient.
-std::optional<Scale> common_scale(const Region& region, Cancellation& cancellation) {
-  bool quotients = false;
-  const Scale scale = scale_of([&](auto visit) {
-    if (quotients) return;
-    for_each_coordinate(region, cancellation, [&](const StoredCoordinate& c) {
-      quotients |= c.denominator_limbs != 0;
-      visit(c.payload, c.exp2, c.exp10);
-    });
-  });
-  return quotients ? std::nullopt : std::optional(scale);
-}
 
 /// The number payload · 2^exp2 · 10^exp10 / divisor.
 struct LongNumber {
@@ -142,7 +118,8 @@ void load_sites(const Region& region, const SumSettings& options, Cancellation& 
   operand.region = &region;
   operand.thin = false;
   GridCoordinates& grid = operand.grid;
-  const std::optional<Scale> scale = common_scale(region, cancellation);
+  const std::optional<Scale> scale =
+      scale_of_stored([&](auto visit) { for_each_coordinate(region, cancellation, visit); });
   const bool rationals_asked = options.arithmetic == Arithmetic::kArbitrary;
   // Sums and differences of two small numbers have one bit more, and need a sign.
   grid.small = scale && scale->bits < GridCoordinates::kSmallBits;

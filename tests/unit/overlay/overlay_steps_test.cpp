@@ -101,8 +101,8 @@ TEST(OverlayExactPoints, AllRungsAgreeWithRationals) {
     const auto parallel = [&](std::size_t a) {
       return reference::cross_sign(exact[a], exact[a + 1], exact[a + 2], exact[a + 3]) == 0;
     };
-    for (const auto& rung : {points_on<NarrowRung>(points), points_on<MediumRung>(points),
-                             points_on<WideRung>(points), points_on<ArbitraryRung>(points)}) {
+    for (const auto& rung : {points_on<NarrowNumbers>(points), points_on<MediumNumbers>(points),
+                             points_on<WideNumbers>(points), points_on<ArbitraryNumbers>(points)}) {
       EXPECT_EQ(rung->orientation({0, 1}, 2), reference::turn(exact[0], exact[1], exact[2]));
       EXPECT_EQ(rung->cross({0, 1}, {2, 3}),
                 reference::cross_sign(exact[0], exact[1], exact[2], exact[3]));

@@ -1,4 +1,4 @@
-#include "region/common_scale.hpp"
+#include "region/denominators.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -13,23 +13,6 @@
 namespace minksum {
 
 namespace {
-
-constexpr std::int64_t kLargest = (std::int64_t{1} << 61) - 1;
-
-// Sets `result` to payload · 2^twos · 10^tens, if the magnitude of that is at most kLargest.
-bool scaled(std::int64_t payload, int twos, int tens, std::int64_t& result) {
-  result = payload;
-  if (payload == 0) return true;
-  if (twos > 61 || tens > 18) return false;
-  for (; tens > 0; --tens) {
-    if (result > kLargest / 10 || result < -kLargest / 10) return false;
-    result *= 10;
-  }
-  const std::int64_t limit = kLargest >> twos;
-  if (result > limit || result < -limit) return false;
-  result *= std::int64_t{1} << twos;
-  return true;
-}
 
 // Collects denominators. For finite decimals and doubles, exponents tell the powers of two and of
 // five. Other denominators are kept as they are.
@@ -80,34 +63,6 @@ BigInteger least_common_multiple(BigInteger common, std::vector<BigInteger> valu
     common *= value / greatest_common_divisor(rest, value);
   }
   return common;
-}
-
-bool find_common_scale(const Region& region, Cancellation& cancellation, CommonScale& scale) {
-  int twos = 0;
-  int tens = 0;
-  bool any = false;
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-    cancellation.check();
-    for (const StoredCoordinate* c : {&RegionAccess::x(region, v), &RegionAccess::y(region, v)}) {
-      if (c->denominator_limbs != 0) return false;
-      if (c->payload == 0) continue;
-      twos = any ? std::min(twos, int{c->exp2}) : int{c->exp2};
-      tens = any ? std::min(tens, int{c->exp10}) : int{c->exp10};
-      any = true;
-    }
-  }
-  scale.points.resize(region.vertex_count());
-  const auto place = [&](const StoredCoordinate& c, std::int64_t& result) {
-    return scaled(c.payload, c.exp2 - twos, c.exp10 - tens, result);
-  };
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-    cancellation.check(2);
-    ScaledPoint& point = scale.points[v];
-    if (!place(RegionAccess::x(region, v), point.x)) return false;
-    if (!place(RegionAccess::y(region, v), point.y)) return false;
-  }
-  scale.unit = RationalAccess::make(1, 1, twos, tens);
-  return true;
 }
 
 BigInteger finite_denominator(const Region& region, Cancellation& cancellation) {

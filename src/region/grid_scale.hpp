@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "exact/exact_kernel.hpp"
 #include "machine/make_room.hpp"
+#include "region/region_access.hpp"
 
 namespace minksum {
 
@@ -55,6 +57,31 @@ Scale scale_of(ForEach for_each) {
                         bit_width(payload) + (exp2 - low.exp2) + bits_of_ten_to(exp10 - low.exp10));
   });
   return low;
+}
+
+/// Returns the scale of stored coordinates, which for_each(visit) visits. Returns nothing if one is
+/// stored as a quotient.
+template <class ForEach>
+std::optional<Scale> scale_of_stored(ForEach for_each) {
+  bool quotients = false;
+  const Scale scale = scale_of([&](auto visit) {
+    if (quotients) return;
+    for_each([&](const StoredCoordinate& c) {
+      quotients |= c.denominator_limbs != 0;
+      visit(c.payload, c.exp2, c.exp10);
+    });
+  });
+  return quotients ? std::nullopt : std::optional(scale);
+}
+
+template <class Visit>
+void for_each_coordinate(const Region& region, Cancellation& cancellation, Visit visit) {
+  in_pieces(region.vertex_count(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      visit(RegionAccess::x(region, v));
+      visit(RegionAccess::y(region, v));
+    }
+  });
 }
 
 template <class Number>
