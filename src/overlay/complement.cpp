@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "machine/make_room.hpp"
@@ -23,12 +24,9 @@ class ApproximateVertices {
   ApproximateVertices(const Region& region, Cancellation& cancellation)
       : region_(region), cancellation_(cancellation) {
     at_.resize(region.vertex_count());
-    left_ = right_ = at_.empty() ? 0 : region.x(0);
     for (Vertex v = 0; v < at_.size(); ++v) {
       cancellation.check(work_of_product(RegionAccess::bits(region, v)));
       at_[v] = {region.x(v), region.y(v)};
-      left_ = std::min(left_, at_[v].x);
-      right_ = std::max(right_, at_[v].x);
       largest_ = std::max({largest_, std::abs(at_[v].x), std::abs(at_[v].y)});
     }
     // Let M be the largest magnitude. Differences are off by M·2^-51 at most, and so two products
@@ -36,14 +34,7 @@ class ApproximateVertices {
     doubt_ = largest_ * largest_ * 0x1p-46;
   }
   /// Tells whether products of two differences neither overflow nor vanish.
-  [[nodiscard]] bool usable() const {
-    return largest_ > 0x1p-400 && largest_ < 0x1p400 && right_ > left_;
-  }
-  /// Returns which of `count` columns a vertex is in.
-  [[nodiscard]] std::size_t column(Vertex v, std::size_t count) const {
-    return static_cast<std::size_t>((at_[v].x - left_) / (right_ - left_) *
-                                    static_cast<double>(count - 1));
-  }
+  [[nodiscard]] bool usable() const { return largest_ > 0x1p-400 && largest_ < 0x1p400; }
 
   /// Returns the side of the line from a to b on which p lies.
   [[nodiscard]] Sign side(Vertex a, Vertex b, Vertex p) const {
@@ -73,8 +64,6 @@ class ApproximateVertices {
   const Region& region_;
   Cancellation& cancellation_;
   std::vector<Vec<double>> at_;
-  double left_ = 0;
-  double right_ = 0;
   double largest_ = 0;  ///< magnitude of a coordinate
   double doubt_ = 0;    ///< bound on the error of a cross product
 };
@@ -157,18 +146,11 @@ class InsideOut {
     return true;
   }
   void sort_vertices() {
-    const std::size_t n = next_.size();
-    std::vector<std::uint32_t> begin;
-    list_by_key(n, cancellation_, begin, order_, [&](auto visit) {
-      cancellation_.check(n);
-      for (Vertex v = 0; v < n; ++v) visit(vertices_.column(v, n), v);
-    });
-    const auto at = [&](std::size_t i) { return order_.begin() + begin[i]; };
-    const auto before =
-        cancellation_.counting([&](Vertex v, Vertex w) { return vertices_.is_before(v, w); });
-    for (std::size_t i = 0; i < n; ++i) {
-      if (begin[i + 1] - begin[i] > 1) std::sort(at(i), at(i + 1), before);
-    }
+    order_.resize(next_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::sort(order_.begin(), order_.end(), cancellation_.counting([&](Vertex v, Vertex w) {
+      return vertices_.is_before(v, w);
+    }));
     place_.resize(order_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) place_[order_[i]] = i;
   }

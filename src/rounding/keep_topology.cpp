@@ -6,6 +6,7 @@
 
 #include "machine/make_room.hpp"
 #include "region/region_access.hpp"
+#include "region/turned.hpp"
 #include "rounding/orientation.hpp"
 #include "validation/prepared_operand.hpp"
 
@@ -98,50 +99,14 @@ class TopologyChecker {
     });
   }
 
-  // -- Canonical form ----------------------------------------------------------------------------
-  [[nodiscard]] bool before(SiteId a, SiteId b) const {
-    cancellation_.check(operand_.kernel->work());
-    const Sign by_x = operand_.kernel->compare(a, b, Axis::kX);
-    return (by_x != kZero ? by_x : operand_.kernel->compare(a, b, Axis::kY)) == kNegative;
-  }
-  /// Orders rings by their first vertices, or by the next ones where these are equal.
-  [[nodiscard]] bool ring_before(std::size_t a, std::size_t b) const {
-    if (before(first_[a], first_[b])) return true;
-    if (before(first_[b], first_[a])) return false;
-    return before(operand_.sites.next[first_[a]], operand_.sites.next[first_[b]]);
-  }
-
-  [[nodiscard]] Region write() {
-    const auto& rings = operand_.rings;
-    for (const OperandRing& ring : rings) {
-      SiteId first = ring.begin;
-      for (SiteId v = ring.begin + 1; v < ring.end; ++v) {
-        if (before(v, first)) first = v;
-      }
-      first_.push_back(first);
-    }
-    std::vector<std::size_t> outer_of(rings.size());
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-      outer_of[r] = rings[r].is_hole() ? outer_of[r - 1] : r;
-    }
-    std::vector<std::size_t> order(rings.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      if (outer_of[a] != outer_of[b]) return ring_before(outer_of[a], outer_of[b]);
-      if (rings[a].is_hole() != rings[b].is_hole()) return !rings[a].is_hole();
-      return a != b && ring_before(a, b);
-    });
+  [[nodiscard]] Region write() const {
     Region result;
-    for (const std::size_t r : order) {
-      if (!rings[r].is_hole()) result.begin_polygon();
+    for (const OperandRing& ring : operand_.rings) {
+      if (!ring.is_hole()) result.begin_polygon();
       result.begin_ring();
-      SiteId v = first_[r];
-      do {
-        copy_vertex(v, result);
-        v = operand_.sites.next[v];
-      } while (v != first_[r]);
+      for (SiteId v = ring.begin; v < ring.end; ++v) copy_vertex(v, result);
     }
-    return result;
+    return in_canonical_order(result, cancellation_);
   }
 
   void copy_vertex(SiteId site, Region& result) const {
@@ -163,7 +128,6 @@ class TopologyChecker {
   bool keeps_origins_;
   OperandScratch scratch_;
   PreparedOperand operand_;
-  std::vector<SiteId> first_;  ///< by ring: its smallest vertex
 };
 
 }  // namespace
