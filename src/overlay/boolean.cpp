@@ -35,12 +35,8 @@ std::optional<Box> as_box(const Region& region) {
 
 Region combine(const Region& a, const Region& b, overlay::Inside inside, const Options& options) {
   std::vector<overlay::Chain> chains;
-  for (const bool second : {false, true}) {
-    overlay::for_each_ring(second ? b : a, [&](overlay::Chain chain, bool) {
-      (second ? chain.weight.second : chain.weight.first) = 1;
-      chains.push_back(chain);
-    });
-  }
+  overlay::add_rings(a, {1, 0}, chains);
+  overlay::add_rings(b, {0, 1}, chains);
   return overlay::select(chains, {inside}, options).region;
 }
 
@@ -52,10 +48,7 @@ Geometry unite(std::span<const Geometry> geometries, const Options& options) {
   std::vector<overlay::Chain> chains;
   overlay::ThinStore thin;
   for (const Geometry& geometry : geometries) {
-    overlay::for_each_ring(geometry.region, [&](overlay::Chain chain, bool) {
-      chain.weight.first = 1;
-      chains.push_back(chain);
-    });
+    overlay::add_rings(geometry.region, {1, 0}, chains);
     thin.add(geometry, cancellation);
   }
   thin.list_chains(chains);

@@ -59,4 +59,12 @@ void for_each_ring(const Region& region, Add add) {
   }
 }
 
+/// Adds the rings of a region, all with one weight.
+inline void add_rings(const Region& region, const Winding& weight, std::vector<Chain>& chains) {
+  for_each_ring(region, [&](Chain chain, bool) {
+    chain.weight = weight;
+    chains.push_back(chain);
+  });
+}
+
 }  // namespace minksum::overlay

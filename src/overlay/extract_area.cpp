@@ -121,10 +121,7 @@ class AreaExtractor {
   [[nodiscard]] bool turns(const Step& a, const Step& b) const {
     const Piece& p = s_.pieces[a.piece];
     const Piece& q = s_.pieces[b.piece];
-    if (p.segment == q.segment) return false;
-    if ((a.from == p.low) != (b.from == q.low)) return true;
-    return segments_.predicates.cross(segments_.list[p.segment].ends,
-                                      segments_.list[q.segment].ends) != kZero;
+    return overlay::turns(segments_, p, q, (a.from == p.low) == (b.from == q.low));
   }
 
   /// Gives each walk its outer ring. A walk without one is a hole of the part of the area straight

@@ -58,9 +58,13 @@ class ThinExtractor {
     for (;;) {
       cancellation_.check(2);
       done_[p] = 1;
-      if (before != kNone && turns_between(before, p, at)) path.push_back(at);
       const Piece& piece = s_.pieces[p];
-      at = piece.low == at ? piece.high : piece.low;
+      const bool goes_up = piece.low == at;
+      if (before != kNone &&
+          turns(segments_, s_.pieces[before], piece, (s_.pieces[before].high == at) == goes_up)) {
+        path.push_back(at);
+      }
+      at = goes_up ? piece.high : piece.low;
       if (at == start || is_end(at)) break;
       before = std::exchange(p, other_piece(at, p));
     }
@@ -77,14 +81,6 @@ class ThinExtractor {
       if (q != p && s_.pieces[q].thin) return q;
     }
     broken("a path does not go on at a node");
-  }
-  [[nodiscard]] bool turns_between(PieceId p, PieceId q, NodeId at) const {
-    const Piece& a = s_.pieces[p];
-    const Piece& b = s_.pieces[q];
-    if (a.segment == b.segment) return false;
-    if ((a.low == at) == (b.low == at)) return true;
-    return segments_.predicates.cross(segments_.list[a.segment].ends,
-                                      segments_.list[b.segment].ends) != kZero;
   }
 
   void write(Geometry& geometry) {

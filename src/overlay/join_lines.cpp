@@ -27,7 +27,7 @@ void join(std::span<const Segment> line, Cancellation& cancellation, std::vector
   Step now = steps.front();
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const Step& step = steps[i];
-    const Segment part{{now.at, step.at}, now.change, now.belongs > 0, now.spared};
+    const Segment part{{now.change, now.belongs > 0, now.spared}, {now.at, step.at}};
     if (step.at != now.at && !part.idle()) joined.push_back(part);
     now = {step.at, now.change + step.change, now.belongs + step.belongs, now.spared + step.spared};
   }

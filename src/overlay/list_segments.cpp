@@ -57,25 +57,14 @@ Winding directed_weight(const Chain& chain, std::span<const PointId> points,
   return reversed ? -chain.weight : chain.weight;
 }
 
-void merge_equal(std::vector<Segment>& list, Cancellation& cancellation) {
+void merge_segments(std::vector<Segment>& list, Cancellation& cancellation) {
   std::sort(list.begin(), list.end(), cancellation.counting([](const Segment& a, const Segment& b) {
     return a.ends.low != b.ends.low ? a.ends.low < b.ends.low : a.ends.high < b.ends.high;
   }));
-  std::size_t kept = 0;
-  for (const Segment& s : list) {
-    cancellation.check();
-    Segment* last = kept == 0 ? nullptr : &list[kept - 1];
-    if (last != nullptr && last->ends.low == s.ends.low && last->ends.high == s.ends.high) {
-      last->change = last->change + s.change;
-      last->belongs |= s.belongs;
-      last->spared += s.spared;
-    } else {
-      list[kept++] = s;
-    }
-  }
-  list.resize(kept);
-  // A segment that changes nothing and does not belong has no place in the result.
-  std::erase_if(list, std::mem_fn(&Segment::idle));
+  const auto same = cancellation.counting([](const Segment& a, const Segment& b) {
+    return a.ends.low == b.ends.low && a.ends.high == b.ends.high;
+  });
+  list.erase(merge_equal(list.begin(), list.end(), same), list.end());
 }
 
 }  // namespace
@@ -106,13 +95,13 @@ Segments list_segments(std::span<const Chain> chains, Cancellation& cancellation
       const PointId a = points[i];
       const PointId b = points[last ? 0 : i + 1];
       const auto add = [&](const Ends& ends, const Winding& change) {
-        append(segments.list, {ends, change, chain.belongs, chain.spared}, cancellation);
+        append(segments.list, {{change, chain.belongs, chain.spared}, ends}, cancellation);
       };
       if (a < b) add({a, b}, weight);
       if (b < a) add({b, a}, -weight);
     }
   }
-  merge_equal(segments.list, cancellation);
+  merge_segments(segments.list, cancellation);
   return segments;
 }
 

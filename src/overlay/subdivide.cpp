@@ -102,9 +102,7 @@ class Subdivider {
         piece.low = from;
         piece.high = to;
         piece.segment = s;
-        piece.change = segment.change;
-        piece.belongs = segment.belongs;
-        piece.spared = segment.spared;
+        static_cast<Share&>(piece) = segment;
         from = to;
       };
       std::for_each(begin, end, cut_at);
@@ -141,34 +139,24 @@ class Subdivider {
   }
   /// Moves the pieces [begin, end) to `to`, and returns how many are left.
   std::size_t sort_at_node(std::size_t begin, std::size_t end, std::size_t to) {
-    auto& pieces = result_.pieces;
-    const auto at = [&](std::size_t i) { return pieces.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto at = [&](std::size_t i) {
+      return result_.pieces.begin() + static_cast<std::ptrdiff_t>(i);
+    };
     if (end - begin > 1) {
       std::sort(at(begin), at(end), cancellation_.counting([](const Piece& a, const Piece& b) {
         return a.high < b.high;
       }));
     }
-    std::size_t kept = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      Piece* last = kept == 0 ? nullptr : &pieces[to + kept - 1];
-      if (last != nullptr && last->high == pieces[i].high) {
-        last->change = last->change + pieces[i].change;
-        last->belongs |= pieces[i].belongs;
-        last->spared += pieces[i].spared;
-      } else {
-        pieces[to + kept++] = pieces[i];
-      }
-    }
-    const auto end_of_kept = std::remove_if(at(to), at(to + kept), std::mem_fn(&Piece::idle));
-    kept = static_cast<std::size_t>(end_of_kept - at(to));
-    if (kept > 1) {
-      std::sort(at(to), at(to + kept), cancellation_.counting([&](const Piece& a, const Piece& b) {
+    const auto same = [](const Piece& a, const Piece& b) { return a.high == b.high; };
+    const auto last = std::move(at(begin), merge_equal(at(begin), at(end), same), at(to));
+    if (last - at(to) > 1) {
+      std::sort(at(to), last, cancellation_.counting([&](const Piece& a, const Piece& b) {
         return a.segment != b.segment &&
                predicates_.cross(segments_.list[a.segment].ends, segments_.list[b.segment].ends) ==
                    kPositive;
       }));
     }
-    return kept;
+    return static_cast<std::size_t>(last - at(to));
   }
 
   const Segments& segments_;

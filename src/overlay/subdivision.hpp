@@ -1,6 +1,7 @@
 // Defines what the steps of an overlay pass on: segments, contacts, and the subdivided plane.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -17,16 +18,40 @@ using NodeId = std::uint32_t;
 using PieceId = std::uint32_t;
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// A segment; no two have the same ends. Seen from low to high, windings on its left are greater by
-/// `change` than those on its right.
-struct Segment {
-  Ends ends;
+/// What chains make of the points between two ends. Seen from low to high, windings on the left are
+/// greater by `change` than those on the right.
+struct Share {
   Winding change;
   bool belongs = false;
   std::int32_t spared = 0;
 
-  /// Tells whether the segment makes no difference to any result.
+  void add(const Share& other) {
+    change = change + other.change;
+    belongs |= other.belongs;
+    spared += other.spared;
+  }
+  /// Tells whether this makes no difference to any result.
   [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
+};
+
+/// Adds up the shares of neighbours that have the same ends, and drops what is idle. Returns the
+/// new end.
+template <class Iterator, class Same>
+[[nodiscard]] Iterator merge_equal(Iterator first, Iterator last, Same same) {
+  Iterator kept = first;
+  for (Iterator next = first; next != last; ++next) {
+    if (kept != first && same(*(kept - 1), *next)) {
+      (kept - 1)->add(*next);
+    } else {
+      *kept++ = *next;
+    }
+  }
+  return std::remove_if(first, kept, [](const Share& share) { return share.idle(); });
+}
+
+/// A segment; no two have the same ends.
+struct Segment : Share {
+  Ends ends;
 };
 
 /// Distinct points in lexicographic order, and the segments between them. The predicates hold the
@@ -65,13 +90,10 @@ struct Node {
 
 /// Part of a segment between two nodes, with no node inside. Pieces meet only at nodes, and no two
 /// have the same ends.
-struct Piece {
+struct Piece : Share {
   NodeId low = 0;
   NodeId high = 0;
   SegmentId segment = 0;
-  Winding change;
-  bool belongs = false;
-  std::int32_t spared = 0;
 
   // Set by the sweep:
   bool thin = false;          ///< in the result, without area beside it
@@ -84,7 +106,6 @@ struct Piece {
   std::uint32_t place_at_high = 0;
 
   [[nodiscard]] bool is_boundary() const { return inside_above != inside_below; }
-  [[nodiscard]] bool idle() const { return change == Winding{} && !belongs && spared == 0; }
 };
 
 /// A subdivided plane. Nodes are in lexicographic order, so their numbers compare as their points.

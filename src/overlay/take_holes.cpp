@@ -90,10 +90,7 @@ class PolygonReader {
     Hole hole{copied(region_, {ring, ring + 1}), {}};
     if (is_valid(hole.area, options_)) return hole;
     std::vector<Chain> chains;
-    for_each_ring(hole.area, [&](Chain chain, bool) {
-      chain.weight.first = 1;
-      chains.push_back(chain);
-    });
+    add_rings(hole.area, {1, 0}, chains);
     const Inside nowhere = [](const Winding&) { return false; };
     const Keeps within = [](const Wall& w) {
       return wound_around(w.left) && wound_around(w.right);

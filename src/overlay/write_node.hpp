@@ -23,4 +23,12 @@ inline void add_vertex(const Segments& segments, const Node& node, Region& regio
   }
 }
 
+/// Tells whether a path turns between two pieces. `same_way` tells whether it goes along both from
+/// low to high, or along both from high to low.
+inline bool turns(const Segments& segments, const Piece& a, const Piece& b, bool same_way) {
+  if (a.segment == b.segment) return false;
+  return !same_way || segments.predicates.cross(segments.list[a.segment].ends,
+                                                segments.list[b.segment].ends) != kZero;
+}
+
 }  // namespace minksum::overlay

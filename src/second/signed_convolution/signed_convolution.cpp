@@ -47,11 +47,7 @@ void compute(const Region& p, const Region& q, const SumSettings& options, Stati
   statistics.segments_kept = convolutions.vertex_count();
   timer.charge(Stage::kConvolution);
   std::vector<overlay::Chain> chains;
-  overlay::for_each_ring(convolutions, [&](overlay::Chain chain, bool) {
-    cancellation.check();
-    chain.weight.first = 1;
-    chains.push_back(chain);
-  });
+  overlay::add_rings(convolutions, {1, 0}, chains);
   result = overlay::select(chains, {is_covered}, options, &statistics.crossings).region;
   timer.charge(Stage::kArrangement);
 }
