@@ -66,12 +66,12 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
   Geometry tight;
   if (with_free && state.options.tight.value_or(false)) request.want_tight_places(tight);
   Region mirrored = turned_mirror(state.robot, turn, options);
-  const Outcome outcome = state.forbidden.has_thin_parts()
-                              ? sum_of_geometries(state.forbidden, {std::move(mirrored), {}, {}},
-                                                  request, workspace, slice.obstacles)
-                              : minkowski_sum(state.prepared, mirrored, shared, request, workspace,
-                                              slice.obstacles.region);
-  if (!outcome.ok()) throw *outcome.error;
+  if (state.forbidden.has_thin_parts()) {
+    sum_of_geometries(state.forbidden, {std::move(mirrored), {}, {}}, request, workspace,
+                      slice.obstacles);
+  } else {
+    minkowski_sum(state.prepared, mirrored, shared, request, workspace, slice.obstacles.region);
+  }
   if (with_free) {
     slice.free.region = subtract(as_region(boundary), slice.obstacles.region, options);
     slice.free.polylines = std::move(tight.polylines);

@@ -43,8 +43,7 @@ Geometry sum(const PreparedRegion& fixed, const PreparedRegion& moving, const Op
   Geometry tight;
   SumRequest request(options);
   if (with_tight) request.want_tight_places(tight);
-  const Outcome outcome = sum_by_stages(fixed, moving, request, workspace, result.region);
-  if (!outcome.ok()) throw *outcome.error;
+  sum_by_stages(fixed, moving, request, workspace, result.region);
   result.polylines = std::move(tight.polylines);
   result.points = std::move(tight.points);
   return result;

@@ -14,8 +14,7 @@ TablePart::TablePart(const Geometry& given, std::size_t index, int turns, const 
       options_(&options),
       directions_(turns == 1 ? 2 : static_cast<std::size_t>(turns)),
       prepared_(std::make_unique<Prepared>()) {
-  if (read_small_part()) return;
-  for (std::size_t i = 0; i < directions_; ++i) static_cast<void>(prepared(i));
+  if (!read_small_part()) static_cast<void>(prepared(0));
 }
 
 int TablePart::quarters(std::size_t direction) const {
@@ -46,14 +45,14 @@ Region TablePart::covered() const {
 }
 
 const PreparedRegion& TablePart::prepared(std::size_t direction) const {
-  std::call_once(prepared_->once, [&] { prepared_->covered = covered(); });
-  Direction& d = prepared_->directions[direction];
-  std::call_once(d.once, [&] {
-    d.region.emplace(
-        transform(prepared_->covered, Affine::quarter_turns(quarters(direction)), *options_),
-        *options_);
+  std::call_once(prepared_->once, [&] {
+    const Region area = covered();
+    for (std::size_t i = 0; i < directions_; ++i) {
+      prepared_->directions.emplace_back(
+          transform(area, Affine::quarter_turns(quarters(i)), *options_), *options_);
+    }
   });
-  return *d.region;
+  return prepared_->directions[direction];
 }
 
 }  // namespace minksum

@@ -1,10 +1,8 @@
 // Declares a part of a table of no-fit polygons, ready to be summed in each of its directions.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "minksum/no_fit.hpp"
@@ -31,15 +29,10 @@ class TablePart {
   [[nodiscard]] const PreparedRegion& prepared(std::size_t direction) const;
 
  private:
-  struct Direction {
-    std::once_flag once;
-    std::optional<PreparedRegion> region;
-  };
-  /// Things that are made when they are asked for.
+  /// The part in all directions, made when one is asked for.
   struct Prepared {
     std::once_flag once;
-    Region covered;
-    std::array<Direction, 4> directions;
+    std::vector<PreparedRegion> directions;
   };
   [[nodiscard]] int quarters(std::size_t direction) const;
   [[nodiscard]] bool read_small_part();

@@ -9,16 +9,16 @@
 namespace minksum {
 
 /// Computes minkowski_sum(fixed, valid). `shared` is for sums of `fixed`, or null.
-Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
-                      const SumRequest& options, Workspace& workspace, Region& result);
+void minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
+                   const SumRequest& options, Workspace& workspace, Region& result);
 
 /// Computes minkowski_sum(p, q) of geometries, and what is asked for besides the sum.
-Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
-                          Workspace& workspace, Geometry& result);
+void sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
+                       Workspace& workspace, Geometry& result);
 
 /// Computes minkowski_sum(p, q) by the stages, for operands whose sum `sum_small` has left to them.
-Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
-                      Workspace& workspace, Region& result);
+void sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
+                   Workspace& workspace, Region& result);
 
 /// Returns what sums of `fixed` with others like `typical` can share, see `share_raster`. `typical`
 /// is valid and not empty.

@@ -132,14 +132,6 @@ class Memory {
   Workspace* workspace_;
 };
 
-/// Runs `work` and returns how it ended. On failure the result is empty.
-template <class Work, class Set>
-Outcome attempt_or_clear(Work work, Set& result) {
-  Outcome outcome = attempt(work);
-  if (!outcome.ok()) result = Set{};
-  return outcome;
-}
-
 /// Computes the sums of which a sum of geometries is made.
 class Sums final : public PartialSums {
  public:
@@ -265,7 +257,9 @@ Set sum(const P& p, const Q& q, const SumRequest& options) {
 template <class P, class Q, class Set>
 Outcome attempt_sum(const P& p, const Q& q, const SumRequest& options, Workspace& workspace,
                     Set& result) {
-  return attempt_or_clear([&] { run(p, q, options, workspace.state(), result); }, result);
+  const Outcome outcome = attempt([&] { run(p, q, options, workspace.state(), result); });
+  if (!outcome.ok()) result = Set{};
+  return outcome;
 }
 template <class Operand, class Settings>
 DetailedSum detailed(const Operand& p, const Operand& q, const Settings& settings, Detail detail) {
@@ -329,30 +323,27 @@ MINKSUM_SUM(Region, Region, PreparedRegion, Options)
 MINKSUM_SUM(Region, PreparedRegion, Region, Options)
 
 // -- For callers that know more about the operands -----------------------------------------------
-Outcome sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
-                          Workspace& workspace, Geometry& result) {
-  return attempt_sum(p, q, options, workspace, result);
+void sum_of_geometries(const Geometry& p, const Geometry& q, const SumRequest& options,
+                       Workspace& workspace, Geometry& result) {
+  run(p, q, options, workspace.state(), result);
 }
-Outcome sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
-                      Workspace& workspace, Region& result) {
+void sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRequest& options,
+                   Workspace& workspace, Region& result) {
   const CallerOperand first{p.region(), &p.state().operand};
   const CallerOperand second{q.region(), &q.state().operand};
-  return attempt_sum(first, second, options, workspace, result);
+  run(first, second, options, workspace.state(), result);
 }
-Outcome minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
-                      const SumRequest& options, Workspace& workspace, Region& result) {
+void minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
+                   const SumRequest& options, Workspace& workspace, Region& result) {
   Workspace::State& w = workspace.state();
-  const auto run_all = [&] {
-    if (options.tight_places != nullptr) *options.tight_places = Geometry{};
-    if (fixed.region().empty() || valid.empty()) return result.clear();
-    StageRunner runner(options);
-    runner.run(Stage::kOperands, [&] {
-      prepare_valid(fixed.state().operand, valid, NarrowHoles::kFill, options,
-                    runner.cancellation(), w);
-    });
-    run_stages(options, shared, runner, w, result);
-  };
-  return attempt_or_clear(run_all, result);
+  if (options.tight_places != nullptr) *options.tight_places = Geometry{};
+  if (fixed.region().empty() || valid.empty()) return result.clear();
+  StageRunner runner(options);
+  runner.run(Stage::kOperands, [&] {
+    prepare_valid(fixed.state().operand, valid, NarrowHoles::kFill, options, runner.cancellation(),
+                  w);
+  });
+  run_stages(options, shared, runner, w, result);
 }
 
 std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Region& typical,

