@@ -12,7 +12,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test install package test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test test-core install package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -30,7 +30,9 @@ build: deps ## build library and program: build/minksum
 demo: build ## compute two sums from examples/ and draw them into demo-output/
 	@examples/demo.sh $(BUILD)/minksum demo-output
 
-test: deps ## build everything and run every test
+test: test-core ## build everything and run every test, one part after another
+
+test-core: deps ## build library, program and C interface, and run their tests
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS)
 	$(CTEST) --test-dir $(BUILD) -j $(JOBS)
