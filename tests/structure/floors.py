@@ -39,6 +39,7 @@ ROOMS = [
     ("src/io", 7, "Readers and writers of files, one file a format. Sees the public headers alone."),
     ("c", 8, "The C interface. Sees the public headers alone."),
     ("cli", 8, "The program. Sees the public headers alone."),
+    ("sql", 8, "The extensions of PostgreSQL. Sees the public headers alone."),
 ]
 FLOOR = {room: floor for room, floor, _ in ROOMS}
 
@@ -66,8 +67,8 @@ ADAPTORS = "include/minksum/adaptors/"
 ADAPTED = {"boost_geometry.hpp": "boost/", "cgal.hpp": "CGAL/", "geos.hpp": "geos_c.h"}
 SHARED = ADAPTORS + "shared.hpp"  # all adaptors share it; it includes no other library
 # Code outside of src that includes only public headers, so that it shares no mistake with src.
-OUTSIDE = ["c", "cli", "bench", "examples", "tests/adaptors", "tests/reference", "tests/support",
-           "tests/property", "tests/real", "tests/oracle"]
+OUTSIDE = ["c", "cli", "sql", "bench", "examples", "tests/adaptors", "tests/reference",
+           "tests/support", "tests/property", "tests/real", "tests/oracle"]
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.M)
 

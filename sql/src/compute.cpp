@@ -1,0 +1,207 @@
+// Computes single values.
+#include "state.hpp"
+
+namespace minksum::sql {
+
+namespace {
+
+/// Tells whether sums may take the operand's rings as they are. Other fill rules look at how rings
+/// are directed, which a prepared region does not.
+bool may_prepare(const Options& options) {
+  return options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
+}
+
+/// Prepares an operand that came again, unless it has thin parts.
+void prepare(Operand& operand, int index, const Options& options) {
+  if (!operand.again || operand.unfit || operand.prepared || !may_prepare(options)) return;
+  const Geometry set = resolve(operand.geometry, options, index);
+  operand.unfit = set.has_thin_parts();
+  if (!operand.unfit) operand.prepared.emplace(set.region, options);
+  operand.prepared_by = options.fill;
+}
+
+bool is_prepared(const Operand& operand, const Options& options) {
+  return operand.prepared && operand.prepared_by == options.fill;
+}
+
+/// Returns the sum by prepared operands where they came before.
+Geometry sum(Operand& p, Operand& q, const Options& options) {
+  prepare(p, 0, options);
+  prepare(q, 1, options);
+  if (is_prepared(p, options) && is_prepared(q, options)) {
+    return minkowski_sum(*p.prepared, *q.prepared, options);
+  }
+  if (!is_prepared(p, options) && !is_prepared(q, options)) {
+    return minkowski_sum(p.geometry, q.geometry, options);
+  }
+  const bool first = is_prepared(p, options);
+  const Operand& other = first ? q : p;
+  if (other.geometry.has_thin_parts()) return minkowski_sum(p.geometry, q.geometry, options);
+  Region region;
+  Region made;
+  const auto add = [&](const Region& given) {
+    return first ? minkowski_sum(*p.prepared, given, options, *options.memory, made)
+                 : minkowski_sum(given, *q.prepared, options, *options.memory, made);
+  };
+  // Most operands are valid, which this call finds out by itself.
+  const Outcome outcome = add(other.geometry.region);
+  if (outcome.ok()) return made;
+  if (outcome.error->code() != ErrorCode::kBadInput || options.fill == FillRule::kStrict) {
+    throw Error(*outcome.error);
+  }
+  return minkowski_sum(p.geometry, q.geometry, options);
+}
+
+Rational exactly(mink_bytes text, const char* argument) {
+  const auto number = Rational::parse(view(text));
+  if (number) return *number;
+  throw Refusal{MINK_BAD_TEXT, std::string(argument) + " is not a number: \"" +
+                std::string(view(text)) + '"', {}, "Write a number such as 1.5, 1e-3 or 2/3."};
+}
+
+/// Returns a number that was given as float8 or as text.
+Rational first_number(const mink_request& request, const char* argument) {
+  return request.text && request.exact.size != 0 ? exactly(request.exact, argument)
+                                                 : Rational(request.numbers[0]);
+}
+
+OffsetOptions shape_of(const mink_request& request) {
+  OffsetOptions shape;
+  shape.join = choose(request.join, "join_style",
+                      {Join::kRound, Join::kMiter, Join::kSquare, Join::kBevel});
+  shape.cap = choose(request.cap, "cap_style", {Cap::kRound, Cap::kButt, Cap::kSquare});
+  shape.side = side_of(request.side, "side");
+  shape.miter_limit = Rational(request.numbers[1]);
+  if (request.numbers[2] != 0) shape.tolerance = Rational(request.numbers[2]);
+  return shape;
+}
+
+Geometry disc_of(const mink_request& request) {
+  const Rational radius(request.numbers[0]);
+  const bool given = request.numbers[1] != 0;
+  const Rational tolerance = given ? Rational(request.numbers[1]) : radius / Rational(1000);
+  return disc(radius, tolerance, side_of(request.side, "side"));
+}
+
+/// Returns the reference point that was given as a third operand.
+std::optional<Point> reference(mink_state& state, const mink_request& request,
+                               const Options& options) {
+  if (request.operand_count < 3) return {};
+  const Geometry& given = operand(state, request, 2, options).geometry;
+  if (given.points.size() == 1 && given.polylines.empty() && given.region.empty()) {
+    return given.points.front();
+  }
+  throw Refusal{MINK_BAD_INPUT, "the reference must be one point",
+                "The place is operand 3, counted from 1."};
+}
+
+Geometry boolean(mink_operation operation, const Operand& a, const Operand& b,
+                 const Options& options) {
+  if (operation == MINK_UNION) {
+    const std::array<Geometry, 2> both{resolve(a.geometry, options, 0),
+                                       resolve(b.geometry, options, 1)};
+    return unite(both, options);
+  }
+  Options areas = options;
+  areas.regularize = true;
+  const Region p = resolve(a.geometry, areas, 0).region;
+  const Region q = resolve(b.geometry, areas, 1).region;
+  if (operation == MINK_INTERSECTION) return intersect(p, q, areas);
+  if (operation == MINK_DIFFERENCE) return subtract(p, q, areas);
+  return symmetric_difference(p, q, areas);
+}
+
+/// Computes an operation whose answer is a set.
+Geometry set_of(mink_state& state, const mink_request& request, const Options& options) {
+  if (request.operation == MINK_DISC) return disc_of(request);
+  Operand& a = operand(state, request, 0, options);
+  if (request.operation == MINK_RESOLVE) return resolve(a.geometry, options, 0);
+  if (request.operation == MINK_OFFSET) {
+    return offset(a.geometry, first_number(request, "distance"), shape_of(request), options);
+  }
+  Operand& b = operand(state, request, 1, options);
+  switch (request.operation) {
+    case MINK_SUM:
+      return sum(a, b, options);
+    case MINK_ERODE:
+      return erode(a.geometry, b.geometry, options);
+    case MINK_OPEN:
+      return open(a.geometry, b.geometry, options);
+    case MINK_CLOSE:
+      return close(a.geometry, b.geometry, options);
+    case MINK_NO_FIT_POLYGON:
+      return no_fit_polygon(a.geometry, b.geometry, reference(state, request, options), options);
+    case MINK_INNER_FIT_POLYGON:
+      return inner_fit_polygon(a.geometry, b.geometry, reference(state, request, options),
+                               options);
+    default:
+      return boolean(request.operation, a, b, options);
+  }
+}
+
+mink_status depth_of(mink_state& state, const mink_request& request, mink_answer& answer,
+                     const Options& options) {
+  const Operand& a = operand(state, request, 0, options);
+  const Operand& b = operand(state, request, 1, options);
+  const auto depth = penetration_depth(a.geometry, b.geometry, options);
+  if (!depth) return MINK_NULL;
+  answer.truth = depth->overlapping;
+  answer.numbers[0] = depth->distance;
+  answer.numbers[1] = depth->vector.x.to_double();
+  answer.numbers[2] = depth->vector.y.to_double();
+  state.exact = depth->squared.to_string();
+  answer.exact = {state.exact.data(), state.exact.size()};
+  return MINK_OK;
+}
+
+mink_status impact_of(mink_state& state, const mink_request& request, mink_answer& answer,
+                      const Options& options) {
+  const Operand& a = operand(state, request, 0, options);
+  const Operand& b = operand(state, request, 1, options);
+  const Point direction{Rational(request.numbers[0]), Rational(request.numbers[1])};
+  const auto time = time_of_impact(a.geometry, b.geometry, direction, options);
+  if (!time) return MINK_NULL;
+  answer.numbers[0] = time->to_double();
+  return MINK_OK;
+}
+
+mink_status is_sum(mink_state& state, const mink_request& request, mink_answer& answer,
+                   const Options& options) {
+  const Operand& result = operand(state, request, 0, options);
+  const Operand& p = operand(state, request, 1, options);
+  const Operand& q = operand(state, request, 2, options);
+  CheckOptions how;
+  how.within = Rational(request.numbers[0]);
+  const SumCheck check = check_sum(result.geometry, p.geometry, q.geometry, how, options);
+  answer.truth = check.ok();
+  // That nothing speaks against a result proves nothing.
+  return check.ok() && check.proof == Proof::kNotTried ? MINK_NULL : MINK_OK;
+}
+
+}  // namespace
+
+}  // namespace minksum::sql
+
+mink_status mink_compute(mink_state* state, const mink_request* request, mink_answer* answer,
+                         mink_error* error) {
+  using namespace minksum::sql;  // NOLINT(google-build-using-namespace)
+  return guarded(error, [&] {
+    state->srid.reset();
+    const minksum::Options options = options_of(*state, *request);
+    switch (request->operation) {
+      case MINK_DEPTH:
+        return depth_of(*state, *request, *answer, options);
+      case MINK_IMPACT:
+        return impact_of(*state, *request, *answer, options);
+      case MINK_IS_SUM:
+        return is_sum(*state, *request, *answer, options);
+      default:
+        break;
+    }
+    const minksum::RoundOptions target{side_of(request->round, "round"), {}};
+    const minksum::Geometry set = set_of(*state, *request, options);
+    answer->sets[0] = write(*state, set, request->text, target, options, 0,
+                            request->operation == MINK_NO_FIT_POLYGON);
+    return MINK_OK;
+  });
+}
