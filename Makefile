@@ -12,7 +12,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test test-core install package test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test test-core test-sql install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -30,12 +30,24 @@ build: deps ## build library and program: build/minksum
 demo: build ## compute two sums from examples/ and draw them into demo-output/
 	@examples/demo.sh $(BUILD)/minksum demo-output
 
-test: test-core ## build everything and run every test, one part after another
+test: test-core test-sql ## build everything and run every test, one part after another
 
 test-core: deps ## build library, program and C interface, and run their tests
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS)
-	$(CTEST) --test-dir $(BUILD) -j $(JOBS)
+	$(CTEST) --test-dir $(BUILD) -j $(JOBS) -LE '^sql$$'
+
+test-sql: deps ## build the extensions of PostgreSQL, and test them in a server of their own
+	@scripts/install_packages.sh packages-sql.txt
+	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF -DMINKSUM_BUILD_SQL=ON $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_program minksum_sql
+	$(CTEST) --test-dir $(BUILD) -L '^sql$$'
+
+install-sql: deps ## install the extensions into the PostgreSQL of pg_config
+	@scripts/install_packages.sh packages-sql.txt
+	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_SQL=ON $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_sql
+	$(CMAKE) --install $(BUILD) --component sql
 
 install: deps ## install program, libraries, man pages and completions below PREFIX=/usr/local
 	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
@@ -44,7 +56,8 @@ install: deps ## install program, libraries, man pages and completions below PRE
 
 package: deps ## make Debian packages in BUILD, and check them if lintian is there
 	@scripts/install_packages.sh --optional packages-package.txt
-	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
+	@scripts/install_packages.sh packages-sql.txt
+	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_SQL=ON -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS)
 	cd $(BUILD) && env -u MAKEFLAGS -u MAKELEVEL cpack
 	if command -v lintian >/dev/null; then lintian --fail-on error,warning $(BUILD)/*.deb; fi

@@ -1,5 +1,6 @@
-# Makes Debian packages of the components: `minksum`, the program with its pages, and
-# `libminksum-dev`, the libraries. `make package` calls this.
+# Makes Debian packages of the components: `minksum`, the program with its pages,
+# `libminksum-dev`, the libraries, and `postgresql-VERSION-minksum`, the extensions of PostgreSQL if
+# they are built. `make package` calls this.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The minksum authors")
 # Whoever builds a package for others names himself here.
@@ -13,6 +14,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL program development)
+if(TARGET minksum_sql)
+  list(APPEND CPACK_COMPONENTS_ALL sql)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME minksum)
@@ -27,11 +31,20 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${what}
 This package has the program.")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${what}
 This package has the static libraries and the headers for C++ and C.")
+if(TARGET minksum_sql)
+  set(CPACK_DEBIAN_SQL_PACKAGE_NAME postgresql-${MINKSUM_PG_VERSION}-minksum)
+  set(CPACK_DEBIAN_SQL_PACKAGE_SECTION database)
+  set(CPACK_DEBIAN_SQL_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_SQL_PACKAGE_DEPENDS postgresql-${MINKSUM_PG_VERSION})
+  set(CPACK_DEBIAN_SQL_PACKAGE_SUGGESTS postgresql-${MINKSUM_PG_VERSION}-postgis-3)
+  set(CPACK_COMPONENT_SQL_DESCRIPTION "${what}
+This package has extensions of PostgreSQL, with and without PostGIS.")
+endif()
 
 # Debian's policy asks each package for a licence and a changelog under these names. What its checker
 # lintian shall not report stands in lintian/PACKAGE, with the reason.
 string(TIMESTAMP MINKSUM_PACKAGE_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
-foreach(component program development)
+foreach(component ${CPACK_COMPONENTS_ALL})
   string(TOUPPER ${component} upper)
   set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   set(folder ${PROJECT_BINARY_DIR}/package/${package})
