@@ -118,8 +118,10 @@ class Input(DatabaseTest):
             SELECT mink_sum(ST_Buffer('POINT (0 0)'::geometry, 3), ST_Difference(
             ST_Buffer('POINT (0 0)'::geometry, 9), ST_Buffer('POINT (0 0)'::geometry, 8)))""",
                      "54000", "Raise minksum.max_segments")
-        self.refused("SET minksum.max_segments = 0", "22023")
-        self.refused("SET minksum.no_such_setting = 1", "42602")
+        # The first call loads the module, which knows its settings.
+        loaded = "SELECT mink_resolve_text('POINT (1 1)'); "
+        self.refused(loaded + "SET minksum.max_segments = 0", "22023")
+        self.refused(loaded + "SET minksum.no_such_setting = 1", "42602")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: run.sh BUILD PROGRAM TEST...
 # Starts a server of its own in a temporary folder, with the extensions that BUILD has, runs TESTS
-# (Python files of this folder) against it, and ends it. Nothing is installed. The server does not
-# run as root, so root becomes the user `postgres`.
+# (Python files, by paths from this folder) against it, and ends it. Nothing is installed. The
+# server does not run as root, so root becomes the user `postgres`.
 set -eu
 build="$1"
 program="$2"
@@ -13,7 +13,8 @@ trap 'rm -rf "$folder"' EXIT
 # The other user may not see the folders of root, so it gets copies.
 DESTDIR="$folder" cmake --install "$build" --component sql >"$folder/installed"
 mkdir "$folder/tests" "$folder/docs" "$folder/docs/img"
-cp "$here"/*.py "$folder/tests"
+for test in "$@"; do cp "$here/$test" "$folder/tests"; done
+cp "$here/support.py" "$folder/tests"
 cp "$program" "$folder/minksum"
 cp "$here/../../docs/sql.md" "$folder/docs"
 cp "$here"/../../docs/img/sql-*.svg "$folder/docs/img"
@@ -30,4 +31,4 @@ cd "$folder"
 port="$(python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')"
 MINKSUM_PROGRAM="$folder/minksum" $become pg_virtualenv -t -v "${MINKSUM_PG_VERSION:-15}" \
   -c "--port=$port" -o fsync=off -o extension_destdir="$folder" -o max_worker_processes=8 \
-  sh -c 'for test in "$@"; do python3 -B "tests/$test" || exit 1; done' tests "$@"
+  sh -c 'for test in "$@"; do python3 -B "tests/${test##*/}" || exit 1; done' tests "$@"
