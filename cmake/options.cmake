@@ -6,6 +6,8 @@ function(minksum_own_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off -fno-fast-math
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
     -Wold-style-cast -Wcast-qual -Woverloaded-virtual
+    # Offsets have 32 bits there, and all that is stored has as many or more.
+    $<$<BOOL:${EMSCRIPTEN}>:-Wno-sign-conversion -Wno-shorten-64-to-32>
     $<$<BOOL:${MINKSUM_STRICT}>:-Werror>)
   # Comparisons are joined without branches to become vector instructions; Clang would warn of that.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
@@ -18,7 +20,7 @@ endfunction()
 function(minksum_library_options target)
   minksum_own_options(${target})
   set_target_properties(${target} PROPERTIES
-    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    POSITION_INDEPENDENT_CODE $<NOT:$<BOOL:${EMSCRIPTEN}>> CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   if(BUILD_SHARED_LIBS)
     target_compile_definitions(${target} PRIVATE MINKSUM_BUILDING INTERFACE MINKSUM_SHARED)

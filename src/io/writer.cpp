@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "machine/shortest_double.hpp"
 #include "minksum/round.hpp"
 
 namespace minksum::io {
@@ -80,8 +80,8 @@ Writer::Writer(std::ostream& out, const Coordinates& style)
 void Writer::count(std::size_t value) { text(std::to_string(value)); }
 
 void Writer::real(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  std::array<char, kDoubleCharacters> digits{};
+  const char* const end = write_shortest(digits.data(), value);
   text(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
 }
 

@@ -1,7 +1,6 @@
 #include "validation/fault.hpp"
 
-#include <charconv>
-
+#include "machine/shortest_double.hpp"
 #include "minksum/error.hpp"
 
 namespace minksum {
@@ -20,8 +19,8 @@ Readable readable(const Rational& value) {
     if (Rational::parse(text) == value) return {text};
   }
   if (value.bits() <= kFractionBits) return {value.to_string()};
-  char buffer[32];
-  return {{buffer, std::to_chars(buffer, buffer + sizeof buffer, value.to_double()).ptr}, false};
+  char buffer[kDoubleCharacters];
+  return {{buffer, write_shortest(buffer, value.to_double())}, false};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <new>
 #include <span>
@@ -114,14 +115,14 @@ class SharedArrays {
   }
 
  private:
-  struct Block {
+  /// Sizes of 32 bits are aligned less than the values.
+  struct alignas(std::max({alignof(std::size_t), alignof(Values)...})) Block {
     std::atomic<std::size_t> owners;
     Counts sizes;
     Counts capacities;
   };
   static_assert((std::is_trivially_copyable_v<Values> && ...));
   static constexpr Counts kBytes{sizeof(Values)...};
-  static_assert(((alignof(Values) <= alignof(Block)) && ...));
   static_assert(alignof(Block) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
   /// Returns where an array begins: the arrays follow each other.
@@ -168,7 +169,16 @@ class SharedArrays {
     }
     reallocate(room);
   }
+  /// Throws if the arrays do not fit into the memory that sizes of 32 bits can tell.
+  static void require_bytes([[maybe_unused]] const Counts& room) {
+    if constexpr (sizeof(std::size_t) < sizeof(std::uint64_t)) {
+      std::uint64_t bytes = 0;
+      for (std::size_t k = 0; k < kArrays; ++k) bytes += std::uint64_t{room[k]} * kBytes[k];
+      if (bytes > PTRDIFF_MAX - sizeof(Block) - kArrays * alignof(Block)) throw std::bad_alloc();
+    }
+  }
   void reallocate(const Counts& room) {
+    require_bytes(room);
     void* const memory = ::operator new(bytes_before(kArrays, room));
     auto* const block = new (memory) Block{1, {}, room};
     if (block_ != nullptr) {

@@ -138,7 +138,8 @@ Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double 
   const Bezier<double> piece = curve[part].between(begin, end);
   const bool at_begin = part == 0 && begin == 0;
   const bool at_end = part + 1 == curve.size() && end == 1;
-  const auto [x, y] = piece.front();
+  const double x = piece.front().x;
+  const double y = piece.front().y;
   const Vector<double> last = piece.back();
   Extent extent;
   extent.chord = {last.x - x, last.y - y};

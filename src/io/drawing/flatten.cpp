@@ -161,7 +161,9 @@ class Ribbon {
   void place(const DoubleCurve& near, std::size_t i) {
     const Piece& before = pieces_[i - 1];
     const Piece& behind = pieces_[i];
-    const auto [x, y] = near[before.part].between(before.begin, before.end).back();
+    const auto end = near[before.part].between(before.begin, before.end).back();
+    const auto x = end.x;
+    const auto y = end.y;
     Vector<double> along{0, 0};
     double count = 0;
     for (const Piece* const piece : {&before, &behind}) {

@@ -151,7 +151,9 @@ class RingExtractor {
     const auto begin = boundary_.vertices.begin() + ring.begin;
     const auto end = boundary_.vertices.begin() + ring.end;
     auto smallest = begin;
-    visit_in_pieces(std::span(begin + 1, end), cancellation_, [&](const BoundaryVertex& v) {
+    const auto others =
+        std::span(boundary_.vertices).subspan(ring.begin + 1, ring.end - ring.begin - 1);
+    visit_in_pieces(others, cancellation_, [&](const BoundaryVertex& v) {
       if (order_.compare(v.node, smallest->node) == kNegative) smallest = begin + (&v - &*begin);
     });
     std::rotate(begin, smallest, end);

@@ -1,0 +1,25 @@
+# Builds for WebAssembly with Debian's emscripten, and runs tests in Node.js.
+include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
+set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+# A page has to load the code, so only what takes the time of a sum is compiled for speed: js.
+set(CMAKE_CXX_FLAGS_RELEASE "-Os -DNDEBUG" CACHE STRING "")
+# Exceptions of WebAssembly itself: those that JavaScript stands in for take several times as long.
+# The C++ library lacks some of C++20, which one header completes.
+set(CMAKE_C_FLAGS_INIT "-fwasm-exceptions")
+set(CMAKE_CXX_FLAGS_INIT
+  "-fwasm-exceptions -msimd128 -include ${CMAKE_CURRENT_LIST_DIR}/wasm/standard.hpp")
+# What the linker makes for Node.js must not fetch its own file, which Node.js 18 refuses.
+set(CMAKE_EXE_LINKER_FLAGS_INIT
+  "-fwasm-exceptions -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH -sSTACK_OVERFLOW_CHECK=0")
+# The linker needs a package of Node.js that Debian keeps where only Debian's own Node.js looks.
+set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
+# The headers of this system are not those of WebAssembly, so Boost must be seen without the others.
+set(Boost_INCLUDE_DIR ${CMAKE_BINARY_DIR}/boost)
+get_property(trying GLOBAL PROPERTY IN_TRY_COMPILE)
+if(NOT trying)
+  file(MAKE_DIRECTORY ${Boost_INCLUDE_DIR})
+  file(CREATE_LINK /usr/include/boost ${Boost_INCLUDE_DIR}/boost SYMBOLIC)
+endif()
+# Threads are declared, and starting one fails. The library starts none unless it is asked to.
+set(CMAKE_HAVE_LIBC_PTHREAD TRUE)
+set(CMAKE_CROSSCOMPILING_EMULATOR node)
