@@ -207,6 +207,41 @@ minksum_status minksum_geometry_get_points(const minksum_geometry* geometry, dou
   });
 }
 
+minksum_status minksum_geometry_get_origins(const minksum_geometry* geometry,
+                                            minksum_origin* origins, int* found,
+                                            minksum_error* error) {
+  return guarded(error, [&] {
+    int& is_there = result_at(found);
+    const Region& region = value_of(geometry).region;
+    is_there = region.has_origins() ? 1 : 0;
+    for (std::size_t v = 0; is_there != 0 && origins != nullptr && v < region.vertex_count(); ++v) {
+      const EdgeOrigin& origin = region.origin(v);
+      origins[v] = {static_cast<std::uint32_t>(origin.edge_operand), origin.edge, origin.vertex};
+    }
+  });
+}
+
+void minksum_read_options_init(minksum_read_options* read_options) {
+  if (read_options != nullptr) *read_options = {0, 0, MINKSUM_NEAREST, 0};
+}
+minksum_status minksum_read_as(const char* text, size_t length,
+                               const minksum_read_options* read_options, minksum_geometry** result,
+                               minksum_error* error) {
+  return made(result, error, [&] {
+    require(text != nullptr, "an argument is NULL");
+    io::ReadOptions how;
+    if (read_options != nullptr) {
+      require(read_options->tolerance >= 0, "the tolerance must not be negative");
+      require(read_options->join_ends >= 0, "the distance of ends must not be negative");
+      if (read_options->tolerance > 0) how.drawing.tolerance = read_options->tolerance;
+      how.drawing.join_ends = read_options->join_ends;
+      how.drawing.side = as_side(read_options->side);
+      how.drop_z = read_options->drop_z != 0;
+    }
+    return io::read_geometry(std::string_view(text, length), how);
+  });
+}
+
 minksum_status minksum_read(const char* text, size_t length, minksum_geometry** result,
                             minksum_error* error) {
   return made(result, error, [&] {

@@ -19,6 +19,9 @@ struct minksum_geometry {
 struct minksum_prepared {
   minksum::PreparedRegion value;
 };
+struct minksum_trace {
+  minksum::Trace value;
+};
 struct minksum_locator {
   minksum::PointLocator value;
 };

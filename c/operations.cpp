@@ -210,6 +210,15 @@ minksum_status minksum_penetration_depth(const Handle* a, const Handle* b,
               found->distance};
   });
 }
+minksum_status minksum_depth_vector(const Handle* a, const Handle* b,
+                                    const minksum_options* options, Handle** result,
+                                    minksum_error* error) {
+  return binary(a, b, options, result, error,
+                [](const Geometry& p, const Geometry& q, const Options& o) {
+                  const auto found = penetration_depth(p, q, o);
+                  return found ? Geometry({}, {}, {found->vector}) : Geometry();
+                });
+}
 minksum_status minksum_time_of_impact(const Handle* a, const Handle* b, const double direction[2],
                                       const minksum_options* options, double* factor, int* found,
                                       minksum_error* error) {

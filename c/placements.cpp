@@ -46,6 +46,26 @@ minksum_status minksum_inner_fit_polygon(const minksum_geometry* bin, const mink
   });
 }
 
+minksum_status minksum_contacts(const minksum_geometry* no_fit, const double* xy, size_t n,
+                                int* contacts, const minksum_options* options,
+                                minksum_error* error) {
+  return guarded(error, [&] {
+    require((xy != nullptr && contacts != nullptr) || n == 0, "an argument is NULL");
+    const Geometry& placements = value_of(no_fit);
+    const PointLocator area({placements.region, {}, {}}, options_of(options));
+    const PointLocator tight({{}, placements.polylines, placements.points}, options_of(options));
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point at{xy[2 * i], xy[2 * i + 1]};
+      const Location place = area.locate(at);
+      const bool touching =
+          place == Location::kBoundary || tight.locate(at) == Location::kBoundary;
+      contacts[i] = touching                       ? MINKSUM_TOUCHING
+                    : place == Location::kOutside ? MINKSUM_FREE
+                                                  : MINKSUM_OVERLAPPING;
+    }
+  });
+}
+
 minksum_status minksum_no_fit_table_new(const minksum_geometry* const* parts, size_t count,
                                         int turns, const minksum_options* options,
                                         minksum_no_fit_table** result, minksum_error* error) {

@@ -170,6 +170,19 @@ MINKSUM_API minksum_status minksum_geometry_get_polylines(const minksum_geometry
 MINKSUM_API minksum_status minksum_geometry_get_points(const minksum_geometry *geometry, double *xy,
                                                        minksum_error *error);
 
+/** Says from which edge and which vertex of the operands an edge of a sum came. */
+typedef struct minksum_origin {
+  uint32_t edge_operand; /**< 0: the edge is of the first operand, and the vertex of the second */
+  uint32_t edge;         /**< the index of the edge's first vertex */
+  uint32_t vertex;       /**< the index of the vertex that moved the edge */
+} minksum_origin;
+/** Fills an array of as many elements as vertices: the origin of the edge that begins at each.
+ * `found` receives 0 if the geometry has no origins, else 1. Sums have them if both operands have
+ * valid polygons and no thin parts. */
+MINKSUM_API minksum_status minksum_geometry_get_origins(const minksum_geometry *geometry,
+                                                        minksum_origin *origins, int *found,
+                                                        minksum_error *error);
+
 /** Names a format that is written: see `minksum::io::Format`. */
 typedef enum minksum_format {
   MINKSUM_WKT = 0, /**< Well-Known Text */
@@ -189,6 +202,25 @@ typedef enum minksum_style {
  * well formed, the error has line and column, or for WKB the number of the byte in its message. */
 MINKSUM_API minksum_status minksum_read(const char *text, size_t length, minksum_geometry **result,
                                         minksum_error *error);
+/** Says to which side of the exact set a result may deviate. */
+typedef enum minksum_side {
+  MINKSUM_NEAREST = 0, /**< to both sides, as little as possible */
+  MINKSUM_OUTSIDE,     /**< outwards: the result contains the exact set */
+  MINKSUM_INSIDE       /**< inwards: the exact set contains the result */
+} minksum_side;
+/** Says how a text is read: see `minksum::io::ReadOptions`. */
+typedef struct minksum_read_options {
+  double tolerance; /**< how far the polyline of a drawing's curve may be off; 0 = no curves */
+  double join_ends; /**< joins ends of a drawing's outlines that are at most so far apart */
+  minksum_side side; /**< the side of curves */
+  int drop_z;       /**< not 0 = drop heights and measures, which are errors otherwise */
+} minksum_read_options;
+/** Sets the defaults. NULL is allowed. */
+MINKSUM_API void minksum_read_options_init(minksum_read_options *read_options);
+/** Reads as `minksum_read` does, with options. A negative number is MINKSUM_BAD_INPUT. */
+MINKSUM_API minksum_status minksum_read_as(const char *text, size_t length,
+                                           const minksum_read_options *read_options,
+                                           minksum_geometry **result, minksum_error *error);
 /** Writes a text. It ends with a zero byte, which `length` does not count; `length` may be NULL.
  * Only MINKSUM_DECIMALS uses `digits`, from 0 to 4096. Free the text with `minksum_text_free`. A
  * coordinate beyond the range of doubles is MINKSUM_LIMIT_EXCEEDED. */
@@ -230,12 +262,6 @@ MINKSUM_API minksum_status minksum_sum_prepared(const minksum_prepared *a,
                                                 const minksum_options *options,
                                                 minksum_geometry **result, minksum_error *error);
 
-/** Says to which side of the exact set a result may deviate. */
-typedef enum minksum_side {
-  MINKSUM_NEAREST = 0, /**< to both sides, as little as possible */
-  MINKSUM_OUTSIDE,     /**< outwards: the result contains the exact set */
-  MINKSUM_INSIDE       /**< inwards: the exact set contains the result */
-} minksum_side;
 /** Says which shape an offset has at corners: see `minksum::Join`. */
 typedef enum minksum_join {
   MINKSUM_JOIN_ROUND = 0, /**< an arc around the vertex */
@@ -285,6 +311,75 @@ MINKSUM_API minksum_status minksum_transform(const minksum_geometry *geometry, c
                                              const minksum_options *options,
                                              minksum_geometry **result, minksum_error *error);
 
+/* -- What a sum is made of -------------------------------------------------------------------- */
+
+/** Tells what the computation of a sum did: see `minksum::Statistics`. */
+typedef struct minksum_statistics {
+  double convolution_segments;  /**< segments of the convolution */
+  double segments_kept;         /**< segments of which the arrangement is made */
+  double crossings;             /**< crossings among them */
+  double loops;                 /**< orientable loops, before any filter */
+  double rejected_by_nesting;   /**< loops that the nesting filter dropped */
+  double rejected_by_collision; /**< loops that the collision filter dropped */
+  double grid_cells;            /**< cells of the cover's grid; 0 = there is no cover */
+  double covered_cells;         /**< cells that certainly lie inside the sum */
+  double seconds;               /**< time of the whole call */
+  double stage_seconds[7];      /**< time of each stage, from MINKSUM_STAGE_OPERANDS on */
+} minksum_statistics;
+
+/** What the stages of a sum made: see `minksum::Trace`. */
+typedef struct minksum_trace minksum_trace;
+/** Makes a ⊕ b as `minksum_sum` does, and what else its computation tells. `tight` receives the
+ * tight places, `statistics` what was done, and `trace` what the stages made. Each of these three
+ * may be NULL. */
+MINKSUM_API minksum_status minksum_detailed_sum(const minksum_geometry *a,
+                                                const minksum_geometry *b,
+                                                const minksum_options *options,
+                                                minksum_geometry **result,
+                                                minksum_geometry **tight,
+                                                minksum_statistics *statistics,
+                                                minksum_trace **trace, minksum_error *error);
+/** Frees a trace. */
+MINKSUM_API void minksum_trace_free(minksum_trace *trace);
+
+/** Tells how much a trace holds, and how the cover's grid lies. */
+typedef struct minksum_trace_counts {
+  size_t segments;      /**< segments of the convolution */
+  size_t nodes;         /**< nodes of the arrangement outside the cover */
+  size_t pieces;        /**< pieces of the arrangement */
+  size_t loops;         /**< orientable loops */
+  size_t loop_vertices; /**< vertices of all loops */
+  size_t columns;       /**< cells of the cover along x; 0 if there is no cover */
+  size_t rows;          /**< cells of the cover along y */
+  double min_x;         /**< x of the cover's left side */
+  double min_y;         /**< y of its lower side */
+  double cell;          /**< side of a cell */
+} minksum_trace_counts;
+/** Returns how much a trace holds, all 0 for NULL. */
+MINKSUM_API minksum_trace_counts minksum_trace_get_counts(const minksum_trace *trace);
+/** Fills arrays of 4 * segments and segments elements with the convolution: x and y of both ends,
+ * and whether bit 0: the first operand has the edge, bit 1: the arrangement has the segment. Here
+ * and below, an array may be NULL. */
+MINKSUM_API minksum_status minksum_trace_get_convolution(const minksum_trace *trace, double *xy,
+                                                         unsigned char *flags,
+                                                         minksum_error *error);
+/** Fills arrays of 4 * pieces and pieces elements with the arrangement's pieces, as above. */
+MINKSUM_API minksum_status minksum_trace_get_pieces(const minksum_trace *trace, double *xy,
+                                                    unsigned char *flags, minksum_error *error);
+/** Fills an array of 2 * nodes elements with the arrangement's nodes. */
+MINKSUM_API minksum_status minksum_trace_get_nodes(const minksum_trace *trace, double *xy,
+                                                   minksum_error *error);
+/** Fills an array of columns * rows elements: row by row from the lowest, 1 = the cell certainly
+ * lies in the sum. */
+MINKSUM_API minksum_status minksum_trace_get_cover(const minksum_trace *trace,
+                                                   unsigned char *covered, minksum_error *error);
+/** Fills arrays of 2 * loop_vertices, loops + 1 and loops elements with the loops. The low bits of
+ * a state say what became of the loop: 0 = it is a ring of the sum, 1 = nesting rejected it, 2 =
+ * collision rejected it. Bit 2 says whether it runs counter-clockwise. */
+MINKSUM_API minksum_status minksum_trace_get_loops(const minksum_trace *trace, double *xy,
+                                                   int64_t *offsets, unsigned char *states,
+                                                   minksum_error *error);
+
 /* -- Questions ------------------------------------------------------------------------------ */
 
 /** Finds up to `capacity` faults of the polygons. `faults` receives them as errors, whose `message`
@@ -332,6 +427,12 @@ MINKSUM_API minksum_status minksum_penetration_depth(const minksum_geometry *a,
                                                      const minksum_geometry *b,
                                                      const minksum_options *options,
                                                      minksum_depth *depth, minksum_error *error);
+/** Makes the exact vector of `minksum_penetration_depth`, as a single point, or an empty geometry
+ * if a set has no area. */
+MINKSUM_API minksum_status minksum_depth_vector(const minksum_geometry *a,
+                                                const minksum_geometry *b,
+                                                const minksum_options *options,
+                                                minksum_geometry **result, minksum_error *error);
 /** Computes the smallest factor ≥ 0 for which b, moved by factor * direction, touches or overlaps
  * a. `found` receives 0 if there is none, else 1. The direction must not be (0, 0). */
 MINKSUM_API minksum_status minksum_time_of_impact(const minksum_geometry *a,
@@ -370,6 +471,18 @@ MINKSUM_API minksum_status minksum_no_fit_polygon(const minksum_geometry *fixed,
 MINKSUM_API minksum_status minksum_inner_fit_polygon(
     const minksum_geometry *bin, const minksum_geometry *part, const double reference[2],
     const minksum_options *options, minksum_geometry **result, minksum_error *error);
+
+/** Says how two placed parts stand to each other. */
+typedef enum minksum_contact {
+  MINKSUM_FREE = 0,   /**< they are apart */
+  MINKSUM_TOUCHING,   /**< their boundaries meet, and their interiors do not */
+  MINKSUM_OVERLAPPING /**< their interiors meet */
+} minksum_contact;
+/** Finds out how the parts stand to each other at n placements of the reference point. `contacts`
+ * receives a minksum_contact for each. `no_fit` is their no-fit polygon with tight places. */
+MINKSUM_API minksum_status minksum_contacts(const minksum_geometry *no_fit, const double *xy,
+                                            size_t n, int *contacts,
+                                            const minksum_options *options, minksum_error *error);
 
 /** The no-fit polygons of all pairs of parts in 1, 2 or 4 directions. They have tight places unless
  * options say no. */

@@ -1,4 +1,4 @@
-/* Calls every function of the C interface, and compares the results with the expected ones. */
+/* Calls the operations of the C interface, and compares the results with the expected ones. */
 #include <math.h>
 #include <minksum_c.h>
 #include <stdio.h>
