@@ -12,7 +12,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test test-core test-sql install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test test-core test-sql npm-pack test-js install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -42,6 +42,16 @@ test-sql: deps ## build the extensions of PostgreSQL, and test them in a server 
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF -DMINKSUM_BUILD_SQL=ON $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_program minksum_sql
 	$(CTEST) --test-dir $(BUILD) -L '^sql$$'
+
+npm-pack: deps ## make the package for JavaScript: build/npm/minksum-0.1.0.tgz
+	@scripts/install_packages.sh packages-js.txt
+	$(CMAKE) -S . -B $(BUILD)/wasm -DCMAKE_TOOLCHAIN_FILE=cmake/wasm.cmake -DMINKSUM_BUILD_PROGRAM=OFF -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF
+	$(CMAKE) --build $(BUILD)/wasm -j $(JOBS) --target minksum_wasm
+	cd js && npm ci --no-audit --no-fund && node scripts/build.mjs $(abspath $(BUILD))/wasm/js/minksum.wasm
+	mkdir -p $(BUILD)/npm && cd js && npm pack --pack-destination $(abspath $(BUILD))/npm
+
+test-js: build npm-pack ## test the package for JavaScript beside the native program
+	cd js && MINKSUM_PROGRAM=$(abspath $(BUILD))/minksum npm test
 
 install-sql: deps ## install the extensions into the PostgreSQL of pg_config
 	@scripts/install_packages.sh packages-sql.txt

@@ -1,0 +1,174 @@
+// The module in WebAssembly: its functions, its memory, and the structs of the C interface there,
+// whose layout wasm/layout.cpp holds.
+import { MinksumError, type ErrorCode } from "./errors.js";
+
+/** An address in the module's memory; 0 is none. */
+export type Address = number;
+type Call = (...args: number[]) => number;
+export type Functions = Record<string, Call>;
+
+const kError = 600;
+const kOptions = 40;
+/** Room for every struct and pointer that a call fills. */
+const kResults = 256;
+const kNone = 0xffffffff;
+const kCodes: ErrorCode[] = ["bad-input", "limit", "cancelled", "internal"];
+/** Input up to this size goes into memory that is kept. */
+const kKept = 1 << 20;
+
+/** What the module imports: little, as it uses neither files nor the network. */
+function imports(memory: () => WebAssembly.Memory): WebAssembly.Imports {
+  const view = () => new DataView(memory().buffer);
+  return {
+    env: { emscripten_notify_memory_growth: () => {}, __call_sighandler: () => {} },
+    wasi_snapshot_preview1: {
+      clock_time_get: (_clock: number, _precision: bigint, out: Address) => {
+        view().setBigUint64(out, BigInt(Math.round(performance.now() * 1e6)), true);
+        return 0;
+      },
+      environ_get: () => 0,
+      environ_sizes_get: (count: Address, size: Address) => {
+        view().setUint32(count, 0, true);
+        view().setUint32(size, 0, true);
+        return 0;
+      },
+      fd_close: () => 8,
+      fd_read: () => 8,
+      fd_seek: () => 8,
+      fd_write: () => 8,
+      proc_exit: (code: number) => {
+        throw new MinksumError("internal", `the library ended itself with ${code}`);
+      },
+    },
+  };
+}
+
+export class Library {
+  readonly call: Functions;
+  /** where a call leaves its error */
+  readonly error: Address;
+  /** where a call leaves its results */
+  readonly results: Address;
+  private readonly options: Address;
+  private readonly memory: WebAssembly.Memory;
+  private doubles: Float64Array;
+  private words: Uint32Array;
+  private octets: Uint8Array;
+  private kept: Address;
+
+  private constructor(instance: WebAssembly.Instance) {
+    this.memory = instance.exports["memory"] as WebAssembly.Memory;
+    this.call = instance.exports as unknown as Functions;
+    this.call["_initialize"]?.();
+    this.doubles = new Float64Array(this.memory.buffer);
+    this.words = new Uint32Array(this.memory.buffer);
+    this.octets = new Uint8Array(this.memory.buffer);
+    this.error = this.allocate(kError);
+    this.results = this.allocate(kResults);
+    this.options = this.allocate(kOptions);
+    this.kept = this.allocate(kKept);
+  }
+  static async instantiate(module: WebAssembly.Module): Promise<Library> {
+    let instance: WebAssembly.Instance | undefined;
+    const given = imports(() => instance!.exports["memory"] as WebAssembly.Memory);
+    instance = await WebAssembly.instantiate(module, given);
+    return new Library(instance);
+  }
+
+  // -- Memory. Its arrays are new whenever it has grown. ------------------------------------------
+  private look(): void {
+    if (this.doubles.buffer === this.memory.buffer) return;
+    this.doubles = new Float64Array(this.memory.buffer);
+    this.words = new Uint32Array(this.memory.buffer);
+    this.octets = new Uint8Array(this.memory.buffer);
+  }
+  get f64(): Float64Array {
+    this.look();
+    return this.doubles;
+  }
+  get u32(): Uint32Array {
+    this.look();
+    return this.words;
+  }
+  get u8(): Uint8Array {
+    this.look();
+    return this.octets;
+  }
+  get bytes(): number {
+    return this.memory.buffer.byteLength;
+  }
+  allocate(bytes: number): Address {
+    const address = bytes < 2 ** 31 ? this.call["malloc"]!(bytes || 1) >>> 0 : 0;
+    if (address === 0) throw new MinksumError("limit", "out of memory", { limit: "memory" });
+    return address;
+  }
+  /** Gives `work` room for input that is only read during the call. Calls do not nest. */
+  withRoom<T>(bytes: number, work: (address: Address) => T): T {
+    if (bytes <= kKept && this.kept !== 0) {
+      const address = this.kept;
+      this.kept = 0;
+      try {
+        return work(address);
+      } finally {
+        this.kept = address;
+      }
+    }
+    const address = this.allocate(bytes);
+    try {
+      return work(address);
+    } finally {
+      this.call["free"]!(address);
+    }
+  }
+  text(address: Address, length?: number): string {
+    const { u8 } = this;
+    const end = length === undefined ? u8.indexOf(0, address) : address + length;
+    return new TextDecoder().decode(u8.subarray(address, end));
+  }
+
+  // -- Errors ------------------------------------------------------------------------------------
+  /** Throws the error of a call unless its status is 0. `operand` names what the call read. */
+  check(status: number, operand?: number): void {
+    if (status !== 0) throw this.errorAt(this.error, operand);
+  }
+  errorAt(address: Address, operand?: number): MinksumError {
+    const word = (offset: number) => this.u32[(address + offset) >>> 2]!;
+    const index = (offset: number) => (word(offset) === kNone ? undefined : word(offset));
+    const limit = this.text(address + 28);
+    return new MinksumError(kCodes[word(0) - 1] ?? "internal", this.text(address + 88), {
+      operand: operand ?? (word(4) === kNone ? undefined : word(4)),
+      polygon: index(8),
+      ring: index(12),
+      vertex: index(16),
+      line: word(20) || undefined,
+      column: word(24) || undefined,
+      limit: limit || undefined,
+    });
+  }
+
+  // -- Structs ------------------------------------------------------------------------------------
+  /** Writes the options that all operations share, and returns where they are. */
+  writeOptions(options: {
+    fill: number;
+    regularize: boolean;
+    tight: boolean | undefined;
+    maxSegments: number;
+    maxCrossings: number;
+  }): Address {
+    const at = this.options >>> 2;
+    const { u32 } = this;
+    const limit = (where: number, value: number) => {
+      u32[where] = value >>> 0;
+      u32[where + 1] = Math.floor(value / 2 ** 32);
+    };
+    limit(at, options.maxSegments);
+    limit(at + 2, options.maxCrossings);
+    u32[at + 4] = options.fill;
+    u32[at + 5] = options.regularize ? 1 : 0;
+    u32[at + 6] = options.tight === undefined ? kNone : options.tight ? 1 : 0;
+    u32[at + 7] = 1;
+    u32[at + 8] = 0;
+    u32[at + 9] = 0;
+    return this.options;
+  }
+}

@@ -1,0 +1,24 @@
+/**
+ * Exact Minkowski sums of planar regions, and what is made of them.
+ *
+ * @packageDocumentation
+ */
+import { packagedWasm } from "#wasm";
+import { make, type WasmSource } from "./load.js";
+import type { Minksum } from "./minksum.js";
+
+export { MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
+export type { WasmSource } from "./load.js";
+export { Minksum, NoFitTable } from "./minksum.js";
+export * from "./types.js";
+
+/** Says how the library is loaded. */
+export interface LoadOptions {
+  /** where `minksum.wasm` is; beside this file by default */
+  wasm?: WasmSource;
+}
+
+/** Loads the library. Its functions then need no promises. */
+export async function load(options: LoadOptions = {}): Promise<Minksum> {
+  return make(options.wasm ?? (await packagedWasm()));
+}

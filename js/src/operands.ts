@@ -1,0 +1,297 @@
+// Puts operands into the module's memory.
+import type { Address, Library } from "./abi.js";
+import { badInput } from "./errors.js";
+import { exactText } from "./exact.js";
+import type { Flat, Operand, Position, ReadOptions } from "./types.js";
+
+const kSides = { nearest: 0, outside: 1, inside: 2 } as const;
+
+/** What GeoJSON holds, as lists of positions. Rings do not repeat their first position. */
+class Parts {
+  readonly polygons: Position[][][] = [];
+  readonly lines: Position[][] = [];
+  readonly points: Position[] = [];
+  exact = false;
+
+  constructor(
+    private readonly operand: number,
+    private readonly dropZ: boolean,
+  ) {}
+
+  add(value: any, depth = 0): void {
+    if (depth > 32) throw this.bad("collections are nested more than 32 deep");
+    switch (value?.type) {
+      case "Feature":
+        if (value.geometry !== null) this.add(value.geometry, depth + 1);
+        return;
+      case "FeatureCollection":
+        for (const feature of this.list(value.features, "features")) this.add(feature, depth + 1);
+        return;
+      case "GeometryCollection":
+        for (const part of this.list(value.geometries, "geometries")) this.add(part, depth + 1);
+        return;
+      case "Polygon":
+        return this.addPolygon(value.coordinates);
+      case "MultiPolygon":
+        for (const rings of this.list(value.coordinates, "coordinates")) this.addPolygon(rings);
+        return;
+      case "LineString":
+        return this.addLine(value.coordinates);
+      case "MultiLineString":
+        for (const line of this.list(value.coordinates, "coordinates")) this.addLine(line);
+        return;
+      case "Point":
+        if (this.list(value.coordinates, "coordinates").length > 0) {
+          this.points.push(this.position(value.coordinates, {}));
+        }
+        return;
+      case "MultiPoint":
+        for (const point of this.list(value.coordinates, "coordinates")) {
+          this.points.push(this.position(point, {}));
+        }
+        return;
+    }
+    throw this.bad(`an operand of the type ${JSON.stringify(value?.type)} is not known`);
+  }
+  private bad(message: string, place = {}) {
+    return badInput(message, { operand: this.operand, ...place });
+  }
+  private list(value: any, name: string): any[] {
+    if (!Array.isArray(value)) throw this.bad(`\`${name}\` is not an array`);
+    return value;
+  }
+  private addPolygon(rings: any): void {
+    const polygon = this.polygons.length;
+    const read = this.list(rings, "coordinates").map((ring, r) => {
+      const place = { polygon, ring: r };
+      const positions = this.list(ring, "coordinates").map((p: any, vertex: number) =>
+        this.position(p, { ...place, vertex }),
+      );
+      const [first, last] = [positions[0], positions[positions.length - 1]];
+      if (positions.length === 0) throw this.bad("a ring is empty", place);
+      if (positions.length > 1 && first![0] === last![0] && first![1] === last![1]) positions.pop();
+      return positions;
+    });
+    if (read.length > 0) this.polygons.push(read);
+  }
+  private addLine(line: any): void {
+    const positions = this.list(line, "coordinates").map((p: any) => this.position(p, {}));
+    if (positions.length > 0) this.lines.push(positions);
+  }
+  private position(value: any, place: object): Position {
+    if (!Array.isArray(value) || value.length < 2) throw this.bad("a position has no x and y", place);
+    if (value.length > 2 && !this.dropZ) {
+      throw this.bad('a position has more than x and y; {z: "drop"} drops the rest', place);
+    }
+    for (const coordinate of [value[0], value[1]]) {
+      if (typeof coordinate === "string") {
+        if (!/^[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?(\/[-+]?\d+)?$/.test(coordinate)) {
+          throw this.bad(`${JSON.stringify(coordinate)} is not a number`, place);
+        }
+        this.exact = true;
+      } else if (typeof coordinate !== "number" || !Number.isFinite(coordinate)) {
+        throw this.bad(`a coordinate is not a finite number: ${String(coordinate)}`, place);
+      }
+    }
+    return value;
+  }
+
+  /** WKT in which every number stands exactly. */
+  wkt(): string {
+    const path = (positions: Position[], close: boolean) =>
+      "(" +
+      (close ? [...positions, positions[0]!] : positions)
+        .map(([x, y]) => `${exactText(x!)} ${exactText(y!)}`)
+        .join(", ") +
+      ")";
+    const texts = [];
+    const rings = (polygon: Position[][]) => `(${polygon.map((r) => path(r, true)).join(", ")})`;
+    const points = this.points.map((point) => path([point], false));
+    if (this.polygons.length > 0) texts.push(`MULTIPOLYGON (${this.polygons.map(rings).join(", ")})`);
+    for (const line of this.lines) texts.push(`LINESTRING ${path(line, false)}`);
+    if (points.length > 0) texts.push(`MULTIPOINT (${points.join(", ")})`);
+    if (texts.length === 1) return texts[0]!;
+    return texts.length === 0
+      ? "GEOMETRYCOLLECTION EMPTY"
+      : `GEOMETRYCOLLECTION (${texts.join(", ")})`;
+  }
+  flat(): Flat {
+    const coords: number[] = [];
+    const rings = [0];
+    const polygons = [0];
+    const lineCoords: number[] = [];
+    const lines = [0];
+    for (const polygon of this.polygons) {
+      for (const ring of polygon) {
+        for (const p of ring) coords.push(p[0] as number, p[1] as number);
+        rings.push(coords.length / 2);
+      }
+      polygons.push(rings.length - 1);
+    }
+    for (const line of this.lines) {
+      for (const p of line) lineCoords.push(p[0] as number, p[1] as number);
+      lines.push(lineCoords.length / 2);
+    }
+    const points = this.points.flat() as number[];
+    return { coords, rings, polygons, lineCoords, lines, points };
+  }
+}
+
+export class Operands {
+  constructor(
+    private readonly library: Library,
+    /** returns the address of something prepared, or nothing if `value` is something else */
+    private readonly prepared: (value: unknown) => Address | undefined,
+  ) {}
+
+  /** Calls `work` with the addresses of all operands, and frees them. */
+  with<T>(operands: unknown[], options: ReadOptions, work: (addresses: Address[]) => T): T {
+    const made: Address[] = [];
+    try {
+      const addresses = operands.map((operand, index) => {
+        const known = this.prepared(operand);
+        if (known !== undefined) return known;
+        const address = this.make(operand as Operand, index, options);
+        made.push(address);
+        return address;
+      });
+      return work(addresses);
+    } finally {
+      for (const address of made) this.library.call["minksum_geometry_free"]!(address);
+    }
+  }
+
+  /** Makes a geometry, which the caller frees. */
+  make(operand: Operand, index: number, options: ReadOptions): Address {
+    if (operand === null || operand === undefined) {
+      throw new TypeError(`operand ${index} is ${operand}`);
+    }
+    if (typeof operand === "string") return this.read(new TextEncoder().encode(operand), index, options);
+    if (operand instanceof Uint8Array) return this.read(operand, index, options);
+    if (typeof operand !== "object") throw new TypeError(`operand ${index} is a ${typeof operand}`);
+    if ("coords" in operand) return this.makeFlat(this.numbers(operand as Flat, index), index, options);
+    if (!("type" in operand)) throw badInput("an operand has no `type`", { operand: index });
+    const parts = new Parts(index, options.z === "drop");
+    parts.add(operand);
+    return parts.exact
+      ? this.read(new TextEncoder().encode(parts.wkt()), index, options)
+      : this.makeFlat(parts.flat(), index, options);
+  }
+
+  /** Flat arrays with strings become GeoJSON's way through text. */
+  private numbers(flat: Flat, index: number): Flat | string {
+    const exact = [flat.coords, flat.lineCoords, flat.points].some(
+      (list) => list !== undefined && typeof list[0] === "string",
+    );
+    if (!exact) return flat;
+    const parts = new Parts(index, false);
+    const at = (list: ArrayLike<any>, i: number) => [list[2 * i], list[2 * i + 1]];
+    const range = (list: ArrayLike<any>, from: number, to: number) =>
+      Array.from({ length: to - from }, (_, i) => at(list, from + i));
+    const { coords, rings, polygons } = flat;
+    for (let p = 0; p + 1 < polygons.length; ++p) {
+      const list = [];
+      for (let r = polygons[p]!; r < polygons[p + 1]!; ++r) {
+        list.push(range(coords, rings[r]!, rings[r + 1]!));
+      }
+      parts.add({ type: "Polygon", coordinates: list });
+    }
+    const lines = flat.lines ?? [0];
+    for (let l = 0; l + 1 < lines.length; ++l) {
+      const coordinates = range(flat.lineCoords ?? [], lines[l]!, lines[l + 1]!);
+      parts.add({ type: "LineString", coordinates });
+    }
+    const points = flat.points ?? [];
+    parts.add({ type: "MultiPoint", coordinates: range(points, 0, points.length / 2) });
+    return parts.wkt();
+  }
+
+  private read(text: Uint8Array, index: number, options: ReadOptions): Address {
+    const { library } = this;
+    return library.withRoom(text.length + 24, (address) => {
+      const how = address / 8;
+      library.f64[how] = options.curveTolerance ?? 0;
+      library.f64[how + 1] = options.joinEnds ?? 0;
+      library.u32[2 * how + 4] = kSides[options.curveSide ?? "nearest"];
+      library.u32[2 * how + 5] = options.z === "drop" ? 1 : 0;
+      library.u8.set(text, address + 24);
+      const { results, error } = library;
+      const status = library.call["minksum_read_as"]!(address + 24, text.length, address, results, error);
+      library.check(status, index);
+      return library.u32[results >>> 2]!;
+    });
+  }
+
+  private makeFlat(flat: Flat | string, index: number, options: ReadOptions): Address {
+    if (typeof flat === "string") return this.read(new TextEncoder().encode(flat), index, options);
+    const { library } = this;
+    const { coords, rings, polygons } = flat;
+    this.checkOffsets(coords, rings, "rings", 2, index);
+    this.checkOffsets(rings, polygons, "polygons", 1, index);
+    const bytes = 8 * (coords.length + rings.length + polygons.length);
+    const geometry = library.withRoom(bytes, (address) => {
+      const xy = address / 8;
+      library.f64.set(coords, xy);
+      const ringsAt = this.putOffsets(rings, address + 8 * coords.length);
+      const polygonsAt = this.putOffsets(polygons, ringsAt + 8 * rings.length);
+      const status = library.call["minksum_geometry_polygons"]!(
+        address, ringsAt, Math.max(rings.length - 1, 0), polygonsAt,
+        Math.max(polygons.length - 1, 0), library.results, library.error,
+      );
+      library.check(status, index);
+      return library.u32[library.results >>> 2]!;
+    });
+    try {
+      this.addThin(geometry, flat, index);
+    } catch (error) {
+      library.call["minksum_geometry_free"]!(geometry);
+      throw error;
+    }
+    return geometry;
+  }
+  private addThin(geometry: Address, flat: Flat, index: number): void {
+    const { library } = this;
+    const add = (name: string, list: ArrayLike<number>, from: number, to: number) =>
+      library.withRoom(16 * (to - from), (address) => {
+        const { f64 } = library;
+        for (let i = 2 * from; i < 2 * to; ++i) f64[address / 8 + i - 2 * from] = list[i]!;
+        library.check(library.call[name]!(geometry, address, to - from, library.error), index);
+      });
+    const lines = flat.lines ?? [0];
+    const lineCoords = flat.lineCoords ?? [];
+    this.checkOffsets(lineCoords, lines, "lines", 2, index);
+    for (let l = 0; l + 1 < lines.length; ++l) {
+      add("minksum_geometry_add_polyline", lineCoords, lines[l]!, lines[l + 1]!);
+    }
+    const points = flat.points ?? [];
+    if (points.length > 0) add("minksum_geometry_add_points", points, 0, points.length >>> 1);
+  }
+  /** The library reads the arrays up to the last offset, so that must lie within them. */
+  private checkOffsets(
+    list: ArrayLike<unknown>, offsets: ArrayLike<number>, name: string, each: number, operand: number,
+  ): void {
+    if (list === undefined || offsets === undefined || typeof offsets.length !== "number") {
+      throw badInput(`an operand has \`coords\`, but no \`${name}\``, { operand });
+    }
+    const last = each === 2 ? list.length / 2 : list.length - 1;
+    let before = 0;
+    for (let i = 0; i < offsets.length; ++i) {
+      const offset = offsets[i]!;
+      if (!(offset >= before && (i > 0 || offset === 0) && Number.isInteger(offset))) {
+        throw badInput(`\`${name}\` goes back or does not begin with 0 at index ${i}`, { operand });
+      }
+      before = offset;
+    }
+    if (offsets.length === 0 || before !== last) {
+      throw badInput(`\`${name}\` ends with ${before}, but there are ${last}`, { operand });
+    }
+  }
+  private putOffsets(offsets: ArrayLike<number>, address: Address): Address {
+    const { u32 } = this.library;
+    for (let i = 0, at = address >>> 2; i < offsets.length; ++i) {
+      u32[at++] = offsets[i]!;
+      u32[at++] = 0;
+    }
+    return address;
+  }
+}

@@ -1,0 +1,166 @@
+// Takes results out of the module's memory.
+import type { Address, Library } from "./abi.js";
+import type {
+  ExactFlatResult, FlatResult, Geometry, LineString, Origin, Point, Polygon, Position, ResultOf,
+  ResultOptions,
+} from "./types.js";
+
+const kWkt = 0;
+const kSvg = 3;
+
+export class Results {
+  constructor(private readonly library: Library) {}
+
+  /** Returns what options ask for, and frees the geometry. */
+  take<O extends ResultOptions>(geometry: Address, options: O): ResultOf<O> {
+    try {
+      return this.convert(geometry, options);
+    } finally {
+      this.library.call["minksum_geometry_free"]!(geometry);
+    }
+  }
+  /** The same, without freeing it. */
+  convert<O extends ResultOptions>(geometry: Address, options: O): ResultOf<O> {
+    const exact = options.coords === "exact";
+    switch (options.as) {
+      case "flat":
+        return (exact ? this.exactFlat(geometry) : this.flat(geometry)) as ResultOf<O>;
+      case "wkt":
+        return this.write(geometry, kWkt, exact) as ResultOf<O>;
+      case "svg":
+        return this.write(geometry, kSvg, false) as ResultOf<O>;
+      default:
+        return geojson(exact ? this.exactFlat(geometry) : this.flat(geometry)) as ResultOf<O>;
+    }
+  }
+
+  write(geometry: Address, format: number, exact: boolean): string {
+    const { library } = this;
+    const { results, error } = library;
+    const status = library.call["minksum_write"]!(
+      geometry, format, exact ? 1 : 0, 0, results, results + 4, error,
+    );
+    library.check(status);
+    const text = library.u32[results >>> 2]!;
+    const written = library.text(text, library.u32[(results >>> 2) + 1]!);
+    library.call["minksum_text_free"]!(text);
+    return written;
+  }
+
+  flat(geometry: Address): FlatResult {
+    const { library } = this;
+    const { results, error, call } = library;
+    call["minksum_geometry_counts"]!(results, geometry);
+    const at = results >>> 2;
+    const [polygons, rings, vertices, lines, lineVertices, points] = library.u32.subarray(at, at + 6);
+    const doubles = (count: number, from: Address) => library.f64.slice(from / 8, from / 8 + count);
+    const offsets = (count: number, from: Address) =>
+      Uint32Array.from({ length: count }, (_, i) => library.u32[(from >>> 2) + 2 * i]!);
+    const made: FlatResult = {
+      coords: new Float64Array(),
+      rings: new Uint32Array(1),
+      polygons: new Uint32Array(1),
+      lineCoords: new Float64Array(),
+      lines: new Uint32Array(1),
+      points: new Float64Array(),
+    };
+    if (vertices! + polygons! > 0) {
+      library.withRoom(8 * (2 * vertices! + rings! + polygons! + 2), (xy) => {
+        const ringsAt = xy + 16 * vertices!;
+        const polygonsAt = ringsAt + 8 * (rings! + 1);
+        const get = call["minksum_geometry_get_polygons"]!;
+        library.check(get(geometry, xy, ringsAt, polygonsAt, error));
+        made.coords = doubles(2 * vertices!, xy);
+        made.rings = offsets(rings! + 1, ringsAt);
+        made.polygons = offsets(polygons! + 1, polygonsAt);
+      });
+    }
+    if (lines! > 0) {
+      library.withRoom(8 * (2 * lineVertices! + lines! + 1), (xy) => {
+        const linesAt = xy + 16 * lineVertices!;
+        library.check(call["minksum_geometry_get_polylines"]!(geometry, xy, linesAt, error));
+        made.lineCoords = doubles(2 * lineVertices!, xy);
+        made.lines = offsets(lines! + 1, linesAt);
+      });
+    }
+    if (points! > 0) {
+      library.withRoom(16 * points!, (xy) => {
+        library.check(call["minksum_geometry_get_points"]!(geometry, xy, error));
+        made.points = doubles(2 * points!, xy);
+      });
+    }
+    return made;
+  }
+
+  /** The numbers stand in the text in the order of the arrays; rings repeat their first vertex. */
+  exactFlat(geometry: Address): ExactFlatResult {
+    const { rings, polygons, lines, points } = this.flat(geometry);
+    const numbers = this.write(geometry, kWkt, true).match(/-?\d[\d/]*/g) ?? [];
+    let next = 0;
+    const take = (count: number, list: string[]) => {
+      for (let i = 0; i < count; ++i) list.push(numbers[next++]!);
+    };
+    const made: ExactFlatResult = { coords: [], rings, polygons, lineCoords: [], lines, points: [] };
+    for (let r = 0; r + 1 < rings.length; ++r) {
+      take(2 * (rings[r + 1]! - rings[r]!), made.coords);
+      next += 2;
+    }
+    take(2 * lines[lines.length - 1]!, made.lineCoords);
+    take(points.length, made.points);
+    return made;
+  }
+
+  /** Where the edges of a sum came from, or nothing if it does not tell. */
+  origins(geometry: Address): Origin[] | null {
+    const { library } = this;
+    const { results, error, call } = library;
+    call["minksum_geometry_counts"]!(results, geometry);
+    const vertices = library.u32[(results >>> 2) + 2]!;
+    return library.withRoom(12 * vertices, (address) => {
+      library.check(call["minksum_geometry_get_origins"]!(geometry, address, results, error));
+      if (library.u32[results >>> 2] === 0) return null;
+      const words = library.u32.subarray(address >>> 2, (address >>> 2) + 3 * vertices);
+      return Array.from({ length: vertices }, (_, v) => ({
+        edgeOperand: words[3 * v] as 0 | 1,
+        edge: words[3 * v + 1]!,
+        vertex: words[3 * v + 2]!,
+      }));
+    });
+  }
+}
+
+/** Returns flat arrays as GeoJSON. */
+export function geojson(flat: FlatResult | ExactFlatResult): Geometry {
+  const positions = (list: ArrayLike<number | string>, from: number, to: number) => {
+    const made: Position[] = [];
+    for (let v = from; v < to; ++v) made.push([list[2 * v]!, list[2 * v + 1]!]);
+    return made;
+  };
+  const { coords, rings, polygons, lineCoords, lines, points } = flat;
+  const areas: Position[][][] = [];
+  for (let p = 0; p + 1 < polygons.length; ++p) {
+    const area: Position[][] = [];
+    for (let r = polygons[p]!; r < polygons[p + 1]!; ++r) {
+      const ring = positions(coords, rings[r]!, rings[r + 1]!);
+      if (ring.length > 0) ring.push([...ring[0]!]);
+      area.push(ring);
+    }
+    areas.push(area);
+  }
+  const paths: Position[][] = [];
+  for (let l = 0; l + 1 < lines.length; ++l) {
+    paths.push(positions(lineCoords, lines[l]!, lines[l + 1]!));
+  }
+  const places = positions(points, 0, points.length / 2);
+  const made: Geometry[] = [];
+  if (areas.length === 1) made.push({ type: "Polygon", coordinates: areas[0]! } satisfies Polygon);
+  if (areas.length > 1) made.push({ type: "MultiPolygon", coordinates: areas });
+  if (paths.length === 1) made.push({ type: "LineString", coordinates: paths[0]! } satisfies LineString);
+  if (paths.length > 1) made.push({ type: "MultiLineString", coordinates: paths });
+  if (places.length === 1) made.push({ type: "Point", coordinates: places[0]! } satisfies Point);
+  if (places.length > 1) made.push({ type: "MultiPoint", coordinates: places });
+  if (made.length === 1) return made[0]!;
+  return made.length === 0
+    ? { type: "Polygon", coordinates: [] }
+    : { type: "GeometryCollection", geometries: made };
+}
