@@ -86,8 +86,10 @@ export interface Turned {
   movingTurn?: number;
 }
 
-type Plain<O> = O & Abortable;
-type Made<O> = Promise<ResultOf<O>>;
+/** Options that can have a signal. */
+export type Plain<O> = O & Abortable;
+/** What an operation promises. */
+export type Made<O> = Promise<ResultOf<O>>;
 
 /** The library in a worker. Each method does what that of `Minksum` does. */
 export class MinksumWorker {
