@@ -24,8 +24,10 @@ enum class Format {
   kPoly,     ///< `.poly`: chains of points, and which of them are holes
   kDat,      ///< `.dat`: CGAL's plain polygons, which are only read
   kSvg,      ///< Scalable Vector Graphics: drawings when read, pictures when written
-  kWkb,  ///< Well-Known Binary; when read, also PostGIS's form, and either in hexadecimal digits
-  kDxf,  ///< Drawing Exchange Format of AutoCAD, which is only read
+  kWkb,     ///< Well-Known Binary; when read, also PostGIS's form, and either in hexadecimal digits
+  kDxf,     ///< Drawing Exchange Format of AutoCAD, which is only read
+  kHexWkb,  ///< WKB in hexadecimal digits, which is only written: kWkb reads both
+  kTable,   ///< CSV and TSV with a column of WKT or hexadecimal WKB, which are only read
 };
 
 /// An error in a text, with its place. Lines and columns count from 1; 0 means not known.
@@ -70,7 +72,7 @@ struct ReadOptions {
   /// Drops what a point has beyond x and y: heights (Z) and measures (M). Otherwise they are
   /// errors.
   bool drop_z = false;
-  /// Names the column of a table (CSV) that holds the geometries. Without a name it is found.
+  /// Names the column of a table (CSV, TSV) that holds the geometries. Without a name it is found.
   std::string column = {};
   DrawingOptions drawing = {};  ///< how drawings are read
 };
@@ -105,6 +107,10 @@ struct Feature {
   std::size_t index = 0;  ///< counts from 0, with the features that have no shape
   std::size_t line = 0;   ///< where the feature begins, from 1; 0 in binary formats
 };
+
+/// Returns the number of the reference system that a text names by `srid`, or else by a `crs` such
+/// as `urn:ogc:def:crs:EPSG::3857`. The `crs` of GeoJSON itself, CRS84, has the number 4326.
+[[nodiscard]] MINKSUM_API std::optional<std::int32_t> srid_of(const SourceInfo& source);
 
 /// Returns the format in which the text seems to be, by its first characters, or else WKT.
 [[nodiscard]] MINKSUM_API Format detect_format(std::string_view text);
@@ -162,6 +168,8 @@ class MINKSUM_API FeatureReader {
   [[nodiscard]] std::optional<Feature> next();
   /// Returns what the text has said so far. All of it is known when next() has returned nothing.
   [[nodiscard]] const SourceInfo& source() const;
+  /// Returns which share of the text lies before the latest feature, from 0 to 1.
+  [[nodiscard]] double share() const;
 
  private:
   struct State;
@@ -181,12 +189,21 @@ struct Coordinates {
   int digits = 6;                ///< digits after the point for kDecimal, 0 to kMaxDecimals
   /// Stops writing by Error(kCancelled). What was written before stays.
   std::optional<CancelToken> cancel = {};
+  /// The number of the reference system. WKT and WKB have it as EWKT and EWKB, and GeoJSON has it
+  /// as its member `crs`. Other formats have no place for it.
+  std::optional<std::int32_t> srid = {};
+  /// The member `crs` of GeoJSON, instead of one that is made of `srid`; or "".
+  std::string crs = {};
 };
 
+/// Returns the member `crs` that GeoJSON has for the reference system; "" if there is none.
+[[nodiscard]] MINKSUM_API std::string crs_of(const Coordinates& style);
+
 /// Writes a region as WKT, GeoJSON, WKB, `.poly` or a plain SVG. WKB is little-endian and holds
-/// doubles. O(n) for n vertices. Throws Error: kBadInput for `.dat`, which is only read, for WKB in
-/// another style than kDouble, and for a number of digits that is out of range; kLimitExceeded for
-/// a coordinate beyond the range of doubles that has to be written as one; kCancelled.
+/// doubles; kHexWkb writes its bytes as digits. O(n) for n vertices. Throws Error: kBadInput for
+/// `.dat`, which is only read, for WKB in another style than kDouble, and for a number of digits
+/// that is out of range; kLimitExceeded for a coordinate beyond the range of doubles that has to be
+/// written as one; kCancelled.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});
 /// Returns the region as WKT. This and all functions below throw as `write` does.

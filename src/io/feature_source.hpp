@@ -49,5 +49,8 @@ class FeatureSource {
 /// WKT and hexadecimal WKB, one geometry a line.
 [[nodiscard]] std::unique_ptr<FeatureSource> record_source(std::string_view text,
                                                            const ReadOptions& options, Rules rules);
+/// Tables, one geometry a row.
+[[nodiscard]] std::unique_ptr<FeatureSource> table_source(std::string_view text,
+                                                          const ReadOptions& options, Rules rules);
 
 }  // namespace minksum::io

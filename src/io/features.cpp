@@ -94,6 +94,11 @@ std::optional<Feature> FeatureReader::next() {
 
 const SourceInfo& FeatureReader::source() const { return state_->source->builder().source(); }
 
+double FeatureReader::share() const {
+  const double size = static_cast<double>(std::max<std::size_t>(state_->text.size(), 1));
+  return static_cast<double>(state_->source->start()) / size;
+}
+
 Document read_document(std::string_view text, const ReadOptions& options) {
   return read_all_features(text, options, Rules::kGeometry);
 }

@@ -1,6 +1,8 @@
 // Declares a reader and a writer for each format.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -33,6 +35,9 @@ void read_wkt_or_hex_wkb(TextCursor& cursor, const ReadOptions& options, Geometr
 /// Tells whether the text begins as a DXF drawing in ASCII.
 [[nodiscard]] bool looks_like_dxf(std::string_view text);
 
+/// Tells whether the first line names the columns of a table.
+[[nodiscard]] bool looks_like_table(std::string_view text);
+
 /// Throws a ReadError that names the format, if the text begins as files of a format that is not
 /// read.
 void refuse_other_formats(std::string_view text);
@@ -54,10 +59,15 @@ struct GeometryView {
   }
 };
 
+/// Returns the number that EWKT and EWKB have for it.
+[[nodiscard]] std::optional<std::int32_t> srid_of(const Coordinates& style);
+
 void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
 void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
 void write_poly(std::ostream& out, const Region& region, const Coordinates& style);
 void write_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
+/// Writes WKB as hexadecimal digits.
+void write_hex_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
 void write_svg(std::ostream& out, const GeometryView& geometry);
 
 }  // namespace minksum::io

@@ -379,7 +379,8 @@ std::unique_ptr<FeatureSource> geojson_source(std::string_view text, const ReadO
 void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
   writer.quote_quotients();
-  write_nested(writer, geometry, kNotation);
+  const std::string crs = crs_of(style);
+  write_nested(writer, geometry, kNotation, crs.empty() ? "" : ", \"crs\": " + crs);
   writer.flush();
 }
 

@@ -1,5 +1,7 @@
 // Reads WKB whose bytes are written as hexadecimal digits.
+#include <sstream>
 #include <string>
+#include <utility>
 
 #include "io/formats.hpp"
 #include "io/text_cursor.hpp"
@@ -60,6 +62,19 @@ void read_hex_wkb(TextCursor& cursor, const ReadOptions& options, GeometryBuilde
     cursor.fail(error.code(), error.what(), start, error.limit());
   }
   builder.follow(cursor);
+}
+
+void write_hex_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
+  std::ostringstream bytes;
+  bytes.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
+  write_wkb(bytes, geometry, style);
+  std::string digits;
+  for (const char c : std::move(bytes).str()) {
+    const auto byte = static_cast<unsigned char>(c);
+    digits += "0123456789ABCDEF"[byte >> 4];
+    digits += "0123456789ABCDEF"[byte & 15];
+  }
+  out << digits;
 }
 
 }  // namespace minksum::io

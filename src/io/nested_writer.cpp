@@ -8,10 +8,12 @@ namespace {
 
 class NestedWriter {
  public:
-  NestedWriter(Writer& writer, const Notation& notation) : writer_(writer), notation_(notation) {}
+  NestedWriter(Writer& writer, const Notation& notation, std::string_view last)
+      : writer_(writer), notation_(notation), last_(last) {}
 
   void write(const GeometryView& geometry) {
     const bool is_collection = geometry.kinds() > 1;
+    depth_ = is_collection ? 2 : 1;
     if (is_collection) {
       writer_.text(notation_.begin[Notation::kCollection]);
       writer_.text(notation_.open);
@@ -33,7 +35,8 @@ class NestedWriter {
     }
     if (is_collection) {
       writer_.text(notation_.close);
-      writer_.text(notation_.end);
+      depth_ = 1;
+      end();
     }
   }
 
@@ -49,6 +52,11 @@ class NestedWriter {
     } else {
       list(items, write);
     }
+    end();
+  }
+  // Ends one kind, or the collection of all.
+  void end() {
+    if (depth_ == 1) writer_.text(last_);
     writer_.text(notation_.end);
   }
   template <class Items, class Write>
@@ -82,13 +90,16 @@ class NestedWriter {
 
   Writer& writer_;
   const Notation& notation_;
+  std::string_view last_;  // stands before the last end
+  int depth_ = 1;
   std::string_view before_kind_;
 };
 
 }  // namespace
 
-void write_nested(Writer& writer, const GeometryView& geometry, const Notation& notation) {
-  NestedWriter(writer, notation).write(geometry);
+void write_nested(Writer& writer, const GeometryView& geometry, const Notation& notation,
+                  std::string_view last) {
+  NestedWriter(writer, notation, last).write(geometry);
 }
 
 }  // namespace minksum::io

@@ -21,7 +21,9 @@ struct Notation {
   bool bare_points;        ///< points of rings and lines have no brackets
 };
 
-/// Writes several kinds as a collection, and an empty geometry as an empty polygon.
-void write_nested(Writer& writer, const GeometryView& geometry, const Notation& notation);
+/// Writes several kinds as a collection, and an empty geometry as an empty polygon. `last` stands
+/// before the end of the whole.
+void write_nested(Writer& writer, const GeometryView& geometry, const Notation& notation,
+                  std::string_view last = {});
 
 }  // namespace minksum::io

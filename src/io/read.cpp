@@ -127,6 +127,9 @@ Format detect_format(std::string_view text) {
   cursor.skip_space_and_comments();
   if (looks_like_hex_wkb(cursor.rest())) return Format::kWkb;
   const char c = cursor.peek();
+  if (is_letter(first) || first == '"' || first == '_') {
+    if (looks_like_table(cursor.rest())) return Format::kTable;
+  }
   if (!is_digit(c) && (first != '#' || is_letter(c) || c == '"' || c == '\'')) return Format::kWkt;
   return looks_like_poly(cursor) ? Format::kPoly : Format::kDat;
 }
@@ -159,6 +162,8 @@ std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOpti
       return whole(content, read_svg);
     case Format::kDxf:
       return whole(content, read_dxf);
+    case Format::kTable:
+      return table_source(content, options, rules);
     default:
       return record_source(content, options, rules);
   }

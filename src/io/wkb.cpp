@@ -254,7 +254,10 @@ class WkbReader {
 class WkbWriter {
  public:
   WkbWriter(std::ostream& out, const Coordinates& style)
-      : out_(out), options_{.cancel = style.cancel}, cancellation_(options_) {}
+      : out_(out),
+        options_{.cancel = style.cancel},
+        cancellation_(options_),
+        srid_(srid_of(style)) {}
 
   void write(const GeometryView& geometry) {
     const Region& region = geometry.region;
@@ -321,8 +324,10 @@ class WkbWriter {
     put(std::bit_cast<std::uint64_t>(value));
   }
   void begin(Kind kind) {
-    buffer_ += '\1';  // little-endian
-    put(static_cast<std::uint32_t>(kind));
+    buffer_ += '\1';                             // little-endian
+    const auto srid = std::exchange(srid_, {});  // which only the first header has
+    put(static_cast<std::uint32_t>(kind) | (srid ? Code::kHasSrid : 0U));
+    if (srid) put(static_cast<std::uint32_t>(*srid));
   }
   void put_count(std::size_t count) {
     if (count > std::numeric_limits<std::uint32_t>::max()) {
@@ -346,6 +351,7 @@ class WkbWriter {
   std::ostream& out_;
   Options options_;  ///< of writing
   Cancellation cancellation_;
+  std::optional<std::int32_t> srid_;
   std::string buffer_;
 };
 

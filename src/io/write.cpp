@@ -21,13 +21,16 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
       return write_poly(out, geometry.region, style);
     case Format::kWkb:
       return write_wkb(out, geometry, style);
+    case Format::kHexWkb:
+      return write_hex_wkb(out, geometry, style);
     case Format::kSvg:
       return write_svg(out, geometry);
     case Format::kDat:
     case Format::kDxf:
+    case Format::kTable:
       break;
   }
-  throw Error(ErrorCode::kBadInput, "regions are not written as .dat or as DXF");
+  throw Error(ErrorCode::kBadInput, "regions are not written as .dat, as DXF or as tables");
 }
 
 template <class Set>

@@ -162,5 +162,63 @@ TEST(Features, CoordinatesBeyondTwoAreDroppedOnRequest) {
             "1:1: byte 22: expected a height or measure, found the end");
 }
 
+TEST(Features, OfATable) {
+  const std::string table =
+      "name;wkb;n\r\n"
+      "\"a \"\"b\"\"\";0101000020110f0000000000000000f03f0000000000000040;1\r\n"
+      "\r\n"
+      "none;;2\r\n"
+      "\"c\n\td\";\"SRID=3857;POINT (1/3 5)\";3";
+  EXPECT_EQ(detect_format(table), Format::kTable);
+  FeatureReader reader(table);
+  const std::vector<Feature> features = features_of(reader);
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[0].properties, R"({"name": "a \"b\"", "n": "1"})");
+  EXPECT_EQ(features[0].geometry, (Geometry{{}, {}, {{1, 2}}}));
+  EXPECT_EQ(features[0].line, 2U);
+  EXPECT_EQ(features[1].properties, R"({"name": "c\u000a\u0009d", "n": "3"})");
+  EXPECT_EQ(features[1].geometry, (Geometry{{}, {}, {{Rational(1, 3), 5}}}));
+  EXPECT_EQ(features[1].index, 2U);
+  EXPECT_EQ(reader.source().null_geometries, 1U);
+  EXPECT_EQ(srid_of(reader.source()), 3857);
+}
+
+TEST(Features, TheColumnOfATable) {
+  const std::string table = "a,b\nPOINT (1 2),\"LINESTRING (0 0, 1 0)\"\n";
+  EXPECT_EQ(refusal(table),
+            "1:1: several columns hold geometries: 'a' and 'b'; io::ReadOptions::column names the "
+            "one to read");
+  EXPECT_EQ(read_document(table, {.column = "a"}).geometry, (Geometry{{}, {}, {{1, 2}}}));
+  EXPECT_EQ(refusal(table, {.column = "c"}),
+            "1:1: there is no column 'c' (io::ReadOptions::column); there are 'a', 'b'");
+  EXPECT_EQ(detect_format("wkt\n\"POINT (1 2)\"\n"), Format::kTable);
+  EXPECT_EQ(detect_format("POLYGON EMPTY, "), Format::kWkt);
+  EXPECT_EQ(detect_format("LINESTRING (0 0, 1 1)\n"), Format::kWkt);
+  EXPECT_EQ(detect_format("SRID=1;POINT EMPTY"), Format::kWkt);
+}
+
+TEST(Features, ReferenceSystemsAreWritten) {
+  const Geometry point{{}, {}, {{1, 2}}};
+  const Coordinates by_number{.srid = 3857};
+  EXPECT_EQ(to_wkt(point, by_number), "SRID=3857;POINT (1 2)");
+  EXPECT_EQ(to_geojson(point, by_number),
+            R"({"type": "Point", "coordinates": [1,2], "crs": {"type": "name", "properties": )"
+            R"({"name": "urn:ogc:def:crs:EPSG::3857"}}})");
+  const std::string crs = R"({"type":"name","properties":{"name":"EPSG:25832"}})";
+  const Coordinates by_name{.crs = crs};
+  EXPECT_EQ(to_wkt(point, by_name), "SRID=25832;POINT (1 2)");
+  const Geometry both{{}, {{{0, 0}, {1, 0}}}, {{1, 2}}};
+  for (const Geometry& geometry : {point, both}) {
+    const io::Document again = read_document(to_geojson(geometry, by_name));
+    EXPECT_EQ(again.geometry, geometry);
+    EXPECT_EQ(again.source.crs, crs);
+    const io::Document binary = read_document(to_wkb(geometry, by_number));
+    EXPECT_EQ(binary.geometry, geometry);
+    EXPECT_EQ(binary.source.srid, 3857);
+  }
+  EXPECT_EQ(srid_of(SourceInfo{.crs = R"({"name": "urn:ogc:def:crs:OGC:1.3:CRS84"})"}), 4326);
+  EXPECT_EQ(srid_of(SourceInfo{.crs = R"({"name": "urn:ogc:def:crs:OGC:2:Mars"})"}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace minksum::io

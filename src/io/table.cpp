@@ -1,0 +1,279 @@
+// Reads tables (CSV, TSV) that have a column of WKT or of WKB in hexadecimal digits.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "io/feature_source.hpp"
+#include "io/formats.hpp"
+#include "io/text_cursor.hpp"
+#include "minksum/detail/utf8.hpp"
+
+namespace minksum::io {
+
+namespace {
+
+struct Cell {
+  std::size_t begin = 0;  ///< position of its text, behind a quote
+  std::size_t end = 0;
+  bool quoted = false;
+};
+using Row = std::vector<Cell>;
+
+constexpr std::array<std::string_view, 7> kTypes = {
+    "POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
+    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+constexpr std::array<std::string_view, 8> kLoneNames = {
+    "WKT", "WKB", "GEOM", "GEOMETRY", "THE_GEOM", "WKB_GEOMETRY", "WKT_GEOM", "SHAPE"};
+
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  for (char& c : capitals) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return capitals;
+}
+
+std::string_view first_line(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+}
+
+/// Returns the mark that stands between the names in the first line, or NUL.
+char mark_between(std::string_view line) {
+  char best = '\0';
+  std::ptrdiff_t most = 0;
+  for (const char mark : {',', '\t', ';'}) {
+    bool quoted = false;
+    const auto count = std::count_if(line.begin(), line.end(), [&](char c) {
+      if (c == '"') quoted = !quoted;
+      return !quoted && c == mark;
+    });
+    if (count > most) best = mark;
+    most = std::max(most, count);
+  }
+  return best;
+}
+
+bool looks_like_geometry(std::string_view cell) {
+  const std::size_t begin = std::min(cell.find_first_not_of(" \t\r\n"), cell.size());
+  cell.remove_prefix(begin);
+  if (looks_like_hex_wkb(cell)) return true;
+  constexpr std::size_t kLongest = 20;
+  const std::string start = in_capitals(cell.substr(0, kLongest));
+  return start.starts_with("SRID=") ||
+         std::ranges::any_of(kTypes, [&](auto type) { return start.starts_with(type); });
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = detail::utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string json_string(std::string_view text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20) {
+      json += std::string("\\u00") + "0123456789abcdef"[byte >> 4] + "0123456789abcdef"[byte & 15];
+      continue;
+    }
+    if (c == '"' || c == '\\') json += '\\';
+    json += c;
+  }
+  return json + '"';
+}
+
+class TableSource : public FeatureSource {
+ public:
+  TableSource(std::string_view text, const ReadOptions& options, Rules rules)
+      : FeatureSource(options, rules),
+        cursor_(text),
+        options_(options),
+        mark_(mark_between(first_line(text))) {
+    builder_.follow(cursor_);
+    const Row header = take_row();
+    for (const Cell& cell : header) names_.push_back(text_of(cell));
+    if (names_.size() > 1 && names_.back().empty()) names_.pop_back();  // as GDAL writes one column
+    column_ = options.column.empty() ? find_column() : named_column();
+  }
+
+  [[nodiscard]] std::string properties() const override {
+    std::string json = "{";
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      if (i == column_) continue;
+      json += (json.size() > 1 ? ", " : "") + json_string(names_[i]) + ": " +
+              json_string(text_of(row_[i]));
+    }
+    return json + '}';
+  }
+
+ private:
+  bool read_next() override {
+    if (!next_row()) return false;
+    const Cell& cell = row_[column_];
+    start_ = row_.front().begin;
+    const std::string_view text = cursor_.text().substr(cell.begin, cell.end - cell.begin);
+    is_null_ = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    if (is_null_) return true;
+    const std::size_t after = cursor_.position();
+    cursor_.move_to(cell.begin);
+    read_wkt_or_hex_wkb(cursor_, options_, builder_);
+    while (cursor_.position() < cell.end && is_space(cursor_.peek())) cursor_.advance();
+    if (cursor_.position() != cell.end) {
+      cursor_.fail("expected the end of the cell after a geometry, found " + cursor_.found());
+    }
+    cursor_.move_to(after);
+    return true;
+  }
+
+  // Takes the next row that is not empty, into `row_`.
+  bool next_row() {
+    for (;;) {
+      if (cursor_.at_end()) return false;
+      const std::size_t begin = cursor_.position();
+      cursor_.name_record("row " + std::to_string(rows_ + 1) + ": ");
+      row_ = take_row();
+      if (row_.size() == 1 && row_[0].begin == row_[0].end) continue;
+      ++rows_;
+      while (row_.size() > names_.size() && row_.back().begin == row_.back().end) row_.pop_back();
+      if (row_.size() == names_.size()) return true;
+      cursor_.fail(ErrorCode::kBadInput,
+                   "there are " + std::to_string(row_.size()) + " cells, where the table has " +
+                       std::to_string(names_.size()) + " columns",
+                   begin);
+    }
+  }
+
+  Row take_row() {
+    Row row;
+    for (;;) {
+      row.push_back(take_cell());
+      if (!cursor_.accept(mark_)) break;
+    }
+    cursor_.accept('\r');
+    cursor_.accept('\n');
+    return row;
+  }
+
+  Cell take_cell() {
+    const bool quoted = cursor_.accept('"');
+    Cell cell{cursor_.position(), 0, quoted};
+    if (quoted) {
+      skip_quoted(cell);
+    } else {
+      const char ends[] = {'\n', mark_ == '\0' ? '\n' : mark_};
+      const std::string_view rest = cursor_.rest();
+      cursor_.advance(std::min(rest.find_first_of(std::string_view(ends, 2)), rest.size()));
+      cell.end = cursor_.position();
+      if (cell.end > cell.begin && cursor_.text()[cell.end - 1] == '\r') --cell.end;
+    }
+    if (!is_utf8(cursor_.text().substr(cell.begin, cell.end - cell.begin))) {
+      cursor_.fail(ErrorCode::kBadInput, "a cell is not UTF-8", cell.begin);
+    }
+    return cell;
+  }
+
+  // A quote within quotes is doubled.
+  void skip_quoted(Cell& cell) {
+    for (;;) {
+      const std::string_view rest = cursor_.rest();
+      const std::size_t quote = rest.find('"');
+      if (quote == std::string_view::npos) {
+        cursor_.fail(ErrorCode::kBadInput, "a quote is not closed", cell.begin - 1);
+      }
+      cursor_.advance(quote + 1);
+      if (cursor_.accept('"')) continue;
+      cell.end = cursor_.position() - 1;
+      const char c = cursor_.peek();
+      if (cursor_.at_end() || c == mark_ || c == '\n' || c == '\r') return;
+      cursor_.fail_expected("the end of the cell behind its closing quote");
+    }
+  }
+
+  [[nodiscard]] std::string text_of(const Cell& cell) const {
+    std::string text(cursor_.text().substr(cell.begin, cell.end - cell.begin));
+    if (!cell.quoted) return text;
+    for (std::size_t at = text.find("\"\""); at != std::string::npos;
+         at = text.find("\"\"", at + 1)) {
+      text.erase(at, 1);
+    }
+    return text;
+  }
+
+  // Looks into the first rows, until one has a geometry.
+  std::size_t find_column() {
+    const std::size_t begin = cursor_.position();
+    std::vector<std::size_t> found;
+    while (found.empty() && next_row()) {
+      for (std::size_t i = 0; i < row_.size(); ++i) {
+        if (looks_like_geometry(text_of(row_[i]))) found.push_back(i);
+      }
+    }
+    rows_ = 0;
+    cursor_.name_record({});
+    cursor_.move_to(begin);
+    if (found.size() == 1) return found.front();
+    if (found.empty()) {
+      cursor_.fail(
+          ErrorCode::kBadInput,
+          "no column of this table holds WKT, or WKB in hexadecimal digits; there are " + listed(),
+          0);
+    }
+    cursor_.fail(ErrorCode::kBadInput,
+                 "several columns hold geometries: '" + names_[found[0]] + "' and '" +
+                     names_[found[1]] + "'; io::ReadOptions::column names the one to read",
+                 0);
+  }
+
+  std::size_t named_column() {
+    const auto found = std::ranges::find(names_, options_.column);
+    if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
+    cursor_.fail(ErrorCode::kBadInput,
+                 "there is no column '" + options_.column +
+                     "' (io::ReadOptions::column); there are " + listed(),
+                 0);
+  }
+
+  [[nodiscard]] std::string listed() const {
+    constexpr std::size_t kMost = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names_.size(), kMost); ++i) {
+      text += (i > 0 ? ", '" : "'") + names_[i].substr(0, 2 * kMost) + "'";
+    }
+    return text + (names_.size() > kMost ? " and more" : "");
+  }
+
+  TextCursor cursor_;
+  const ReadOptions& options_;
+  char mark_;
+  std::vector<std::string> names_;
+  std::size_t column_ = 0;
+  Row row_;
+  std::size_t rows_ = 0;
+};
+
+}  // namespace
+
+bool looks_like_table(std::string_view text) {
+  const std::string_view line = first_line(text);
+  const std::string capitals = in_capitals(line);
+  if (line.find_first_of("({[<=") != std::string_view::npos ||
+      capitals.find(" EMPTY") != std::string::npos) {
+    return false;
+  }
+  if (mark_between(line) != '\0') return true;
+  std::string_view name = capitals;
+  if (name.size() > 2 && name.front() == '"' && name.back() == '"') {
+    name = name.substr(1, name.size() - 2);
+  }
+  return std::ranges::find(kLoneNames, name) != kLoneNames.end();
+}
+
+std::unique_ptr<FeatureSource> table_source(std::string_view text, const ReadOptions& options,
+                                            Rules rules) {
+  return std::make_unique<TableSource>(text, options, rules);
+}
+
+}  // namespace minksum::io
