@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <ostream>
+#include <utility>
 
 #include "batch/batch_job.hpp"
 #include "commands/commands.hpp"
@@ -13,29 +14,43 @@
 
 namespace minksum::cli {
 
-void expect_files(const BatchArguments& arguments, OutputFiles& files) {
-  if (!arguments.jobs.empty() && arguments.jobs != "-") files.reserve("JOBS", arguments.jobs);
-  if (!arguments.no_output) {
-    files.expect("-o", arguments.output);
-    if (!arguments.output.empty() && !is_special(arguments.output)) {
-      files.reserve("FILE.partial of -o", LineOutput::unfinished_place(arguments.output));
-    }
-  }
-  files.expect_if_any("--stats", arguments.stats);
+RunSettings settings_of(const BatchArguments& arguments) {
+  return {arguments.output,
+          arguments.stats,
+          arguments.threads,
+          arguments.restart,
+          arguments.no_output,
+          "job",
+          {}};
 }
 
-BatchRun::BatchRun(const BatchArguments& arguments) : arguments_(arguments) {
-  if (!arguments.no_output) output_.emplace(arguments.output);
+void expect_files(const RunSettings& settings, OutputFiles& files) {
+  if (!settings.no_output) {
+    files.expect("-o", settings.output);
+    if (!settings.output.empty() && !is_special(settings.output)) {
+      files.reserve("FILE.partial of -o", LineOutput::unfinished_place(settings.output));
+    }
+  }
+  files.expect_if_any("--stats", settings.stats);
+}
+
+void expect_files(const BatchArguments& arguments, OutputFiles& files) {
+  if (!arguments.jobs.empty() && arguments.jobs != "-") files.reserve("JOBS", arguments.jobs);
+  expect_files(settings_of(arguments), files);
+}
+
+BatchRun::BatchRun(RunSettings settings) : settings_(std::move(settings)) {
+  if (!settings_.no_output && !settings_.sink) output_.emplace(settings_.output);
 }
 
 void BatchRun::go_on(const Jobs& jobs) {
   if (!output_) return;
-  if (arguments_.restart) {
+  if (settings_.restart) {
     check_earlier();
   } else {
     take_earlier(jobs);
   }
-  output_->begin(!arguments_.restart);
+  output_->begin(!settings_.restart);
 }
 
 void BatchRun::take_earlier(const Jobs& jobs) {
@@ -72,29 +87,37 @@ void BatchRun::refuse(std::uint64_t line, std::string_view text) const {
 
 void BatchRun::run(Work work, const std::function<std::optional<double>()>& share) {
   const auto start = std::chrono::steady_clock::now();
-  BatchProgress progress(output_ && arguments_.output.empty());
+  BatchProgress progress(settings_.unit, !settings_.no_output && settings_.output.empty());
   work.consume = [&](const Done& done) {
+    if (settings_.sink) settings_.sink(done.lines);
     if (output_) output_->write(done.lines);
     jobs_ += done.jobs;
     failed_ += done.failed;
     progress.show(jobs_, failed_, share());
   };
-  run_in_order(arguments_.threads, work);
+  run_in_order(settings_.threads, work);
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int BatchRun::finish(const Json& more, OutputFiles& files) {
-  if (!arguments_.stats.empty()) {
-    Json json{{"jobs", jobs_},       {"failed", failed_},
-              {"earlier", earlier_}, {"threads", arguments_.threads},
-              {"seconds", seconds_}, {"version", MINKSUM_VERSION}};
+int BatchRun::finish(const Json& more, OutputFiles& files,
+                     const std::function<void(LineOutput& lines)>& deliver) {
+  if (!settings_.stats.empty()) {
+    Json json{{settings_.unit + std::string("s"), jobs_},
+              {"failed", failed_},
+              {"earlier", earlier_},
+              {"threads", settings_.threads},
+              {"seconds", seconds_},
+              {"version", MINKSUM_VERSION}};
     json.update(more);
-    files.write(arguments_.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+    files.write(settings_.stats, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
   }
-  if (output_) output_->finish();
+  if (output_ && deliver) deliver(*output_);
+  if (output_ && !deliver) output_->finish();
   files.finish();
+  if (output_ && deliver) output_->discard();
   if (failed_ == 0) return kFine;
-  note(grouped(failed_) + " of " + grouped(jobs_) + (jobs_ == 1 ? " job" : " jobs") + " failed");
+  note(grouped(failed_) + " of " + grouped(jobs_) + " " + settings_.unit + (jobs_ == 1 ? "" : "s") +
+       " failed");
   return kBadInput;
 }
 

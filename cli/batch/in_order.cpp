@@ -1,5 +1,6 @@
 #include "batch/in_order.hpp"
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -119,6 +120,11 @@ class Pool {
 };
 
 }  // namespace
+
+int threads_or_all(int threads) {
+  if (threads > 0) return threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void run_in_order(int threads, const Work& work) {
   Pool pool(threads);

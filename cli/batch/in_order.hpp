@@ -46,6 +46,9 @@ struct Work {
   std::function<void(const Done&)> consume;
 };
 
+/// Returns the number of threads, or that of the cores for 0.
+[[nodiscard]] int threads_or_all(int threads);
+
 /// Runs all tasks on `threads` threads.
 ///
 /// At most 64 tasks a thread, or fewer if they are large, are taken and not yet consumed at a time,

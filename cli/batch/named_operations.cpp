@@ -124,9 +124,8 @@ Made make_no_fit(Parser& parser, ProcessLimits& limits) {
                 if (mine.placements.empty()) {
                   return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
                 }
-                Json answers = Json::array();
-                for (const char* const answer : contacts(mine, a, b)) answers.push_back(answer);
-                return "\"result\":" + Json{{"contacts", answers}}.dump();
+                return "\"result\":" +
+                       contacts_json(contacts(mine, a, b), reference_of(mine, b)).dump();
               });
 }
 

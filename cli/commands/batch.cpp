@@ -124,7 +124,7 @@ int run_batch(const BatchArguments& arguments) {
   expect_files(arguments, files);
   JobLines lines(arguments.jobs, arguments.limits.read.max_bytes);
   JobRunner runner(arguments);
-  BatchRun run(arguments);
+  BatchRun run(settings_of(arguments));
   run.go_on({[&]() -> std::optional<std::string> {
                const JobLine* const line = lines.peek();
                return line != nullptr ? std::optional(runner.head(*line)) : std::nullopt;

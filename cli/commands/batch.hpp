@@ -24,9 +24,9 @@ struct BatchArguments : ResultArguments {
   bool no_output = false;  ///< pairs: compute only
   std::string stats;       ///< empty = none
   FillRule fill = FillRule::kAutomatic;
-  std::vector<OptionText> defaults;   ///< options of jobs that do not set them
-  double seconds = 0;                 ///< for each job; 0 = no limit
-  ProcessLimits limits;               ///< its seconds are `seconds`
+  std::vector<OptionText> defaults;  ///< options of jobs that do not set them
+  double seconds = 0;                ///< for each job; 0 = no limit
+  ProcessLimits limits;              ///< its seconds are `seconds`
 };
 
 /// Adds the subcommand; parsing fills the other two arguments. The time limit is one for each job,

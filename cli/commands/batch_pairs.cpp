@@ -219,7 +219,7 @@ int run_pairs(const BatchArguments& arguments) {
   PairRunner runner(arguments, parts);
   const std::uint64_t count = parts.pairs();
   std::uint64_t at = 0;
-  BatchRun run(arguments);
+  BatchRun run(settings_of(arguments));
   run.go_on({[&]() -> std::optional<std::string> {
                return at < count ? std::optional(runner.head(at)) : std::nullopt;
              },

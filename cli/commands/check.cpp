@@ -90,8 +90,7 @@ Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& l
   add_operand(check, "P", arguments.operands[0], "The first operand");
   add_operand(check, "Q", arguments.operands[1], "The second operand");
   add_fill_option(check, arguments.options.fill);
-  check.add_flag("--regularize,--regularise", arguments.options.regularize,
-                 "Drop operands' polylines, points and spikes");
+  add_regularize_option(check, arguments.options.regularize);
   check
       .add_option(
           "--within",

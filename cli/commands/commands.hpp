@@ -25,7 +25,7 @@ enum ExitCode : int {
   kBadInput = 2,       ///< also: an output that cannot be written
   kLimitExceeded = 3,  ///< a stated limit, or memory
   kInternal = 4,
-  kWrongResult = 5,    ///< `minksum check` found an error
+  kWrongResult = 5,  ///< `minksum check` found an error
 };
 
 /// Says where and how a result is written. `convert_result` sets what follows from the three texts.
@@ -35,14 +35,22 @@ struct ResultArguments {
   std::string typed_coordinates = "double";
   std::string typed_rounding;
   io::Format format = io::Format::kWkt;
+  bool lines = false;  ///< GeoJSON: a text a line
   io::Coordinates coordinates;
   RoundingSide rounding = RoundingSide::kNearest;  ///< unused for exact coordinates
   std::optional<CancelToken> cancel;               ///< stops rounding and, in jobs, writing
   std::function<bool(const Progress&)> progress;   ///< is told of rounding
 };
 
+/// Asks for the operation on each feature of the first operand.
+struct EachArguments {
+  bool each = false;
+  bool restart = false;  ///< forgets what an earlier run has left
+  std::string settings;  ///< the options that results depend on, as they were typed
+};
+
 /// `minksum sum P Q ...`
-struct SumArguments : ResultArguments {
+struct SumArguments : ResultArguments, EachArguments {
   std::string operands[2];       ///< file names; "-" = standard input
   bool keep_properties = false;  ///< write a Feature with P's properties
   std::string tight;             ///< empty = none
@@ -56,10 +64,11 @@ struct SumArguments : ResultArguments {
   SumSettings options;
 };
 
-/// `minksum info FILE`
+/// `minksum info FILE...`
 struct InfoArguments {
-  std::string file;
+  std::vector<std::string> files;
   bool json = false;
+  bool exact = false;  ///< fractions, not only decimals
   std::uint64_t max_crossings = 0;
   io::ReadOptions limits;
   Options options;
@@ -76,7 +85,7 @@ struct CheckArguments {
 };
 
 /// What operations on one or two operands share.
-struct OperandArguments {
+struct OperandArguments : EachArguments {
   std::string operands[2];  ///< file names; "-" = standard input; the second is empty = only one
   std::string picture;      ///< empty = none
   std::string stats;        ///< empty = none
@@ -96,7 +105,9 @@ struct NoFitArguments : ResultArguments, OperandArguments {
   bool inner_fit = false;
   std::vector<std::string> typed_placements;
   std::vector<Point> placements;  ///< asks for contacts there, not for the polygon
-  std::optional<Point> reference;
+  enum class Reference { kFirst, kLowerLeft, kCentroid, kPoint };
+  Reference named = Reference::kFirst;
+  Point reference;  ///< for kPoint
 };
 
 /// `minksum offset A --distance D ...`

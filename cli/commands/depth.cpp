@@ -174,7 +174,12 @@ Json depth_json(const DepthArguments& arguments, const DepthReport& findings) {
 namespace {
 
 int run_depth(const DepthArguments& arguments) {
-  run_on_operands(arguments, "", [&](const Geometry& a, const Geometry& b, OutputFiles& files) {
+  if (arguments.each) {
+    return run_each(arguments, [](const DepthArguments& mine, const Geometry& a, const Geometry& b,
+                                  Worker&) { return depth_json(mine, find_depth(mine, a, b)); });
+  }
+  run_on_operands(arguments, [&](const DepthArguments&, const Geometry& a, const Geometry& b,
+                                 OutputFiles& files) {
     const DepthReport findings = find_depth(arguments, a, b);
     if (!arguments.picture.empty()) draw(arguments, a, b, findings.depth, files);
     write_standard_output([&](std::ostream& out) {

@@ -1,7 +1,10 @@
 // minksum info: tells what a file holds, whether its polygons are valid, and what they mean.
+#include <algorithm>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
@@ -77,7 +80,9 @@ OperandReport examine(const Geometry& geometry, const Options& reading) {
   return findings;
 }
 
-void write_text(std::ostream& out, const OperandReport& findings, const Options& reading) {
+void write_text(std::ostream& out, const InfoArguments& arguments, const OperandReport& findings) {
+  const Options& reading = arguments.options;
+  const auto shown = arguments.exact ? readable : in_decimals;
   const Geometry& geometry = findings.geometry;
   out << "parts     " << geometry.region.polygon_count() << "\nholes     "
       << geometry.region.hole_count() << "\nvertices  " << geometry.region.vertex_count() << '\n';
@@ -87,12 +92,12 @@ void write_text(std::ostream& out, const OperandReport& findings, const Options&
   }
   if (findings.box) {
     const Box& box = *findings.box;
-    out << "x         from " << readable(box.min.x) << " to " << readable(box.max.x)
-        << "\ny         from " << readable(box.min.y) << " to " << readable(box.max.y) << '\n';
+    out << "x         from " << shown(box.min.x) << " to " << shown(box.max.x)
+        << "\ny         from " << shown(box.min.y) << " to " << shown(box.max.y) << '\n';
   } else {
     out << "box       none: there is nothing\n";
   }
-  out << "area      " << readable(findings.area) << "\nbits      " << findings.bits << '\n';
+  out << "area      " << shown(findings.area) << "\nbits      " << findings.bits << '\n';
   out << "valid     " << (findings.faults.empty() ? "yes" : "no") << '\n';
   for (const Fault& fault : findings.faults) out << "fault     " << described(fault) << '\n';
   if (findings.faults.size() == kMaxFaults) {
@@ -100,10 +105,9 @@ void write_text(std::ostream& out, const OperandReport& findings, const Options&
   }
   out << "meaning   ";
   if (findings.meaning) {
-    out << summary(findings.meaning->geometry) << "; area " << readable(findings.meaning->area);
+    out << summary(findings.meaning->geometry) << "; area " << shown(findings.meaning->area);
   } else if (findings.crosses_too_often) {
-    out << "not computed: more than " << reading.limits.max_crossings
-        << " crossings (--max-crossings)";
+    out << "not computed: more than " << arguments.max_crossings << " crossings (--max-crossings)";
   } else {
     out << "none";
   }
@@ -125,9 +129,10 @@ void add_area(Json& json, const Rational& area) {
   json["area_exact"] = area.to_string();
 }
 
-void write_json(std::ostream& out, const InfoArguments& arguments, const OperandReport& findings) {
+Json info_json(const InfoArguments& arguments, const std::string& file,
+               const OperandReport& findings) {
   Json json;
-  json["file"] = arguments.file;
+  json["file"] = file;
   add_sizes(json, findings.geometry);
   json["box"] = nullptr;
   if (const auto& box = findings.box) {
@@ -147,18 +152,21 @@ void write_json(std::ostream& out, const InfoArguments& arguments, const Operand
     json["meaning"] = meaning;
   }
   if (findings.crosses_too_often) json["crosses_more_than"] = arguments.max_crossings;
-  out << json.dump(2) << '\n';
+  return json;
 }
 
 Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& limits) {
   const Command info =
       line.add_command("info", "What a geometry is: parts, holes, box, exact area, validity, bits");
-  info.footer("\nExit code 2 if polygons are not valid as they stand; all faults are listed.\n");
-  add_operand(info, "FILE", arguments.file, "The geometry, or - for standard input");
-  info.add_flag("--json", arguments.json, "As JSON");
+  info.footer(
+      "\nFaults of polygons that are not valid are listed; with --strict the exit code is 2.\n");
+  info.add_option("FILE", arguments.files, "Geometries; one of them may be - for standard input")
+      .required()
+      .type_name("FILE");
+  info.add_flag("--json", arguments.json, "As JSON: an object, or an array for several files");
+  info.add_flag("--exact", arguments.exact, "Fractions, where decimals are not exact");
   add_fill_option(info, arguments.options.fill);
-  info.add_flag("--regularize,--regularise", arguments.options.regularize,
-                "Drop polylines, points and spikes");
+  add_regularize_option(info, arguments.options.regularize);
   arguments.max_crossings = kMaxCrossings;
   add_max_crossings(info, arguments.max_crossings,
                     "Crossings up to which the meaning is computed (default 50K)");
@@ -166,23 +174,50 @@ Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& lim
   return info;
 }
 
-int run_info(const InfoArguments& arguments) {
-  const Geometry geometry = read_operand(arguments.file, arguments.limits).geometry;
+// Adds the report of a file as text or JSON, and sets `failure` to the first one that --strict asks
+// for.
+void examine_file(const InfoArguments& arguments, const std::string& file, std::string& text,
+                  std::vector<Json>& reports, std::optional<Failure>& failure) {
+  const Geometry geometry = read_operand(file, arguments.limits).geometry;
   Options reading = arguments.options;
   reading.limits.max_crossings = arguments.max_crossings;
   const OperandReport findings = examine(geometry, reading);
-  write_standard_output([&](std::ostream& out) {
-    if (arguments.json) {
-      write_json(out, arguments, findings);
-    } else {
-      write_text(out, findings, reading);
+  if (arguments.json) {
+    reports.push_back(info_json(arguments, file, findings));
+  } else {
+    std::ostringstream out;
+    if (arguments.files.size() > 1) {
+      out << (text.empty() ? "" : "\n") << "file      " << shown_name(file) << '\n';
     }
-  });
-  if (findings.faults.empty()) return kFine;
+    write_text(out, arguments, findings);
+    text += std::move(out).str();
+  }
+  if (arguments.options.fill != FillRule::kStrict || findings.faults.empty() || failure) return;
   const std::string several = findings.faults.size() == 1 ? "" : ", the first of several faults";
-  throw failure_of(Error(ErrorCode::kBadInput,
-                         "not valid" + several + ": " + described(findings.faults.front())),
-                   arguments.file);
+  failure = failure_of(Error(ErrorCode::kBadInput,
+                             "not valid" + several + ": " + described(findings.faults.front())),
+                       file);
+}
+
+int run_info(const InfoArguments& arguments) {
+  if (std::ranges::count(arguments.files, "-") > 1) {
+    throw Failure(kWrongUsage, "several files cannot all be standard input");
+  }
+  std::string text;
+  std::vector<Json> reports;
+  std::optional<Failure> failure;
+  for (const std::string& file : arguments.files) {
+    examine_file(arguments, file, text, reports, failure);
+  }
+  write_standard_output([&](std::ostream& out) {
+    out << text;
+    if (!arguments.json) return;
+    Json list = Json::array();
+    for (const Json& report : reports) list.push_back(report);
+    out << (reports.size() == 1 ? reports.front() : list).dump(2) << '\n';
+  });
+  if (failure) throw Failure(*failure);
+  return kFine;
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // minksum dilate, erode, open and close: apply the operations of morphology.
-#include <ostream>
-
 #include "commands/commands.hpp"
 #include "commands/operations.hpp"
 #include "commands/subcommands.hpp"
@@ -21,23 +19,17 @@ Geometry morphology(const MorphologyArguments& arguments, const Geometry& a, con
 namespace {
 
 int run_morphology(const MorphologyArguments& arguments) {
-  run_on_operands(arguments, arguments.output,
-                  [&](const Geometry& a, const Geometry& b, OutputFiles& files) {
-                    const Geometry result = morphology(arguments, a, b);
-                    write_rounded(files, arguments, result);
-                    if (arguments.picture.empty()) return;
-                    const Options reading{.fill = arguments.options.fill};
-                    constexpr const char* kNames[] = {"A ⊕ B", "A ⊖ B", "A ∘ B", "A • B"};
-                    const char* const name = kNames[static_cast<std::size_t>(arguments.operation)];
-                    write_picture(files, arguments.picture,
-                                  {resolve(a, reading),
-                                   resolve(b, reading),
-                                   result,
-                                   nullptr,
-                                   {name, "A", "B", name},
-                                   true});
-                  });
-  return kFine;
+  return run_operation(
+      arguments, morphology,
+      [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b,
+         const Geometry& result, OutputFiles& files) {
+        const Options reading{.fill = mine.options.fill};
+        constexpr const char* kNames[] = {"A ⊕ B", "A ⊖ B", "A ∘ B", "A • B"};
+        const char* const name = kNames[static_cast<std::size_t>(mine.operation)];
+        const Captions captions{name, "A", "B", name};
+        write_picture(files, mine.picture,
+                      {resolve(a, reading), resolve(b, reading), result, nullptr, captions, true});
+      });
 }
 
 }  // namespace

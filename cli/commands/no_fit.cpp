@@ -1,12 +1,16 @@
 // minksum nfp and ifp: tell where a part can be placed.
 #include <memory>
+#include <mutex>
 #include <ostream>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "commands/operations.hpp"
 #include "commands/subcommands.hpp"
+#include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "options/operation_options.hpp"
+#include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
@@ -35,8 +39,8 @@ void draw(const NoFitArguments& arguments, const Geometry& fixed, const Geometry
   const Captions captions = arguments.inner_fit
                                 ? Captions{"Inner-fit polygon", "Bin", "Part", "Inner-fit polygon"}
                                 : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
-  // A part without a first vertex would have failed before this point.
-  const Point mark = arguments.reference ? *arguments.reference : moving.region.point(0);
+  // A part without area would have failed before this point.
+  const Point mark = *reference_of(arguments, moving);
   write_picture(
       files, arguments.picture,
       {resolve(fixed, reading), resolve(moving, reading), area, &tight, captions, true, mark});
@@ -50,13 +54,60 @@ void write_contacts(const NoFitArguments& arguments, const Geometry& fixed,
   });
 }
 
+// Returns the point at which a plate of this shape balances.
+Point centroid(const Region& region) {
+  Rational doubled;
+  Rational x;
+  Rational y;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      const IndexRange vertices = region.vertices_of(ring);
+      Point from = region.point(vertices.front() + vertices.size() - 1);
+      for (const std::size_t vertex : vertices) {
+        Point to = region.point(vertex);
+        const Rational cross = from.x * to.y - to.x * from.y;
+        doubled = doubled + cross;
+        x = x + cross * (from.x + to.x);
+        y = y + cross * (from.y + to.y);
+        from = std::move(to);
+      }
+    }
+  }
+  const Rational thrice = doubled * Rational(3);
+  return {x / thrice, y / thrice};
+}
+
+// Says which point of the part results are about.
+std::string described_reference(const NoFitArguments& arguments, const Geometry& moving) {
+  constexpr const char* kNames[] = {"first vertex", "lower left corner", "centroid", "point"};
+  const auto reference = reference_of(arguments, moving);
+  if (!reference) return "the part has no area, and so no reference point";
+  return std::string("placements are those of the ") +
+         (arguments.inner_fit ? "part" : "moving part") + "'s " +
+         kNames[static_cast<std::size_t>(arguments.named)] + ", (" + in_decimals(reference->x) +
+         ", " + in_decimals(reference->y) + ") (--reference)";
+}
+
 }  // namespace
+
+std::optional<Point> reference_of(const NoFitArguments& arguments, const Geometry& moving) {
+  using enum NoFitArguments::Reference;
+  if (arguments.named == kPoint) return arguments.reference;
+  if (arguments.named == kFirst) {
+    return moving.region.empty() ? std::nullopt : std::optional(moving.region.point(0));
+  }
+  Options reading = arguments.options;
+  reading.regularize = true;
+  const Region part = resolve(moving, reading, 1).region;
+  if (part.empty()) return {};
+  return arguments.named == kLowerLeft ? bounding_box(part)->min : centroid(part);
+}
 
 Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
                      const Geometry& moving) {
   return arguments.inner_fit
-             ? inner_fit_polygon(fixed, moving, arguments.reference, arguments.options)
-             : no_fit_polygon(fixed, moving, arguments.reference, arguments.options);
+             ? inner_fit_polygon(fixed, moving, reference_of(arguments, moving), arguments.options)
+             : no_fit_polygon(fixed, moving, reference_of(arguments, moving), arguments.options);
 }
 
 Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& polygon) {
@@ -72,9 +123,17 @@ Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& po
   return result;
 }
 
+Json contacts_json(const std::vector<const char*>& answers, const std::optional<Point>& reference) {
+  Json list = Json::array();
+  for (const char* const answer : answers) list.push_back(answer);
+  Json json{{"contacts", list}};
+  if (reference) json["reference"] = {reference->x.to_string(), reference->y.to_string()};
+  return json;
+}
+
 std::vector<const char*> contacts(const NoFitArguments& arguments, const Geometry& fixed,
                                   const Geometry& moving) {
-  const NoFitPolygon polygon(fixed, moving, arguments.reference, arguments.options);
+  const NoFitPolygon polygon(fixed, moving, reference_of(arguments, moving), arguments.options);
   std::vector<const char*> answers;
   for (const Point& placement : arguments.placements) {
     answers.push_back(to_string(polygon.contact(placement)));
@@ -84,20 +143,36 @@ std::vector<const char*> contacts(const NoFitArguments& arguments, const Geometr
 
 namespace {
 
+int run_each_no_fit(const NoFitArguments& arguments) {
+  if (arguments.placements.empty()) {
+    const auto told = std::make_shared<std::once_flag>();
+    return run_each(arguments, [told](const NoFitArguments& mine, const Geometry& fixed,
+                                      const Geometry& moving, Worker&) {
+      std::call_once(*told, [&] { note(described_reference(mine, moving)); });
+      return rounded_fit_polygon(mine, fit_polygon(mine, fixed, moving));
+    });
+  }
+  return run_each(arguments, [](const NoFitArguments& mine, const Geometry& fixed,
+                                const Geometry& moving, Worker&) {
+    return contacts_json(contacts(mine, fixed, moving), reference_of(mine, moving));
+  });
+}
+
 int run_no_fit(const NoFitArguments& arguments) {
+  if (arguments.each) return run_each_no_fit(arguments);
   bool fits = true;
-  run_on_operands(arguments, arguments.output,
-                  [&](const Geometry& fixed, const Geometry& moving, OutputFiles& files) {
-                    if (!arguments.placements.empty()) {
-                      return write_contacts(arguments, fixed, moving);
-                    }
-                    const Geometry polygon = fit_polygon(arguments, fixed, moving);
-                    write_geometry(files, arguments, made_for(arguments.output, [&] {
-                                     return rounded_fit_polygon(arguments, polygon);
-                                   }));
-                    if (!arguments.picture.empty()) draw(arguments, fixed, moving, polygon, files);
-                    fits = !polygon.empty();
-                  });
+  std::string reference;
+  run_on_operands(arguments, [&](const NoFitArguments& mine, const Geometry& fixed,
+                                 const Geometry& moving, OutputFiles& files) {
+    reference = described_reference(mine, moving);
+    if (!mine.placements.empty()) return write_contacts(mine, fixed, moving);
+    const Geometry polygon = fit_polygon(mine, fixed, moving);
+    write_geometry(files, mine,
+                   made_for(mine.output, [&] { return rounded_fit_polygon(mine, polygon); }));
+    if (!mine.picture.empty()) draw(mine, fixed, moving, polygon, files);
+    fits = !polygon.empty();
+  });
+  note(reference);
   if (arguments.inner_fit && !fits) {
     note("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
          shown_name(arguments.operands[0]) + ")");

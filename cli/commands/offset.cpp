@@ -10,17 +10,18 @@ namespace minksum::cli {
 namespace {
 
 int run_offset(const OffsetArguments& arguments) {
-  run_on_operands(
-      arguments, arguments.output, [&](const Geometry& a, const Geometry&, OutputFiles& files) {
-        const Geometry result = offset(a, arguments.distance, arguments.shape, arguments.options);
-        write_rounded(files, arguments, result);
-        if (arguments.picture.empty()) return;
+  return run_operation(
+      arguments,
+      [](const OffsetArguments& mine, const Geometry& a, const Geometry&) {
+        return offset(a, mine.distance, mine.shape, mine.options);
+      },
+      [](const OffsetArguments& mine, const Geometry& a, const Geometry&, const Geometry& result,
+         OutputFiles& files) {
         const Captions captions{"Offset", "A", nullptr, "Offset"};
         write_picture(
-            files, arguments.picture,
-            {resolve(a, {.fill = arguments.options.fill}), {}, result, nullptr, captions, true});
+            files, mine.picture,
+            {resolve(a, {.fill = mine.options.fill}), {}, result, nullptr, captions, true});
       });
-  return kFine;
 }
 
 }  // namespace

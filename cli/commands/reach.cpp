@@ -11,7 +11,10 @@
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
 #include "output/picture_file.hpp"
+#include "output/statistics_json.hpp"
 #include "process/failure.hpp"
+#include "process/stopwatch.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -133,6 +136,13 @@ Command add_reach(CommandLine& line, ReachArguments& arguments, ProcessLimits& l
   return command;
 }
 
+// Nothing is known between slices, so "no" is an answer about these alone.
+std::string what_no_means(const Reach& found, const ReachOptions& setting, double seconds) {
+  return "\"no\" means: not with these " + std::to_string(found.slices) + " slices; --angles " +
+         std::to_string(2 * setting.angles) + " looks twice as closely, in about " +
+         readable_seconds(2 * seconds);
+}
+
 int run_reach(const ReachArguments& arguments) {
   OutputFiles files;
   files.expect("the answer", "");
@@ -140,9 +150,12 @@ int run_reach(const ReachArguments& arguments) {
   files.expect_if_any("--svg", arguments.picture);
   ReachOptions setting = arguments.setting;
   const RobotScene scene = read_scene(arguments, setting);
+  std::string caveat;
   try {
+    const Stopwatch watch;
     const Reach found = reach(scene.robot, scene.obstacles, arguments.from, arguments.to, setting,
                               arguments.options);
+    if (!found.reachable) caveat = what_no_means(found, setting, watch.seconds());
     if (!arguments.output.empty()) {
       files.write(arguments.output, [&](std::ostream& out) { write_geojson(out, found); });
     }
@@ -157,6 +170,7 @@ int run_reach(const ReachArguments& arguments) {
     fail_about_reach(error, arguments);
   }
   files.finish();
+  if (!caveat.empty()) note(caveat);
   return kFine;
 }
 

@@ -56,12 +56,18 @@ struct Program {
       const auto progress = live_progress();
       if constexpr (requires { arguments->options; }) arguments->options.progress = progress;
       if constexpr (requires { arguments->progress; }) arguments->progress = progress;
+      if constexpr (requires { arguments->settings; }) arguments->settings = settings();
       if constexpr (requires { convert(*arguments); }) convert(*arguments);
       const int code = run(*arguments);
       StatusLine::remove();
       tell_cost();
       return code;
     });
+  }
+  /// Returns the options that results depend on.
+  [[nodiscard]] std::string settings() const {
+    return line.given({"-o", "--format", "--stats", "--threads", "--restart", "--timeout",
+                       "--max-memory", "-v", "-q", "--progress"});
   }
 };
 
@@ -72,6 +78,8 @@ void add_check(Program& program);
 void add_morphology(Program& program);
 void add_no_fit(Program& program);
 void add_offset(Program& program);
+void add_boolean(Program& program);
+void add_transform(Program& program);
 void add_depth(Program& program);
 void add_cspace(Program& program);
 void add_reach(Program& program);
@@ -81,7 +89,7 @@ void add_help(Program& program);
 
 /// All of these functions, in the order in which `--help` shows the subcommands.
 inline constexpr void (*kSubcommands[])(Program&) = {
-    add_sum,   add_info,   add_check, add_morphology, add_no_fit, add_offset,
-    add_depth, add_cspace, add_reach, add_draw,       add_batch,  add_help};
+    add_sum,     add_info,      add_check,  add_morphology, add_no_fit, add_offset, add_depth,
+    add_boolean, add_transform, add_cspace, add_reach,      add_draw,   add_batch,  add_help};
 
 }  // namespace minksum::cli

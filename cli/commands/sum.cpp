@@ -3,6 +3,7 @@
 #include <optional>
 #include <ostream>
 
+#include "batch/each_feature.hpp"
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
 #include "options/sum_options.hpp"
@@ -31,14 +32,18 @@ void expect_files(const SumArguments& arguments, OutputFiles& files) {
   }
 }
 
-void read_operands(const SumArguments& arguments, SumRun& run) {
+void read_operands(SumArguments& arguments, SumRun& run) {
   const Stopwatch watch;
+  io::SourceInfo sources[2];
   for (int i = 0; i < 2; ++i) {
     io::Document operand =
         read_operand(arguments.operands[i], arguments.limits, arguments.options.fill);
     run.operands[i] = std::move(operand.geometry);
+    sources[i] = std::move(operand.source);
     if (i == 0) run.properties = std::move(operand.properties);
   }
+  arguments.coordinates = in_system_of(arguments.coordinates, sources, arguments.operands);
+  note_lost_system(arguments.coordinates, arguments.format);
   run.seconds.read = watch.seconds();
   if (arguments.keep_properties && !run.properties) {
     throw failure_of(
@@ -122,7 +127,16 @@ void tell_summary(const SumArguments& arguments, const SumRun& run) {
   std::fprintf(stderr, "time   %s%s\n", readable_seconds(run.seconds.sum).c_str(), runs.c_str());
 }
 
-int run_sum(const SumArguments& arguments) {
+Geometry sum_of_feature(const SumArguments& arguments, const Geometry& p, const Geometry& q,
+                        Worker& worker) {
+  SumSettings settings = arguments.options;
+  settings.memory = &worker.memory;
+  return rounded(minkowski_sum(p, q, settings), arguments);
+}
+
+int run_sum(const SumArguments& given) {
+  if (given.each) return run_each(given, sum_of_feature);
+  SumArguments arguments = given;
   OutputFiles files;
   expect_files(arguments, files);
   SumRun run;

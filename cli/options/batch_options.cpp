@@ -1,5 +1,3 @@
-#include <thread>
-
 #include "commands/batch.hpp"
 #include "options/sum_options.hpp"
 #include "process/failure.hpp"
@@ -94,8 +92,7 @@ void convert(BatchArguments& arguments) {
     if (value.empty()) continue;
     arguments.defaults.push_back({name, {"--" + std::string(name) + "=" + value}});
   }
-  const unsigned cores = std::thread::hardware_concurrency();
-  if (arguments.threads == 0) arguments.threads = cores > 0 ? static_cast<int>(cores) : 1;
+  arguments.threads = threads_or_all(arguments.threads);
 }
 
 }  // namespace minksum::cli

@@ -91,6 +91,22 @@ std::string in_our_words(const std::string& message) {
   return text;
 }
 
+// The parser's own search for a name ends the process if memory runs out.
+CLI::Option& option_named(CLI::App& app, std::string_view name) {
+  for (CLI::Option* const option : app.get_options()) {
+    const auto is_name = [&](const char* hyphens, const std::string& letters) {
+      return name.starts_with(hyphens) && name.substr(std::string_view(hyphens).size()) == letters;
+    };
+    for (const std::string& letters : option->get_lnames()) {
+      if (is_name("--", letters)) return *option;
+    }
+    for (const std::string& letter : option->get_snames()) {
+      if (is_name("-", letter)) return *option;
+    }
+  }
+  throw CLI::OptionNotFound(std::string(name));
+}
+
 bool looks_like_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
 
 }  // namespace
@@ -161,46 +177,47 @@ Option Option::delimiter(char between) const {
 }
 
 Option Option::excludes(const char* other) const {
-  if (option_ != nullptr) option_->excludes(other);
+  if (option_ != nullptr) option_->excludes(&option_named(*app_, other));
   return *this;
 }
 
 Option Command::add_option(const char* names, std::string& value, const std::string& what) const {
-  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, std::vector<std::string>& value,
                            const std::string& what) const {
-  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, int& value, const std::string& what) const {
-  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, std::uint64_t& value, const std::string& what) const {
-  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, double& value, const std::string& what) const {
-  return Option(asked_for_ ? app_->add_option(names, value, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_option(names, value, what) : nullptr);
 }
 
 Option Command::add_option(const char* names, const Take& take, const std::string& what) const {
-  return Option(asked_for_ ? app_->add_option_function<std::string>(names, take, what) : nullptr);
+  return Option(app_,
+                asked_for_ ? app_->add_option_function<std::string>(names, take, what) : nullptr);
 }
 
 Option Command::add_flag(const char* names, bool& value, const std::string& what) const {
-  return Option(asked_for_ ? app_->add_flag(names, value, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_flag(names, value, what) : nullptr);
 }
 
 Option Command::add_flag(const char* name, const std::function<void()>& take,
                          const std::string& what) const {
-  return Option(asked_for_ ? app_->add_flag_callback(name, take, what) : nullptr);
+  return Option(app_, asked_for_ ? app_->add_flag_callback(name, take, what) : nullptr);
 }
 
 void Command::remove_option(const char* name) const {
-  if (asked_for_) app_->remove_option(app_->get_option(name));
+  if (asked_for_) app_->remove_option(&option_named(*app_, name));
 }
 
 void Command::footer(const char* text) const { app_->footer(text); }
@@ -284,6 +301,22 @@ std::string CommandLine::reason_of(const CLI::ParseError& error) const {
 std::string CommandLine::chosen() const {
   const auto commands = app_->get_subcommands();
   return commands.empty() ? "" : commands.front()->get_name();
+}
+
+std::string CommandLine::given(const std::vector<std::string>& but) const {
+  std::string text;
+  const auto commands = app_->get_subcommands();
+  if (commands.empty()) return text;
+  for (CLI::Option* const option : commands.front()->get_options()) {
+    const std::vector<std::string> names = names_of(*option);
+    const bool is_left_out = std::ranges::any_of(
+        names, [&](const std::string& name) { return std::ranges::find(but, name) != but.end(); });
+    if (option->count() == 0 || option->get_positional() || is_left_out) continue;
+    text += names.front();
+    for (const std::string& value : option->results()) text += '=' + value;
+    text += '\n';
+  }
+  return text;
 }
 
 void reject_value(const char* option, const std::string& why) {

@@ -28,7 +28,7 @@ struct ValueCheck {
 /// An option of a subcommand, which owns it. Each function returns the option itself.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::App* app, CLI::Option* option) : app_(app), option_(option) {}
 
   Option required() const;
   Option type_name(const char* name) const;  ///< names its value in --help
@@ -45,6 +45,7 @@ class Option {
   Option excludes(const char* other) const;
 
  private:
+  CLI::App* app_;
   CLI::Option* option_;
 };
 
@@ -97,6 +98,9 @@ class CommandLine {
   std::optional<std::string> parse(const std::vector<std::string>& words);
   /// Returns the name of the subcommand that was parsed; empty if there was none.
   [[nodiscard]] std::string chosen() const;
+  /// Returns the options of that subcommand that were given, with their values, but for operands
+  /// and `but` (names with hyphens).
+  [[nodiscard]] std::string given(const std::vector<std::string>& but) const;
 
  private:
   [[nodiscard]] std::string reason_of(const CLI::ParseError& error) const;

@@ -118,6 +118,10 @@ void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) 
   add_seconds(command, limits.seconds, "Time for everything (default: none)");
   command.add_flag("--drop-z", limits.read.drop_z,
                    "Drop heights and measures (Z, M) of operands; they are errors otherwise");
+  command
+      .add_option("--column", limits.read.column,
+                  "The column of a table (CSV, TSV) that holds the geometries; found without it")
+      .type_name("NAME");
   // An offset has a tolerance and a side of its own, which hold for its operand, too.
   add_drawing_options(command, limits.read.drawing, command.name() == "offset");
 }

@@ -1,5 +1,8 @@
 #include "options/operation_options.hpp"
 
+#include <map>
+
+#include "help/spelling.hpp"
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
 #include "output/picture_file.hpp"
@@ -29,12 +32,6 @@ constexpr const char* kFilesFooter = R"(
 Files as for `minksum sum`; one of them may be "-" for standard input.
 )";
 
-void require_one_standard_input(const std::string (&operands)[2], const std::string& names) {
-  if (operands[0] == "-" && operands[1] == "-") {
-    throw Failure(kWrongUsage, names + " cannot both be standard input");
-  }
-}
-
 void require_free_output(const std::string& stats, bool has_output) {
   if (stats != "-" || has_output) return;
   throw Failure(kWrongUsage, "--stats - needs -o FILE: standard output already takes the result");
@@ -48,7 +45,33 @@ const std::map<std::string, Join> kJoins = {{"round", Join::kRound},
 const std::map<std::string, Cap> kCaps = {
     {"round", Cap::kRound}, {"butt", Cap::kButt}, {"square", Cap::kSquare}};
 
+void take_reference(NoFitArguments& arguments, const std::string& text) {
+  using enum NoFitArguments::Reference;
+  static const std::map<std::string, NoFitArguments::Reference> kNames = {
+      {"first", kFirst}, {"lower-left", kLowerLeft}, {"centroid", kCentroid}};
+  const auto found = kNames.find(in_lower_case(text));
+  arguments.named = found != kNames.end() ? found->second : kPoint;
+  if (found != kNames.end()) return;
+  if (text.find(',') == std::string::npos) {
+    throw Failure(kWrongUsage, "--reference takes X,Y, first, lower-left or centroid, not '" +
+                                   text + "'" + did_you_mean(text, names_of(kNames)));
+  }
+  arguments.reference = parse_point("--reference", text);
+}
+
 }  // namespace
+
+void require_one_standard_input(const std::string (&operands)[2], const std::string& names) {
+  if (operands[0] == "-" && operands[1] == "-") {
+    throw Failure(kWrongUsage, names + " cannot both be standard input");
+  }
+}
+
+void convert_operation(ResultArguments& result, const OperandArguments& operands) {
+  require_picture("--svg", operands.picture);
+  convert_result(result);
+  require_free_output(operands.stats, !result.output.empty());
+}
 
 void add_picture_option(const Command& command, std::string& picture, const char* what) {
   command.add_option("--svg", picture, what).type_name("FILE");
@@ -72,6 +95,7 @@ Command add_morphology(CommandLine& line, MorphologyArguments& arguments, Proces
                        : "Keep what has no area: where B fits with no play");
   add_picture_option(command, arguments.picture, "Draw A, B and the result");
   add_stats_option(command, arguments.stats);
+  add_each_options(command, arguments, {"--svg"});
   add_limit_options(command, limits, true);
   return command;
 }
@@ -88,15 +112,14 @@ Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& 
               "The part that is placed");
   command
       .add_option(
-          "--reference",
-          [&arguments](const std::string& text) {
-            arguments.reference = parse_point("--reference", text);
-          },
-          "The point that says where the part is (default: its first vertex)")
-      .type_name("X,Y");
+          "--reference", [&arguments](const std::string& text) { take_reference(arguments, text); },
+          "The point that says where the part is: X,Y, or first (its first vertex; the default), "
+          "lower-left (of its box) or centroid")
+      .type_name("POINT");
   add_result_options(command, arguments, "polygon");
   add_picture_option(command, arguments.picture, "Draw both shapes and the polygon");
   add_stats_option(command, arguments.stats);
+  add_each_options(command, arguments, {"--svg"});
   if (!inner_fit) {
     const Option at =
         command
@@ -163,6 +186,7 @@ Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits&
   add_fill_option(command, arguments.options.fill);
   add_picture_option(command, arguments.picture, "Draw A and its offset");
   add_stats_option(command, arguments.stats);
+  add_each_options(command, arguments, {"--svg"});
   add_limit_options(command, limits, true);
   return command;
 }
@@ -186,6 +210,7 @@ Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& l
   command.add_flag("--json", arguments.json, "As JSON");
   add_picture_option(command, arguments.picture, "Draw A, and B before and after");
   add_stats_option(command, arguments.stats);
+  add_each_options(command, arguments, {"--svg"});
   add_fill_option(command, arguments.options.fill);
   add_limit_options(command, limits, true);
   return command;
@@ -193,27 +218,21 @@ Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& l
 
 void convert(MorphologyArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
-  require_picture("--svg", arguments.picture);
-  convert_result(arguments);
-  require_free_output(arguments.stats, !arguments.output.empty());
+  convert_operation(arguments, arguments);
   arguments.options.tight = arguments.tight;
 }
 
 void convert(NoFitArguments& arguments) {
   require_one_standard_input(arguments.operands,
                              arguments.inner_fit ? "BIN and PART" : "FIXED and MOVING");
-  require_picture("--svg", arguments.picture);
-  convert_result(arguments);
-  require_free_output(arguments.stats, !arguments.output.empty());
+  convert_operation(arguments, arguments);
   for (const std::string& text : arguments.typed_placements) {
     arguments.placements.push_back(parse_point("--at", text));
   }
 }
 
 void convert(OffsetArguments& arguments) {
-  require_picture("--svg", arguments.picture);
-  convert_result(arguments);
-  require_free_output(arguments.stats, !arguments.output.empty());
+  convert_operation(arguments, arguments);
   const OffsetOptions& shape = arguments.shape;
   // An offset grows with its operand, so an operand that is a drawing takes the same side.
   arguments.limits.drawing.side = shape.side;

@@ -17,6 +17,12 @@ void add_picture_option(const Command& command, std::string& picture, const char
 /// Adds --stats for an operation.
 void add_stats_option(const Command& command, std::string& stats);
 
+/// Throws a Failure if both operands are standard input.
+void require_one_standard_input(const std::string (&operands)[2], const std::string& names);
+/// Converts and checks what all operations whose result is a geometry share. Both arguments are
+/// parts of the same. Throws a Failure for wrong usage.
+void convert_operation(ResultArguments& result, const OperandArguments& operands);
+
 /// Each function adds the subcommand that its arguments name; parsing fills the arguments.
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits);
 Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits);

@@ -9,10 +9,30 @@
 namespace minksum::cli {
 namespace {
 
-const std::map<std::string, io::Format> kFormats = {{"wkt", io::Format::kWkt},
-                                                    {"geojson", io::Format::kGeoJson},
-                                                    {"svg", io::Format::kSvg},
-                                                    {"poly", io::Format::kPoly}};
+constexpr const char* kGeoJsonLines = "geojsonl";
+const std::map<std::string, io::Format> kFormats = {
+    {"wkt", io::Format::kWkt},      {"geojson", io::Format::kGeoJson},
+    {"svg", io::Format::kSvg},      {kGeoJsonLines, io::Format::kGeoJson},
+    {"poly", io::Format::kPoly},    {"wkb", io::Format::kWkb},
+    {"wkbhex", io::Format::kHexWkb}};
+// Other endings of names.
+const std::map<std::string, std::string> kEndings = {
+    {"json", "geojson"}, {"ndjson", kGeoJsonLines}, {"geojsons", kGeoJsonLines}};
+
+// Returns the name of the format, which is typed, or which the ending of the output's name tells.
+std::string format_name(const std::string& typed, const std::string& output) {
+  if (!typed.empty()) return typed;
+  const std::string ending = in_lower_case(std::filesystem::path(output).extension().string());
+  if (ending.empty() || is_special(output)) return "wkt";
+  const std::string name = ending.substr(1);
+  if (const auto found = kEndings.find(name); found != kEndings.end()) return found->second;
+  if (kFormats.contains(name)) return name;
+  std::string endings;
+  for (const auto& [other, format] : kEndings) endings += "." + other + ", ";
+  for (const auto& [other, format] : kFormats) endings += "." + other + ", ";
+  endings.resize(endings.size() - 2);
+  throw Failure(kWrongUsage, output + ": no format ends in " + ending + "; there are " + endings);
+}
 
 io::Coordinates parse_coordinates(const std::string& typed) {
   const std::string text = in_lower_case(typed);
@@ -40,20 +60,27 @@ const std::map<std::string, RoundingSide>& rounding_sides() {
 }
 
 io::Format choose_format(const std::string& typed, const std::string& output) {
-  if (!typed.empty()) return kFormats.at(typed);
-  const std::string ending = in_lower_case(std::filesystem::path(output).extension().string());
-  if (ending.empty() || is_special(output)) return io::Format::kWkt;
-  if (ending == ".json") return io::Format::kGeoJson;
-  if (const auto found = kFormats.find(ending.substr(1)); found != kFormats.end()) {
-    return found->second;
-  }
-  std::string endings = ".json";
-  for (const auto& [name, format] : kFormats) endings += ", ." + name;
-  throw Failure(kWrongUsage, output + ": no format ends in " + ending + "; there are " + endings);
+  return kFormats.at(format_name(typed, output));
 }
 
 Option add_operand(const Command& command, const char* name, std::string& file, const char* what) {
   return command.add_option(name, file, what).required().type_name("FILE");
+}
+
+void add_each_options(const Command& command, EachArguments& arguments,
+                      const std::vector<const char*>& without) {
+  const char* const group = "Feature by feature";
+  const Option each =
+      command
+          .add_flag("--each", arguments.each,
+                    "Do this to each feature of the first operand, on all cores; properties, id "
+                    "and crs stay")
+          .group(group);
+  for (const char* const other : without) each.excludes(other);
+  command
+      .add_flag("--restart", arguments.restart,
+                "With --each: start afresh, even if an earlier run left FILE.partial")
+      .group(group);
 }
 
 void add_result_options(const Command& command, ResultArguments& arguments,
@@ -64,7 +91,8 @@ void add_result_options(const Command& command, ResultArguments& arguments,
       .type_name("FILE");
   command
       .add_option("--format", arguments.typed_format,
-                  "wkt, geojson, svg or poly; without it as the output's name ends, else wkt")
+                  "wkt, geojson, geojsonl (a text a line), wkb, wkbhex, svg or poly; without it as "
+                  "the output's name ends, else wkt")
       .one_of(names_of(kFormats))
       .type_name("F");
   command
@@ -94,7 +122,15 @@ void convert_numbers(ResultArguments& arguments) {
 
 void convert_result(ResultArguments& arguments) {
   convert_numbers(arguments);
-  arguments.format = choose_format(arguments.typed_format, arguments.output);
+  const std::string name = format_name(arguments.typed_format, arguments.output);
+  arguments.format = kFormats.at(name);
+  arguments.lines = name == kGeoJsonLines;
+  const bool binary =
+      arguments.format == io::Format::kWkb || arguments.format == io::Format::kHexWkb;
+  if (binary && arguments.coordinates.style != io::Coordinates::Style::kDouble) {
+    throw Failure(kWrongUsage, "WKB holds doubles: --coords " + arguments.typed_coordinates +
+                                   " has no form in it");
+  }
 }
 
 }  // namespace minksum::cli

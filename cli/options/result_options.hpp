@@ -10,6 +10,10 @@
 
 namespace minksum::cli {
 
+/// Adds --each and --restart. --each cannot be given with the options `without`.
+void add_each_options(const Command& command, EachArguments& arguments,
+                      const std::vector<const char*>& without);
+
 /// Adds a positional that is the name of a file.
 Option add_operand(const Command& command, const char* name, std::string& file, const char* what);
 

@@ -35,9 +35,7 @@ Failure usage(const std::string& what) { return Failure(kWrongUsage, what); }
 void add_operand_options(const Command& sum, Options& options) {
   const char* const group = "What operands mean";
   add_fill_option(sum, options.fill).group(group);
-  sum.add_flag("--regularize,--regularise", options.regularize,
-               "Drop operands' polylines, points and spikes")
-      .group(group);
+  add_regularize_option(sum, options.regularize).group(group);
 }
 
 void add_output_options(const Command& sum, SumArguments& arguments) {
@@ -77,6 +75,9 @@ void convert_output(SumArguments& arguments) {
   if (arguments.keep_properties && arguments.format != io::Format::kGeoJson) {
     throw usage("--keep-properties needs --format geojson");
   }
+  if (arguments.keep_properties && arguments.each) {
+    throw usage("--each keeps properties without --keep-properties");
+  }
 }
 
 void convert_tight(SumArguments& arguments) {
@@ -93,6 +94,11 @@ void convert_tight(SumArguments& arguments) {
 }
 
 }  // namespace
+
+Option add_regularize_option(const Command& command, bool& regularize) {
+  return command.add_flag("--regularize,--regularise", regularize,
+                          "Drop operands' polylines, points and spikes");
+}
 
 Option add_fill_option(const Command& command, FillRule& fill) {
   const Option rule =
@@ -122,6 +128,7 @@ Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limit
       .type_name("N");
   sum.add_flag("-v,--verbose", arguments.verbose, "Say sizes and time on standard error");
   add_operand_options(sum, arguments.options);
+  add_each_options(sum, arguments, {"--tight", "--svg", "--trace", "--repeat"});
   add_limit_options(sum, limits, true);
   add_test_options(sum, arguments.options);
   return sum;

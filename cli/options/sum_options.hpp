@@ -11,6 +11,8 @@ namespace minksum::cli {
 /// Adds the subcommand; parsing fills the other two arguments.
 Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits);
 
+/// Adds --regularize.
+Option add_regularize_option(const Command& command, bool& regularize);
 /// Adds --fill to any subcommand.
 Option add_fill_option(const Command& command, FillRule& fill);
 

@@ -145,4 +145,15 @@ void LineOutput::finish() {
   if (::rename(partial_.c_str(), place_.c_str()) != 0) fail(errno);
 }
 
+void LineOutput::rewind() {
+  if (::lseek(descriptor_, 0, SEEK_SET) < 0) fail(errno);
+  buffer_.clear();
+  taken_ = 0;
+  reading_ = true;
+}
+
+void LineOutput::discard() {
+  if (!place_.empty() && is_at(partial_, descriptor_)) ::unlink(partial_.c_str());
+}
+
 }  // namespace minksum::cli

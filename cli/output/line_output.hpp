@@ -33,6 +33,10 @@ class LineOutput {
   void write(std::string_view lines);
   /// Moves the file to its place. Without this call the file stays unfinished.
   void finish();
+  /// Goes back to the first line, so that `earlier_line` returns all lines of the file again.
+  void rewind();
+  /// Removes the unfinished file, whose lines are no longer needed.
+  void discard();
   /// Returns the path at which a file is kept until it is finished. Throws a Failure.
   [[nodiscard]] static std::string unfinished_place(const std::string& path);
   /// Returns the name of the unfinished file for messages.
@@ -49,8 +53,8 @@ class LineOutput {
   std::string shown_ = "standard output";
   int descriptor_ = -1;
   bool reading_ = false;
-  std::string buffer_;        // text that is read and not yet taken
-  std::size_t taken_ = 0;     // characters of the buffer
+  std::string buffer_;     // text that is read and not yet taken
+  std::size_t taken_ = 0;  // characters of the buffer
   std::string torn_;
   std::size_t complete_ = 0;  // bytes of the lines that were taken
 };

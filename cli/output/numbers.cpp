@@ -33,6 +33,12 @@ std::string about(const Rational& value) {
 
 }  // namespace
 
+std::string in_decimals(const Rational& value) {
+  std::string exact = readable(value);
+  const std::size_t begin = exact.rfind("(about ");
+  return begin == std::string::npos ? exact : exact.substr(begin + 1, exact.size() - begin - 2);
+}
+
 std::string readable(const Rational& value) {
   if (value.bits() > kMaxReadableBits) {
     return "about " + about(value) + " (" + std::to_string(value.bits()) +

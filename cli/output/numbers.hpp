@@ -13,4 +13,7 @@ namespace minksum::cli {
 /// Returns the fewest digits that are read back as the same double.
 [[nodiscard]] std::string shortest(double value);
 
+/// Returns the number as a decimal: exactly if it is short, and else the nearest one, marked.
+[[nodiscard]] std::string in_decimals(const Rational& value);
+
 }  // namespace minksum::cli

@@ -4,6 +4,7 @@
 
 #include "pictures/figure.hpp"
 #include "process/failure.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 
@@ -14,6 +15,33 @@ RoundOptions rounding_of(const ResultArguments& arguments) {
     target.decimals = arguments.coordinates.digits;
   }
   return target;
+}
+
+io::Coordinates in_system_of(const io::Coordinates& coordinates, const io::SourceInfo (&sources)[2],
+                             const std::string (&operands)[2]) {
+  const auto name = [](const io::SourceInfo& source) {
+    const auto srid = io::srid_of(source);
+    return srid ? "EPSG:" + std::to_string(*srid) : source.crs;
+  };
+  const std::string names[2] = {name(sources[0]), name(sources[1])};
+  if (!names[0].empty() && !names[1].empty() && names[0] != names[1]) {
+    throw Failure(kBadInput, shown_name(operands[1]) + ": the reference system " + names[1] +
+                                 " differs from " + names[0] + " of " + shown_name(operands[0]) +
+                                 "; transform one of them first");
+  }
+  const io::SourceInfo& source = sources[names[0].empty() ? 1 : 0];
+  io::Coordinates with = coordinates;
+  with.srid = source.srid;
+  with.crs = source.crs;
+  return with;
+}
+
+void note_lost_system(const io::Coordinates& coordinates, io::Format format) {
+  using enum io::Format;
+  const bool has_place =
+      format == kWkt || format == kGeoJson || format == kWkb || format == kHexWkb;
+  if (has_place || (!coordinates.srid && coordinates.crs.empty())) return;
+  note("the reference system of the operands has no place in this format");
 }
 
 void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
@@ -31,7 +59,8 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
     }
     io::write(out, geometry, format, coordinates);
     if (properties != nullptr) out << '}';
-    if (format == io::Format::kWkt || format == io::Format::kGeoJson) out << '\n';
+    using enum io::Format;
+    if (format == kWkt || format == kGeoJson || format == kHexWkb) out << '\n';
   });
 }
 

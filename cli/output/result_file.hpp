@@ -12,6 +12,14 @@ namespace minksum::cli {
 /// are not rounded.
 [[nodiscard]] RoundOptions rounding_of(const ResultArguments& arguments);
 
+/// Returns the coordinates with the reference system that the operands name. Throws a Failure if
+/// they name different ones.
+[[nodiscard]] io::Coordinates in_system_of(const io::Coordinates& coordinates,
+                                           const io::SourceInfo (&sources)[2],
+                                           const std::string (&operands)[2]);
+/// Tells, as a note, that the format has no place for the reference system.
+void note_lost_system(const io::Coordinates& coordinates, io::Format format);
+
 /// Writes a geometry without rounding it. With `properties` it becomes a GeoJSON Feature.
 void write_geometry(OutputFiles& files, const std::string& file, const Geometry& geometry,
                     io::Format format, const io::Coordinates& coordinates,

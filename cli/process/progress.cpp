@@ -51,7 +51,7 @@ void StatusLine::make_way_for_results() {
   allowed = false;
 }
 
-BatchProgress::BatchProgress(bool beside_results) {
+BatchProgress::BatchProgress(const char* unit, bool beside_results) : unit_(unit) {
   if (!live_progress()) return;
   if (beside_results) StatusLine::make_way_for_results();
 }
@@ -65,7 +65,7 @@ void BatchProgress::show(std::uint64_t jobs, std::uint64_t failed, std::optional
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const auto rate = static_cast<std::uint64_t>(static_cast<double>(jobs - *first_) / seconds);
-  StatusLine::show((share ? bar(*share) : "") + grouped(jobs) + " jobs, " + grouped(failed) +
+  StatusLine::show((share ? bar(*share) : "") + grouped(jobs) + " " + unit_ + "s, " + grouped(failed) +
                    " failed, " + grouped(rate) + " a second");
 }
 

@@ -24,11 +24,11 @@ class StatusLine {
   static void make_way_for_results();
 };
 
-/// Counts the jobs of a batch on the status line.
+/// Counts the jobs of a batch, or what `unit` names, on the status line.
 class BatchProgress {
  public:
   /// `beside_results` tells that results go to standard output.
-  explicit BatchProgress(bool beside_results);
+  BatchProgress(const char* unit, bool beside_results);
   ~BatchProgress();  ///< removes the line
   BatchProgress(const BatchProgress&) = delete;
   BatchProgress& operator=(const BatchProgress&) = delete;
@@ -38,6 +38,7 @@ class BatchProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  const char* unit_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
   std::optional<std::uint64_t> first_;  // jobs at the first call, done by an earlier run

@@ -102,6 +102,53 @@ TABLE = [
     (".dat cut", "4 0 0 1 0 1 1", 2, ":"),
     (".dat with a word", "3 0 0 1 zero 1 1", 2, ":1:"),
     (".dat with a huge count", "99999999999999999999 0 0", 3, "digits"),
+    # -- tables -------------------------------------------------------------------------------
+    ("CSV without geometries", "a,b\n1,2\n", 2, "no column of this table holds WKT"),
+    ("CSV with its first line alone", "wkt,name\n", 2, "there are 'wkt', 'name'"),
+    ("CSV of two geometries", 'a,b\nPOINT (1 2),POINT (3 4)\n', 2,
+     "several columns hold geometries: 'a' and 'b'; --column names the one to read"),
+    ("CSV with too many cells", 'wkt,n\nPOINT (1 2),3\nPOINT (1 2),3,4\n', 2,
+     ":3:1: row 2: there are 3 cells, where the table has 2 columns"),
+    ("CSV with too few cells", 'wkt,n\nPOINT (1 2)\n', 2, "row 1: there are 1 cells"),
+    ("CSV with an open quote", 'wkt,n\n"POINT (1 2),3\n', 2, ":2:1: row 1: a quote is not closed"),
+    ("CSV with text behind a quote", 'wkt,n\n"POINT (1 2)"x,3\n', 2, "closing quote, found 'x'"),
+    ("CSV with a bad geometry", 'wkt,n\nPOINT (1 2),3\n"POINT (1 x)",4\n', 2,
+     ":3:11: row 2: expected"),
+    ("CSV with a word for a geometry", "wkt,n\nPOINT (1 2),3\nnowhere,4\n", 2, ":3:1: row 2: "),
+    ("CSV in Latin-1", b"wkt,n\nPOINT (1 2),caf\xe9\n", 2, "a cell is not UTF-8"),
+    ("CSV with a cut WKB", "wkb,n\n0101000000000000000000F03F0000,1\n", 2, "row 1: byte 14"),
+    # -- drawings -----------------------------------------------------------------------------
+    ("SVG cut", '<svg xmlns="http://www.w3.org/2000/svg"><rect width="1" hei', 2, ":1:"),
+    ("SVG with a curve", '<svg xmlns="http://www.w3.org/2000/svg"><circle r="1"/></svg>', 2,
+     "--tolerance"),
+    ("SVG with a bad path", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 L1 x"/></svg>', 2,
+     ":1:"),
+    ("DXF cut", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n", 2, ":"),
+    ("DXF with a circle", "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n1\n0\n"
+     "ENDSEC\n0\nEOF\n", 2, "--tolerance"),
+    # -- other formats, by their first bytes --------------------------------------------------
+    ("Shapefile", b"\0\0\x27\x0a" + bytes(96), 2, "a Shapefile"),
+    ("GeoPackage", b"SQLite format 3\0" + bytes(84), 2, "an SQLite database, such as GeoPackage"),
+    ("FlatGeobuf", b"fgb\x03fgb\0" + bytes(20), 2, "FlatGeobuf"),
+    ("KML", '<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"/>', 2, "KML"),
+    ("GML", '<gml:FeatureCollection xmlns:gml="http://www.opengis.net/gml"/>', 2, "GML"),
+    ("GPX", "<gpx/>", 2, "GPX"),
+    ("HTML", "<!DOCTYPE html><html></html>", 2, "a page in HTML"),
+    ("gzip", b"\x1f\x8b\x08\0\0", 2, "a gzip archive, which is not read: unpack it first"),
+    ("zip", b"PK\3\4\x14\0", 2, "a zip archive"),
+    ("PNG", b"\x89PNG\r\n\x1a\n", 2, "a PNG picture"),
+    ("PDF", "%PDF-1.7\n", 2, "PDF"),
+    ("binary DXF", b"AutoCAD Binary DXF\r\n\x1a\0", 2, "a binary DXF drawing"),
+    ("DWG", b"AC1032\0\0", 2, "a DWG drawing"),
+    # -- WKB ----------------------------------------------------------------------------------
+    ("WKB cut", b"\x01\x03\0\0\0\x01\0\0\0\x04\0\0\0" + bytes(20), 2,
+     "byte 10: 4 points do not fit into the 20 bytes that are left"),
+    ("WKB with a huge count", b"\x01\x03\0\0\0\xff\xff\xff\xff", 2, "byte"),
+    ("WKB with NaN", b"\x01\x02\0\0\0\x01\0\0\0" + b"\0\0\0\0\0\0\xf8\x7f" * 2, 2, "byte"),
+    ("WKB with heights", b"\x01\xe9\x03\0\0" + bytes(24), 2, "--drop-z"),
+    ("hexadecimal WKB, odd", "01010000000000000000000000000000000000000", 2, "hexadecimal digit"),
+    ("two systems", "SRID=4326;POINT (1 2)\nSRID=3857;POINT (3 4)\n", 2,
+     "differs from that of earlier geometries"),
 ]
 
 # Polygons that are not valid, which only `--fill strict` refuses: name, content, fragment.
@@ -174,7 +221,7 @@ class BadInput(ProgramTest):
                 for p, q in ((bad, square), (square, bad)):
                     result = self.fails(2, fragment, "sum", p, q, "--fill", "strict")
                     self.assertIn(b"bad.wkt", result.stderr)
-                result = run("info", bad)
+                result = run("info", bad, "--strict")
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(fragment, result.stderr.decode())
                 for rule in ("automatic", "evenodd", "nonzero", "positive", "negative"):
@@ -188,7 +235,7 @@ class BadInput(ProgramTest):
         self.fails(2, "empty", "sum", square, "/dev/null")
 
     def test_the_table_is_long_enough(self):
-        self.assertGreaterEqual(len(TABLE), 40)
+        self.assertGreaterEqual(len(TABLE), 80)
         names = [name for name, *_ in TABLE + INVALID]
         self.assertEqual(len(set(names)), len(names))
 

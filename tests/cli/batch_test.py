@@ -72,12 +72,13 @@ class Jobs(BatchTest):
                 ("ifp", {"fill": "evenodd"}), ("nfp", {"coords": "exact"})):
             words = [f"--{k}" if v is True else f"--{k}={v}" for k, v in options.items()
                      if v is not False]
-            expected = self.fine(operation, self.slit, self.square, *words)
+            expected = self.fine(operation, "-q", self.slit, self.square, *words)
             given = self.one(operation=operation, a="slit.wkt", b=wkt(SQUARE), options=options)
             self.assertEqual(given["result"]["wkt"] + "\n", expected, operation)
             options = {**options, "format": "geojson"}
             given = self.one(operation=operation, a="slit.wkt", b="square.wkt", options=options)
-            expected = self.fine(operation, self.slit, self.square, *words, "--format", "geojson")
+            expected = self.fine(operation, "-q", self.slit, self.square, *words, "--format",
+                                     "geojson")
             self.assertEqual(given["result"], json.loads(expected))
         depth = self.one(operation="depth", a="slit.wkt", b="square.wkt",
                          options={"along": [1, "2/3"]})
@@ -105,15 +106,15 @@ class Jobs(BatchTest):
     def test_answers_of_nfp(self):
         given = self.one(operation="nfp", a="slit.wkt", b="square.wkt",
                          options={"at": [[2, 2.5], "-3,0", [1.5, 2]], "reference": [0, 0]})
-        self.assertEqual(given["result"], {"contacts": ["touching", "free", "overlapping"]})
+        self.assertEqual(given["result"]["contacts"], ["touching", "free", "overlapping"])
         given = self.batch([{"operation": "nfp", "a": "slit.wkt", "b": "square.wkt",
                              "options": {"at": [2, 2.5]}}], "--coords", "exact")
-        self.assertEqual(given[0]["result"], {"contacts": ["touching"]})
+        self.assertEqual(given[0]["result"]["contacts"], ["touching"])
 
     def test_pairs_of_numbers(self):
         """A pair may be two JSON numbers, two strings or one string; lists of pairs work, too."""
         for operation in ("nfp", "ifp"):
-            expected = self.fine(operation, self.slit, self.square, "--reference", "1/3,1/7")
+            expected = self.fine(operation, "-q", self.slit, self.square, "--reference", "1/3,1/7")
             for pair in (["1/3", "1/7"], "1/3,1/7"):
                 given = self.one(operation=operation, a="slit.wkt", b="square.wkt",
                                  options={"reference": pair})
@@ -130,7 +131,7 @@ class Jobs(BatchTest):
                 (["2,5/2", "-3,0"], ["touching", "free"]),
                 ([["2", "5/2"], "-3,0", [1.5, 2]], ["touching", "free", "overlapping"])):
             given = self.one(operation="nfp", a="slit.wkt", b="square.wkt", options={"at": at})
-            self.assertEqual(given["result"], {"contacts": contacts}, at)
+            self.assertEqual(given["result"]["contacts"], contacts, at)
         for at in (["2"], ["x", "y"], ["2", "3", "4"], ["2", "1,2"], [[1, 2], 3], []):
             error = self.one(2, operation="nfp", a="slit.wkt", b="square.wkt",
                              options={"at": at})["error"]
@@ -621,7 +622,7 @@ class Pairs(BatchTest):
                               for k in range(rotations)])
             for result in results:
                 turned = self.turned(result)
-                expected = self.fine("nfp", self.parts / result["fixed"], turned, "--coords", style)
+                expected = self.fine("nfp", "-q", self.parts / result["fixed"], turned, "--coords", style)
                 self.assertEqual(result["result"]["wkt"] + "\n", expected)
 
     def turned(self, result):
@@ -654,7 +655,7 @@ class Pairs(BatchTest):
             results = self.pairs("--rotations", 4, "--tight", "--coords", "exact")
             self.assertEqual(len(results), 4 * len(self.texts) ** 2)
             for result in rng.sample(results, 10):
-                expected = self.fine("nfp", self.parts / result["fixed"], self.turned(result),
+                expected = self.fine("nfp", "-q", self.parts / result["fixed"], self.turned(result),
                                      "--coords", "exact")
                 self.assertEqual(result["result"]["wkt"] + "\n", expected)
 

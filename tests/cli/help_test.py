@@ -140,7 +140,7 @@ class Help(ProgramTest):
         self.fine("help", "--install", self.folder)
         script = self.folder / "fish/vendor_completions.d/minksum.fish"
         for line, expected in (("minksum off", "offset"), ("minksum sum --form", "--format"),
-                               ("minksum sum --format w", "wkt"), ("minksum help of", "offset")):
+                               ("minksum sum --format wkt", "wkt"), ("minksum help of", "offset")):
             done = subprocess.run(["fish", "-c", f"source {script}; complete -C '{line}'"],
                                   capture_output=True, text=True, check=False,
                                   env={**os.environ, "HOME": str(self.folder)})
@@ -197,7 +197,7 @@ class Words(ProgramTest):
         """They are refused before any work: the operand is not even read."""
         for name in ("x.shp", "x.png", "x.txt", "x.wkt.gz"):
             for option in ("-o", "--tight"):
-                self.fails(1, "there are .json, .geojson, .poly, .svg, .wkt", "sum", "nowhere.wkt",
+                self.fails(1, "there are .geojsons, .json, .ndjson, .geojson, ", "sum", "nowhere.wkt",
                            self.square, option, self.folder / name)
             self.assertFalse((self.folder / name).exists())
             self.fine("sum", self.square, self.square, "--format", "wkt", "-o", self.folder / name)

@@ -182,7 +182,7 @@ class Reach(Robots):
                 self.assertIn((turned - theta) % 360, (15, 345))
         narrow = WALLS.replace("7", "9.6").replace("13", "10.4")
         self.walls.write_text(narrow)
-        self.assertEqual(self.fine(*self.options()), "no\n")
+        self.assertEqual(self.fine(*self.options(), note="--angles 48"), "no\n")
         self.assertEqual(self.fine(*self.options(angles=1, goal="6,11,90")).splitlines()[0], "yes")
 
     def test_json(self):
@@ -197,7 +197,8 @@ class Reach(Robots):
             self.assertEqual([float(Fraction(x)) for x in waypoint["at_exact"]], waypoint["at"])
             x, y = turn_of(waypoint)
             self.assertEqual(x * x + y * y, 1)
-        none = json.loads(self.fine(*self.options("--json", "--certain", angles=6)))
+        none = json.loads(self.fine(*self.options("--json", "--certain", angles=6),
+                                    note="; --angles 12 looks twice as closely, in about "))
         self.assertEqual((none["reachable"], none["path"]), (False, []))
 
     def test_files(self):
@@ -216,7 +217,8 @@ class Reach(Robots):
         xml.etree.ElementTree.parse(picture)
         self.walls.write_text(WALLS.replace("7", "9.6").replace("13", "10.4"))
         self.assertEqual(self.fine(*self.options("-o", path, "--svg", picture, angles=1,
-                                                 start="6,10,0", goal="34,10,0")), "no\n")
+                                                 start="6,10,0", goal="34,10,0"),
+                                   note='"no" means: not with these 1 slices'), "no\n")
         self.assertIsNone(json.loads(path.read_text())["geometry"])
         xml.etree.ElementTree.parse(picture)
 
@@ -251,7 +253,7 @@ class Reach(Robots):
         frame = self.file("frame.wkt", FRAME)
         inside = ("reach", self.square, frame, "--angles", 4, "--from", "4,4,0", "--to")
         self.assertTrue(self.fine(*inside, "4,3.5,0").startswith("yes\n"))
-        self.assertEqual(self.fine(*inside, "20,0,0"), "no\n")
+        self.assertEqual(self.fine(*inside, "20,0,0", note="--angles 8"), "no\n")
 
 
 class ConfigurationSpacePage(Page, ProgramTest):

@@ -145,7 +145,9 @@ class Geometries(ProgramTest):
                         ["reach", square, notched, "--from", "-9,-9,0", "--to", "20,20,0",
                          "--angles", "4"]):
             with self.subTest(command=command[0]):
-                self.fine(*command, note=why)
+                done = run(*command)  # a no-fit polygon tells its reference point as well
+                self.assertEqual(done.returncode, 0)
+                self.assertIn(why, done.stderr.decode())
                 for strict in (["--strict"], ["--fill", "strict"]):
                     self.fails(2, "edges cross at (6, ", *command, *strict)
         self.fails(1, "--strict", "sum", notched, square, "--strict", "--fill", "evenodd")
@@ -520,7 +522,7 @@ class BeyondDoubles(ProgramTest):
                 self.assertTrue(result.stderr.startswith(b"minksum: %b: " % bytes(self.out)))
             self.fails(3, "minksum: standard output: ", *command)
             for coordinates in ("exact", "decimal:2"):
-                self.fine(*command, "--coords", coordinates)
+                self.fine(*command, "-q", "--coords", coordinates)
         for form in ("wkt", "geojson", "poly", "svg"):
             self.fails(3, f"{self.out}: ", "sum", self.huge, self.square, "--format", form, "-o",
                        self.out)
@@ -598,7 +600,7 @@ class Usage(ProgramTest):
                           ["sum", p, p, "--coords", "decimal:99999"],
                           ["sum", p, p, "--repeat", "0"], ["sum", p, p, "--repeat", "x"],
                           ["sum", p, p, "--stats", "-"], ["sum", p, p, "--svg", "-"],
-                          ["sum", p, p, "--arithmetic", "float"], ["info"], ["info", p, p],
+                          ["sum", p, p, "--arithmetic", "float"], ["info"], ["info", "-", "-"],
                           ["sum", p, p, "--grid", "-1"], ["sum", p, p, "--grid", "4097"], ["sum", p, p, "--fill", "odd"],
                           ["sum", p, p, "--round", "up"], ["info", p, "--fill", "odd"],
                           ["sum", p, p, "--coords", "exact", "--round", "outside"],
