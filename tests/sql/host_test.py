@@ -35,8 +35,8 @@ class Memory(DatabaseTest):
               ST_MakeEnvelope(x, 0, x + 1, 1), ST_MakeEnvelope(0, 0, 1, 1), 2);
             SELECT (regexp_match(pg_read_file('/proc/' || pg_backend_pid() || '/status', 0, 4000),
                'VmRSS:\\s+(\\d+) kB'))[1];"""
-        lines = self.ask(groups.format(20000, 20000) * 2).split("\n")
-        self.assertEqual(lines[4], "4000")
+        lines = self.ask(groups.format(5000, 5000) * 2).split("\n")
+        self.assertEqual(lines[4], "1000")
         self.assertLess(int(lines[5]) - int(lines[2]), 4 << 10)
 
 
