@@ -25,6 +25,8 @@ export function handleMarks(editor: Editor, state: State, view: View): Mark[] {
   return editor.tool === "move" ? marks : [...marks, ...drawingMarks(editor, view)];
 }
 function handlesOf(editor: Editor, state: State, view: View, name: Name): Mark[] {
+  // The picture of a stage needs the room.
+  if (state.op === "steps" && state.stage > 0) return [];
   const [ox, oy] = editor.offset(name).map(toNumber) as [number, number];
   const outline = outlineOf(state[name]);
   const lists = [...outline.rings, ...outline.lines];
