@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "minksum/export.h"
 
@@ -75,6 +76,15 @@ class MINKSUM_API Rational {
   static Rational from_limbs(bool negative, const std::uint64_t* numerator,
                              std::size_t numerator_limbs, const std::uint64_t* denominator,
                              std::size_t denominator_limbs);
+
+  /// A number as little-endian 64-bit limbs without leading zeros. Zero has no numerator limbs.
+  struct Limbs {
+    bool negative = false;                   ///< the numerator's sign
+    std::vector<std::uint64_t> numerator;    ///< |numerator|, in lowest terms
+    std::vector<std::uint64_t> denominator;  ///< the denominator, in lowest terms
+  };
+  /// Returns the number in the form that `from_limbs` takes. O(n) for n limbs.
+  [[nodiscard]] Limbs limbs() const;
 
   [[nodiscard]] int sign() const;  ///< returns -1, 0 or 1
   [[nodiscard]] bool is_integer() const;       ///< tells whether the denominator is 1

@@ -151,6 +151,14 @@ Rational Rational::from_limbs(bool negative, const std::uint64_t* numerator,
   return RationalAccess::make(std::move(above), std::move(below));
 }
 
+Rational::Limbs Rational::limbs() const {
+  Limbs limbs;
+  limbs.negative = sign() < 0;
+  append_limbs(RationalAccess::numerator(*this), limbs.numerator);
+  append_limbs(RationalAccess::denominator(*this), limbs.denominator);
+  return limbs;
+}
+
 int Rational::sign() const { return value_ ? value_->numerator.sign() : 0; }
 
 bool Rational::is_integer() const { return !value_ || value_->denominator == 1; }

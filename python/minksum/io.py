@@ -1,0 +1,91 @@
+"""Files: drawings (SVG, DXF), and the JSON of nesting programs."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike
+from typing import Any, Union
+
+from . import _core
+from ._core import Geometry
+from ._types import Number
+from .errors import BadInputError
+
+Path = Union[str, "PathLike[str]"]
+
+
+def _text(path: Path) -> str:
+    with open(path, encoding="utf-8", newline="") as file:
+        return file.read()
+
+
+def read_svg(path: Path, *, tolerance: Number | None = None, side: str = "nearest") -> Geometry:
+    """Return the shapes of an SVG file.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    tolerance : Number, optional
+        How far the polyline of a curve may be off. A file with curves needs it.
+    side : {'nearest', 'outside', 'inside'}
+        'outside' contains the drawn areas, and 'inside' lies within them.
+    """
+    return _core._read_svg(_text(path), tolerance, side)
+
+
+def read_dxf(
+    path: Path,
+    *,
+    tolerance: Number | None = None,
+    side: str = "nearest",
+    layer: str = "",
+    join_ends: Number = 0,
+) -> Geometry:
+    """Return the shapes of a DXF file, of all layers that are shown or of one.
+
+    Ends of outlines are joined if they are at most `join_ends` apart. The other parameters are
+    those of `read_svg`.
+    """
+    return _core._read_dxf(_text(path), tolerance, side, layer, join_ends)
+
+
+def _ring(points: Any, what: str) -> list[tuple[Any, Any]]:
+    try:
+        return [(x, y) for x, y in points]
+    except (TypeError, ValueError):
+        raise BadInputError(f"{what} must be a list of [x, y]") from None
+
+
+def _shape(shape: Any, what: str) -> Geometry:
+    kind, data = shape.get("type"), shape.get("data")
+    if kind == "rectangle":
+        x, y = data.get("x_min", 0), data.get("y_min", 0)
+        return _core.box(x, y, x + data["width"], y + data["height"])
+    if kind == "simple_polygon":
+        outer, inner = data, []
+    elif kind == "polygon":
+        outer, inner = data["outer"], data.get("inner", [])
+    else:
+        raise BadInputError(f"{what} has a shape of type {kind!r}, which is not read")
+    rings = [_ring(ring, what) for ring in [outer, *inner]]
+    mapping = {"type": "Polygon", "coordinates": [ring + ring[:1] for ring in rings]}
+    return _core.from_geojson(mapping)  # type: ignore[no-any-return]
+
+
+def read_jagua(path: Path) -> dict[str, list[dict[str, Any]]]:
+    """Return the items and bins of an instance of jagua-rs or sparrow.
+
+    Each is a dict with its `geometry` and whatever else the file says of it, such as `demand` and
+    `allowed_orientations`. Coordinates are the doubles of the file, exactly.
+    """
+    document = json.loads(_text(path))
+    parts: dict[str, list[dict[str, Any]]] = {"items": [], "bins": []}
+    for group in ("items", "bins"):
+        for i, entry in enumerate(document.get(group, [])):
+            what = f"{path}: {group[:-1]} {i}"
+            known = {name: value for name, value in entry.items() if name != "shape"}
+            if "shape" not in entry:
+                raise BadInputError(f"{what} has no shape")
+            parts[group].append({**known, "geometry": _shape(entry["shape"], what)})
+    return parts

@@ -1,0 +1,15 @@
+// Declares the functions that bind parts of the library.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace minksum::python {
+
+void bind_geometry(nanobind::module_& m);
+void bind_readers(nanobind::module_& m);
+void bind_sets(nanobind::module_& m);
+void bind_measures(nanobind::module_& m);
+void bind_no_fit(nanobind::module_& m);
+void bind_space(nanobind::module_& m);
+
+}  // namespace minksum::python

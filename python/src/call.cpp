@@ -1,0 +1,224 @@
+#include "call.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "errors.hpp"
+
+namespace nb = nanobind;
+
+namespace minksum::python {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+// Ctrl-C is looked for this often: people do not notice a twentieth of a second.
+constexpr std::chrono::milliseconds kBetweenLooks{50};
+
+std::size_t thread_count(std::optional<int> asked) {
+  if (asked && *asked < 0) throw nb::value_error("threads must not be negative");
+  if (!asked) {
+    const char* set = std::getenv("MINKSUM_NUM_THREADS");
+    if (set != nullptr) asked = std::atoi(set);
+  }
+  if (asked.value_or(0) > 0) return static_cast<std::size_t>(*asked);
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+FillRule rule_of(const std::string& word) {
+  return choice<FillRule>(word, "fill",
+                          {{"automatic", FillRule::kAutomatic},
+                           {"evenodd", FillRule::kEvenOdd},
+                           {"nonzero", FillRule::kNonZero},
+                           {"positive", FillRule::kPositive},
+                           {"negative", FillRule::kNegative},
+                           {"strict", FillRule::kStrict}});
+}
+
+std::vector<std::size_t> place_in(const std::vector<std::size_t>& shape, std::size_t index) {
+  std::vector<std::size_t> place(shape.size());
+  for (std::size_t i = shape.size(); i-- > 0;) {
+    place[i] = index % shape[i];
+    index /= shape[i];
+  }
+  return place;
+}
+
+/// Tells whether the exception that is being handled is about the call and not about an element:
+/// Ctrl-C, a token, what the progress callback threw, or the time.
+bool ends_call() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return error.code() == ErrorCode::kCancelled ||
+           (error.limit() && error.limit()->name == "timeout");
+  } catch (const std::bad_alloc&) {
+    return false;
+  } catch (...) {
+    return true;
+  }
+}
+
+}  // namespace
+
+const char* const kSettingsSignature =
+    "fill: str = 'automatic', regularize: bool = False, threads: int | None = None, "
+    "max_segments: int | None = None, max_crossings: int | None = None, "
+    "timeout: float | None = None, "
+    "progress: typing.Callable[[str], bool | None] | None = None, "
+    "cancel: CancelToken | None = None";
+
+RoundingSide side_of(const std::string& word) {
+  return choice<RoundingSide>(word, "the side",
+                              {{"nearest", RoundingSide::kNearest},
+                               {"outside", RoundingSide::kOutside},
+                               {"inside", RoundingSide::kInside}});
+}
+
+struct Call::Watch {
+  std::thread::id caller = std::this_thread::get_id();
+  std::optional<CancelToken> token;
+  std::optional<double> seconds;
+  Clock::time_point deadline;
+  Clock::time_point next_look = Clock::now() + kBetweenLooks;
+  Clock::time_point next_progress;
+  Stage stage = Stage::kSearch;
+  nb::object progress;
+  std::atomic<bool> stopped{false};
+
+  bool stop() {
+    if (stopped.load(std::memory_order_relaxed)) return true;
+    if (token && token->cancelled()) return true;
+    const bool calling = std::this_thread::get_id() == caller;
+    if (!seconds && !calling) return false;
+    const Clock::time_point now = Clock::now();
+    if (seconds && now > deadline) {
+      throw Error(ErrorCode::kLimitExceeded,
+                  "the time that was allowed (timeout=" + std::to_string(*seconds) +
+                      " seconds) has passed",
+                  {}, {}, ExceededLimit{"timeout", 0});
+    }
+    if (calling && now >= next_look) {
+      next_look = now + kBetweenLooks;
+      const nb::gil_scoped_acquire lock;
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    }
+    return false;
+  }
+
+  bool tell(const Progress& how_far) {
+    if (std::this_thread::get_id() != caller) return true;
+    const Clock::time_point now = Clock::now();
+    if (how_far.stage == stage && now < next_progress) return true;
+    stage = how_far.stage;
+    next_progress = now + kBetweenLooks;
+    const nb::gil_scoped_acquire lock;
+    const nb::object answer = progress(to_string(how_far.stage));
+    return answer.is_none() || nb::cast<bool>(answer);
+  }
+
+  // The last owner may hold no lock.
+  ~Watch() {
+    const nb::gil_scoped_acquire lock;
+    progress.reset();
+  }
+};
+
+Call::Call(MINKSUM_SETTINGS) : watch_(std::make_shared<Watch>()), threads_(thread_count(threads)) {
+  watch_->token = std::move(cancel);
+  watch_->seconds = timeout;
+  if (timeout) {
+    if (!(*timeout > 0)) throw nb::value_error("timeout must be a positive number of seconds");
+    const double most = 1e9;  // some thirty years, which a duration of the clock can hold
+    watch_->deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                           std::chrono::duration<double>(std::min(*timeout, most)));
+  }
+  options_.fill = rule_of(fill);
+  options_.regularize = regularize;
+  if (max_segments) options_.limits.max_segments = *max_segments;
+  if (max_crossings) options_.limits.max_crossings = *max_crossings;
+  options_.threads = static_cast<int>(threads_);
+  options_.cancel = CancelToken::polling([watch = watch_] { return watch->stop(); });
+  if (!progress.is_none()) {
+    watch_->progress = std::move(progress);
+    options_.progress = [watch = watch_](const Progress& how_far) { return watch->tell(how_far); };
+  }
+}
+
+void Call::run(bool small, const std::function<void()>& operation) const {
+  if (small) return operation();
+  const nb::gil_scoped_release unlocked;
+  operation();
+}
+
+void Call::for_each(const std::vector<std::size_t>& shape,
+                    const std::function<void(std::size_t, const Options&)>& element) const {
+  std::size_t count = 1;
+  for (const std::size_t side : shape) count *= side;
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> running{0};
+  std::mutex guard;
+  std::size_t failed = count;
+  std::exception_ptr error;
+  const auto work = [&] {
+    Workspace memory;
+    Options options = options_;
+    options.threads = 1;
+    options.memory = &memory;
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        element(i, options);
+      } catch (...) {
+        const std::lock_guard lock(guard);
+        // Of several elements that fail, the first is named, whichever thread is faster. What ends
+        // the whole call counts only once, because all other threads then end in the same way.
+        const bool whole = ends_call();
+        if (whole ? !watch_->stopped : i < failed && !watch_->stopped) {
+          failed = i;
+          error = std::current_exception();
+        }
+        if (whole) watch_->stopped = true;
+        next = count;
+        return;
+      }
+    }
+  };
+  {
+    const nb::gil_scoped_release unlocked;
+    std::vector<std::thread> helpers;
+    for (std::size_t t = 1; t < std::min(threads_, count); ++t) {
+      ++running;
+      helpers.emplace_back([&] {
+        work();
+        --running;
+      });
+    }
+    work();
+    // While helpers finish their last elements, this thread goes on looking for Ctrl-C.
+    while (running > 0) {
+      try {
+        if (options_.cancel->cancelled()) watch_->stopped = true;
+      } catch (...) {
+        watch_->stopped = true;
+        const std::lock_guard lock(guard);
+        failed = 0;
+        error = std::current_exception();
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    for (std::thread& helper : helpers) helper.join();
+  }
+  if (!error) return;
+  try {
+    std::rethrow_exception(error);
+  } catch (const Error&) {
+    throw ElementError{error, place_in(shape, failed)};
+  }
+}
+
+}  // namespace minksum::python

@@ -1,0 +1,68 @@
+// Declares what all calls share: their settings, how they are stopped, and how elements of arrays
+// are shared by threads.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <functional>
+#include <memory>
+#include <minksum/minksum.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shape.hpp"
+
+namespace minksum::python {
+
+/// Parameters and arguments of every operation, in one order.
+#define MINKSUM_SETTINGS                                                                          \
+  const std::string &fill, bool regularize, std::optional<int> threads,                           \
+      std::optional<std::uint64_t> max_segments, std::optional<std::uint64_t> max_crossings,      \
+      std::optional<double> timeout, nanobind::object progress, std::optional<CancelToken> cancel
+#define MINKSUM_SETTING_ARGS                                                                      \
+  nanobind::arg("fill") = "automatic", nanobind::arg("regularize") = false,                       \
+  nanobind::arg("threads") = nanobind::none(), nanobind::arg("max_segments") = nanobind::none(),  \
+  nanobind::arg("max_crossings") = nanobind::none(), nanobind::arg("timeout") = nanobind::none(), \
+  nanobind::arg("progress") = nanobind::none(), nanobind::arg("cancel") = nanobind::none()
+#define MINKSUM_SETTING_VALUES \
+  fill, regularize, threads, max_segments, max_crossings, timeout, progress, cancel
+
+/// The same arguments as stubs show them.
+extern const char* const kSettingsSignature;
+
+/// Settings of one call, and how it is stopped: by Ctrl-C, a token, the progress callback, or time.
+class Call {
+ public:
+  explicit Call(MINKSUM_SETTINGS);
+
+  /// Options for an operation that runs on this thread alone, or on a thread of `for_each`.
+  [[nodiscard]] Options& options() { return options_; }
+  /// Runs a single operation. The interpreter's lock is released unless `small` is set.
+  void run(bool small, const std::function<void()>& operation) const;
+  /// Runs `element` for each index, on as many threads as the caller asked for, with the lock
+  /// released. Each thread has options of its own. Throws ElementError for the first that fails.
+  void for_each(const std::vector<std::size_t>& shape,
+                const std::function<void(std::size_t, const Options&)>& element) const;
+
+ private:
+  struct Watch;
+  std::shared_ptr<Watch> watch_;
+  Options options_;
+  std::size_t threads_;
+};
+
+/// Returns the enumerator that a word names, and throws ValueError, which lists the words.
+template <class Enum>
+Enum choice(const std::string& word, const char* what,
+            std::initializer_list<std::pair<const char*, Enum>> choices) {
+  std::string message = std::string(what) + " must be one of";
+  for (const auto& [name, value] : choices) {
+    if (word == name) return value;
+    message += std::string(" \"") + name + '"';
+  }
+  throw nanobind::value_error(message.c_str());
+}
+[[nodiscard]] RoundingSide side_of(const std::string& word);
+
+}  // namespace minksum::python

@@ -1,0 +1,285 @@
+// Binds the operations whose results are sets: sums, morphology, offsets, boolean operations.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+
+#include <deque>
+#include <string>
+
+#include "bindings.hpp"
+#include "elementwise.hpp"
+#include "numbers.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minksum::python {
+namespace {
+
+/// Returns a signature for stubs. It lives as long as the module.
+const char* signature(const std::string& name, const std::string& operands,
+                      const std::string& own = "",
+                      const std::string& result = "Geometry | GeometryArray | None") {
+  static std::deque<std::string> kept;
+  return kept
+      .emplace_back("def " + name + "(" + operands + ", *, " + own + kSettingsSignature +
+                    ") -> " + result)
+      .c_str();
+}
+
+void def_binary(nb::module_& m, const char* name, const BinaryOperation& operation,
+                const char* doc) {
+  m.def(
+      name,
+      [operation](nb::handle a, nb::handle b, MINKSUM_SETTINGS) {
+        Call call(MINKSUM_SETTING_VALUES);
+        return apply(call, a, b, operation);
+      },
+      "a"_a.none(), "b"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
+      nb::sig(signature(name, "a: GeometryLike, b: GeometryLike")), doc);
+}
+
+void def_tight_binary(nb::module_& m, const char* name, const BinaryOperation& operation,
+                      const char* doc) {
+  m.def(
+      name,
+      [operation](nb::handle a, nb::handle b, bool tight, MINKSUM_SETTINGS) {
+        Call call(MINKSUM_SETTING_VALUES);
+        if (tight) call.options().tight = true;
+        return apply(call, a, b, operation);
+      },
+      "a"_a.none(), "b"_a.none(), nb::kw_only(), "tight"_a = false, MINKSUM_SETTING_ARGS,
+      nb::sig(signature(name, "a: GeometryLike, b: GeometryLike", "tight: bool = False, ")), doc);
+}
+
+Geometry areas(const Geometry& a, const Geometry& b, const Options& options,
+               Region (*operation)(const Region&, const Region&, const Options&)) {
+  Options reading = options;
+  reading.regularize = true;
+  return operation(resolve(a, reading, 0).region, resolve(b, reading, 1).region, options);
+}
+
+Geometry union_of(const Geometry& a, const Geometry& b, const Options& options) {
+  const Geometry both[] = {resolve(a, options, 0), resolve(b, options, 1)};
+  return unite(both, options);
+}
+
+nb::object sum(nb::handle a, nb::handle b, bool tight, MINKSUM_SETTINGS) {
+  Call call(MINKSUM_SETTING_VALUES);
+  const BinaryOperation plain = [](const Geometry& p, const Geometry& q, const Options& options) {
+    return minkowski_sum(p, q, options);
+  };
+  if (!tight) return apply(call, a, b, plain);
+  Operands first = operands_of(a);
+  Operands second = operands_of(b);
+  const Pairs pairs(first, second);
+  ShapeArray sums{std::vector<ShapePtr>(pairs.size()), pairs.shape()};
+  ShapeArray places = sums;
+  call.options().tight = true;
+  for_each_pair(call, first, second, pairs,
+                [&](std::size_t i, const Shape& x, const Shape& y, const Options& options) {
+                  const std::int32_t srid = common_srid(x, y);
+                  DetailedSum result = detailed_sum(x.geometry, y.geometry, options);
+                  sums.items[i] = std::make_shared<Shape>(Shape{std::move(result.sum), srid});
+                  places.items[i] = std::make_shared<Shape>(Shape{std::move(result.tight), srid});
+                });
+  if (first.scalar && second.scalar) {
+    return nb::make_tuple(to_object(sums.items.front()), to_object(places.items.front()));
+  }
+  return nb::make_tuple(to_object(std::move(sums)), to_object(std::move(places)));
+}
+
+OffsetOptions offset_shape(nb::handle distance, nb::handle tolerance, const std::string& side,
+                           const std::string& join, const std::string& cap,
+                           nb::handle miter_limit) {
+  OffsetOptions shape;
+  shape.side = side_of(side);
+  shape.join = choice<Join>(join, "join", {{"round", Join::kRound},
+                                           {"miter", Join::kMiter},
+                                           {"mitre", Join::kMiter},
+                                           {"square", Join::kSquare},
+                                           {"bevel", Join::kBevel}});
+  shape.cap = choice<Cap>(
+      cap, "cap",
+      {{"round", Cap::kRound}, {"butt", Cap::kButt}, {"flat", Cap::kButt}, {"square", Cap::kSquare}});
+  shape.miter_limit = require_number(miter_limit, "miter_limit");
+  if (!tolerance.is_none()) shape.tolerance = require_number(tolerance, "tolerance");
+  (void)distance;
+  return shape;
+}
+
+void bind_offset(nb::module_& m) {
+  m.def(
+      "offset",
+      [](nb::handle a, nb::handle distance, nb::handle tolerance, const std::string& side,
+         const std::string& join, const std::string& cap, nb::handle miter_limit,
+         MINKSUM_SETTINGS) {
+        Call call(MINKSUM_SETTING_VALUES);
+        const Rational by = require_number(distance, "distance");
+        const OffsetOptions shape =
+            offset_shape(distance, tolerance, side, join, cap, miter_limit);
+        return apply(call, a, [&](const Geometry& g, const Options& options) {
+          return offset(g, by, shape, options);
+        });
+      },
+      "a"_a.none(), "distance"_a, nb::kw_only(), "tolerance"_a = nb::none(), "side"_a = "nearest",
+      "join"_a = "round", "cap"_a = "round", "miter_limit"_a = 2, MINKSUM_SETTING_ARGS,
+      nb::sig(signature("offset", "a: GeometryLike, distance: Number",
+                        "tolerance: Number | None = None, side: str = 'nearest', "
+                        "join: str = 'round', cap: str = 'round', miter_limit: Number = 2, ")),
+      "Return the set grown by a distance, or shrunk if the distance is negative.\n\n"
+      "Parameters\n----------\n"
+      "a : GeometryLike\n    A geometry, or an array of them.\n"
+      "distance : Number\n    The distance, in the unit of the coordinates.\n"
+      "tolerance : Number, optional\n    How far the result may deviate; a thousandth of the "
+      "distance without it.\n"
+      "side : {'nearest', 'outside', 'inside'}\n    'outside' contains the true offset, and "
+      "'inside' lies within it.\n"
+      "join : {'round', 'miter', 'square', 'bevel'}\n    The shape at corners.\n"
+      "cap : {'round', 'butt', 'square'}\n    The shape at ends of polylines.\n"
+      "miter_limit : Number\n    The longest miter, divided by the distance.\n\n"
+      "Examples\n--------\n>>> import minksum\n"
+      ">>> square = minksum.box(0, 0, 2, 2)\n"
+      ">>> print(minksum.offset(square, 1, join='miter'))\n"
+      "POLYGON ((-1 -1, 3 -1, 3 3, -1 3, -1 -1))");
+}
+
+void bind_unary(nb::module_& m) {
+  const auto def = [&m](const char* name, const UnaryOperation& operation, const char* doc) {
+    m.def(
+        name,
+        [operation](nb::handle a, MINKSUM_SETTINGS) {
+          Call call(MINKSUM_SETTING_VALUES);
+          return apply(call, a, operation);
+        },
+        "a"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
+        nb::sig(signature(name, "a: GeometryLike")), doc);
+  };
+  def(
+      "resolve",
+      [](const Geometry& a, const Options& options) { return resolve(a, options); },
+      "Return the set of points that a geometry means by the fill rule, in canonical form.");
+  def(
+      "reflect",
+      [](const Geometry& a, const Options& options) {
+        return resolve(reflect(a, options), options);
+      },
+      "Return the point mirror at the origin.");
+}
+
+void bind_rounded(nb::module_& m) {
+  m.def(
+      "rounded",
+      [](nb::handle a, std::optional<int> decimals, const std::string& side, MINKSUM_SETTINGS) {
+        Call call(MINKSUM_SETTING_VALUES);
+        RoundOptions target;
+        target.side = side_of(side);
+        target.decimals = decimals;
+        return apply(call, a, [&](const Geometry& g, const Options& options) {
+          return round(resolve(g, options), target, options);
+        });
+      },
+      "a"_a.none(), nb::kw_only(), "decimals"_a = nb::none(), "side"_a = "nearest",
+      MINKSUM_SETTING_ARGS,
+      nb::sig(signature("rounded", "a: GeometryLike",
+                        "decimals: int | None = None, side: str = 'nearest', ")),
+      "Return a valid set near the exact one whose coordinates are doubles, or decimals with so "
+      "many digits. With side 'outside' the result contains the exact set, and with 'inside' it "
+      "lies within it.");
+}
+
+void bind_union_all(nb::module_& m) {
+  m.def(
+      "union_all",
+      [](nb::handle geometries, MINKSUM_SETTINGS) {
+        Call call(MINKSUM_SETTING_VALUES);
+        const Operands operands = operands_of(geometries);
+        auto result = std::make_shared<Shape>();
+        call.run(false, [&] {
+          std::vector<Geometry> sets;
+          for (const ShapePtr& item : operands.array.items) {
+            if (!item) continue;
+            result->srid = common_srid(*result, *item);
+            sets.push_back(resolve(item->geometry, call.options()));
+          }
+          result->geometry = unite(sets, call.options());
+        });
+        return to_object(result);
+      },
+      "geometries"_a, nb::kw_only(), MINKSUM_SETTING_ARGS,
+      nb::sig(signature("union_all", "geometries: GeometryLike", "", "Geometry")),
+      "Return the union of all elements. Missing ones count as empty.");
+}
+
+}  // namespace
+
+void bind_sets(nb::module_& m) {
+  m.def("minkowski_sum", sum, "a"_a.none(), "b"_a.none(), nb::kw_only(), "tight"_a = false,
+        MINKSUM_SETTING_ARGS,
+        nb::sig(signature("minkowski_sum", "a: GeometryLike, b: GeometryLike",
+                          "tight: bool = False, ", "typing.Any")),
+        "Return the Minkowski sum { p + q | p in a, q in b }, exactly.\n\n"
+        "Parameters\n----------\n"
+        "a, b : GeometryLike\n    Geometries, or arrays that are broadcast against each other.\n"
+        "tight : bool\n    Whether a pair (sum, tight places) is returned. Tight places are points "
+        "and polylines\n    at which one operand fits into the other without play.\n"
+        "fill : str\n    How rings are read: 'automatic', 'evenodd', 'nonzero', 'positive', "
+        "'negative' or\n    'strict', which refuses rings that are not valid.\n"
+        "regularize : bool\n    Whether polylines, points and spikes of the operands are "
+        "dropped.\n"
+        "threads : int, optional\n    How many threads share the work; all cores without it.\n"
+        "max_segments, max_crossings : int, optional\n    Limits on the computation.\n"
+        "timeout : float, optional\n    Seconds after which LimitError is raised.\n"
+        "progress : callable, optional\n    Called with the name of the stage, at most 20 times a "
+        "second. False stops the call.\n"
+        "cancel : CancelToken, optional\n    Stops the call from another thread.\n\n"
+        "Returns\n-------\n"
+        "Geometry or GeometryArray\n    None where an operand is None.\n\n"
+        "Examples\n--------\n>>> import minksum\n"
+        ">>> room = minksum.box(0, 0, 4, 3)\n"
+        ">>> robot = minksum.from_wkt('POLYGON ((0 0, 1/3 0, 0 1, 0 0))')\n"
+        ">>> print(minksum.minkowski_sum(room, robot))\n"
+        "POLYGON ((0 0, 13/3 0, 13/3 3, 4 4, 0 4, 0 0))");
+  def_binary(
+      m, "dilate",
+      [](const Geometry& a, const Geometry& b, const Options& o) { return dilate(a, b, o); },
+      "Return the dilation of a by b: the Minkowski sum by another name.");
+  def_tight_binary(
+      m, "erode",
+      [](const Geometry& a, const Geometry& b, const Options& o) { return erode(a, b, o); },
+      "Return the erosion { x | x + b inside a }: where b can be put inside a. With `tight`, "
+      "places without play are kept as points and polylines.");
+  def_tight_binary(
+      m, "opening",
+      [](const Geometry& a, const Geometry& b, const Options& o) { return open(a, b, o); },
+      "Return the opening: the union of all translates of b inside a.");
+  def_tight_binary(
+      m, "closing",
+      [](const Geometry& a, const Geometry& b, const Options& o) { return close(a, b, o); },
+      "Return the closing of a by b: what no translate of -b outside of a can reach.");
+  def_binary(m, "union", union_of, "Return the union.");
+  def_binary(
+      m, "intersection",
+      [](const Geometry& a, const Geometry& b, const Options& o) {
+        return areas(a, b, o, intersect);
+      },
+      "Return the closure of what has area in both sets.");
+  def_binary(
+      m, "difference",
+      [](const Geometry& a, const Geometry& b, const Options& o) {
+        return areas(a, b, o, subtract);
+      },
+      "Return the closure of what has area in a and not in b.");
+  def_binary(
+      m, "symmetric_difference",
+      [](const Geometry& a, const Geometry& b, const Options& o) {
+        return areas(a, b, o, symmetric_difference);
+      },
+      "Return the closure of what has area in exactly one of the sets.");
+  bind_offset(m);
+  bind_unary(m);
+  bind_rounded(m);
+  bind_union_all(m);
+}
+
+}  // namespace minksum::python

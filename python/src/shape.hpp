@@ -1,0 +1,55 @@
+// Declares what operands and results are in Python: a geometry, or an array of geometries.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <cstdint>
+#include <memory>
+#include <minksum/minksum.hpp>
+#include <string>
+#include <vector>
+
+namespace minksum::python {
+
+/// A geometry with the number of its reference system. It never changes once Python has it.
+struct Shape {
+  Geometry geometry;
+  std::int32_t srid = 0;  ///< 0 = unknown
+};
+/// Null stands for a missing geometry, which is None in Python.
+using ShapePtr = std::shared_ptr<Shape>;
+
+/// Geometries in n dimensions, the last one running fastest.
+struct ShapeArray {
+  std::vector<ShapePtr> items;
+  std::vector<std::size_t> shape;
+};
+using ShapeArrayPtr = std::shared_ptr<ShapeArray>;
+
+/// An operand of a call: one geometry, or an array of them.
+struct Operands {
+  ShapeArray array;
+  bool scalar = false;  ///< whether there is a single one, and `array.shape` is empty
+};
+
+/// Says what becomes of coordinates beyond x and y.
+[[nodiscard]] bool drops_z(const std::string& z);
+
+/// Returns the geometry or the geometries that a Python object stands for. docs/python.md lists what
+/// objects these are. Throws TypeError for any other object, and Error as the readers do.
+[[nodiscard]] Operands operands_of(nanobind::handle object, bool drop_z = false);
+/// Returns the same for a single geometry. Throws TypeError for an array.
+[[nodiscard]] ShapePtr operand_of(nanobind::handle object, bool drop_z = false);
+
+/// Returns the geometry of a GeoJSON object, which is a mapping of Python. Floats are exactly
+/// themselves.
+[[nodiscard]] ShapePtr shape_of_mapping(nanobind::handle mapping, bool drop_z);
+
+/// Reads a text or bytes in a format of the library.
+[[nodiscard]] ShapePtr read_shape(std::string_view text, bool drop_z);
+
+/// Returns a single geometry or an array as an object of Python; null as None.
+[[nodiscard]] nanobind::object to_object(const ShapePtr& shape);
+[[nodiscard]] nanobind::object to_object(ShapeArray array);
+
+}  // namespace minksum::python

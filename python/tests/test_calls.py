@@ -1,0 +1,189 @@
+"""Errors, and how calls are stopped."""
+
+import gc
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import numpy as np
+import pytest
+import shapely
+
+import minksum as mk
+
+SQUARE = mk.box(0, 0, 1, 1)
+
+
+class Raises:
+    @property
+    def __geo_interface__(self):
+        raise RuntimeError("no shape today")
+
+
+@pytest.mark.parametrize(
+    "operand, kind, words",
+    [
+        (3, TypeError, "not int"),
+        (object(), TypeError, "not object"),
+        (np.zeros((3, 3)), TypeError, r"\(n, 2\)"),
+        (np.array([[0, 0], [np.nan, 0], [1, 1]]), mk.BadInputError, "vertex 1"),
+        ([(0, 0), (float("inf"), 0), (1, 1)], mk.BadInputError, "vertex 1"),
+        ([(0, 0, 5), (1, 0, 5), (1, 1, 5)], mk.BadInputError, "drop"),
+        ("POLYGON ((0 0, 1 0, 1 O, 0 0))", mk.BadInputError, "1:23"),
+        ("no geometry", mk.BadInputError, "1:1"),
+        ("/etc/passwd", mk.BadInputError, "1:1"),
+        ("POLYGON Z ((0 0 1, 1 0 1, 1 1 1, 0 0 1))", mk.BadInputError, ""),
+        (b"", mk.BadInputError, "byte 1"),
+        (b"\x07abc", mk.BadInputError, "byte 1"),
+        ({"type": "Curve", "coordinates": []}, mk.BadInputError, "'Curve'"),
+        ({"coordinates": []}, mk.BadInputError, "type"),
+        (Raises(), RuntimeError, "no shape today"),
+        ([[("a", 0), (1, 0), (1, 1)]], (mk.BadInputError, TypeError), ""),
+        (shapely.from_wkt("POLYGON Z ((0 0 1, 1 0 1, 1 1 1, 0 0 1))"), mk.BadInputError, ""),
+    ],
+)
+def test_what_is_refused(operand, kind, words):
+    for call in (lambda: mk.minkowski_sum(operand, SQUARE), lambda: mk.offset(operand, 1),
+                 lambda: mk.Geometry(operand)):
+        with pytest.raises(kind, match=words):
+            call()
+
+
+def test_truncated_wkb_at_every_byte():
+    shapes = [shapely.box(0, 0, 1, 1), shapely.box(0, 0, 9, 9) - shapely.box(2, 2, 3, 3),
+              shapely.MultiPoint([(0, 0), (1, 1)]),
+              shapely.GeometryCollection([shapely.box(0, 0, 1, 1), shapely.LineString([(0, 0), (1, 1)])])]
+    count = 0
+    for shape in shapes:
+        wkb = shapely.to_wkb(shape)
+        for n in range(len(wkb)):
+            with pytest.raises(mk.BadInputError, match="byte"):
+                mk.from_wkb(wkb[:n])
+            count += 1
+    assert count > 400
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: mk.offset(SQUARE, 1, side="left"), '"outside"'),
+        (lambda: mk.offset(SQUARE, 1, join="sharp"), '"bevel"'),
+        (lambda: mk.minkowski_sum(SQUARE, SQUARE, fill="odd"), '"evenodd"'),
+        (lambda: mk.minkowski_sum(SQUARE, SQUARE, timeout=0), "timeout"),
+        (lambda: mk.minkowski_sum(SQUARE, SQUARE, threads=-1), "threads"),
+        (lambda: mk.from_wkt("POINT (0 0)", z="keep"), '"drop"'),
+        (lambda: mk.box(0, 0, 0, 1), "xmin < xmax"),
+        (lambda: mk.box(0, 0, "one", 1), "'one'"),
+        (lambda: mk.erode(SQUARE, "POLYGON EMPTY"), ""),
+        (lambda: mk.disc(-1), "radius"),
+    ],
+)
+def test_arguments_that_are_refused(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+def test_heights_are_dropped_on_request():
+    assert mk.from_wkt("POINT Z (1 2 3)", z="drop") == mk.from_wkt("POINT (1 2)")
+    assert mk.as_geometry([(0, 0, 5), (1, 0, 5), (1, 1, 5)], z="drop").num_vertices == 3
+
+
+def test_errors_of_arrays_name_the_element():
+    bow_tie = [(0, 0), (4, 4), (4, 0), (0, 4)]
+    array = [SQUARE] * 50 + [mk.Geometry(bow_tie)] + [SQUARE] * 50
+    with pytest.raises(mk.BadInputError, match="element 50: edges cross") as caught:
+        mk.minkowski_sum(array, SQUARE, fill="strict")
+    assert caught.value.index == 50 and caught.value.operand == 0
+
+
+def long_operand():
+    """A star whose sum with another one takes many seconds by any method."""
+    rng = np.random.default_rng(1)
+    angles = np.sort(rng.uniform(0, 2 * np.pi, 60000))
+    radii = rng.uniform(0.01, 1, 60000)
+    return mk.Geometry(np.column_stack([radii * np.cos(angles), radii * np.sin(angles)]))
+
+
+def test_limits_tokens_progress_and_time():
+    big = long_operand()
+    with pytest.raises(mk.LimitError) as caught:
+        mk.minkowski_sum(big, big, max_segments=1000)
+    assert caught.value.limit == "Limits::max_segments"
+    with pytest.raises(mk.LimitError) as caught:
+        mk.minkowski_sum(big, big, timeout=0.2)
+    assert caught.value.limit == "timeout"
+    token = mk.CancelToken()
+    threading.Timer(0.2, token.cancel).start()
+    with pytest.raises(mk.CancelledError):
+        mk.minkowski_sum(big, big, cancel=token)
+    stages = []
+    with pytest.raises(mk.CancelledError):
+        mk.minkowski_sum(big, big, progress=lambda stage: stages.append(stage) or len(stages) < 3)
+    assert stages[0] == "operands"
+    with pytest.raises(ZeroDivisionError):
+        mk.minkowski_sum(big, big, progress=lambda stage: 1 // 0)
+
+
+def test_ctrl_c_ends_a_call_and_loses_nothing():
+    program = textwrap.dedent("""
+        import sys
+        sys.path.insert(0, %r)
+        import minksum as mk
+        from test_calls import long_operand
+        big = long_operand()
+        print("ready", flush=True)
+        try:
+            mk.minkowski_sum(big, big)
+        except KeyboardInterrupt:
+            print("interrupted", mk.minkowski_sum(mk.box(0, 0, 1, 1), mk.box(0, 0, 1, 1)), flush=True)
+    """) % os.path.dirname(__file__)
+    child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
+    assert child.stdout.readline() == "ready\n"
+    time.sleep(0.5)
+    child.send_signal(signal.SIGINT)
+    out, _ = child.communicate(timeout=60)
+    assert out == "interrupted POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n"
+
+
+def test_threads_share_operands():
+    a = mk.offset(shapely.Point(0, 0).buffer(5, quad_segs=100), 1)
+    expected = mk.minkowski_sum(a, a, threads=1)
+    results = []
+    threads = [threading.Thread(target=lambda: results.append(mk.minkowski_sum(a, a, threads=1)))
+               for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert results == [expected] * 8
+    many = mk.GeometryArray([a] * 40)
+    assert mk.minkowski_sum(many, a, threads=4) == mk.GeometryArray([expected] * 40)
+
+
+def resident():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="needs Linux's /proc")
+def test_memory_does_not_grow():
+    triangle = mk.from_wkt("POLYGON ((0 0, 1/3 0, 0 1, 0 0))")
+
+    def calls(count):
+        for _ in range(count):
+            mk.minkowski_sum(SQUARE, triangle).exact_coords()
+            try:
+                mk.from_wkt("POLYGON ((0 0")
+            except mk.BadInputError:
+                pass
+
+    calls(20000)
+    gc.collect()
+    before = resident()
+    calls(100000)
+    gc.collect()
+    assert resident() - before < 4 << 20

@@ -1,0 +1,44 @@
+"""Docstrings and the page's examples are run."""
+
+import doctest
+import inspect
+import pathlib
+
+import minksum
+from minksum import _core, _spaces, _transforms
+
+ROOT = pathlib.Path(__file__).parents[2]
+
+
+def test_docstrings():
+    count = 0
+    runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+    for name in minksum.__all__:
+        item = getattr(minksum, name)
+        doc = item.__doc__
+        if not doc or ">>>" not in doc:
+            continue
+        test = doctest.DocTestParser().get_doctest(doc, {}, name, None, 0)
+        runner.run(test)
+        count += len(test.examples)
+    assert count >= 10 and runner.failures == 0
+
+
+def test_everything_has_a_docstring():
+    for module in (minksum, _core, _spaces, _transforms):
+        for name in getattr(module, "__all__", dir(module)):
+            item = getattr(module, name)
+            if not name.startswith("_") and inspect.isroutine(item) or inspect.isclass(item):
+                assert item.__doc__, name
+
+
+def test_the_page():
+    page = (ROOT / "docs" / "python.md").read_text()
+    space: dict = {}
+    for block in page.split("```python\n")[1:]:
+        source = block.split("```")[0]
+        result = doctest.DocTestRunner().run(
+            doctest.DocTestParser().get_doctest(source, space, "python.md", None, 0),
+            clear_globs=False)
+        assert result.failed == 0
+        assert result.attempted > 0
