@@ -12,7 +12,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test test-core test-sql npm-pack test-js web test-web install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test test-core test-python test-sql npm-pack test-js web test-web install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -30,7 +30,7 @@ build: deps ## build library and program: build/minksum
 demo: build ## compute two sums from examples/ and draw them into demo-output/
 	@examples/demo.sh $(BUILD)/minksum demo-output
 
-test: test-core test-sql ## build everything and run every test, one part after another
+test: test-core test-python test-sql ## build everything and run every test, one part after another
 
 test-core: deps ## build library, program and C interface, and run their tests
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF -DMINKSUM_BUILD_SQL=OFF $(CMAKE_ARGS)
@@ -66,6 +66,10 @@ install-sql: deps ## install the extensions into the PostgreSQL of pg_config
 	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_SQL=ON $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_sql
 	$(CMAKE) --install $(BUILD) --component sql
+
+test-python: build ## build the Python package, and run its tests in an environment below BUILD
+	@scripts/install_packages.sh packages-python.txt
+	@scripts/test_python.sh $(BUILD)
 
 install: deps ## install program, libraries, man pages and completions below PREFIX=/usr/local
 	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=OFF -DMINKSUM_BUILD_BENCH=OFF $(CMAKE_ARGS)

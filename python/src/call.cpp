@@ -97,10 +97,10 @@ struct Call::Watch {
     if (!seconds && !calling) return false;
     const Clock::time_point now = Clock::now();
     if (seconds && now > deadline) {
-      throw Error(ErrorCode::kLimitExceeded,
-                  "the time that was allowed (timeout=" + std::to_string(*seconds) +
-                      " seconds) has passed",
-                  {}, {}, ExceededLimit{"timeout", 0});
+      throw Error(
+          ErrorCode::kLimitExceeded,
+          "the time that was allowed (timeout=" + std::to_string(*seconds) + " seconds) has passed",
+          {}, {}, ExceededLimit{"timeout", 0});
     }
     if (calling && now >= next_look) {
       next_look = now + kBetweenLooks;
@@ -134,9 +134,8 @@ Call::Call(MINKSUM_SETTINGS) : watch_(std::make_shared<Watch>()), threads_(threa
   if (timeout) {
     if (!(*timeout > 0)) throw nb::value_error("timeout must be a positive number of seconds");
     const double most = 1e9;  // some thirty years, which a duration of the clock can hold
-    watch_->deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                           std::chrono::duration<double>(std::min(*timeout, most)));
+    watch_->deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                          std::chrono::duration<double>(std::min(*timeout, most)));
   }
   options_.fill = rule_of(fill);
   options_.regularize = regularize;

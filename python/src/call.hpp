@@ -16,9 +16,9 @@
 namespace minksum::python {
 
 /// Parameters and arguments of every operation, in one order.
-#define MINKSUM_SETTINGS                                                                          \
-  const std::string &fill, bool regularize, std::optional<int> threads,                           \
-      std::optional<std::uint64_t> max_segments, std::optional<std::uint64_t> max_crossings,      \
+#define MINKSUM_SETTINGS                                                                     \
+  const std::string &fill, bool regularize, std::optional<int> threads,                      \
+      std::optional<std::uint64_t> max_segments, std::optional<std::uint64_t> max_crossings, \
       std::optional<double> timeout, nanobind::object progress, std::optional<CancelToken> cancel
 #define MINKSUM_SETTING_ARGS                                                                      \
   nanobind::arg("fill") = "automatic", nanobind::arg("regularize") = false,                       \

@@ -103,8 +103,7 @@ nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& 
     const ShapePtr& y = second.array.items.front();
     if (!x || !y) return nb::none();
     ShapePtr result;
-    call.run(is_small(x->geometry, y->geometry),
-             [&] { result = compute(*x, *y, call.options()); });
+    call.run(is_small(x->geometry, y->geometry), [&] { result = compute(*x, *y, call.options()); });
     return to_object(result);
   }
   const Pairs pairs(first, second);

@@ -10,8 +10,7 @@
 namespace minksum::python {
 
 using UnaryOperation = std::function<Geometry(const Geometry&, const Options&)>;
-using BinaryOperation =
-    std::function<Geometry(const Geometry&, const Geometry&, const Options&)>;
+using BinaryOperation = std::function<Geometry(const Geometry&, const Geometry&, const Options&)>;
 
 /// Says which elements of two operands meet, as NumPy broadcasts arrays.
 class Pairs {

@@ -12,10 +12,14 @@ namespace {
 
 const char* class_of(ErrorCode code) {
   switch (code) {
-    case ErrorCode::kBadInput: return "BadInputError";
-    case ErrorCode::kLimitExceeded: return "LimitError";
-    case ErrorCode::kCancelled: return "CancelledError";
-    case ErrorCode::kInternal: break;
+    case ErrorCode::kBadInput:
+      return "BadInputError";
+    case ErrorCode::kLimitExceeded:
+      return "LimitError";
+    case ErrorCode::kCancelled:
+      return "CancelledError";
+    case ErrorCode::kInternal:
+      break;
   }
   return "InternalError";
 }

@@ -37,8 +37,7 @@ Geometry writable(const Geometry& geometry, const std::string& side) {
 
 std::string geometry_type(const Geometry& geometry) {
   const std::size_t polygons = geometry.region.polygon_count();
-  const int kinds = static_cast<int>(polygons > 0) +
-                    static_cast<int>(!geometry.polylines.empty()) +
+  const int kinds = static_cast<int>(polygons > 0) + static_cast<int>(!geometry.polylines.empty()) +
                     static_cast<int>(!geometry.points.empty());
   if (kinds > 1) return "GeometryCollection";
   if (!geometry.polylines.empty()) {
@@ -67,9 +66,8 @@ void for_each_vertex(const Geometry& geometry, const Visit& visit) {
 
 nb::object coordinates(const Geometry& geometry) {
   auto* numbers = new std::vector<double>();
-  const nb::capsule owner(numbers, [](void* p) noexcept {
-    delete static_cast<std::vector<double>*>(p);
-  });
+  const nb::capsule owner(numbers,
+                          [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
   numbers->reserve(2 * vertex_count(geometry));
   for_each_vertex(geometry, [numbers](double x, double y) {
     numbers->push_back(x);
@@ -175,8 +173,8 @@ std::string wkt_of(const Geometry& geometry, std::optional<int> decimals,
 nb::object element(const ShapeArray& array, nb::handle key) {
   // NumPy knows how indices and slices work: it is asked which elements are meant.
   const nb::object numpy = nb::module_::import_("numpy");
-  const nb::object places = numpy.attr("arange")(array.items.size())
-                                .attr("reshape")(nb::tuple(nb::cast(array.shape)));
+  const nb::object places =
+      numpy.attr("arange")(array.items.size()).attr("reshape")(nb::tuple(nb::cast(array.shape)));
   const nb::object chosen = places[key];
   if (nb::len(nb::object(chosen.attr("shape"))) == 0) {
     return to_object(array.items[nb::cast<std::size_t>(chosen.attr("item")())]);
@@ -337,15 +335,16 @@ void bind_geometry(nb::module_& m) {
           "For the edge that starts at each vertex of a sum: the operand that has the edge, the "
           "index of the edge's first vertex, and that of the other operand's vertex. None if it "
           "is not known.")
-      .def("__eq__",
-           [](const Shape& a, nb::handle other) -> nb::object {
-             ShapePtr b;
-             if (!nb::try_cast(other, b, false)) {
-               return nb::borrow(Py_NotImplemented);
-             }
-             return nb::bool_(a.geometry == b->geometry);
-           },
-           nb::sig("def __eq__(self, other: object) -> bool"))
+      .def(
+          "__eq__",
+          [](const Shape& a, nb::handle other) -> nb::object {
+            ShapePtr b;
+            if (!nb::try_cast(other, b, false)) {
+              return nb::borrow(Py_NotImplemented);
+            }
+            return nb::bool_(a.geometry == b->geometry);
+          },
+          nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__", [](const Shape& s) { return hash_of(s.geometry); })
       .def("__bool__", [](const Shape& s) { return !s.geometry.empty(); });
   bind_conversions(type);
@@ -388,22 +387,22 @@ void bind_geometry(nb::module_& m) {
             return std::make_shared<ShapeArray>(ShapeArray{a.items, shape});
           },
           "shape"_a, "Return the same elements in another shape.")
+      .def("to_wkb", wkb_array, nb::kw_only(), "round"_a = "nearest", "include_srid"_a = false,
+           "Return an array of objects with the WKB of each rounded element.")
       .def(
-          "to_wkb", wkb_array, nb::kw_only(), "round"_a = "nearest", "include_srid"_a = false,
-          "Return an array of objects with the WKB of each rounded element.")
-      .def("__eq__",
-           [](const ShapeArray& a, nb::handle other) -> nb::object {
-             ShapeArrayPtr b;
-             if (!nb::try_cast(other, b, false)) return nb::borrow(Py_NotImplemented);
-             if (a.shape != b->shape) return nb::bool_(false);
-             for (std::size_t i = 0; i < a.items.size(); ++i) {
-               const ShapePtr& x = a.items[i];
-               const ShapePtr& y = b->items[i];
-               if (!x || !y ? x != y : x->geometry != y->geometry) return nb::bool_(false);
-             }
-             return nb::bool_(true);
-           },
-           nb::sig("def __eq__(self, other: object) -> bool"))
+          "__eq__",
+          [](const ShapeArray& a, nb::handle other) -> nb::object {
+            ShapeArrayPtr b;
+            if (!nb::try_cast(other, b, false)) return nb::borrow(Py_NotImplemented);
+            if (a.shape != b->shape) return nb::bool_(false);
+            for (std::size_t i = 0; i < a.items.size(); ++i) {
+              const ShapePtr& x = a.items[i];
+              const ShapePtr& y = b->items[i];
+              if (!x || !y ? x != y : x->geometry != y->geometry) return nb::bool_(false);
+            }
+            return nb::bool_(true);
+          },
+          nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__repr__",
            [](const ShapeArray& a) {
              std::string text = "<minksum.GeometryArray of shape (";
@@ -412,13 +411,14 @@ void bind_geometry(nb::module_& m) {
              }
              return text + (a.shape.size() == 1 ? ",)>" : ")>");
            })
-      .def("__reduce__", [](nb::handle self) {
-        const auto& array = nb::cast<const ShapeArray&>(self);
-        nb::list items;
-        for (const ShapePtr& item : array.items) items.append(to_object(item));
-        return nb::make_tuple(nb::module_::import_("minksum._state").attr("array"),
-                              nb::make_tuple(items, nb::tuple(nb::cast(array.shape))));
-      })
+      .def("__reduce__",
+           [](nb::handle self) {
+             const auto& array = nb::cast<const ShapeArray&>(self);
+             nb::list items;
+             for (const ShapePtr& item : array.items) items.append(to_object(item));
+             return nb::make_tuple(nb::module_::import_("minksum._state").attr("array"),
+                                   nb::make_tuple(items, nb::tuple(nb::cast(array.shape))));
+           })
       .def_static(
           "_make",
           [](const std::vector<ShapePtr>& items, const std::vector<std::size_t>& shape) {

@@ -122,17 +122,16 @@ nb::object locate_all(nb::handle a, nb::handle points, MINKSUM_SETTINGS) {
   std::vector<Point> asked;
   for (nb::handle point : points) asked.push_back(require_point(point, "each of the points"));
   auto* places = new std::vector<std::int8_t>(asked.size());
-  const nb::capsule owner(places, [](void* p) noexcept {
-    delete static_cast<std::vector<std::int8_t>*>(p);
-  });
+  const nb::capsule owner(
+      places, [](void* p) noexcept { delete static_cast<std::vector<std::int8_t>*>(p); });
   call.run(false, [&] {
     const PointLocator locator(resolve(shape->geometry, call.options()), call.options());
     for (std::size_t i = 0; i < asked.size(); ++i) {
       (*places)[i] = static_cast<std::int8_t>(static_cast<int>(locator.locate(asked[i])) - 1);
     }
   });
-  return nb::cast(nb::ndarray<nb::numpy, std::int8_t, nb::ndim<1>>(places->data(),
-                                                                   {places->size()}, owner));
+  return nb::cast(
+      nb::ndarray<nb::numpy, std::int8_t, nb::ndim<1>>(places->data(), {places->size()}, owner));
 }
 
 nb::dict check_of(const SumCheck& check) {
@@ -257,9 +256,8 @@ void bind_measures(nb::module_& m) {
   m.def(
       "is_valid",
       [](nb::handle a) {
-        return ask_each(a, [](const Geometry& g) {
-          return nb::bool_(validate(g.region, 1).empty());
-        });
+        return ask_each(a,
+                        [](const Geometry& g) { return nb::bool_(validate(g.region, 1).empty()); });
       },
       "a"_a.none(), "Return whether all polygons are valid operands.");
   m.def(

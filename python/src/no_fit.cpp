@@ -85,9 +85,8 @@ ShapeArrayPtr entries(const Table& table, std::size_t first, std::optional<std::
     for (std::size_t r = 0; r < turns; ++r) {
       for (std::size_t moving = 0; moving < table.parts; ++moving) {
         for (std::size_t s = 0; s < turns; ++s) {
-          array->items[i++] = std::make_shared<Shape>(
-              Shape{table.table.at({fixed, static_cast<int>(r)}, {moving, static_cast<int>(s)}),
-                    0});
+          array->items[i++] = std::make_shared<Shape>(Shape{
+              table.table.at({fixed, static_cast<int>(r)}, {moving, static_cast<int>(s)}), 0});
         }
       }
     }
@@ -148,8 +147,9 @@ void bind_no_fit(nb::module_& m) {
            "parts"_a, nb::kw_only(), "turns"_a = 4, MINKSUM_SETTING_ARGS)
       .def("__getitem__", &Table::at, "key"_a)
       .def("__len__", [](const Table& t) { return t.parts; })
-      .def_prop_ro("turns", [](const Table& t) { return t.table.turns(); },
-                   "The number of directions in which parts are laid.")
+      .def_prop_ro(
+          "turns", [](const Table& t) { return t.table.turns(); },
+          "The number of directions in which parts are laid.")
       .def("entries", entries, "first"_a = 0, "end"_a = nb::none(),
            "Return the entries of the rows from `first` up to, but without, `end`, as an array of "
            "shape (rows, turns, parts, turns).");

@@ -86,14 +86,14 @@ std::optional<Rational> number_of(nb::handle value) {
 Rational require_number(nb::handle value, const char* what) {
   std::optional<Rational> number = number_of(value);
   if (number) return *std::move(number);
-  const std::string message = std::string(what) + " must be a number: int, float, Fraction, "
+  const std::string message = std::string(what) +
+                              " must be a number: int, float, Fraction, "
                               "Decimal, or a text such as '1/3'";
   throw nb::type_error(message.c_str());
 }
 
 Point require_point(nb::handle value, const char* what) {
-  if (!PyUnicode_Check(value.ptr()) && PySequence_Check(value.ptr()) != 0 &&
-      nb::len(value) == 2) {
+  if (!PyUnicode_Check(value.ptr()) && PySequence_Check(value.ptr()) != 0 && nb::len(value) == 2) {
     return {require_number(value[0], what), require_number(value[1], what)};
   }
   const std::string message = std::string(what) + " must be a pair of numbers (x, y)";

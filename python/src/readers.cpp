@@ -87,8 +87,8 @@ nb::object numpy_array(std::vector<Number> values, std::size_t columns) {
   const nb::capsule owner(kept,
                           [](void* p) noexcept { delete static_cast<std::vector<Number>*>(p); });
   if (columns == 1) {
-    return nb::cast(nb::ndarray<nb::numpy, Number, nb::ndim<1>>(kept->data(), {kept->size()},
-                                                                owner));
+    return nb::cast(
+        nb::ndarray<nb::numpy, Number, nb::ndim<1>>(kept->data(), {kept->size()}, owner));
   }
   return nb::cast(nb::ndarray<nb::numpy, Number, nb::ndim<2>>(
       kept->data(), {kept->size() / columns, columns}, owner));
@@ -145,8 +145,8 @@ ShapePtr read_drawing(const std::string& text, nb::handle tolerance, const std::
   options.drawing.layer = layer;
   options.drawing.join_ends = require_number(join_ends, "join_ends");
   if (io::detect_format(text) != format) {
-    throw Error(ErrorCode::kBadInput, format == io::Format::kSvg ? "the text is not SVG"
-                                                                 : "the text is not DXF");
+    throw Error(ErrorCode::kBadInput,
+                format == io::Format::kSvg ? "the text is not SVG" : "the text is not DXF");
   }
   return std::make_shared<Shape>(Shape{io::read_geometry(text, options), 0});
 }
@@ -227,8 +227,8 @@ void bind_readers(nb::module_& m) {
       "disc",
       [](nb::handle radius, nb::handle tolerance, const std::string& side) {
         const Rational r = require_number(radius, "radius");
-        const Rational t = tolerance.is_none() ? r / Rational(1000)
-                                               : require_number(tolerance, "tolerance");
+        const Rational t =
+            tolerance.is_none() ? r / Rational(1000) : require_number(tolerance, "tolerance");
         return std::make_shared<Shape>(Shape{disc(r, t, side_of(side)), 0});
       },
       "radius"_a, "tolerance"_a = nb::none(), "side"_a = "nearest",

@@ -22,8 +22,8 @@ const char* signature(const std::string& name, const std::string& operands,
                       const std::string& result = "Geometry | GeometryArray | None") {
   static std::deque<std::string> kept;
   return kept
-      .emplace_back("def " + name + "(" + operands + ", *, " + own + kSettingsSignature +
-                    ") -> " + result)
+      .emplace_back("def " + name + "(" + operands + ", *, " + own + kSettingsSignature + ") -> " +
+                    result)
       .c_str();
 }
 
@@ -94,14 +94,17 @@ OffsetOptions offset_shape(nb::handle distance, nb::handle tolerance, const std:
                            nb::handle miter_limit) {
   OffsetOptions shape;
   shape.side = side_of(side);
-  shape.join = choice<Join>(join, "join", {{"round", Join::kRound},
-                                           {"miter", Join::kMiter},
-                                           {"mitre", Join::kMiter},
-                                           {"square", Join::kSquare},
-                                           {"bevel", Join::kBevel}});
-  shape.cap = choice<Cap>(
-      cap, "cap",
-      {{"round", Cap::kRound}, {"butt", Cap::kButt}, {"flat", Cap::kButt}, {"square", Cap::kSquare}});
+  shape.join = choice<Join>(join, "join",
+                            {{"round", Join::kRound},
+                             {"miter", Join::kMiter},
+                             {"mitre", Join::kMiter},
+                             {"square", Join::kSquare},
+                             {"bevel", Join::kBevel}});
+  shape.cap = choice<Cap>(cap, "cap",
+                          {{"round", Cap::kRound},
+                           {"butt", Cap::kButt},
+                           {"flat", Cap::kButt},
+                           {"square", Cap::kSquare}});
   shape.miter_limit = require_number(miter_limit, "miter_limit");
   if (!tolerance.is_none()) shape.tolerance = require_number(tolerance, "tolerance");
   (void)distance;
@@ -116,8 +119,7 @@ void bind_offset(nb::module_& m) {
          MINKSUM_SETTINGS) {
         Call call(MINKSUM_SETTING_VALUES);
         const Rational by = require_number(distance, "distance");
-        const OffsetOptions shape =
-            offset_shape(distance, tolerance, side, join, cap, miter_limit);
+        const OffsetOptions shape = offset_shape(distance, tolerance, side, join, cap, miter_limit);
         return apply(call, a, [&](const Geometry& g, const Options& options) {
           return offset(g, by, shape, options);
         });
@@ -156,8 +158,7 @@ void bind_unary(nb::module_& m) {
         nb::sig(signature(name, "a: GeometryLike")), doc);
   };
   def(
-      "resolve",
-      [](const Geometry& a, const Options& options) { return resolve(a, options); },
+      "resolve", [](const Geometry& a, const Options& options) { return resolve(a, options); },
       "Return the set of points that a geometry means by the fill rule, in canonical form.");
   def(
       "reflect",

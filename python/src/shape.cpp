@@ -28,7 +28,8 @@ bool is_of(nb::handle object, const char* package) {
   return name.starts_with(prefix) && (name.size() == prefix.size() || name[prefix.size()] == '.');
 }
 
-/// Returns an attribute, or no object if there is none. Whatever else the attribute raises, it raises.
+/// Returns an attribute, or no object if there is none. Whatever else the attribute raises, it
+/// raises.
 nb::object attribute(nb::handle object, const char* name) {
   nb::object value = nb::steal(PyObject_GetAttrString(object.ptr(), name));
   if (value.is_valid()) return value;
@@ -38,9 +39,9 @@ nb::object attribute(nb::handle object, const char* name) {
 }
 
 bool is_number(nb::handle object) {
-  return !is_text(object) && (PyFloat_Check(object.ptr()) || PyLong_Check(object.ptr()) ||
-                              nb::hasattr(object, "numerator") ||
-                              nb::hasattr(object, "as_integer_ratio"));
+  return !is_text(object) &&
+         (PyFloat_Check(object.ptr()) || PyLong_Check(object.ptr()) ||
+          nb::hasattr(object, "numerator") || nb::hasattr(object, "as_integer_ratio"));
 }
 
 bool is_sequence(nb::handle object) {

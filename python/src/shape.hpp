@@ -35,8 +35,8 @@ struct Operands {
 /// Says what becomes of coordinates beyond x and y.
 [[nodiscard]] bool drops_z(const std::string& z);
 
-/// Returns the geometry or the geometries that a Python object stands for. docs/python.md lists what
-/// objects these are. Throws TypeError for any other object, and Error as the readers do.
+/// Returns the geometry or the geometries that a Python object stands for. docs/python.md lists
+/// what objects these are. Throws TypeError for any other object, and Error as the readers do.
 [[nodiscard]] Operands operands_of(nanobind::handle object, bool drop_z = false);
 /// Returns the same for a single geometry. Throws TypeError for an array.
 [[nodiscard]] ShapePtr operand_of(nanobind::handle object, bool drop_z = false);

@@ -71,8 +71,8 @@ void bind_space(nb::module_& m) {
       "The configurations of a robot among obstacles, one slice for each angle.")
       .def(
           "__init__",
-          [](ConfigurationSpace* self, nb::handle robot, nb::handle obstacles,
-             nb::handle reference, nb::handle workspace, bool tight) {
+          [](ConfigurationSpace* self, nb::handle robot, nb::handle obstacles, nb::handle reference,
+             nb::handle workspace, bool tight) {
             ConfigurationOptions setting;
             set_up(setting, reference, workspace);
             Options options;

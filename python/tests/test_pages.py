@@ -34,11 +34,8 @@ def test_everything_has_a_docstring():
 
 def test_the_page():
     page = (ROOT / "docs" / "python.md").read_text()
-    space: dict = {}
-    for block in page.split("```python\n")[1:]:
-        source = block.split("```")[0]
-        result = doctest.DocTestRunner().run(
-            doctest.DocTestParser().get_doctest(source, space, "python.md", None, 0),
-            clear_globs=False)
-        assert result.failed == 0
-        assert result.attempted > 0
+    blocks = [block.split("```")[0] for block in page.split("```python\n")[1:]]
+    example = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "python.md", None, 0)
+    runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
+    runner.run(example)
+    assert runner.failures == 0 and len(example.examples) > 20

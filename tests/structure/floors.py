@@ -40,6 +40,7 @@ ROOMS = [
     ("c", 8, "The C interface. Sees the public headers alone."),
     ("cli", 8, "The program. Sees the public headers alone."),
     ("sql", 8, "The extensions of PostgreSQL. Sees the public headers alone."),
+    ("python", 8, "The Python package. Sees the public headers alone."),
 ]
 FLOOR = {room: floor for room, floor, _ in ROOMS}
 
@@ -69,7 +70,7 @@ ADAPTORS = "include/minksum/adaptors/"
 ADAPTED = {"boost_geometry.hpp": "boost/", "cgal.hpp": "CGAL/", "geos.hpp": "geos_c.h"}
 SHARED = ADAPTORS + "shared.hpp"  # all adaptors share it; it includes no other library
 # Code outside of src that includes only public headers, so that it shares no mistake with src.
-OUTSIDE = ["c", "cli", "sql", "bench", "examples", "tests/adaptors", "tests/reference",
+OUTSIDE = ["c", "cli", "python", "sql", "bench", "examples", "tests/adaptors", "tests/reference",
            "tests/support", "tests/property", "tests/real", "tests/oracle"]
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.M)

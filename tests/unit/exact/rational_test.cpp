@@ -172,6 +172,20 @@ TEST(Rational, FromLimbsTakesLeadingZerosAndCommonFactors) {
   EXPECT_THROW(Rational::from_limbs(false, numerator.data(), 3, denominator.data(), 1), Error);
 }
 
+TEST(Rational, LimbsAreWhatFromLimbsTakes) {
+  const auto back = [](const Rational& value) {
+    const Rational::Limbs limbs = value.limbs();
+    return Rational::from_limbs(limbs.negative, limbs.numerator.data(), limbs.numerator.size(),
+                                limbs.denominator.data(), limbs.denominator.size());
+  };
+  for (const char* text : {"0", "1", "-1", "-7/3", "18446744073709551616", "-1e40", "1e-40"}) {
+    EXPECT_EQ(back(parsed(text)), parsed(text)) << text;
+  }
+  EXPECT_EQ(back(Rational(1) / parsed("-1e50")), Rational(1) / parsed("-1e50"));
+  EXPECT_TRUE(Rational(0).limbs().numerator.empty());
+  EXPECT_EQ(Rational(-3, 2).limbs().denominator, std::vector<std::uint64_t>{2});
+}
+
 TEST(Rational, TellsItsSize) {
   EXPECT_EQ(Rational(0).bits(), 1U);
   EXPECT_EQ(Rational(-8).bits(), 4U);
