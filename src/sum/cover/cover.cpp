@@ -20,6 +20,13 @@ constexpr double kSegment = 250;
 constexpr double kCrossing = 1200;
 constexpr double kRowOfSegment = 26;
 constexpr double kSegmentInCell = 60;
+// Where sums are not exact in doubles, filters decide most questions about segments, but crossings
+// take twice as long. Rationals take far longer, even for what no cover saves.
+constexpr double kInexactCrossing = 2;
+constexpr double kRational = 4;
+/// Looking takes 400 instructions for each segment of the sample: it is placed, walked along its
+/// rows, and tried at some points.
+constexpr double kLookAtSegment = 170;
 // Rasters: 184 instructions for an edge, 162 for each row of cells that it passes, 19 for each
 // column, and 96 for a word of a bitmap. Covers add half as much to the last one. A cell has a
 // number in the arrangement, and a count if many rows are passed, 1.2 ns together. A row of a
@@ -100,7 +107,10 @@ class GridBuyer {
     if (is_sparse()) return;
     measure_edges();
     left_ = {1, sample_.expected_crossings(operands_), 0, 0};
-    if (price_of_rasters(grid_of(operands_, side)) > kMostOfWhatIsLeft * price_of(left_)) return;
+    const double look = kLookAtSegment * static_cast<double>(sample_.segments.size());
+    if (look + price_of_rasters(grid_of(operands_, side)) > kMostOfWhatIsLeft * price_of(left_)) {
+      return;
+    }
     left_ = see();
     Visibility best = left_;
     UniformGrid best_grid = grid_of(operands_, 1);
@@ -111,7 +121,7 @@ class GridBuyer {
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
       const double affordable = kMostOfWhatIsLeft * price_of(best);
       const UniformGrid grid = grid_of(operands_, side);
-      spent += price_of_rasters(grid);
+      spent += look + price_of_rasters(grid);
       if (spent + least_price > affordable) break;
       const auto words = static_cast<double>(rasterise(operands_, grid, cancellation_, scratch_));
       spent += words;
@@ -157,11 +167,11 @@ class GridBuyer {
   [[nodiscard]] Visibility see() {
     return look(operands_, sample_, cover_, cancellation_, scratch_);
   }
-  /// Segments and crossings take some four times as long where sums are not exact in doubles.
   [[nodiscard]] double price_of(const Visibility& left) const {
-    const double inexact = operands_.bounds.difference == 0 ? 1 : 4;
-    return inexact * (kSegment * left.share * segments_ + kCrossing * left.crossings) +
-           kSegmentInCell * left.cells +
+    const double rational = operands_.kernel->rung() == Arithmetic::kArbitrary ? kRational : 1;
+    const double inexact = operands_.bounds.difference == 0 ? 1 : kInexactCrossing;
+    return rational * kSegment * left.share * segments_ +
+           std::max(rational, inexact) * kCrossing * left.crossings + kSegmentInCell * left.cells +
            std::min(kRowOfSegment * left.rows,
                     kRowOfSegment / 2 * static_cast<double>(cover_.grid.size()));
   }
