@@ -70,22 +70,32 @@ bool may_be_small(const SumRequest& r) {
          r.tight_places == nullptr && allow_small(r.limits);
 }
 
-/// Returns null if the operand is not small.
-const SmallOperand* small_of(const CallerOperand& given, SmallOperand& memory) {
-  if (given.small != nullptr) return given.small;
-  if (given.operand != nullptr) return nullptr;  // its preparation has already looked for that
-  return read_small(given.region, SmallHoles::kNone, memory) ? &memory : nullptr;
-}
-
 bool run_small(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
                SmallScratch& scratch, Region& result) {
   if (!may_be_small(options)) return false;
+  const std::array<const CallerOperand*, 2> given{&p, &q};
+  // A prepared operand that is not small has been looked at before.
+  const auto fits = [](const CallerOperand* o) {
+    return o->small != nullptr ||
+           (o->operand == nullptr && has_small_size(o->region, SmallHoles::kNone));
+  };
+  if (!std::ranges::all_of(given, fits)) return false;
   Cancellation(options).look();
   std::array<SmallOperand, 2> memory;
-  const SmallOperand* const small_p = small_of(p, memory[0]);
-  if (small_p == nullptr) return false;
-  const SmallOperand* const small_q = small_of(q, memory[1]);
-  if (small_q == nullptr || !sum_small(*small_p, *small_q, scratch, result)) return false;
+  std::array<const SmallOperand*, 2> small{p.small, q.small};
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    if (small[i] != nullptr) continue;
+    if (!load_small(given[i]->region, SmallHoles::kNone, memory[i])) return false;
+    small[i] = &memory[i];
+  }
+  if (!bring_to_one_grid(small, memory) ||
+      numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) {
+    return false;
+  }
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    if (given[i]->small == nullptr && !is_clearly_valid(given[i]->region, memory[i])) return false;
+  }
+  if (!sum_small(*small[0], *small[1], scratch, result)) return false;
   if (options.statistics != nullptr) {
     options.statistics->small = true;
     options.statistics->convolution_segments = scratch.segments();

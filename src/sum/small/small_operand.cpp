@@ -60,6 +60,7 @@ bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>*
   const auto integer = [&](const StoredCoordinate& c) -> std::int64_t {
     if (c.payload == 0) return 0;
     Int128 value = c.payload;
+    if (c.exp10 == s.exp10 && c.exp2 == s.exp2 && fits(value)) return c.payload;
     for (int k = s.exp10; k < c.exp10 && fits(value); ++k) value *= 10;
     for (int k = s.exp2; k < c.exp2 && fits(value); ++k) value *= 2;
     fit = fit && fits(value);
@@ -230,21 +231,33 @@ bool read_holes(const Region& region, SmallOperand& s) {
 
 }  // namespace
 
-bool read_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
-  if (region.polygon_count() != 1 || (may_have == SmallHoles::kNone && region.ring_count() > 1) ||
-      region.vertex_count() > SmallOperand::kMaxVertices || !RegionAccess::limbs(region).empty() ||
-      !find_grid(region, s) || !load(region, region.vertices_of(0), nullptr, s) ||
-      !drop_straight(s)) {
+bool has_small_size(const Region& region, SmallHoles may_have) {
+  return region.polygon_count() == 1 &&
+         (may_have == SmallHoles::kSome || region.ring_count() == 1) &&
+         region.vertex_count() <= SmallOperand::kMaxVertices && RegionAccess::limbs(region).empty();
+}
+
+bool load_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
+  if (!has_small_size(region, may_have) || !find_grid(region, s) ||
+      !load(region, region.vertices_of(0), nullptr, s) || !drop_straight(s)) {
     return false;
   }
   s.holes.clear();
   orient(s);
   set_edges(s);
   s.turning = s.convex ? 1 : mean_turning(s);
+  return true;
+}
+
+bool is_clearly_valid(const Region& region, SmallOperand& s) {
   const bool wide =
       small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) == SmallNumberType::kIntegers;
   return (wide ? is_simple_ring<std::int64_t>(s) : is_simple_ring<double>(s)) &&
          read_holes(region, s);
+}
+
+bool read_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
+  return load_small(region, may_have, s) && is_clearly_valid(region, s);
 }
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {

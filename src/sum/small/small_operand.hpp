@@ -102,6 +102,11 @@ enum class SmallHoles : std::uint8_t { kNone, kSome };
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant.
 bool read_small(const Region& region, SmallHoles may_have, SmallOperand& small);
+/// The two steps of that, for a caller who can tell in between that no small sum will follow.
+bool load_small(const Region& region, SmallHoles may_have, SmallOperand& small);
+bool is_clearly_valid(const Region& region, SmallOperand& small);
+/// Tells in constant time whether `load_small` is worth while.
+[[nodiscard]] bool has_small_size(const Region& region, SmallHoles may_have);
 
 /// Turns an operand counter-clockwise by `quarters` times 90 degrees about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);

@@ -105,6 +105,10 @@ bool are_filled(const std::vector<Vec<double>>& holes, const SmallOperand& other
   });
 }
 
+bool on_one_grid(const SmallOperand& p, const SmallOperand& q) {
+  return p.exp2 == q.exp2 && p.exp10 == q.exp10;
+}
+
 /// Returns the sum of the smallest points of both operands, which is the sum's smallest point.
 Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
   return {p[SmallOperand::kX][p.smallest] + q[SmallOperand::kX][q.smallest],
@@ -193,21 +197,39 @@ bool allow_small(const Limits& limits) {
   return limits.max_segments >= kMost && limits.max_crossings >= kMost * kMost;
 }
 
+bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
+                       std::array<SmallOperand, 2>& memory) {
+  const auto& [p, q] = operands;
+  if (on_one_grid(*p, *q)) return true;
+  const int exp2 = std::min(p->exp2, q->exp2);
+  const int exp10 = std::min(p->exp10, q->exp10);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    if (operands[i] != &memory[i]) memory[i] = *operands[i];
+    operands[i] = &memory[i];
+    if (!refine(exp2, exp10, memory[i])) return false;
+  }
+  return true;
+}
+
+SmallNumberType numbers_of_sum(const SmallOperand& p, const SmallOperand& q) {
+  // With more segments, looking at each pair of blocks takes longer than the stages.
+  constexpr double kMostSegments = 1400;
+  const bool many =
+      !(p.convex && q.convex) && p.size * q.turning + q.size * p.turning > kMostSegments;
+  if (many || !are_filled(p.holes, q) || !are_filled(q.holes, p)) return SmallNumberType::kNone;
+  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
+  return small_numbers(std::max(p.longest, q.longest), width);
+}
+
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,
                Region& result) {
-  if (p.exp2 != q.exp2 || p.exp10 != q.exp10) {
-    const int exp2 = std::min(p.exp2, q.exp2);
-    const int exp10 = std::min(p.exp10, q.exp10);
-    SmallOperand fine_p = p;
-    SmallOperand fine_q = q;
-    return refine(exp2, exp10, fine_p) && refine(exp2, exp10, fine_q) &&
-           sum_small(fine_p, fine_q, scratch, result);
+  if (!on_one_grid(p, q)) {
+    std::array<const SmallOperand*, 2> fine{&p, &q};
+    std::array<SmallOperand, 2> memory;
+    return bring_to_one_grid(fine, memory) && sum_small(*fine[0], *fine[1], scratch, result);
   }
-  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
-  const SmallNumberType numbers = small_numbers(std::max(p.longest, q.longest), width);
-  if (numbers == SmallNumberType::kNone || !are_filled(p.holes, q) || !are_filled(q.holes, p)) {
-    return false;
-  }
+  const SmallNumberType numbers = numbers_of_sum(p, q);
+  if (numbers == SmallNumberType::kNone) return false;
   const bool wide = numbers == SmallNumberType::kIntegers;
   if (p.convex && q.convex) {
     scratch.count(p.size + q.size);
@@ -218,9 +240,7 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
     }
     return true;
   }
-  // With more segments, looking at each pair of blocks takes longer than the stages.
-  constexpr double kMostSegments = 1400;
-  if (p.size * q.turning + q.size * p.turning > kMostSegments) return false;
+  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
   SmallScratch::State& state = scratch.state();
   const bool done = wide ? walk<std::int64_t>(p, q, width, state, result)
                          : walk<double>(p, q, width, state, result);

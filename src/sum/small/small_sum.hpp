@@ -1,6 +1,7 @@
 // Computes the sum of two operands of few vertices by one walk along its outer boundary.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "minksum/minkowski_sum.hpp"
@@ -37,6 +38,15 @@ class SmallScratch {
 /// docs/pipeline.md, "How is a small sum computed?". O(s²) for s segments, eight at a time. The
 /// edges of two convex operands are merged in order of direction instead.
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch, Region& result);
+
+/// Brings two operands to their common grid. Those that must change are copied to `memory`, if they
+/// are not there already. Returns false if that grid is too fine for one.
+bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
+                       std::array<SmallOperand, 2>& memory);
+
+/// Returns the number type for a sum of two operands on one grid, or kNone if `sum_small` would
+/// return false before it does any work. The operands need not be known to be valid.
+[[nodiscard]] SmallNumberType numbers_of_sum(const SmallOperand& p, const SmallOperand& q);
 
 /// Whether no sum of small operands could go beyond these limits.
 [[nodiscard]] bool allow_small(const Limits& limits);
