@@ -1,6 +1,7 @@
 // Implements the public sums on top of the pipeline.
 #include "minksum/minkowski_sum.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <type_traits>
@@ -79,7 +80,7 @@ bool run_small(const CallerOperand& p, const CallerOperand& q, const SumRequest&
     return o->small != nullptr ||
            (o->operand == nullptr && has_small_size(o->region, SmallHoles::kNone));
   };
-  if (!std::ranges::all_of(given, fits)) return false;
+  if (!std::all_of(given.begin(), given.end(), fits)) return false;
   Cancellation(options).look();
   std::array<SmallOperand, 2> memory;
   std::array<const SmallOperand*, 2> small{p.small, q.small};
