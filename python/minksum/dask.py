@@ -1,0 +1,193 @@
+"""Work on many processes or machines, by Dask.
+
+Distribution costs about a millisecond a task. A table of no-fit polygons of fifty parts is made
+sooner by the threads of one machine; thousands of parts, or national data, are what this is for.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import uuid
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from . import _core
+from ._core import Geometry, GeometryArray
+from .errors import BadInputError, Error
+
+_SCHEMA = pa.schema([
+    ("fixed", pa.int64()), ("fixed_turn", pa.int8()), ("moving", pa.int64()),
+    ("moving_turn", pa.int8()), ("geometry", pa.binary()), ("exact", pa.binary()),
+    ("error", pa.string()),
+])
+
+
+def map_geometries(
+    frame: Any, operation: str, *operands: Any, column: str = "geometry", **options: Any
+) -> Any:
+    """Return a Dask data frame whose geometries went through an operation of this package.
+
+    Parameters
+    ----------
+    frame : dask.dataframe.DataFrame
+        Its column holds WKB, best as `pandas.ArrowDtype(pyarrow.binary())`: Dask takes a column
+        of Python's bytes for text, unless its setting "dataframe.convert-string" is False. The
+        results are WKB of rounded sets, in the same type.
+    operation : str
+        A name such as "offset" or "minkowski_sum".
+    *operands, **options
+        What the operation takes after the geometry.
+    """
+    import minksum
+
+    if operation not in minksum.__all__:
+        raise BadInputError(f"there is no operation {operation!r}")
+    return frame.map_partitions(
+        _map_partition, operation, operands, column, {"threads": 1, **options}, meta=frame._meta
+    )
+
+
+def no_fit_table(
+    parts: Iterable[Any],
+    *,
+    out: str | os.PathLike[str],
+    turns: int = 4,
+    block: tuple[int, int] = (256, 256),
+    client: Any = None,
+    retries: int = 3,
+) -> list[Path]:
+    """Write the no-fit polygons of all pairs of parts into Parquet files, and return their paths.
+
+    A task makes one file, by rename, under a name made of the digest of everything on which it
+    depends. Files that are there are not made again: so a run that was killed goes on.
+
+    Parameters
+    ----------
+    parts : iterable of GeometryLike
+        A part's reference point is its first vertex, as in `NoFitTable`.
+    out : path-like
+        The folder of the files. Workers on other machines must see it under the same path.
+    turns : {1, 2, 4}
+        Directions in which parts are laid.
+    block : (int, int)
+        How many fixed and how many moving parts make one file.
+    client : distributed.Client, optional
+        Without it, this process makes all files.
+    retries : int
+        How often a task whose worker died is tried again.
+
+    Returns
+    -------
+    list of Path
+        Files with the columns fixed, fixed_turn, moving, moving_turn, geometry (WKB, rounded),
+        exact (for `Geometry.from_bytes`) and error (the message of a pair that failed).
+    """
+    if turns not in (1, 2, 4) or min(block) < 1:
+        raise BadInputError("turns must be 1, 2 or 4, and blocks must have at least one part")
+    placed = [_at_origin(part, index) for index, part in enumerate(parts)]
+    folder = Path(out)
+    folder.mkdir(parents=True, exist_ok=True)
+    digest = _digest(placed, turns)
+    jobs = []
+    for i in range(0, len(placed), block[0]):
+        for j in range(0, len(placed), block[1]):
+            rows = (i, min(i + block[0], len(placed)))
+            columns = (j, min(j + block[1], len(placed)))
+            name = f"{digest}-{rows[0]}-{rows[1]}-{columns[0]}-{columns[1]}.parquet"
+            jobs.append((folder / name, rows, columns))
+    left = [job for job in jobs if not job[0].exists()]
+    if client is None:
+        for job in left:
+            _make_block(placed, turns, *job)
+    elif left:
+        shared = client.scatter(placed, broadcast=True, hash=False)
+        tasks = [
+            client.submit(_make_block, shared, turns, *job, pure=False, retries=retries)
+            for job in left
+        ]
+        client.gather(tasks)
+    return [path for path, _, _ in jobs]
+
+
+def _map_partition(
+    frame: Any, operation: str, operands: Any, column: str, options: dict[str, Any]
+) -> Any:
+    import minksum
+
+    if not len(frame):
+        return frame
+    column_of = frame[column]
+    shapes = [None if lost else wkb for wkb, lost in zip(column_of, column_of.isna())]
+    results = getattr(minksum, operation)(shapes, *operands, **options)
+    wkb = [None if g is None else g.to_wkb() for g in (results[i] for i in range(len(results)))]
+    return frame.assign(**{column: type(column_of)(wkb, column_of.index, column_of.dtype)})
+
+
+def _at_origin(part: Any, index: int) -> Geometry:
+    geometry = Geometry(part)
+    polygons = geometry.exact_coords()["polygons"]
+    if not polygons:
+        error = BadInputError(f"part {index} has no area")
+        error.operand = index
+        raise error
+    x, y = polygons[0][0][0]
+    return _core.affine_transform(geometry, [1, 0, 0, 1, -x, -y])
+
+
+def _digest(parts: list[Geometry], turns: int) -> str:
+    digest = hashlib.blake2b(f"no-fit table 1, {turns} turns".encode(), digest_size=16)
+    for part in parts:
+        data = part.to_bytes()
+        digest.update(len(data).to_bytes(8, "little") + data)
+    return digest.hexdigest()
+
+
+def _turned(part: Geometry, turn: int, turns: int) -> Geometry:
+    c, s = [(1, 0), (0, 1), (-1, 0), (0, -1)][turn * 4 // turns]
+    return _core.affine_transform(part, [c, -s, s, c, 0, 0])
+
+
+def _make_block(
+    parts: list[Geometry], turns: int, path: Path, rows: tuple[int, int], columns: tuple[int, int]
+) -> str:
+    if path.exists():
+        return str(path)
+    laid = [(j, s, _turned(parts[j], s, turns)) for j in range(*columns) for s in range(turns)]
+    moving = GeometryArray([shape for _, _, shape in laid])
+    unfinished = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
+    try:
+        with pq.ParquetWriter(unfinished, _SCHEMA) as writer:
+            for i in range(*rows):
+                for r in range(turns):
+                    found = _around(_turned(parts[i], r, turns), moving)
+                    records = [
+                        (i, r, j, s, *result) for (j, s, _), result in zip(laid, found)
+                    ]
+                    columns_of = [pa.array(c, f.type) for c, f in zip(zip(*records), _SCHEMA)]
+                    writer.write_batch(pa.record_batch(columns_of, schema=_SCHEMA))
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+    return str(path)
+
+
+def _around(fixed: Geometry, moving: GeometryArray) -> list[tuple[Any, Any, Any]]:
+    """Return WKB, exact bytes and error of each pair. A pair that fails is not a block lost."""
+    try:
+        shapes = _core.no_fit_polygon(fixed, moving, reference=(0, 0), threads=1)
+        return [(g.to_wkb(), g.to_bytes(), None) for g in (shapes[i] for i in range(len(shapes)))]
+    except Error:
+        return [_pair(fixed, moving[i]) for i in range(len(moving))]
+
+
+def _pair(fixed: Geometry, moving: Any) -> tuple[Any, Any, Any]:
+    try:
+        shape = _core.no_fit_polygon(fixed, moving, reference=(0, 0), threads=1)
+        return shape.to_wkb(), shape.to_bytes(), None
+    except Error as error:
+        return None, None, str(error)
