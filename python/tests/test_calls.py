@@ -56,7 +56,8 @@ def test_what_is_refused(operand, kind, words):
 def test_truncated_wkb_at_every_byte():
     shapes = [shapely.box(0, 0, 1, 1), shapely.box(0, 0, 9, 9) - shapely.box(2, 2, 3, 3),
               shapely.MultiPoint([(0, 0), (1, 1)]),
-              shapely.GeometryCollection([shapely.box(0, 0, 1, 1), shapely.LineString([(0, 0), (1, 1)])])]
+              shapely.GeometryCollection([shapely.box(0, 0, 1, 1),
+                                          shapely.LineString([(0, 0), (1, 1)])])]
     count = 0
     for shape in shapes:
         wkb = shapely.to_wkb(shape)
@@ -139,7 +140,8 @@ def test_ctrl_c_ends_a_call_and_loses_nothing():
         try:
             mk.minkowski_sum(big, big)
         except KeyboardInterrupt:
-            print("interrupted", mk.minkowski_sum(mk.box(0, 0, 1, 1), mk.box(0, 0, 1, 1)), flush=True)
+            square = mk.box(0, 0, 1, 1)
+            print("interrupted", mk.minkowski_sum(square, square), flush=True)
     """) % os.path.dirname(__file__)
     child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
     assert child.stdout.readline() == "ready\n"

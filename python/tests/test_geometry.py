@@ -101,7 +101,8 @@ def test_ragged_arrays():
     back = shapely.from_ragged_array(
         shapely.GeometryType.MULTIPOLYGON, coords, (rings, polygons, geometries))
     assert all(shapely.equals(a, b) for a, b in zip(shapes, back))
-    assert mk.resolve(mk.from_ragged_array(coords, rings, polygons, geometries)) == mk.resolve(array)
+    again = mk.from_ragged_array(coords, rings, polygons, geometries)
+    assert mk.resolve(again) == mk.resolve(array)
     for bad in ([0, 5, 4, len(coords)], [1, 5, len(coords)], [0, len(coords) + 1], []):
         with pytest.raises(mk.BadInputError, match="ring_offsets"):
             mk.from_ragged_array(coords, np.array(bad, dtype=np.int64), polygons, geometries)

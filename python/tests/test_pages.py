@@ -4,6 +4,8 @@ import doctest
 import inspect
 import pathlib
 
+import pytest
+
 import minksum
 from minksum import _core, _spaces, _transforms
 
@@ -32,10 +34,11 @@ def test_everything_has_a_docstring():
                 assert item.__doc__, name
 
 
-def test_the_page():
-    page = (ROOT / "docs" / "python.md").read_text()
+@pytest.mark.parametrize("name, least", [("docs/python.md", 20), ("README.md", 4)])
+def test_pages(name, least):
+    page = (ROOT / name).read_text()
     blocks = [block.split("```")[0] for block in page.split("```python\n")[1:]]
-    example = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, "python.md", None, 0)
+    example = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, name, None, 0)
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS)
     runner.run(example)
-    assert runner.failures == 0 and len(example.examples) > 20
+    assert runner.failures == 0 and len(example.examples) >= least
