@@ -1,14 +1,15 @@
 """Docstrings and the page's examples are run."""
 
 import doctest
-import inspect
 import pathlib
 
 import pytest
 
 import minksum
-from minksum import _core, _spaces, _transforms
+from minksum import _core
 
+# Names of types, which have no docstring of their own at run time.
+ALIASES = ("GeometryLike", "Number")
 ROOT = pathlib.Path(__file__).parents[2]
 
 
@@ -27,10 +28,10 @@ def test_docstrings():
 
 
 def test_everything_has_a_docstring():
-    for module in (minksum, _core, _spaces, _transforms):
+    for module in (minksum, _core):
         for name in getattr(module, "__all__", dir(module)):
             item = getattr(module, name)
-            if not name.startswith("_") and inspect.isroutine(item) or inspect.isclass(item):
+            if callable(item) and not name.startswith("_") and name not in ALIASES:
                 assert item.__doc__, name
 
 
