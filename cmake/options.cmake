@@ -19,8 +19,11 @@ endfunction()
 # somebody's shared library. They export only what the public headers declare.
 function(minksum_library_options target)
   minksum_own_options(${target})
+  if(NOT EMSCRIPTEN)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   set_target_properties(${target} PROPERTIES
-    POSITION_INDEPENDENT_CODE $<NOT:$<BOOL:${EMSCRIPTEN}>> CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   if(BUILD_SHARED_LIBS)
     target_compile_definitions(${target} PRIVATE MINKSUM_BUILDING INTERFACE MINKSUM_SHARED)
