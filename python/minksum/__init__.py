@@ -51,12 +51,13 @@ from ._core import (
 )
 from ._operators import _add_operators
 from ._results import Depth, Reach, Slice
-from ._spaces import slices
+from ._spaces import _add_slices
 from ._transforms import rotate, scale, translate
 from ._types import GeometryLike, Number
 from .errors import BadInputError, CancelledError, Error, InternalError, LimitError
 
 _add_operators()
+_add_slices()
 
 __version__ = "0.1.0"
 __all__ = [
@@ -108,7 +109,6 @@ __all__ = [
     "rotate",
     "rounded",
     "scale",
-    "slices",
     "symmetric_difference",
     "time_of_impact",
     "to_ragged_array",

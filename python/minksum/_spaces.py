@@ -1,4 +1,4 @@
-"""Slices of configuration spaces, one after another."""
+"""The slices of configuration spaces, one after another: a method of `ConfigurationSpace`."""
 
 from __future__ import annotations
 
@@ -9,19 +9,17 @@ from ._results import Slice
 from ._types import Number
 
 
-def slices(
+def _slices(
     space: ConfigurationSpace,
     angles: Union[int, Sequence[Number]],
     *,
     free: bool = False,
     tolerance: float = 1e-3,
 ) -> Iterator[Slice]:
-    """Give the slices of a configuration space, one for each angle, in order.
+    """Give the slices, one for each angle, in order.
 
     Parameters
     ----------
-    space : ConfigurationSpace
-        The space.
     angles : int or sequence of Number
         The angles in degrees, or the number of equal steps around.
     free : bool
@@ -33,8 +31,12 @@ def slices(
     --------
     >>> import minksum
     >>> space = minksum.ConfigurationSpace(minksum.box(0, 0, 2, 1), minksum.box(5, 5, 6, 6))
-    >>> [int(minksum.area(s.obstacles)) for s in minksum.slices(space, 4)]
+    >>> [int(minksum.area(s.obstacles)) for s in space.slices(4)]
     [6, 6, 6, 6]
     """
     for angle in space.turns(angles, tolerance=tolerance):
         yield space.slice(angle, free=free, tolerance=tolerance)
+
+
+def _add_slices() -> None:
+    setattr(ConfigurationSpace, "slices", _slices)

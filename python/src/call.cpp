@@ -29,16 +29,6 @@ std::size_t thread_count(std::optional<int> asked) {
   return std::max(1U, std::thread::hardware_concurrency());
 }
 
-FillRule rule_of(const std::string& word) {
-  return choice<FillRule>(word, "fill",
-                          {{"automatic", FillRule::kAutomatic},
-                           {"evenodd", FillRule::kEvenOdd},
-                           {"nonzero", FillRule::kNonZero},
-                           {"positive", FillRule::kPositive},
-                           {"negative", FillRule::kNegative},
-                           {"strict", FillRule::kStrict}});
-}
-
 std::vector<std::size_t> place_in(const std::vector<std::size_t>& shape, std::size_t index) {
   std::vector<std::size_t> place(shape.size());
   for (std::size_t i = shape.size(); i-- > 0;) {
@@ -71,6 +61,16 @@ const char* const kSettingsSignature =
     "timeout: float | None = None, "
     "progress: typing.Callable[[str], bool | None] | None = None, "
     "cancel: CancelToken | None = None";
+
+FillRule rule_of(const std::string& word) {
+  return choice<FillRule>(word, "fill",
+                          {{"automatic", FillRule::kAutomatic},
+                           {"evenodd", FillRule::kEvenOdd},
+                           {"nonzero", FillRule::kNonZero},
+                           {"positive", FillRule::kPositive},
+                           {"negative", FillRule::kNegative},
+                           {"strict", FillRule::kStrict}});
+}
 
 RoundingSide side_of(const std::string& word) {
   return choice<RoundingSide>(word, "the side",

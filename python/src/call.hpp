@@ -63,6 +63,7 @@ Enum choice(const std::string& word, const char* what,
   }
   throw nanobind::value_error(message.c_str());
 }
+[[nodiscard]] FillRule rule_of(const std::string& word);
 [[nodiscard]] RoundingSide side_of(const std::string& word);
 
 }  // namespace minksum::python

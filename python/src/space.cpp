@@ -76,11 +76,12 @@ void bind_space(nb::module_& m) {
             ConfigurationOptions setting;
             set_up(setting, reference, workspace);
             Options options;
+            options.fill = rule_of(fill);
             if (tight) options.tight = true;
             new (self) ConfigurationSpace(required(robot), required(obstacles), setting, options);
           },
           "robot"_a, "obstacles"_a, nb::kw_only(), "reference"_a = nb::none(),
-          "workspace"_a = nb::none(), "tight"_a = false)
+          "workspace"_a = nb::none(), "tight"_a = false, "fill"_a = "automatic")
       .def(
           "slice",
           [](const ConfigurationSpace& space, nb::handle degrees, bool free, double tolerance) {

@@ -100,7 +100,7 @@ def test_configuration_space_and_path():
     walls = [mk.box(4, -9, 5, -1), mk.box(4, 1, 5, 9)]
     walls = mk.union_all(walls)
     space = mk.ConfigurationSpace(robot, walls)
-    found = list(mk.slices(space, [0, 45, 90], free=True))
+    found = list(space.slices([0, 45, 90], free=True))
     assert [s.asked for s in found] == [0, 45, 90]
     assert found[0].obstacles == mk.minkowski_sum(walls, mk.reflect(robot))
     assert found[2].direction == (0, 1) and found[1].off < 1e-3

@@ -16,12 +16,12 @@ ROOT = pathlib.Path(__file__).parents[2]
 def test_docstrings():
     count = 0
     runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
-    for name in minksum.__all__:
-        item = getattr(minksum, name)
+    items = [getattr(minksum, name) for name in minksum.__all__]
+    for item in [*items, minksum.ConfigurationSpace.slices]:
         doc = item.__doc__
         if not doc or ">>>" not in doc:
             continue
-        test = doctest.DocTestParser().get_doctest(doc, {}, name, None, 0)
+        test = doctest.DocTestParser().get_doctest(doc, {}, item.__name__, None, 0)
         runner.run(test)
         count += len(test.examples)
     assert count >= 10 and runner.failures == 0

@@ -133,7 +133,8 @@ function cpp(state: State, a: string, b: string): string {
 
 function python(state: State, a: string, b: string): string {
   const fill = state.fill === "automatic" ? "" : `, fill="${state.fill}"`;
-  const number = (value: number) => rational(exact(value));
+  // A text is exact, which a quotient or a float would not be.
+  const number = (value: number) => `"${rational(exact(value))}"`;
   const made = () => {
     switch (state.op) {
       case "offset":
@@ -147,8 +148,8 @@ function python(state: State, a: string, b: string): string {
         return `minksum.penetration_depth(a, b${fill})`;
       case "robot":
         return (
-          `next(iter(minksum.ConfigurationSpace(b, ` +
-          `a${fill}).slices([${decimal(state.degrees)}]))).obstacles`
+          `minksum.ConfigurationSpace(b, a${fill})` +
+          `.slice("${decimal(state.degrees)}").obstacles`
         );
       case "slices":
         return `list(minksum.ConfigurationSpace(b, a${fill}).slices(${state.slices}))`;
