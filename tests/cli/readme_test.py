@@ -20,7 +20,9 @@ class Readme(ProgramTest):
 
     def test_blocks(self):
         """Each block of commands prints the block of text that comes after it."""
-        self.assertEqual([kind for kind, _ in self.blocks], ["sh", "text", "cpp", "sh", "text"])
+        # The last two are for Python; the tests of its package run the second.
+        self.assertEqual([kind for kind, _ in self.blocks],
+                         ["sh", "text", "cpp", "sh", "text", "console", "python"])
         texts = [text for _, text in self.blocks]
         compiler = os.environ.get("MINKSUM_CXX", "c++") + " " + os.environ.get("MINKSUM_CXXFLAGS", "")
         self.assertTrue(texts[3].startswith("c++ "))
