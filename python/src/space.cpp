@@ -72,7 +72,7 @@ void bind_space(nb::module_& m) {
       .def(
           "__init__",
           [](ConfigurationSpace* self, nb::handle robot, nb::handle obstacles, nb::handle reference,
-             nb::handle workspace, bool tight) {
+             nb::handle workspace, bool tight, const std::string& fill) {
             ConfigurationOptions setting;
             set_up(setting, reference, workspace);
             Options options;
