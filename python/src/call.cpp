@@ -26,7 +26,9 @@ std::size_t thread_count(std::optional<int> asked) {
     if (set != nullptr) asked = std::atoi(set);
   }
   if (asked.value_or(0) > 0) return static_cast<std::size_t>(*asked);
-  return std::max(1U, std::thread::hardware_concurrency());
+  // Asking the system takes longer than a small sum.
+  static const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return cores;
 }
 
 std::vector<std::size_t> place_in(const std::vector<std::size_t>& shape, std::size_t index) {
@@ -149,8 +151,11 @@ Call::Call(MINKSUM_SETTINGS) : watch_(std::make_shared<Watch>()), threads_(threa
   }
 }
 
-void Call::run(bool small, const std::function<void()>& operation) const {
-  if (small) return operation();
+void Call::run(bool small, const std::function<void()>& operation) {
+  if (small) {
+    options_.threads = 1;
+    return operation();
+  }
   const nb::gil_scoped_release unlocked;
   operation();
 }

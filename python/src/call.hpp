@@ -38,8 +38,9 @@ class Call {
 
   /// Options for an operation that runs on this thread alone, or on a thread of `for_each`.
   [[nodiscard]] Options& options() { return options_; }
-  /// Runs a single operation. The interpreter's lock is released unless `small` is set.
-  void run(bool small, const std::function<void()>& operation) const;
+  /// Runs a single operation. The interpreter's lock is released unless `small` is set, which also
+  /// keeps it on one thread.
+  void run(bool small, const std::function<void()>& operation);
   /// Runs `element` for each index, on as many threads as the caller asked for, with the lock
   /// released. Each thread has options of its own. Throws ElementError for the first that fails.
   void for_each(const std::vector<std::size_t>& shape,

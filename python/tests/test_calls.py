@@ -49,7 +49,7 @@ class Raises:
 def test_what_is_refused(operand, kind, words):
     for call in (lambda: mk.minkowski_sum(operand, SQUARE), lambda: mk.offset(operand, 1),
                  lambda: mk.Geometry(operand)):
-        with pytest.raises(kind, match=words):
+        with pytest.raises(kind, match=words or None):
             call()
 
 
@@ -84,7 +84,7 @@ def test_truncated_wkb_at_every_byte():
     ],
 )
 def test_arguments_that_are_refused(call, words):
-    with pytest.raises(ValueError, match=words):
+    with pytest.raises(ValueError, match=words or None):
         call()
 
 
