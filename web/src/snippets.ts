@@ -133,8 +133,7 @@ function cpp(state: State, a: string, b: string): string {
 
 function python(state: State, a: string, b: string): string {
   const fill = state.fill === "automatic" ? "" : `, fill="${state.fill}"`;
-  // A text is exact, which a quotient or a float would not be.
-  const number = (value: number) => `"${rational(exact(value))}"`;
+  const number = (value: number) => rational(exact(value));
   const made = () => {
     switch (state.op) {
       case "offset":

@@ -303,7 +303,10 @@ test("files are dropped: WKT, GeoJSON, SVG, DXF, and what the page has saved", a
     }),
   );
   await until(async () => (await text("a")).includes("10/3"), "the saved state is open");
-  assert.equal(await page.getAttribute("[data-op=erode]", "aria-pressed"), "true");
+  await until(
+    async () => (await page.getAttribute("[data-op=erode]", "aria-pressed")) === "true",
+    "its operation is chosen",
+  );
 });
 test("bad input is refused, with its place marked", async () => {
   await chooseExample(page, "Room and robot");
