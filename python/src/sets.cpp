@@ -89,9 +89,8 @@ nb::object sum(nb::handle a, nb::handle b, bool tight, MINKSUM_SETTINGS) {
   return nb::make_tuple(to_object(std::move(sums)), to_object(std::move(places)));
 }
 
-OffsetOptions offset_shape(nb::handle distance, nb::handle tolerance, const std::string& side,
-                           const std::string& join, const std::string& cap,
-                           nb::handle miter_limit) {
+OffsetOptions offset_shape(nb::handle tolerance, const std::string& side, const std::string& join,
+                           const std::string& cap, nb::handle miter_limit) {
   OffsetOptions shape;
   shape.side = side_of(side);
   shape.join = choice<Join>(join, "join",
@@ -107,7 +106,6 @@ OffsetOptions offset_shape(nb::handle distance, nb::handle tolerance, const std:
                            {"square", Cap::kSquare}});
   shape.miter_limit = require_number(miter_limit, "miter_limit");
   if (!tolerance.is_none()) shape.tolerance = require_number(tolerance, "tolerance");
-  (void)distance;
   return shape;
 }
 
@@ -119,7 +117,7 @@ void bind_offset(nb::module_& m) {
          MINKSUM_SETTINGS) {
         Call call(MINKSUM_SETTING_VALUES);
         const Rational by = require_number(distance, "distance");
-        const OffsetOptions shape = offset_shape(distance, tolerance, side, join, cap, miter_limit);
+        const OffsetOptions shape = offset_shape(tolerance, side, join, cap, miter_limit);
         return apply(call, a, [&](const Geometry& g, const Options& options) {
           return offset(g, by, shape, options);
         });
