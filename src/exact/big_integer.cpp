@@ -215,6 +215,30 @@ double nearest_to_short(Uint128 numerator, Uint128 denominator, std::int64_t exp
                          exp2 - shift);
 }
 
+// Returns the 64 highest bits of a magnitude, after zeros if there are fewer bits.
+std::uint64_t leading_bits(const BigInteger& value) {
+  const std::size_t last = value.limb_count() - 1;
+  const int zeros = std::countl_zero(value.limb(last));
+  const std::uint64_t high = value.limb(last) << zeros;
+  return zeros == 0 || last == 0 ? high : high | value.limb(last - 1) >> (64 - zeros);
+}
+
+// Does what nearest_double does for a magnitude, if leading bits alone decide. All that they allow
+// lies between two bounds, and rounding keeps order: so if both bounds become one double, it is the
+// one. Otherwise this returns false, which is rare.
+bool nearest_by_leading_bits(const BigInteger& numerator, const BigInteger& denominator,
+                             std::int64_t exp2, double& nearest) {
+  const std::uint64_t n = leading_bits(numerator);
+  const std::uint64_t d = leading_bits(denominator);
+  // Both n and d lie in [2^63, 2^64), so these quotients lie in [2^61, 2^63].
+  const auto low = static_cast<std::uint64_t>((Uint128{n} << 62) / (Uint128{d} + 1));
+  const auto high = static_cast<std::uint64_t>(((Uint128{n} + 1) << 62) / d) + 1;
+  const std::int64_t exponent = exp2 - 62 + static_cast<std::int64_t>(bit_length(numerator)) -
+                                static_cast<std::int64_t>(bit_length(denominator));
+  nearest = round_to_double(low, false, exponent);
+  return nearest == round_to_double(high, false, exponent);
+}
+
 }  // namespace
 
 double nearest_double(const BigInteger& numerator, const BigInteger& denominator,
@@ -223,10 +247,12 @@ double nearest_double(const BigInteger& numerator, const BigInteger& denominator
   const auto excess = static_cast<std::int64_t>(bit_length(numerator)) -
                       static_cast<std::int64_t>(bit_length(denominator));
   if (excess + exp2 < -1100) return 0;
-  double magnitude = std::numeric_limits<double>::infinity();
-  if (excess + exp2 <= 1100 && bit_length(numerator) <= 128 && bit_length(denominator) <= 64) {
+  double magnitude = 0;
+  if (excess + exp2 > 1100) {
+    magnitude = std::numeric_limits<double>::infinity();
+  } else if (bit_length(numerator) <= 128 && bit_length(denominator) <= 64) {
     magnitude = nearest_to_short(short_magnitude(numerator), short_magnitude(denominator), exp2);
-  } else if (excess + exp2 <= 1100) {
+  } else if (!nearest_by_leading_bits(numerator, denominator, exp2, magnitude)) {
     // numerator · 2^shift / denominator lies in (2^62, 2^64), so the quotient has enough bits and
     // fits one limb.
     const std::int64_t shift = 63 - excess;

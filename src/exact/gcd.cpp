@@ -21,12 +21,9 @@ void trim(Words& words) {
 }
 
 Words words_of(const BigInteger& value) {
-  Words words;
-  std::vector<std::uint64_t> limbs;
-  append_limbs(value, limbs);
-  for (const std::uint64_t limb : limbs) {
-    words.push_back(static_cast<std::uint32_t>(limb));
-    words.push_back(static_cast<std::uint32_t>(limb >> kWordBits));
+  Words words(2 * value.limb_count());
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = static_cast<std::uint32_t>(value.limb(i / 2) >> (i % 2 * kWordBits));
   }
   trim(words);
   return words;
@@ -109,29 +106,34 @@ std::uint64_t short_value(const Words& words) {
 
 bool is_short(const BigInteger& value) { return value.limb_count() <= 2; }
 
-int zeros(Uint128 value) {
-  const auto low = static_cast<std::uint64_t>(value);
-  return low != 0 ? std::countr_zero(low)
-                  : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
+/// a·x + b·y modulo 2^128. The value itself is not negative and fits.
+Uint128 combined(std::int64_t a, Uint128 x, std::int64_t b, Uint128 y) {
+  return static_cast<Uint128>(a) * x + static_cast<Uint128>(b) * y;
 }
 
 /// Neither number may be 0.
 BigInteger short_divisor(Uint128 a, Uint128 b) {
-  const int twos = std::min(zeros(a), zeros(b));
-  a >>= zeros(a);
-  b >>= zeros(b);
-  while (a != b) {
-    if (((a | b) >> 64) == 0) {
-      a = std::gcd(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b));
-      break;
+  if (a < b) std::swap(a, b);
+  while ((a >> 64) != 0 && b != 0) {
+    // The 62 highest bits of a, and those of b at the same places.
+    const int drop = 66 - std::countl_zero(static_cast<std::uint64_t>(a >> 64));
+    const Steps steps =
+        steps_of(static_cast<std::int64_t>(a >> drop), static_cast<std::int64_t>(b >> drop));
+    if (steps.ab == 0) {
+      a = std::exchange(b, a % b);
+    } else {
+      const Uint128 next = combined(steps.ba, a, steps.bb, b);
+      a = combined(steps.aa, a, steps.ab, b);
+      b = next;
     }
-    if (a < b) std::swap(a, b);
-    a -= b;
-    a >>= zeros(a);
   }
-  const std::uint64_t limbs[] = {static_cast<std::uint64_t>(a),
-                                 static_cast<std::uint64_t>(a >> 64)};
-  return BigInteger(limbs) << twos;
+  if (b == 0) {
+    const std::uint64_t limbs[] = {static_cast<std::uint64_t>(a),
+                                   static_cast<std::uint64_t>(a >> 64)};
+    return BigInteger(limbs);
+  }
+  // b does not exceed a, which has one limb now.
+  return std::gcd(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b));
 }
 
 }  // namespace
