@@ -30,7 +30,7 @@ build: deps ## build library and program: build/minksum
 demo: build ## compute two sums from examples/ and draw them into demo-output/
 	@examples/demo.sh $(BUILD)/minksum demo-output
 
-test: test-core test-python test-sql test-js ## build everything and run every test, one part after another
+test: test-core test-python test-sql test-js test-web ## build everything and run every test, one part after another
 
 test-core: deps ## build library, program and C interface, and run their tests
 	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF -DMINKSUM_BUILD_SQL=OFF $(CMAKE_ARGS)

@@ -96,11 +96,14 @@ function answered(given: RunAnswer | Failure): void {
   }
   showTexts();
   draw();
-  if (given.kind === "failure" || (given.faults && given.id === lastJob)) settle(true);
+  complete = given.kind === "failure" || (given.faults !== undefined && given.id === lastJob);
 }
 let onlyPlaceChanged = false;
+/** whether no further answer is awaited */
+let complete = false;
 /** Says for tests and other scripts whether all is shown that will be. */
 function settle(done: boolean): void {
+  complete &&= done;
   document.documentElement.dataset["settled"] = done ? "yes" : "no";
 }
 
@@ -172,6 +175,7 @@ function render(): void {
   panel.facts(state, shown);
   buttons();
   messages(state);
+  if (complete) settle(true);
 }
 function messages(state: State): void {
   const box = byId("message");
@@ -239,7 +243,7 @@ async function readText(name: Name, text: string): Promise<void> {
   }
   const read = await engine.read(text, store.state.tolerance);
   showProblem(name, read.kind === "failure" ? read : null);
-  if (read.kind === "failure") return;
+  if (read.kind === "failure") return compute(false);
   fitNext = true;
   store.change({ [name]: read.shape });
   showTexts();
@@ -352,6 +356,7 @@ function listen(): void {
     const area = byId<HTMLTextAreaElement>(`text-${name}`);
     let timer: ReturnType<typeof setTimeout>;
     area.oninput = () => {
+      settle(false);
       clearTimeout(timer);
       timer = setTimeout(() => void readText(name, area.value), 250);
     };

@@ -78,8 +78,8 @@ test("the sum of two birds, and of polylines, equals the program's", async () =>
 test("each fill rule gives what the program gives", async () => {
   await choose("Room and robot", "sum");
   await page.fill("#text-a", "POLYGON ((0 0, 6 0, 6 6, 2 6, 2 2, 8 2, 8 8, 0 8, 0 0))");
+  await settled(page);
   for (const rule of ["automatic", "evenodd", "nonzero", "positive", "negative"]) {
-    await page.waitForTimeout(350);
     await page.selectOption("[data-name=fill]", rule);
     await settled(page);
     const shown = await page.inputValue("#exact");

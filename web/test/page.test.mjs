@@ -341,7 +341,6 @@ test("a long sum is stopped, and the page goes on", async () => {
   await page.fill("#text-a", star(1500, 0));
   await page.fill("#text-b", star(1499, 0.001));
   await page.locator("#busy").waitFor({ state: "visible" });
-  await page.waitForTimeout(400);
   await page.click("#cancel");
   await until(
     async () => (await page.textContent("#message")).includes("Stopped"),
