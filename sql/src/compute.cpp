@@ -76,11 +76,17 @@ OffsetOptions shape_of(const mink_request& request) {
   return shape;
 }
 
-Geometry disc_of(const mink_request& request) {
+Geometry disc_of(const mink_request& request, const Options& options) {
   const Rational radius(request.numbers[0]);
+  OffsetOptions shape;
   const bool given = request.numbers[1] != 0;
-  const Rational tolerance = given ? Rational(request.numbers[1]) : radius / Rational(1000);
-  return disc(radius, tolerance, side_of(request.side, "side"));
+  shape.tolerance = given ? Rational(request.numbers[1]) : radius / Rational(1000);
+  shape.side = side_of(request.side, "side");
+  if (radius.sign() <= 0 || shape.tolerance->sign() <= 0) {
+    return disc(radius, *shape.tolerance, shape.side);  // which says what is wrong
+  }
+  // The same polygon as by `disc`, which cannot be cancelled.
+  return offset(Geometry({}, {}, {Point{}}), radius, shape, options);
 }
 
 /// Returns the reference point that was given as a third operand.
@@ -113,7 +119,7 @@ Geometry boolean(mink_operation operation, const Operand& a, const Operand& b,
 
 /// Computes an operation whose answer is a set.
 Geometry set_of(mink_state& state, const mink_request& request, const Options& options) {
-  if (request.operation == MINK_DISC) return disc_of(request);
+  if (request.operation == MINK_DISC) return disc_of(request, options);
   Operand& a = operand(state, request, 0, options);
   if (request.operation == MINK_RESOLVE) return resolve(a.geometry, options, 0);
   if (request.operation == MINK_OFFSET) {

@@ -79,6 +79,18 @@ TEST(Cancel, LooksGrowWithTheWork) {
   EXPECT_GT(stopper.looks(), sum.statistics.crossings >> 15U);
 }
 
+TEST(Cancel, LooksGrowWithTheVerticesOfADisc) {
+  Stopper stopper(kNever);
+  Options options;
+  options.cancel = stopper.token();
+  OffsetOptions fine;
+  fine.tolerance = Rational(1, 1'000'000'000);
+  const Geometry disc = offset(Geometry({}, {}, {Point{}}), 1, fine, options);
+  // Each vertex is placed, verified and written, each of which counts as 32 units.
+  EXPECT_GT(disc.region.vertex_count(), 10'000U);
+  EXPECT_GT(stopper.looks(), disc.region.vertex_count() * 64 >> 15U);
+}
+
 TEST(Cancel, ResultIsEmptyAndTheWorkspaceWorksAfterwards) {
   const Region p = test::comb(30, 1, 1000);
   const Region q = test::turned(p);

@@ -2,18 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
 #include "minksum/error.hpp"
-#include "minksum/offset.hpp"
 #include "operations/offset/decimal_grid.hpp"
+#include "operations/offset/make_disc.hpp"
 
 namespace minksum {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr double kMaxEdgesOfQuarter = 1 << 18;
+constexpr std::uint64_t kWork = 32;  ///< units of work of a vertex, in each of three loops
 constexpr double kLeast = 0x1p-200;  ///< doubles hold products of two lengths from this one on
 
 /// Returns the angle whose cosine is 1 − gap/whole. Unlike acos, it loses nothing for small angles.
@@ -23,8 +25,10 @@ double angle_of(double gap, double whole) { return 2 * std::asin(std::sqrt(gap /
 /// y-axis. Angles are chosen in doubles, and the result is verified.
 class Quarter {
  public:
-  Quarter(const Rational& radius, const Rational& tolerance, RoundingSide side)
-      : radius_(radius),
+  Quarter(const Rational& radius, const Rational& tolerance, RoundingSide side,
+          Cancellation& cancellation)
+      : cancellation_(cancellation),
+        radius_(radius),
         inner_(side == RoundingSide::kOutside ? radius : radius - tolerance),
         outer_(side == RoundingSide::kInside ? radius : radius + tolerance),
         grid_(DecimalGrid::below(tolerance / Rational(64))) {
@@ -61,6 +65,7 @@ class Quarter {
     vertices_.resize(count + 1);
     vertices_[0] = {radius_, grid_.at(inside ? 0 : std::floor(circle * std::sin(first)))};
     for (std::size_t i = 1; 2 * i <= count; ++i) {
+      cancellation_.check(kWork);
       const double at = first + static_cast<double>(i) * angle;
       vertices_[i] = {grid_.at(circle * std::cos(at)), grid_.at(circle * std::sin(at))};
     }
@@ -76,6 +81,7 @@ class Quarter {
   void verify() const {
     const Point next{-vertices_[0].y, vertices_[0].x};
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      cancellation_.check(kWork);
       const Point& a = vertices_[i];
       const Point& b = i + 1 < vertices_.size() ? vertices_[i + 1] : next;
       if (!is_clearly_right(a, b) && !is_right(a, b)) {
@@ -106,6 +112,7 @@ class Quarter {
            cross * cross >= inner_ * inner_ * (x * x + y * y);
   }
 
+  Cancellation& cancellation_;
   Rational radius_;
   Rational inner_;
   Rational outer_;
@@ -116,15 +123,22 @@ class Quarter {
 }  // namespace
 
 Region disc(const Rational& radius, const Rational& tolerance, RoundingSide side) {
+  Cancellation cancellation;
+  return make_disc(radius, tolerance, side, cancellation);
+}
+
+Region make_disc(const Rational& radius, const Rational& tolerance, RoundingSide side,
+                 Cancellation& cancellation) {
   if (radius.sign() <= 0) throw Error(ErrorCode::kBadInput, "a disc's radius must be positive");
   if (tolerance.sign() <= 0) throw Error(ErrorCode::kBadInput, "a tolerance must be positive");
-  const Quarter quarter(radius, std::min(tolerance, radius / Rational(2)), side);
+  const Quarter quarter(radius, std::min(tolerance, radius / Rational(2)), side, cancellation);
   Region result;
   result.begin_polygon();
   result.begin_ring();
   // The canonical form starts at the lowest of the leftmost vertices.
   for (const int turns : {2, 3, 0, 1}) {
     for (const auto& [x, y] : quarter.vertices()) {
+      cancellation.check(kWork);
       const Rational& along = turns % 2 == 0 ? x : y;
       const Rational& across = turns % 2 == 0 ? y : x;
       result.add_vertex(turns == 1 || turns == 2 ? -along : along, turns >= 2 ? -across : across);

@@ -11,6 +11,7 @@
 #include "minksum/error.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/resolve.hpp"
+#include "operations/offset/make_disc.hpp"
 #include "operations/offset/outline.hpp"
 
 namespace minksum {
@@ -85,7 +86,8 @@ class Offset {
  private:
   [[nodiscard]] Geometry round(const Geometry& a, FillRule fill) const {
     const RoundingSide side = inwards_ ? swapped(shape_.side) : shape_.side;
-    const Geometry element{disc(radius_, tolerance_, side), {}, {}};
+    Cancellation cancellation(options_);
+    const Geometry element{make_disc(radius_, tolerance_, side, cancellation), {}, {}};
     Options options = part_of(options_);
     options.fill = fill;
     options.regularize = options_.regularize;
