@@ -92,8 +92,8 @@ def compare_sums():
     ours = seconds("SELECT count(mink_sum(a, b)) FROM pairs")
     peers = seconds("SELECT count(peer(a, b)) FROM pairs", 1)
     # Coordinates of both results are rounded in different ways, so nearly all differ by slivers.
-    print("## Sums beside SFCGAL\n\n| holes in | pairs | differ by an area above 1e-6 | SFCGAL wrong | minksum wrong | "
-          "SFCGAL failed |\n|---|---|---|---|---|---|")
+    print("## Sums beside SFCGAL\n\n| holes in | pairs | differ by an area above 1e-6 | "
+          "SFCGAL wrong | minksum wrong | SFCGAL failed |\n|---|---|---|---|---|---|")
     # A point x is in the sum if and only if a meets x - b, which GEOS decides.
     print(ask("""
         WITH witness AS (SELECT id, a, b, ours, peers, ST_PointOnSurface(

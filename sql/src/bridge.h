@@ -85,6 +85,7 @@ typedef struct mink_answer {
   double numbers[3];
   int whole[4];
   mink_bytes exact;
+  int prepared; /* how many operands this call prepared */
 } mink_answer;
 
 typedef struct mink_state mink_state;

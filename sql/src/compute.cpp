@@ -11,13 +11,14 @@ bool may_prepare(const Options& options) {
   return options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict;
 }
 
-/// Prepares an operand that came again, unless it has thin parts.
-void prepare(Operand& operand, int index, const Options& options) {
-  if (!operand.again || operand.unfit || operand.prepared || !may_prepare(options)) return;
+/// Prepares an operand that came again, unless it has thin parts. Returns how many it prepared.
+int prepare(Operand& operand, int index, const Options& options) {
+  if (!operand.again || operand.unfit || operand.prepared || !may_prepare(options)) return 0;
   const Geometry set = resolve(operand.geometry, options, index);
   operand.unfit = set.has_thin_parts();
   if (!operand.unfit) operand.prepared.emplace(set.region, options);
   operand.prepared_by = options.fill;
+  return operand.unfit ? 0 : 1;
 }
 
 bool is_prepared(const Operand& operand, const Options& options) {
@@ -25,9 +26,8 @@ bool is_prepared(const Operand& operand, const Options& options) {
 }
 
 /// Returns the sum by prepared operands where they came before.
-Geometry sum(Operand& p, Operand& q, const Options& options) {
-  prepare(p, 0, options);
-  prepare(q, 1, options);
+Geometry sum(Operand& p, Operand& q, const Options& options, int& prepared) {
+  prepared = prepare(p, 0, options) + prepare(q, 1, options);
   if (is_prepared(p, options) && is_prepared(q, options)) {
     return minkowski_sum(*p.prepared, *q.prepared, options);
   }
@@ -118,7 +118,8 @@ Geometry boolean(mink_operation operation, const Operand& a, const Operand& b,
 }
 
 /// Computes an operation whose answer is a set.
-Geometry set_of(mink_state& state, const mink_request& request, const Options& options) {
+Geometry set_of(mink_state& state, const mink_request& request, const Options& options,
+                int& prepared) {
   if (request.operation == MINK_DISC) return disc_of(request, options);
   Operand& a = operand(state, request, 0, options);
   if (request.operation == MINK_RESOLVE) return resolve(a.geometry, options, 0);
@@ -128,7 +129,7 @@ Geometry set_of(mink_state& state, const mink_request& request, const Options& o
   Operand& b = operand(state, request, 1, options);
   switch (request.operation) {
     case MINK_SUM:
-      return sum(a, b, options);
+      return sum(a, b, options, prepared);
     case MINK_ERODE:
       return erode(a.geometry, b.geometry, options);
     case MINK_OPEN:
@@ -193,6 +194,7 @@ mink_status mink_compute(mink_state* state, const mink_request* request, mink_an
   using namespace minksum::sql;  // NOLINT(google-build-using-namespace)
   return guarded(error, [&] {
     state->srid.reset();
+    answer->prepared = 0;
     const minksum::Options options = options_of(*state, *request);
     switch (request->operation) {
       case MINK_DEPTH:
@@ -205,7 +207,7 @@ mink_status mink_compute(mink_state* state, const mink_request* request, mink_an
         break;
     }
     const minksum::RoundOptions target{side_of(request->round, "round"), {}};
-    const minksum::Geometry set = set_of(*state, *request, options);
+    const minksum::Geometry set = set_of(*state, *request, options, answer->prepared);
     answer->sets[0] = write(*state, set, request->text, target, options, 0,
                             request->operation == MINK_NO_FIT_POLYGON);
     return MINK_OK;

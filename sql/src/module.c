@@ -14,6 +14,11 @@ void _PG_init(void);
 
 static int max_segments = 1 << 24;
 static int max_crossings = 1 << 24;
+static int prepared_operands = 0;
+
+void mink_count_prepared(int operands) {
+  if (prepared_operands <= INT_MAX - operands) prepared_operands += operands;
+}
 
 void _PG_init(void) {
   DefineCustomIntVariable("minksum.max_segments",
@@ -24,6 +29,10 @@ void _PG_init(void) {
                           "Most crossings that one sum or one union may find.",
                           "More are an error, program_limit_exceeded.", &max_crossings, 1 << 24, 1,
                           1 << 30, PGC_USERSET, 0, NULL, NULL, NULL);
+  DefineCustomIntVariable("minksum.prepared_operands",
+                          "How many operands this session has prepared, because they came again.",
+                          NULL, &prepared_operands, 0, 0, INT_MAX, PGC_INTERNAL, 0, NULL, NULL,
+                          NULL);
   MarkGUCPrefixReserved("minksum");
 }
 

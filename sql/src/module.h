@@ -11,6 +11,8 @@
 mink_state* mink_state_in(MemoryContext context);
 /* Returns a request with the settings of this session. */
 mink_request mink_request_of(mink_operation operation, bool text);
+/* Counts operands that were prepared, for minksum.prepared_operands. */
+void mink_count_prepared(int operands);
 /* Reports an error, unless there is none. */
 void mink_report(mink_status status, const mink_error* error);
 /* Returns the bytes of a value of a type with a variable length. */

@@ -64,6 +64,7 @@ static mink_status compute(FunctionCallInfo fcinfo, mink_operation operation, bo
   gather(fcinfo, signature, &request, operands);
   status = mink_compute(fcinfo->flinfo->fn_extra, &request, answer, &error);
   mink_report(status, &error);
+  mink_count_prepared(answer->prepared);
   return status;
 }
 

@@ -81,6 +81,20 @@ class Plans(DatabaseTest):
               FROM given) AS s"""), "41|t")
 
 
+    def test_an_operand_is_prepared_once(self):
+        """A query prepares an operand when it comes again, and a new one only then."""
+        count = "SHOW minksum.prepared_operands;"
+        query = ("SELECT count(mink_sum(ST_MakeEnvelope(x, 0, x + 2, 1), ST_Buffer(ST_MakePoint("
+                 "{}, 0), 1))) FROM generate_series(1, 50) AS x;")
+        load = "SELECT mink_sum_text('POINT (0 0)', 'POINT (0 0)');"
+        rows = self.ask(load + count + query.format(0) + count + query.format(0) + count
+                        + query.format("x / 10") + count + query.format("x") + count)
+        # x / 10 goes from 0 to 5, and 5 comes once.
+        self.assertEqual(rows.split("\n")[1:],
+                         ["0", "50", "1", "50", "2", "50", "7", "50", "7"])
+        self.refused(load + "SET minksum.prepared_operands = 1", "55P02")
+
+
 class Interrupts(DatabaseTest):
     SLOW_QUERIES = [
         f"SELECT length(mink_sum(g, g)::bytea) FROM {SLOW}",
