@@ -8,7 +8,6 @@ tenth. `minksum.shapely` has the same functions for Shapely's geometries.
 from . import errors
 from ._core import (
     CancelToken,
-    ConfigurationSpace,
     Geometry,
     GeometryArray,
     NoFitPolygon,
@@ -49,15 +48,11 @@ from ._core import (
     union_all,
     validate,
 )
-from ._operators import _add_operators
 from ._results import Depth, Reach, Slice
-from ._spaces import _add_slices
+from ._spaces import ConfigurationSpace
 from ._transforms import rotate, scale, translate
 from ._types import GeometryLike, Number
 from .errors import BadInputError, CancelledError, Error, InternalError, LimitError
-
-_add_operators()
-_add_slices()
 
 __version__ = "0.1.0"
 __all__ = [

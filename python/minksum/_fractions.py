@@ -1,15 +1,15 @@
 """Makes fractions of numbers that are known to be in lowest terms, without another gcd."""
 
 from fractions import Fraction
-from typing import Callable
+from typing import Any
 
-coprime: Callable[[int, int], Fraction]
+# Python 3.12 and later have a function for this, and earlier ones an argument.
+_of_coprime: Any = getattr(Fraction, "_from_coprime_ints", None)
+_fraction: Any = Fraction
 
-if hasattr(Fraction, "_from_coprime_ints"):  # Python 3.12 and later
 
-    coprime = Fraction._from_coprime_ints
+def _unnormalized(numerator: int, denominator: int) -> Any:
+    return _fraction(numerator, denominator, _normalize=False)
 
-else:
 
-    def coprime(numerator: int, denominator: int) -> Fraction:
-        return Fraction(numerator, denominator, _normalize=False)  # type: ignore[call-arg]
+coprime = _of_coprime or _unnormalized

@@ -16,7 +16,7 @@ def _path(geometry: Geometry) -> Any:
     from matplotlib.path import Path
 
     vertices: list[tuple[float, float]] = []
-    codes: list[int] = []
+    codes: list[Any] = []
     for rings in geometry.exact_coords()["polygons"]:
         for ring in rings:
             points = [(float(x), float(y)) for x, y in ring]

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <deque>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -20,7 +21,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetweenLooks{50};
 
 std::size_t thread_count(std::optional<int> asked) {
-  if (asked && *asked < 0) throw nb::value_error("threads must not be negative");
   if (!asked) {
     const char* set = std::getenv("MINKSUM_NUM_THREADS");
     if (set != nullptr) asked = std::atoi(set);
@@ -55,14 +55,34 @@ bool ends_call() {
   }
 }
 
-}  // namespace
+bool on_main_thread() {
+  const nb::object threading = nb::module_::import_("threading");
+  return threading.attr("get_ident")().equal(threading.attr("main_thread")().attr("ident"));
+}
 
-const char* const kSettingsSignature =
+/// Returns memory for small operations of this thread, which is kept from call to call.
+Workspace& small_memory() {
+  thread_local Workspace memory;
+  return memory;
+}
+
+constexpr const char* kSettingsSignature =
     "fill: str = 'automatic', regularize: bool = False, threads: int | None = None, "
     "max_segments: int | None = None, max_crossings: int | None = None, "
     "timeout: float | None = None, "
     "progress: typing.Callable[[str], bool | None] | None = None, "
     "cancel: CancelToken | None = None";
+
+}  // namespace
+
+const char* signature(const std::string& name, const std::string& operands, const std::string& own,
+                      const std::string& result) {
+  static std::deque<std::string> kept;
+  return kept
+      .emplace_back("def " + name + "(" + operands + ", *, " + own + kSettingsSignature + ") -> " +
+                    result)
+      .c_str();
+}
 
 FillRule rule_of(const std::string& word) {
   return choice<FillRule>(word, "fill",
@@ -83,6 +103,7 @@ RoundingSide side_of(const std::string& word) {
 
 struct Call::Watch {
   std::thread::id caller = std::this_thread::get_id();
+  bool signals = on_main_thread();  // no other thread of Python handles them
   std::optional<CancelToken> token;
   std::optional<double> seconds;
   Clock::time_point deadline;
@@ -96,7 +117,7 @@ struct Call::Watch {
     if (stopped.load(std::memory_order_relaxed)) return true;
     if (token && token->cancelled()) return true;
     const bool calling = std::this_thread::get_id() == caller;
-    if (!seconds && !calling) return false;
+    if (!seconds && !(calling && signals)) return false;
     const Clock::time_point now = Clock::now();
     if (seconds && now > deadline) {
       throw Error(
@@ -104,7 +125,7 @@ struct Call::Watch {
           "the time that was allowed (timeout=" + std::to_string(*seconds) + " seconds) has passed",
           {}, {}, ExceededLimit{"timeout", 0});
     }
-    if (calling && now >= next_look) {
+    if (calling && signals && now >= next_look) {
       next_look = now + kBetweenLooks;
       const nb::gil_scoped_acquire lock;
       if (PyErr_CheckSignals() != 0) throw nb::python_error();
@@ -130,7 +151,14 @@ struct Call::Watch {
   }
 };
 
-Call::Call(MINKSUM_SETTINGS) : watch_(std::make_shared<Watch>()), threads_(thread_count(threads)) {
+Call::Call(MINKSUM_SETTINGS) : threads_(threads) {
+  options_.fill = rule_of(fill);
+  options_.regularize = regularize;
+  if (max_segments) options_.limits.max_segments = *max_segments;
+  if (max_crossings) options_.limits.max_crossings = *max_crossings;
+  if (threads && *threads < 0) throw nb::value_error("threads must not be negative");
+  if (!cancel && !timeout && progress.is_none()) return;
+  start_watch();
   watch_->token = std::move(cancel);
   watch_->seconds = timeout;
   if (timeout) {
@@ -139,29 +167,35 @@ Call::Call(MINKSUM_SETTINGS) : watch_(std::make_shared<Watch>()), threads_(threa
     watch_->deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                           std::chrono::duration<double>(std::min(*timeout, most)));
   }
-  options_.fill = rule_of(fill);
-  options_.regularize = regularize;
-  if (max_segments) options_.limits.max_segments = *max_segments;
-  if (max_crossings) options_.limits.max_crossings = *max_crossings;
-  options_.threads = static_cast<int>(threads_);
-  options_.cancel = CancelToken::polling([watch = watch_] { return watch->stop(); });
   if (!progress.is_none()) {
     watch_->progress = std::move(progress);
     options_.progress = [watch = watch_](const Progress& how_far) { return watch->tell(how_far); };
   }
 }
 
+void Call::start_watch() {
+  if (watch_) return;
+  watch_ = std::make_shared<Watch>();
+  options_.cancel = CancelToken::polling([watch = watch_] { return watch->stop(); });
+}
+
 void Call::run(bool small, const std::function<void()>& operation) {
   if (small) {
     options_.threads = 1;
+    // A progress callback may call the library again, which then needs memory of its own.
+    if (!watch_) options_.memory = &small_memory();
     return operation();
   }
+  start_watch();
+  options_.threads = static_cast<int>(thread_count(threads_));
   const nb::gil_scoped_release unlocked;
   operation();
 }
 
 void Call::for_each(const std::vector<std::size_t>& shape,
-                    const std::function<void(std::size_t, const Options&)>& element) const {
+                    const std::function<void(std::size_t, const Options&)>& element) {
+  start_watch();
+  const std::size_t threads = thread_count(threads_);
   std::size_t count = 1;
   for (const std::size_t side : shape) count *= side;
   std::atomic<std::size_t> next{0};
@@ -195,7 +229,7 @@ void Call::for_each(const std::vector<std::size_t>& shape,
   {
     const nb::gil_scoped_release unlocked;
     std::vector<std::thread> helpers;
-    for (std::size_t t = 1; t < std::min(threads_, count); ++t) {
+    for (std::size_t t = 1; t < std::min(threads, count); ++t) {
       ++running;
       helpers.emplace_back([&] {
         work();

@@ -28,40 +28,47 @@ namespace minksum::python {
 #define MINKSUM_SETTING_VALUES \
   fill, regularize, threads, max_segments, max_crossings, timeout, progress, cancel
 
-/// The same arguments as stubs show them.
-extern const char* const kSettingsSignature;
+/// Returns a signature for the stubs: NAME(OPERANDS, *, OWN, the settings) -> RESULT. It lives as
+/// long as the module.
+[[nodiscard]] const char* signature(const std::string& name, const std::string& operands,
+                                    const std::string& own = "",
+                                    const std::string& result = "Geometry | GeometryArray | None");
 
 /// Settings of one call, and how it is stopped: by Ctrl-C, a token, the progress callback, or time.
 class Call {
  public:
   explicit Call(MINKSUM_SETTINGS);
+  /// A call with the default settings.
+  Call() = default;
 
   /// Options for an operation that runs on this thread alone, or on a thread of `for_each`.
   [[nodiscard]] Options& options() { return options_; }
   /// Runs a single operation. The interpreter's lock is released unless `small` is set, which also
-  /// keeps it on one thread.
+  /// keeps it on one thread, and looks for Ctrl-C only if there is something else to look for.
   void run(bool small, const std::function<void()>& operation);
   /// Runs `element` for each index, on as many threads as the caller asked for, with the lock
   /// released. Each thread has options of its own. Throws ElementError for the first that fails.
   void for_each(const std::vector<std::size_t>& shape,
-                const std::function<void(std::size_t, const Options&)>& element) const;
+                const std::function<void(std::size_t, const Options&)>& element);
 
  private:
   struct Watch;
+  void start_watch();
+
   std::shared_ptr<Watch> watch_;
   Options options_;
-  std::size_t threads_;
+  std::optional<int> threads_;
 };
 
 /// Returns the enumerator that a word names, and throws ValueError, which lists the words.
 template <class Enum>
 Enum choice(const std::string& word, const char* what,
             std::initializer_list<std::pair<const char*, Enum>> choices) {
-  std::string message = std::string(what) + " must be one of";
   for (const auto& [name, value] : choices) {
     if (word == name) return value;
-    message += std::string(" \"") + name + '"';
   }
+  std::string message = std::string(what) + " must be one of";
+  for (const auto& [name, value] : choices) message += std::string(" \"") + name + '"';
   throw nanobind::value_error(message.c_str());
 }
 [[nodiscard]] FillRule rule_of(const std::string& word);

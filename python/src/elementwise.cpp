@@ -70,17 +70,17 @@ bool is_small(const Geometry& a, const Geometry& b) {
 bool is_small(const Geometry& a) { return !a.has_thin_parts() && a.region.vertex_count() < 32; }
 
 nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
-  const Operands operands = operands_of(a);
-  ShapeArray results{std::vector<ShapePtr>(operands.array.items.size()), operands.array.shape};
-  if (operands.scalar) {
-    const ShapePtr& x = operands.array.items.front();
-    if (!x) return nb::none();
-    auto result = std::make_shared<Shape>();
-    result->srid = x->srid;
+  const Argument argument(a);
+  if (argument.scalar()) {
+    const Shape* x = argument.shape();
+    if (x == nullptr) return nb::none();
+    Shape result{{}, x->srid};
     call.run(is_small(x->geometry),
-             [&] { result->geometry = operation(x->geometry, call.options()); });
-    return to_object(result);
+             [&] { result.geometry = operation(x->geometry, call.options()); });
+    return to_object(std::move(result));
   }
+  const Operands& operands = argument.array();
+  ShapeArray results{std::vector<ShapePtr>(operands.array.items.size()), operands.array.shape};
   call.for_each(operands.array.shape, [&](std::size_t i, const Options& options) {
     const ShapePtr& x = operands.array.items[i];
     if (!x) return;
@@ -90,27 +90,27 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
 }
 
 nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& operation) {
-  const Operands first = operands_of(a);
-  const Operands second = operands_of(b);
-  const auto compute = [&operation](const Shape& x, const Shape& y, const Options& options) {
-    auto result = std::make_shared<Shape>();
-    result->srid = common_srid(x, y);
-    result->geometry = operation(x.geometry, y.geometry, options);
-    return result;
-  };
-  if (first.scalar && second.scalar) {
-    const ShapePtr& x = first.array.items.front();
-    const ShapePtr& y = second.array.items.front();
-    if (!x || !y) return nb::none();
-    ShapePtr result;
-    call.run(is_small(x->geometry, y->geometry), [&] { result = compute(*x, *y, call.options()); });
-    return to_object(result);
+  const Argument left(a);
+  const Argument right(b);
+  if (left.scalar() && right.scalar()) {
+    const Shape* x = left.shape();
+    const Shape* y = right.shape();
+    if (x == nullptr || y == nullptr) return nb::none();
+    Shape result{{}, common_srid(*x, *y)};
+    call.run(is_small(x->geometry, y->geometry),
+             [&] { result.geometry = operation(x->geometry, y->geometry, call.options()); });
+    return to_object(std::move(result));
   }
+  const Operands& first = left.array();
+  const Operands& second = right.array();
   const Pairs pairs(first, second);
   ShapeArray results{std::vector<ShapePtr>(pairs.size()), pairs.shape()};
   for_each_pair(call, first, second, pairs,
                 [&](std::size_t i, const Shape& x, const Shape& y, const Options& options) {
-                  results.items[i] = compute(x, y, options);
+                  auto result = std::make_shared<Shape>();
+                  result->srid = common_srid(x, y);
+                  result->geometry = operation(x.geometry, y.geometry, options);
+                  results.items[i] = std::move(result);
                 });
   return to_object(std::move(results));
 }

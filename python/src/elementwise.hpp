@@ -33,7 +33,7 @@ class Pairs {
 
 /// Calls `visit(i, a, b, options)` for each pair of elements of which none is missing.
 template <class Visit>
-void for_each_pair(const Call& call, const Operands& a, const Operands& b, const Pairs& pairs,
+void for_each_pair(Call& call, const Operands& a, const Operands& b, const Pairs& pairs,
                    const Visit& visit) {
   call.for_each(pairs.shape(), [&](std::size_t i, const Options& options) {
     const ShapePtr& x = a.array.items[pairs.first(i)];

@@ -1,4 +1,4 @@
-// Binds Geometry and GeometryArray.
+// Binds Geometry.
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -137,20 +137,6 @@ nb::object origins(const Geometry& geometry) {
   return list;
 }
 
-nb::bytes wkb_of(const Shape& shape, const std::string& round, bool include_srid) {
-  std::string wkb = io::to_wkb(writable(shape.geometry, round));
-  if (include_srid && shape.srid != 0) {
-    // PostGIS's form: bit 0x20000000 of the code says that the number follows the code.
-    wkb[4] = static_cast<char>(static_cast<unsigned char>(wkb[4]) | 0x20U);
-    std::string srid;
-    for (int shift = 0; shift < 32; shift += 8) {
-      srid += static_cast<char>(static_cast<std::uint32_t>(shape.srid) >> shift);
-    }
-    wkb.insert(5, srid);
-  }
-  return nb::bytes(wkb.data(), wkb.size());
-}
-
 std::string picture(const Shape& shape) {
   std::ostringstream out;
   io::write(out, writable(shape.geometry, "nearest"), io::Format::kSvg);
@@ -168,46 +154,6 @@ std::string wkt_of(const Geometry& geometry, std::optional<int> decimals,
     style.digits = *decimals;
   }
   return io::to_wkt(round(resolve(geometry), target), style);
-}
-
-nb::object element(const ShapeArray& array, nb::handle key) {
-  // NumPy knows how indices and slices work: it is asked which elements are meant.
-  const nb::object numpy = nb::module_::import_("numpy");
-  const nb::object places =
-      numpy.attr("arange")(array.items.size()).attr("reshape")(nb::tuple(nb::cast(array.shape)));
-  const nb::object chosen = places[key];
-  if (nb::len(nb::object(chosen.attr("shape"))) == 0) {
-    return to_object(array.items[nb::cast<std::size_t>(chosen.attr("item")())]);
-  }
-  ShapeArray part;
-  part.shape = nb::cast<std::vector<std::size_t>>(nb::list(chosen.attr("shape")));
-  for (const std::size_t i :
-       nb::cast<std::vector<std::size_t>>(chosen.attr("ravel")().attr("tolist")())) {
-    part.items.push_back(array.items[i]);
-  }
-  return to_object(std::move(part));
-}
-
-nb::object objects_of(const ShapeArray& array) {
-  const nb::object numpy = nb::module_::import_("numpy");
-  nb::object flat = numpy.attr("empty")(array.items.size(), "dtype"_a = "O");
-  for (std::size_t i = 0; i < array.items.size(); ++i) flat[i] = to_object(array.items[i]);
-  return flat.attr("reshape")(nb::tuple(nb::cast(array.shape)));
-}
-
-nb::object wkb_array(const ShapeArray& array, const std::string& round, bool include_srid) {
-  const nb::object numpy = nb::module_::import_("numpy");
-  nb::object flat = numpy.attr("empty")(array.items.size(), "dtype"_a = "O");
-  for (std::size_t i = 0; i < array.items.size(); ++i) {
-    if (array.items[i]) flat[i] = wkb_of(*array.items[i], round, include_srid);
-  }
-  return flat.attr("reshape")(nb::tuple(nb::cast(array.shape)));
-}
-
-ShapeArrayPtr make_array(nb::handle objects, const std::string& z) {
-  Operands operands = operands_of(objects, drops_z(z));
-  if (operands.scalar) operands.array.shape = {1};
-  return std::make_shared<ShapeArray>(std::move(operands.array));
 }
 
 void bind_conversions(nb::class_<Shape>& type) {
@@ -228,7 +174,8 @@ void bind_conversions(nb::class_<Shape>& type) {
       .def(
           "to_wkb",
           [](const Shape& s, const std::string& round, bool include_srid) {
-            return wkb_of(s, round, include_srid);
+            const std::string wkb = wkb_of(s, round, include_srid);
+            return nb::bytes(wkb.data(), wkb.size());
           },
           nb::kw_only(), "round"_a = "nearest", "include_srid"_a = false,
           "Return little-endian WKB of the rounded set, which is valid.")
@@ -248,6 +195,7 @@ void bind_conversions(nb::class_<Shape>& type) {
             return nb::module_::import_("json").attr("loads")(
                 io::to_geojson(writable(s.geometry, "nearest")));
           },
+          nb::sig("def __geo_interface__(self) -> dict[str, typing.Any]"),
           "The rounded set as a GeoJSON mapping.")
       .def("__str__", [](const Shape& s) { return io::to_wkt(s.geometry, exact_style()); })
       .def("__repr__", [](const Shape& s) { return describe(s.geometry); });
@@ -269,17 +217,36 @@ void bind_state(nb::class_<Shape>& type) {
                 shape_from_state({static_cast<const char*>(bytes.data()), bytes.size()}));
           },
           "data"_a, "Return the geometry that `to_bytes` made bytes of.")
-      .def("__reduce__",
-           [](nb::handle self) {
-             return nb::make_tuple(nb::module_::import_("minksum._state").attr("geometry"),
-                                   nb::make_tuple(self.attr("to_bytes")()));
-           })
-      .def("__dask_tokenize__", [](nb::handle self) {
-        return nb::make_tuple("minksum.Geometry", self.attr("to_bytes")());
-      });
+      .def(
+          "__reduce__",
+          [](nb::handle self) {
+            return nb::make_tuple(nb::module_::import_("minksum._state").attr("geometry"),
+                                  nb::make_tuple(self.attr("to_bytes")()));
+          },
+          nb::sig("def __reduce__(self) -> tuple[typing.Any, ...]"))
+      .def(
+          "__dask_tokenize__",
+          [](nb::handle self) {
+            return nb::make_tuple("minksum.Geometry", self.attr("to_bytes")());
+          },
+          nb::sig("def __dask_tokenize__(self) -> tuple[typing.Any, ...]"));
 }
 
 }  // namespace
+
+std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid) {
+  std::string wkb = io::to_wkb(writable(shape.geometry, round));
+  if (include_srid && shape.srid != 0) {
+    // PostGIS's form: bit 0x20000000 of the code says that the number follows the code.
+    wkb[4] = static_cast<char>(static_cast<unsigned char>(wkb[4]) | 0x20U);
+    std::string srid;
+    for (int shift = 0; shift < 32; shift += 8) {
+      srid += static_cast<char>(static_cast<std::uint32_t>(shape.srid) >> shift);
+    }
+    wkb.insert(5, srid);
+  }
+  return wkb;
+}
 
 void bind_geometry(nb::module_& m) {
   nb::class_<Shape> type(m, "Geometry",
@@ -293,6 +260,7 @@ void bind_geometry(nb::module_& m) {
             new (self) Shape(*shape);
           },
           nb::arg("object"), nb::kw_only(), "z"_a = "error",
+          nb::sig("def __init__(self, object: GeometryLike, *, z: str = 'error') -> None"),
           "Make a geometry from whatever the functions of this package take as an operand.")
       .def_prop_ro(
           "is_empty", [](const Shape& s) { return s.geometry.empty(); }, "Whether it is empty.")
@@ -325,13 +293,16 @@ void bind_geometry(nb::module_& m) {
           "srid"_a, "Return the same geometry with another reference system.")
       .def_prop_ro(
           "coords", [](const Shape& s) { return coordinates(s.geometry); },
+          nb::sig("def coords(self) -> numpy.typing.NDArray[numpy.float64]"),
           "The nearest doubles of all vertices, as an array of shape (n, 2).")
       .def(
           "exact_coords", [](const Shape& s) { return exact_coordinates(s.geometry); },
+          nb::sig("def exact_coords(self) -> dict[str, list[typing.Any]]"),
           "Return the exact vertices: a dict with lists of 'polygons' (each a list of rings, the "
           "outer one first), 'polylines' and 'points'. Coordinates are int or Fraction.")
       .def_prop_ro(
           "origins", [](const Shape& s) { return origins(s.geometry); },
+          nb::sig("def origins(self) -> list[tuple[int, int, int]] | None"),
           "For the edge that starts at each vertex of a sum: the operand that has the edge, the "
           "index of the edge's first vertex, and that of the other operand's vertex. None if it "
           "is not known.")
@@ -349,82 +320,6 @@ void bind_geometry(nb::module_& m) {
       .def("__bool__", [](const Shape& s) { return !s.geometry.empty(); });
   bind_conversions(type);
   bind_state(type);
-
-  nb::class_<ShapeArray>(m, "GeometryArray",
-                         "An array of geometries in any number of dimensions, which never "
-                         "changes. Elements may be missing (None).")
-      .def(
-          "__init__",
-          [](ShapeArray* self, nb::handle objects, const std::string& z) {
-            new (self) ShapeArray(*make_array(objects, z));
-          },
-          "objects"_a, nb::kw_only(), "z"_a = "error", "Make an array from a sequence of operands.")
-      .def_prop_ro(
-          "shape", [](const ShapeArray& a) { return nb::tuple(nb::cast(a.shape)); },
-          "The length along each dimension.")
-      .def_prop_ro(
-          "ndim", [](const ShapeArray& a) { return a.shape.size(); }, "The number of dimensions.")
-      .def_prop_ro(
-          "size", [](const ShapeArray& a) { return a.items.size(); }, "The number of elements.")
-      .def("__len__",
-           [](const ShapeArray& a) {
-             if (a.shape.empty()) throw nb::type_error("an array of no dimension has no length");
-             return a.shape.front();
-           })
-      .def("__getitem__", element, "key"_a)
-      .def(
-          "__array__",
-          [](const ShapeArray& a, nb::handle /*dtype*/, nb::handle /*copy*/) {
-            return objects_of(a);
-          },
-          "dtype"_a = nb::none(), "copy"_a = nb::none())
-      .def(
-          "reshape",
-          [](const ShapeArray& a, const std::vector<std::size_t>& shape) {
-            std::size_t count = 1;
-            for (const std::size_t side : shape) count *= side;
-            if (count != a.items.size()) throw nb::value_error("the shape has another size");
-            return std::make_shared<ShapeArray>(ShapeArray{a.items, shape});
-          },
-          "shape"_a, "Return the same elements in another shape.")
-      .def("to_wkb", wkb_array, nb::kw_only(), "round"_a = "nearest", "include_srid"_a = false,
-           "Return an array of objects with the WKB of each rounded element.")
-      .def(
-          "__eq__",
-          [](const ShapeArray& a, nb::handle other) -> nb::object {
-            ShapeArrayPtr b;
-            if (!nb::try_cast(other, b, false)) return nb::borrow(Py_NotImplemented);
-            if (a.shape != b->shape) return nb::bool_(false);
-            for (std::size_t i = 0; i < a.items.size(); ++i) {
-              const ShapePtr& x = a.items[i];
-              const ShapePtr& y = b->items[i];
-              if (!x || !y ? x != y : x->geometry != y->geometry) return nb::bool_(false);
-            }
-            return nb::bool_(true);
-          },
-          nb::sig("def __eq__(self, other: object) -> bool"))
-      .def("__repr__",
-           [](const ShapeArray& a) {
-             std::string text = "<minksum.GeometryArray of shape (";
-             for (std::size_t i = 0; i < a.shape.size(); ++i) {
-               text += (i == 0 ? "" : ", ") + std::to_string(a.shape[i]);
-             }
-             return text + (a.shape.size() == 1 ? ",)>" : ")>");
-           })
-      .def("__reduce__",
-           [](nb::handle self) {
-             const auto& array = nb::cast<const ShapeArray&>(self);
-             nb::list items;
-             for (const ShapePtr& item : array.items) items.append(to_object(item));
-             return nb::make_tuple(nb::module_::import_("minksum._state").attr("array"),
-                                   nb::make_tuple(items, nb::tuple(nb::cast(array.shape))));
-           })
-      .def_static(
-          "_make",
-          [](const std::vector<ShapePtr>& items, const std::vector<std::size_t>& shape) {
-            return std::make_shared<ShapeArray>(ShapeArray{items, shape});
-          },
-          nb::arg("items"), "shape"_a);
 }
 
 }  // namespace minksum::python

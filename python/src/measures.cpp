@@ -174,6 +174,7 @@ void bind_pairs(nb::module_& m) {
             depth_of);
       },
       "a"_a.none(), "b"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
+      nb::sig(signature("penetration_depth", "a: GeometryLike, b: GeometryLike", "", "typing.Any")),
       "Return how two sets stand to each other: a `Depth` with the shortest move of b after which "
       "they touch. None if one of them has no area.");
   m.def(
@@ -191,6 +192,9 @@ void bind_pairs(nb::module_& m) {
             });
       },
       "a"_a.none(), "b"_a.none(), "direction"_a, nb::kw_only(), MINKSUM_SETTING_ARGS,
+      nb::sig(signature("time_of_impact",
+                        "a: GeometryLike, b: GeometryLike, direction: tuple[Number, Number]", "",
+                        "typing.Any")),
       "Return the smallest factor f >= 0 for which b, moved by f times the direction, meets a; "
       "None if there is none.");
   m.def(
@@ -208,6 +212,7 @@ void bind_pairs(nb::module_& m) {
             [](bool value) { return nb::bool_(value); });
       },
       "b"_a.none(), "a"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
+      nb::sig(signature("covers", "b: GeometryLike, a: GeometryLike", "", "typing.Any")),
       "Return whether the area of a lies within that of b.");
   m.def(
       "check_sum",
@@ -226,6 +231,8 @@ void bind_pairs(nb::module_& m) {
         return check_of(check);
       },
       "result"_a, "p"_a, "q"_a, nb::kw_only(), "within"_a = 0, MINKSUM_SETTING_ARGS,
+      nb::sig(signature("check_sum", "result: GeometryLike, p: GeometryLike, q: GeometryLike",
+                        "within: Number = 0, ", "dict[str, typing.Any]")),
       "Verify or refute that `result` is the sum of p and q, by methods that share nothing with "
       "`minkowski_sum`. Returns a dict with 'ok', 'proof' and what speaks against the result.");
 }
@@ -234,10 +241,14 @@ void bind_pairs(nb::module_& m) {
 
 void bind_measures(nb::module_& m) {
   m.def("area", area_of, "a"_a.none(), nb::kw_only(), "exact"_a = false,
+        nb::sig("def area(a: GeometryLike, *, exact: bool = False) -> typing.Any"),
         "Return the area as a float, or exactly.");
   m.def("bounds", bounds_of, "a"_a.none(), nb::kw_only(), "exact"_a = false,
+        nb::sig("def bounds(a: GeometryLike, *, exact: bool = False) -> typing.Any"),
         "Return (xmin, ymin, xmax, ymax), or None for the empty set.");
   m.def("locate", locate_all, "a"_a, "points"_a, nb::kw_only(), MINKSUM_SETTING_ARGS,
+        nb::sig(signature("locate", "a: GeometryLike, points: typing.Iterable[typing.Any]", "",
+                          "numpy.typing.NDArray[numpy.int8]")),
         "Return for each point -1 if it is outside, 0 on the boundary, and 1 inside, exactly.");
   m.def(
       "validate",
@@ -251,6 +262,8 @@ void bind_measures(nb::module_& m) {
         return list;
       },
       "a"_a, "max_faults"_a = 100,
+      nb::sig("def validate(a: GeometryLike, max_faults: int = 100) -> "
+              "list[dict[str, typing.Any]]"),
       "Return the faults of a geometry's polygons: dicts with 'message', 'place' and 'other' "
       "(polygon, ring, vertex) and 'at', the exact location.");
   m.def(
@@ -259,17 +272,20 @@ void bind_measures(nb::module_& m) {
         return ask_each(a,
                         [](const Geometry& g) { return nb::bool_(validate(g.region, 1).empty()); });
       },
-      "a"_a.none(), "Return whether all polygons are valid operands.");
+      "a"_a.none(), nb::sig("def is_valid(a: GeometryLike) -> typing.Any"),
+      "Return whether all polygons are valid operands.");
   m.def(
       "affine_transform",
       [](nb::handle a, const std::vector<nb::object>& matrix) {
         const Affine map = affine_of(matrix);
-        Call call("automatic", false, 1, {}, {}, {}, nb::none(), {});
+        Call call;
         return apply(call, a, [&map](const Geometry& g, const Options& options) {
           return resolve(transform(g, map, options), options);
         });
       },
       "a"_a.none(), "matrix"_a,
+      nb::sig("def affine_transform(a: GeometryLike, matrix: typing.Sequence[Number]) -> "
+              "Geometry | GeometryArray | None"),
       "Return the exact image under (x, y) -> (a x + b y + xoff, d x + e y + yoff); the matrix is "
       "[a, b, d, e, xoff, yoff], as in shapely.affinity.");
   bind_pairs(m);

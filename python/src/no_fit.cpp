@@ -34,7 +34,10 @@ void def_fit(nb::module_& m, const char* name, Fit fit, const char* a, const cha
                      });
       },
       nb::arg(a).none(), nb::arg(b).none(), nb::kw_only(), "reference"_a = nb::none(),
-      MINKSUM_SETTING_ARGS, doc);
+      MINKSUM_SETTING_ARGS,
+      nb::sig(signature(name, std::string(a) + ": GeometryLike, " + b + ": GeometryLike",
+                        "reference: tuple[Number, Number] | None = None, ")),
+      doc);
 }
 
 struct Table {
@@ -55,7 +58,7 @@ struct Table {
   }
 };
 
-std::shared_ptr<Table> make_table(nb::handle parts, int turns, MINKSUM_SETTINGS) {
+Table make_table(nb::handle parts, int turns, MINKSUM_SETTINGS) {
   Call call(MINKSUM_SETTING_VALUES);
   const Operands operands = operands_of(parts);
   std::vector<Geometry> geometries;
@@ -63,12 +66,9 @@ std::shared_ptr<Table> make_table(nb::handle parts, int turns, MINKSUM_SETTINGS)
     if (!item) throw nb::type_error("a part must not be None");
     geometries.push_back(item->geometry);
   }
-  std::shared_ptr<Table> table;
-  call.run(false, [&] {
-    table = std::make_shared<Table>(
-        Table{NoFitTable(geometries, turns, call.options()), geometries.size()});
-  });
-  return table;
+  std::optional<NoFitTable> table;
+  call.run(false, [&] { table.emplace(geometries, turns, call.options()); });
+  return {*std::move(table), geometries.size()};
 }
 
 /// Returns the entries of some rows: all moving parts in all turns around each fixed one.
@@ -127,7 +127,9 @@ void bind_no_fit(nb::module_& m) {
             if (!reference.is_none()) at = require_point(reference, "reference");
             new (self) NoFitPolygon(a->geometry, b->geometry, at);
           },
-          "fixed"_a, "moving"_a, nb::kw_only(), "reference"_a = nb::none())
+          "fixed"_a, "moving"_a, nb::kw_only(), "reference"_a = nb::none(),
+          nb::sig("def __init__(self, fixed: GeometryLike, moving: GeometryLike, *, "
+                  "reference: tuple[Number, Number] | None = None) -> None"))
       .def_prop_ro(
           "geometry",
           [](const NoFitPolygon& p) {
@@ -135,17 +137,23 @@ void bind_no_fit(nb::module_& m) {
           },
           "The polygon itself.")
       .def("contact", contacts, "points"_a,
+           nb::sig("def contact(self, points: typing.Iterable[typing.Any]) -> list[str]"),
            "Return for each placement 'free', 'touching' or 'overlapping', exactly.");
   nb::class_<Table>(m, "NoFitTable",
                     "The no-fit polygons of all pairs of parts in all directions. `table[i, j]` "
                     "is that of part j around part i, and `table[(i, r), (j, s)]` has them turned "
                     "by r and s times 360 / turns degrees. A part's reference point is its first "
                     "vertex.")
-      .def(nb::new_([](nb::handle parts, int turns, MINKSUM_SETTINGS) {
-             return make_table(parts, turns, MINKSUM_SETTING_VALUES);
-           }),
-           "parts"_a, nb::kw_only(), "turns"_a = 4, MINKSUM_SETTING_ARGS)
-      .def("__getitem__", &Table::at, "key"_a)
+      .def(
+          "__init__",
+          [](Table* self, nb::handle parts, int turns, MINKSUM_SETTINGS) {
+            new (self) Table(make_table(parts, turns, MINKSUM_SETTING_VALUES));
+          },
+          "parts"_a, nb::kw_only(), "turns"_a = 4, MINKSUM_SETTING_ARGS,
+          nb::sig(signature("__init__", "self, parts: GeometryLike", "turns: int = 4, ", "None")))
+      .def("__getitem__", &Table::at, "key"_a,
+           nb::sig("def __getitem__(self, key: tuple[int, int] | "
+                   "tuple[tuple[int, int], tuple[int, int]]) -> Geometry"))
       .def("__len__", [](const Table& t) { return t.parts; })
       .def_prop_ro(
           "turns", [](const Table& t) { return t.table.turns(); },

@@ -211,8 +211,16 @@ void bind_readers(nb::module_& m) {
       "Return the geometry, or the array, that an operand stands for.");
   m.def("from_ragged_array", from_ragged_array, "coords"_a, "ring_offsets"_a, "polygon_offsets"_a,
         "geometry_offsets"_a = nb::none(),
+        nb::sig("def from_ragged_array(coords: numpy.typing.NDArray[numpy.float64], "
+                "ring_offsets: numpy.typing.NDArray[numpy.int64], "
+                "polygon_offsets: numpy.typing.NDArray[numpy.int64], "
+                "geometry_offsets: numpy.typing.NDArray[numpy.int64] | None = None) -> "
+                "GeometryArray"),
         "Return an array of the polygons of flat arrays, as `shapely.to_ragged_array` makes them.");
   m.def("to_ragged_array", to_ragged_array, "array"_a,
+        nb::sig("def to_ragged_array(array: GeometryArray) -> "
+                "tuple[numpy.typing.NDArray[numpy.float64], "
+                "tuple[numpy.typing.NDArray[numpy.int64], ...]]"),
         "Return coordinates and the offsets of rings, polygons and geometries, for "
         "`shapely.from_ragged_array(shapely.GeometryType.MULTIPOLYGON, ...)`.");
   m.def(
@@ -241,14 +249,17 @@ void bind_readers(nb::module_& m) {
       [](const std::string& text, nb::handle tolerance, const std::string& side) {
         return read_drawing(text, tolerance, side, "", nb::int_(0), io::Format::kSvg);
       },
-      "text"_a, "tolerance"_a.none(), "side"_a);
+      "text"_a, "tolerance"_a.none(), "side"_a,
+      nb::sig("def _read_svg(text: str, tolerance: Number | None, side: str) -> Geometry"));
   m.def(
       "_read_dxf",
       [](const std::string& text, nb::handle tolerance, const std::string& side,
          const std::string& layer, nb::handle join_ends) {
         return read_drawing(text, tolerance, side, layer, join_ends, io::Format::kDxf);
       },
-      "text"_a, "tolerance"_a.none(), "side"_a, "layer"_a, "join_ends"_a);
+      "text"_a, "tolerance"_a.none(), "side"_a, "layer"_a, "join_ends"_a,
+      nb::sig("def _read_dxf(text: str, tolerance: Number | None, side: str, layer: str, "
+              "join_ends: Number) -> Geometry"));
 }
 
 }  // namespace minksum::python

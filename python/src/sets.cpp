@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <string>
+#include <string_view>
 
 #include "bindings.hpp"
 #include "elementwise.hpp"
@@ -15,17 +16,6 @@ using namespace nb::literals;
 
 namespace minksum::python {
 namespace {
-
-/// Returns a signature for stubs. It lives as long as the module.
-const char* signature(const std::string& name, const std::string& operands,
-                      const std::string& own = "",
-                      const std::string& result = "Geometry | GeometryArray | None") {
-  static std::deque<std::string> kept;
-  return kept
-      .emplace_back("def " + name + "(" + operands + ", *, " + own + kSettingsSignature + ") -> " +
-                    result)
-      .c_str();
-}
 
 void def_binary(nb::module_& m, const char* name, const BinaryOperation& operation,
                 const char* doc) {
@@ -64,12 +54,29 @@ Geometry union_of(const Geometry& a, const Geometry& b, const Options& options) 
   return unite(both, options);
 }
 
+Geometry common_area(const Geometry& a, const Geometry& b, const Options& options) {
+  return areas(a, b, options, intersect);
+}
+
+Geometry area_without(const Geometry& a, const Geometry& b, const Options& options) {
+  return areas(a, b, options, subtract);
+}
+
+Geometry area_of_one(const Geometry& a, const Geometry& b, const Options& options) {
+  return areas(a, b, options, symmetric_difference);
+}
+
+Geometry plain_sum(const Geometry& a, const Geometry& b, const Options& options) {
+  return minkowski_sum(a, b, options);
+}
+
+Geometry mirror(const Geometry& a, const Options& options) {
+  return resolve(reflect(a, options), options);
+}
+
 nb::object sum(nb::handle a, nb::handle b, bool tight, MINKSUM_SETTINGS) {
   Call call(MINKSUM_SETTING_VALUES);
-  const BinaryOperation plain = [](const Geometry& p, const Geometry& q, const Options& options) {
-    return minkowski_sum(p, q, options);
-  };
-  if (!tight) return apply(call, a, b, plain);
+  if (!tight) return apply(call, a, b, plain_sum);
   Operands first = operands_of(a);
   Operands second = operands_of(b);
   const Pairs pairs(first, second);
@@ -158,12 +165,7 @@ void bind_unary(nb::module_& m) {
   def(
       "resolve", [](const Geometry& a, const Options& options) { return resolve(a, options); },
       "Return the set of points that a geometry means by the fill rule, in canonical form.");
-  def(
-      "reflect",
-      [](const Geometry& a, const Options& options) {
-        return resolve(reflect(a, options), options);
-      },
-      "Return the point mirror at the origin.");
+  def("reflect", mirror, "Return the point mirror at the origin.");
 }
 
 void bind_rounded(nb::module_& m) {
@@ -208,6 +210,44 @@ void bind_union_all(nb::module_& m) {
       "geometries"_a, nb::kw_only(), MINKSUM_SETTING_ARGS,
       nb::sig(signature("union_all", "geometries: GeometryLike", "", "Geometry")),
       "Return the union of all elements. Missing ones count as empty.");
+}
+
+/// Adds an operator between geometries and arrays to both classes.
+void def_operator(nb::module_& m, const char* name, const BinaryOperation& operation) {
+  for (const char* type : {"Geometry", "GeometryArray"}) {
+    static std::deque<std::string> kept;
+    const std::string& text =
+        kept.emplace_back(std::string("def ") + name + "(self, other: GeometryLike) -> " +
+                          "Geometry | GeometryArray | None");
+    nb::cpp_function_def(
+        [operation](nb::handle a, nb::handle b) -> nb::object {
+          if (!nb::isinstance<Shape>(b) && !nb::isinstance<ShapeArray>(b)) {
+            return nb::borrow(Py_NotImplemented);
+          }
+          Call call;
+          return apply(call, a, b, operation);
+        },
+        nb::scope(m.attr(type)), nb::name(name), nb::is_method(), nb::is_operator(),
+        nb::arg("other"), nb::sig(text.c_str()));
+  }
+}
+
+void bind_operators(nb::module_& m) {
+  def_operator(m, "__add__", plain_sum);
+  def_operator(m, "__or__", union_of);
+  def_operator(m, "__and__", common_area);
+  def_operator(m, "__sub__", area_without);
+  def_operator(m, "__xor__", area_of_one);
+  for (const char* type : {"Geometry", "GeometryArray"}) {
+    nb::cpp_function_def(
+        [](nb::handle a) {
+          Call call;
+          return apply(call, a, mirror);
+        },
+        nb::scope(m.attr(type)), nb::name("__neg__"), nb::is_method(), nb::is_operator(),
+        nb::sig(type == std::string_view("Geometry") ? "def __neg__(self) -> Geometry"
+                                                     : "def __neg__(self) -> GeometryArray"));
+  }
 }
 
 }  // namespace
@@ -257,28 +297,16 @@ void bind_sets(nb::module_& m) {
       [](const Geometry& a, const Geometry& b, const Options& o) { return close(a, b, o); },
       "Return the closing of a by b: what no translate of -b outside of a can reach.");
   def_binary(m, "union", union_of, "Return the union.");
-  def_binary(
-      m, "intersection",
-      [](const Geometry& a, const Geometry& b, const Options& o) {
-        return areas(a, b, o, intersect);
-      },
-      "Return the closure of what has area in both sets.");
-  def_binary(
-      m, "difference",
-      [](const Geometry& a, const Geometry& b, const Options& o) {
-        return areas(a, b, o, subtract);
-      },
-      "Return the closure of what has area in a and not in b.");
-  def_binary(
-      m, "symmetric_difference",
-      [](const Geometry& a, const Geometry& b, const Options& o) {
-        return areas(a, b, o, symmetric_difference);
-      },
-      "Return the closure of what has area in exactly one of the sets.");
+  def_binary(m, "intersection", common_area, "Return the closure of what has area in both sets.");
+  def_binary(m, "difference", area_without,
+             "Return the closure of what has area in a and not in b.");
+  def_binary(m, "symmetric_difference", area_of_one,
+             "Return the closure of what has area in exactly one of the sets.");
   bind_offset(m);
   bind_unary(m);
   bind_rounded(m);
   bind_union_all(m);
+  bind_operators(m);
 }
 
 }  // namespace minksum::python

@@ -41,6 +41,23 @@ struct Operands {
 /// Returns the same for a single geometry. Throws TypeError for an array.
 [[nodiscard]] ShapePtr operand_of(nanobind::handle object, bool drop_z = false);
 
+/// An operand that is not copied if it is a `Geometry`, which the caller's object keeps alive.
+class Argument {
+ public:
+  explicit Argument(nanobind::handle object);
+  [[nodiscard]] bool scalar() const { return shape_ != nullptr || operands_.scalar; }
+  /// Returns a single geometry; null if it is missing.
+  [[nodiscard]] const Shape* shape() const {
+    return shape_ != nullptr ? shape_ : operands_.array.items.front().get();
+  }
+  [[nodiscard]] const Operands& array() const;
+
+ private:
+  nanobind::handle object_;
+  const Shape* shape_ = nullptr;
+  mutable Operands operands_;
+};
+
 /// Returns the geometry of a GeoJSON object, which is a mapping of Python. Floats are exactly
 /// themselves.
 [[nodiscard]] ShapePtr shape_of_mapping(nanobind::handle mapping, bool drop_z);
@@ -48,8 +65,12 @@ struct Operands {
 /// Reads a text or bytes in a format of the library.
 [[nodiscard]] ShapePtr read_shape(std::string_view text, bool drop_z);
 
+/// Returns the little-endian WKB of a geometry that is rounded to a side, and so stays valid.
+[[nodiscard]] std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid);
+
 /// Returns a single geometry or an array as an object of Python; null as None.
 [[nodiscard]] nanobind::object to_object(const ShapePtr& shape);
+[[nodiscard]] nanobind::object to_object(Shape shape);
 [[nodiscard]] nanobind::object to_object(ShapeArray array);
 
 }  // namespace minksum::python

@@ -81,7 +81,11 @@ void bind_space(nb::module_& m) {
             new (self) ConfigurationSpace(required(robot), required(obstacles), setting, options);
           },
           "robot"_a, "obstacles"_a, nb::kw_only(), "reference"_a = nb::none(),
-          "workspace"_a = nb::none(), "tight"_a = false, "fill"_a = "automatic")
+          "workspace"_a = nb::none(), "tight"_a = false, "fill"_a = "automatic",
+          nb::sig("def __init__(self, robot: GeometryLike, obstacles: GeometryLike, *, "
+                  "reference: tuple[Number, Number] | None = None, "
+                  "workspace: GeometryLike = None, tight: bool = False, "
+                  "fill: str = 'automatic') -> None"))
       .def(
           "slice",
           [](const ConfigurationSpace& space, nb::handle degrees, bool free, double tolerance) {
@@ -94,6 +98,8 @@ void bind_space(nb::module_& m) {
             return slice_of(std::move(slice), free);
           },
           "degrees"_a, nb::kw_only(), "free"_a = false, "tolerance"_a = 1e-3,
+          nb::sig("def slice(self, degrees: Number, *, free: bool = False, "
+                  "tolerance: float = 0.001) -> Slice"),
           "Return the slice of the exact rotation that is nearest to an angle.")
       .def(
           "turns",
@@ -105,13 +111,16 @@ void bind_space(nb::module_& m) {
             return list;
           },
           "angles"_a, nb::kw_only(), "tolerance"_a = 1e-3,
+          nb::sig("def turns(self, angles: int | typing.Iterable[Number], *, "
+                  "tolerance: float = 0.001) -> list[Exact]"),
           "Return the angles of so many equal steps, or those that are given, as exact degrees.");
   m.def(
       "_direction",
       [](nb::handle degrees, double tolerance) {
         return exact_point(nearest_turn(require_number(degrees, "degrees"), tolerance).direction());
       },
-      "degrees"_a, "tolerance"_a);
+      "degrees"_a, "tolerance"_a,
+      nb::sig("def _direction(degrees: Number, tolerance: float) -> tuple[Exact, Exact]"));
   m.def(
       "reach",
       [](nb::handle robot, nb::handle obstacles, nb::handle start, nb::handle goal,
@@ -132,6 +141,13 @@ void bind_space(nb::module_& m) {
       },
       "robot"_a, "obstacles"_a, "start"_a, "goal"_a, nb::kw_only(), "reference"_a = nb::none(),
       "workspace"_a = nb::none(), "angles"_a = 72, "certain"_a = false, MINKSUM_SETTING_ARGS,
+      nb::sig(signature(
+          "reach",
+          "robot: GeometryLike, obstacles: GeometryLike, start: tuple[Number, Number, Number], "
+          "goal: tuple[Number, Number, Number]",
+          "reference: tuple[Number, Number] | None = None, workspace: GeometryLike = None, "
+          "angles: int = 72, certain: bool = False, ",
+          "Reach")),
       "Return whether and how a robot gets from one configuration (x, y, degrees) to another: a "
       "`Reach`.");
 }
