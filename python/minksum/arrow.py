@@ -77,8 +77,7 @@ def to_arrow(geometries: Any, *, encoding: str = "wkb") -> pa.Array:
     """
     shapes = geometries if isinstance(geometries, GeometryArray) else GeometryArray(geometries)
     if encoding == "wkb":
-        items = [shapes[i] for i in range(len(shapes))]
-        storage = pa.array([None if g is None else g.to_wkb() for g in items], pa.binary())
+        storage = _wkb_storage(shapes)
     elif encoding == "multipolygon":
         coordinates, levels = _core.to_ragged_array(shapes)
         storage = pa.FixedSizeListArray.from_arrays(pa.array(coordinates.ravel()), 2)
@@ -108,14 +107,25 @@ def _imported(column: Any) -> Any:
 
 
 def _of_wkb(array: Any, z: str) -> GeometryArray:
-    shapes = []
-    for index, data in enumerate(array.to_pylist()):
-        try:
-            shapes.append(None if data is None else _core.from_wkb(data, z=z))
-        except BadInputError as error:
-            error.index = index
-            raise
-    return GeometryArray(shapes)
+    valid = array.is_valid().to_numpy(zero_copy_only=False)
+    _, offsets, data = array.buffers()
+    kind = np.int64 if pa.types.is_large_binary(array.type) else np.int32
+    ends = slice(array.offset, array.offset + len(array) + 1)
+    # An array without elements may have no offsets.
+    starts = np.frombuffer(offsets, kind)[ends] if len(array) else np.zeros(1, kind)
+    content = np.frombuffer(data or b"", np.uint8)
+    return _core._from_wkb_column(content, starts.astype(np.int64), valid.astype(np.bool_), z)
+
+
+def _wkb_storage(shapes: GeometryArray) -> Any:
+    data, offsets = _core._to_wkb_column(shapes, "nearest")
+    # WKB is never empty, so what has no bytes is missing.
+    valid = np.diff(offsets) > 0
+    large = offsets[-1] > np.iinfo(np.int32).max
+    kind, number = (pa.large_binary(), np.int64) if large else (pa.binary(), np.int32)
+    bits = None if valid.all() else pa.py_buffer(np.packbits(valid, bitorder="little"))
+    buffers = [bits, pa.py_buffer(offsets.astype(number)), pa.py_buffer(data)]
+    return pa.Array.from_buffers(kind, len(shapes), buffers)
 
 
 def _coordinates(values: Any, kind: Any) -> Any:

@@ -29,10 +29,10 @@ io::Coordinates exact_style() {
 }
 
 /// Doubles are written of a rounded set, so that what is written is valid.
-Geometry writable(const Geometry& geometry, const std::string& side) {
+Geometry writable(const Geometry& geometry, const std::string& side, const Options& options = {}) {
   RoundOptions target;
   target.side = side_of(side);
-  return round(resolve(geometry), target);
+  return round(resolve(geometry, options), target, options);
 }
 
 std::string geometry_type(const Geometry& geometry) {
@@ -234,8 +234,9 @@ void bind_state(nb::class_<Shape>& type) {
 
 }  // namespace
 
-std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid) {
-  std::string wkb = io::to_wkb(writable(shape.geometry, round));
+std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
+                   const Options& options) {
+  std::string wkb = io::to_wkb(writable(shape.geometry, round, options));
   if (include_srid && shape.srid != 0) {
     // PostGIS's form: bit 0x20000000 of the code says that the number follows the code.
     wkb[4] = static_cast<char>(static_cast<unsigned char>(wkb[4]) | 0x20U);

@@ -18,6 +18,7 @@ NB_MODULE(_core, m) {
       .def_prop_ro("cancelled", &CancelToken::cancelled, "Whether somebody asked to stop.");
   minksum::python::bind_geometry(m);
   minksum::python::bind_array(m);
+  minksum::python::bind_arrow(m);
   minksum::python::bind_readers(m);
   minksum::python::bind_sets(m);
   minksum::python::bind_measures(m);

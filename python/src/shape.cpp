@@ -236,11 +236,7 @@ ShapePtr shape_of_text(nb::handle object, bool drop_z) {
   if (PyBytes_Check(object.ptr())) {
     const auto bytes = nb::borrow<nb::bytes>(object);
     const std::string_view data(static_cast<const char*>(bytes.data()), bytes.size());
-    if (data.empty()) throw Error(ErrorCode::kBadInput, "byte 1: WKB is expected, found no bytes");
-    if (data[0] != 0 && data[0] != 1) {
-      throw Error(ErrorCode::kBadInput, "byte 1: WKB is expected, which begins with 0 or 1");
-    }
-    return read_shape(data, drop_z);
+    return read_wkb(data, drop_z);
   }
   return read_shape(nb::cast<std::string>(object), drop_z);
 }
@@ -262,6 +258,14 @@ ShapePtr shape_of_shapely(nb::handle object, bool drop_z) {
 bool drops_z(const std::string& z) {
   if (z != "error" && z != "drop") throw nb::value_error("z must be \"error\" or \"drop\"");
   return z == "drop";
+}
+
+ShapePtr read_wkb(std::string_view bytes, bool drop_z) {
+  if (bytes.empty()) throw Error(ErrorCode::kBadInput, "byte 1: WKB is expected, found no bytes");
+  if (bytes[0] != 0 && bytes[0] != 1) {
+    throw Error(ErrorCode::kBadInput, "byte 1: WKB is expected, which begins with 0 or 1");
+  }
+  return read_shape(bytes, drop_z);
 }
 
 ShapePtr read_shape(std::string_view text, bool drop_z) {

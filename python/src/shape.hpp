@@ -62,11 +62,14 @@ class Argument {
 /// themselves.
 [[nodiscard]] ShapePtr shape_of_mapping(nanobind::handle mapping, bool drop_z);
 
+/// Reads WKB or EWKB.
+[[nodiscard]] ShapePtr read_wkb(std::string_view bytes, bool drop_z);
 /// Reads a text or bytes in a format of the library.
 [[nodiscard]] ShapePtr read_shape(std::string_view text, bool drop_z);
 
 /// Returns the little-endian WKB of a geometry that is rounded to a side, and so stays valid.
-[[nodiscard]] std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid);
+[[nodiscard]] std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
+                                 const Options& options = {});
 
 /// Returns a single geometry or an array as an object of Python; null as None.
 [[nodiscard]] nanobind::object to_object(const ShapePtr& shape);
