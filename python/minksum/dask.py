@@ -7,9 +7,11 @@ sooner by the threads of one machine; thousands of parts, or national data, are 
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import uuid
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,8 @@ import pyarrow.parquet as pq
 
 from . import _core
 from ._core import Geometry, GeometryArray
+from ._spaces import ConfigurationSpace
+from ._types import Number
 from .errors import BadInputError, Error
 
 _SCHEMA = pa.schema([
@@ -25,6 +29,15 @@ _SCHEMA = pa.schema([
     ("moving_turn", pa.int8()), ("geometry", pa.binary()), ("exact", pa.binary()),
     ("error", pa.string()),
 ])
+
+_SLICE_SCHEMA = pa.schema([
+    ("asked", pa.string()), ("degrees", pa.float64()), ("off", pa.float64()),
+    ("obstacles", pa.binary()), ("free", pa.binary()), ("exact_obstacles", pa.binary()),
+    ("exact_free", pa.binary()), ("error", pa.string()),
+], metadata={"geo": json.dumps({  # GeoParquet
+    "version": "1.1.0", "primary_column": "obstacles",
+    "columns": {name: {"encoding": "WKB", "geometry_types": []} for name in ("obstacles", "free")},
+})})
 
 
 def map_geometries(
@@ -92,7 +105,7 @@ def no_fit_table(
     placed = [_at_origin(part, index) for index, part in enumerate(parts)]
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
-    digest = _digest(placed, turns)
+    digest = _digest(placed, f"no-fit table 1, {turns} turns")
     jobs = []
     for i in range(0, len(placed), block[0]):
         for j in range(0, len(placed), block[1]):
@@ -100,18 +113,110 @@ def no_fit_table(
             columns = (j, min(j + block[1], len(placed)))
             name = f"{digest}-{rows[0]}-{rows[1]}-{columns[0]}-{columns[1]}.parquet"
             jobs.append((folder / name, rows, columns))
+    return _make_all(_make_block, placed, turns, jobs, client, retries)
+
+
+def slices(
+    space: ConfigurationSpace,
+    angles: int | Iterable[Number],
+    *,
+    out: str | os.PathLike[str],
+    free: bool = False,
+    tolerance: float = 1e-3,
+    block: int = 64,
+    client: Any = None,
+    retries: int = 3,
+) -> list[Path]:
+    """Write the slices of a configuration space into Parquet files, and return their paths.
+
+    Files that are there are not made again, as those of `no_fit_table`.
+
+    Parameters
+    ----------
+    space : ConfigurationSpace
+        The robot and its obstacles.
+    angles : int or iterable of Number
+        The angles in degrees, or the number of equal steps around.
+    out : path-like
+        The folder of the files.
+    free : bool
+        Whether the free space is written, too.
+    tolerance : float
+        How far the rotation of a slice may be from its angle, in degrees.
+    block : int
+        How many slices make one file.
+    client, retries
+        As in `no_fit_table`.
+
+    Returns
+    -------
+    list of Path
+        GeoParquet files with the columns asked (the exact angle as a text), degrees and off (of
+        the exact rotation that was taken), obstacles and free (WKB, rounded), exact_obstacles and
+        exact_free (for `Geometry.from_bytes`), and error (the message of a slice that failed).
+    """
+    if block < 1:
+        raise BadInputError("blocks must have at least one slice")
+    asked = [str(angle) for angle in space.turns(angles, tolerance=tolerance)]
+    folder = Path(out)
+    folder.mkdir(parents=True, exist_ok=True)
+    robot, obstacles, settings = space._made_of
+    workspace = settings["workspace"]
+    reference = settings["reference"] and [str(Fraction(x)) for x in settings["reference"]]
+    what = f"slices 1 {reference} {settings['tight']} {settings['fill']} {free} {tolerance!r}"
+    digest = _digest([robot, obstacles, *([workspace] if workspace else [])], what)
+    jobs = []
+    for i in range(0, len(asked), block):
+        part = asked[i : i + block]
+        name = hashlib.blake2b(" ".join(part).encode(), digest_size=8).hexdigest()
+        jobs.append((folder / f"{digest}-{i}-{name}.parquet", part, tolerance))
+    return _make_all(_make_slices, space, free, jobs, client, retries)
+
+
+def _make_all(
+    make: Callable[..., str], shared: Any, setting: Any, jobs: list[Any], client: Any, retries: int
+) -> list[Path]:
+    """Make the files that are not there, in this process or on the workers of a cluster."""
     left = [job for job in jobs if not job[0].exists()]
     if client is None:
         for job in left:
-            _make_block(placed, turns, *job)
+            make(shared, setting, *job)
     elif left:
-        shared = client.scatter(placed, broadcast=True, hash=False)
+        sent = client.scatter(shared, broadcast=True, hash=False)
         tasks = [
-            client.submit(_make_block, shared, turns, *job, pure=False, retries=retries)
-            for job in left
+            client.submit(make, sent, setting, *job, pure=False, retries=retries) for job in left
         ]
         client.gather(tasks)
-    return [path for path, _, _ in jobs]
+    return [job[0] for job in jobs]
+
+
+def _make_slices(
+    space: ConfigurationSpace, free: bool, path: Path, asked: list[str], tolerance: float
+) -> str:
+    if path.exists():
+        return str(path)
+    unfinished = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
+    try:
+        with pq.ParquetWriter(unfinished, _SLICE_SCHEMA) as writer:
+            for angle in asked:
+                record = _slice(space, angle, free, tolerance)
+                columns = [pa.array([value], f.type) for value, f in zip(record, _SLICE_SCHEMA)]
+                writer.write_batch(pa.record_batch(columns, schema=_SLICE_SCHEMA))
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+    return str(path)
+
+
+def _slice(space: ConfigurationSpace, angle: str, free: bool, tolerance: float) -> tuple[Any, ...]:
+    try:
+        made = space.slice(angle, free=free, tolerance=tolerance)
+    except Error as error:
+        return angle, None, None, None, None, None, None, str(error)
+    room = made.free
+    return (angle, made.degrees, made.off, made.obstacles.to_wkb(),
+            None if room is None else room.to_wkb(), made.obstacles.to_bytes(),
+            None if room is None else room.to_bytes(), None)
 
 
 def _map_partition(
@@ -139,8 +244,8 @@ def _at_origin(part: Any, index: int) -> Geometry:
     return _core.affine_transform(geometry, [1, 0, 0, 1, -x, -y])
 
 
-def _digest(parts: list[Geometry], turns: int) -> str:
-    digest = hashlib.blake2b(f"no-fit table 1, {turns} turns".encode(), digest_size=16)
+def _digest(parts: list[Geometry], what: str) -> str:
+    digest = hashlib.blake2b(what.encode(), digest_size=16)
     for part in parts:
         data = part.to_bytes()
         digest.update(len(data).to_bytes(8, "little") + data)

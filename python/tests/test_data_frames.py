@@ -1,6 +1,11 @@
 """Arrow, DuckDB, and tables that Dask makes."""
 
 import doctest
+import os
+import pickle
+import signal
+import threading
+import time
 
 import dask
 import dask.dataframe
@@ -149,6 +154,57 @@ def test_two_processes_make_equal_bytes(tmp_path):
         assert bytes(wkb) == minksum.offset(shape, 1).to_wkb()
     assert pandas.isna(grown["geometry"].iloc[3])
     assert len(tokens) == 1
+
+
+def space_of_slices():
+    walls = minksum.union_all([minksum.box(4, -9, 5, -1), minksum.box(4, 1, 5, 9)])
+    return minksum.ConfigurationSpace(minksum.box(-1, "-1/3", 1, "1/3"), walls, reference=(0, 0),
+                                      workspace=minksum.box(-3, -9, 12, 9))
+
+
+def test_slices_are_those_of_the_space(tmp_path):
+    space = space_of_slices()
+    paths = minksum.dask.slices(space, 10, out=tmp_path, block=4, free=True)
+    times = [path.stat().st_mtime_ns for path in paths]
+    rows = read_all(paths).to_pylist()
+    assert len(paths) == 3 and len(rows) == 10
+    for row, made in zip(rows, space.slices(10, free=True)):
+        assert row["asked"] == str(made.asked) and row["degrees"] == made.degrees
+        assert minksum.Geometry.from_bytes(row["exact_obstacles"]) == made.obstacles
+        assert minksum.Geometry.from_bytes(row["exact_free"]) == made.free
+        assert row["free"] == made.free.to_wkb() and row["error"] is None
+    again = pickle.loads(pickle.dumps(space))
+    assert minksum.dask.slices(again, 10, out=tmp_path, block=4, free=True) == paths
+    assert [path.stat().st_mtime_ns for path in paths] == times
+    assert not set(paths) & set(minksum.dask.slices(space, 10, out=tmp_path, block=4))
+    assert len(geopandas.read_parquet(paths[0])) == 4
+
+
+def test_a_worker_is_killed_in_the_middle(rng, tmp_path):
+    parts = [minksum.resolve([(0, 0), *((x, rng.randrange(1, 9)) for x in range(30)), (30, 0)])
+             for _ in range(10)]
+    alone = minksum.dask.no_fit_table(parts, out=tmp_path / "alone", turns=2, block=(1, 2))
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1,
+                                  dashboard_address="127.0.0.1:0",
+                                  host="127.0.0.1") as cluster:
+        with distributed.Client(cluster) as client:
+            victim = next(iter(client.run(os.getpid).values()))
+            folder = tmp_path / "shared"
+            killed = []
+
+            def kill():
+                while not any(folder.glob("*.parquet")):
+                    time.sleep(0.001)
+                os.kill(victim, signal.SIGKILL)
+                killed.append(len(list(folder.glob("*.parquet"))))
+
+            killer = threading.Thread(target=kill)
+            killer.start()
+            shared = minksum.dask.no_fit_table(parts, out=folder, turns=2, block=(1, 2),
+                                               client=client)
+            killer.join()
+    assert 0 < killed[0] < len(alone) == 50
+    assert [p.read_bytes() for p in shared] == [p.read_bytes() for p in alone]
 
 
 @pytest.mark.parametrize("module", [minksum.arrow, minksum.duckdb])
