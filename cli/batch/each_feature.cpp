@@ -66,7 +66,9 @@ class EachRun {
     const bool is_asked_for = !result.typed_format.empty() || !result.output.empty();
     using enum io::Format;
     const io::Format given = io::detect_format(text_);
-    if (!is_asked_for && (given == kGeoJson || given == kTable)) result.format = kGeoJson;
+    if (!is_asked_for && (given == kGeoJson || given == kTable || given == kGdal)) {
+      result.format = kGeoJson;
+    }
     if (result.format == kWkt || result.format == kGeoJson || result.format == kHexWkb) return;
     throw Failure(kWrongUsage,
                   "--each writes lists: --format takes wkt, geojson, geojsonl or wkbhex");

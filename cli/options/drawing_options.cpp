@@ -25,7 +25,8 @@ void add_drawing_options(const Command& command, io::DrawingOptions& drawing, bo
         .type_name("SIDE")
         .group(kGroup);
   }
-  command.add_option("--layer", drawing.layer, "Read this layer alone")
+  command
+      .add_option("--layer", drawing.layer, "Read this layer alone, also of files that GDAL opens")
       .type_name("NAME")
       .group(kGroup);
   command

@@ -28,6 +28,7 @@ enum class Format {
   kDxf,     ///< Drawing Exchange Format of AutoCAD, which is only read
   kHexWkb,  ///< WKB in hexadecimal digits, which is only written: kWkb reads both
   kTable,   ///< CSV and TSV with a column of WKT or hexadecimal WKB, which are only read
+  kGdal,    ///< what load_text makes of a file that GDAL opens, which is only read
 };
 
 /// An error in a text, with its place. Lines and columns count from 1; 0 means not known.
@@ -56,7 +57,9 @@ struct DrawingOptions {
   /// kOutside: areas contain those of the drawing. kInside: they are contained. kNearest: they have
   /// fewer vertices.
   RoundingSide side = RoundingSide::kNearest;
-  std::string layer = {};  ///< reads this layer alone; "" = all that are shown
+  /// Reads this layer alone; "" = all that are shown. A file that GDAL opens needs it if there are
+  /// several.
+  std::string layer = {};
   /// Joins ends of outlines that are at most so far apart by straight pieces. Without it, only
   /// equal ends are joined. DXF draws an outline in pieces. Must not be negative.
   Rational join_ends = {};
@@ -137,7 +140,9 @@ struct Feature {
 [[nodiscard]] MINKSUM_API Region read_file(const std::string& path,
                                            const ReadOptions& options = {});
 
-/// Returns the text of a file, or of standard input for "-". Throws as read_geometry_file does.
+/// Returns the text of a file, or of standard input for "-". Where GDAL is installed, a file or
+/// folder in a format that minksum does not read, such as a Shapefile, becomes a text of its
+/// features. Throws as read_geometry_file does.
 [[nodiscard]] MINKSUM_API std::string load_text(const std::string& path,
                                                 const ReadOptions& options = {});
 /// Returns what read_geometry does, with what the text says about it. Throws as that does.

@@ -38,9 +38,17 @@ void read_wkt_or_hex_wkb(TextCursor& cursor, const ReadOptions& options, Geometr
 /// Tells whether the first line names the columns of a table.
 [[nodiscard]] bool looks_like_table(std::string_view text);
 
-/// Throws a ReadError that names the format, if the text begins as files of a format that is not
-/// read.
-void refuse_other_formats(std::string_view text);
+/// A format whose files are not read, or by GDAL alone.
+struct OtherFormat {
+  std::string name;
+  std::string advice;  ///< what to do, unless GDAL opens it
+  bool by_gdal = false;
+};
+/// Returns the format if the text begins as files of such a format. The text may be just the
+/// beginning of one.
+[[nodiscard]] std::optional<OtherFormat> find_other_format(std::string_view text);
+/// Throws a ReadError that names the format.
+[[noreturn]] void refuse(const OtherFormat& format, bool is_file);
 
 /// Tells whether the bytes begin with a byte order and the code of a geometry.
 [[nodiscard]] bool looks_like_wkb(std::string_view bytes);

@@ -10,8 +10,8 @@ namespace minksum::io {
 
 namespace {
 
-constexpr const char* kByGdal =
-    "convert it first, for example with GDAL: ogr2ogr -f GeoJSON result.json FILE";
+// Stands for the advice on formats that GDAL opens.
+constexpr const char* kByGdal = "";
 constexpr const char* kUnpack = "unpack it first";
 constexpr const char* kPicture =
     "a picture has no coordinates that could be read; take the file that it was made from";
@@ -35,13 +35,14 @@ constexpr std::array kOthers = {
     Other{"\x28\xB5\x2F\xFD"sv, "a Zstandard archive", kUnpack},
     Other{"7z\xBC\xAF"sv, "a 7z archive", kUnpack},
     Other{"PK\3\4"sv, "a zip archive, or a file that is one, such as KMZ or a zipped Shapefile",
-          kUnpack},
+          kByGdal},
     Other{"\0\0\x27\x0A"sv, "a Shapefile", kByGdal},
     Other{"SQLite format 3\0"sv, "an SQLite database, such as GeoPackage or SpatiaLite", kByGdal},
     Other{"fgb\3"sv, "FlatGeobuf", kByGdal},
     Other{"PAR1"sv, "Parquet", kByGdal},
     Other{"ARROW1"sv, "Arrow", kByGdal},
     Other{"Version "sv, "a MapInfo file (MIF)", kByGdal},
+    Other{"!table"sv, "a MapInfo file (TAB)", kByGdal},
     Other{"AutoCAD Binary DXF"sv, "a binary DXF drawing", kDrawing},
     Other{"AC10"sv, "a DWG drawing", kDrawing},
     Other{"ISO-10303-21"sv, "a STEP model", kDrawing},
@@ -64,7 +65,7 @@ constexpr std::array kElements = {
     Other{"html", "a page in HTML", "perhaps an error page was saved in place of the file"},
 };
 
-/// Returns the name of the first element of an XML document, or "" if it has none.
+/// Returns the name of the first element of an XML document, or "" if the text ends before its end.
 std::string first_element(TextCursor cursor) {
   const auto skip_past = [&cursor](std::string_view end) {
     const std::size_t found = cursor.rest().find(end);
@@ -93,13 +94,10 @@ std::string first_element(TextCursor cursor) {
       name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     }
   }
-  return name;
+  return cursor.at_end() ? "" : name;
 }
 
-[[noreturn]] void fail_other(const std::string& name, const std::string& advice) {
-  throw ReadError(ErrorCode::kBadInput,
-                  "this looks like " + name + ", which is not read: " + advice, 1, 1);
-}
+OtherFormat other(const Other& row) { return {row.name, row.advice, row.advice == kByGdal}; }
 
 }  // namespace
 
@@ -124,19 +122,30 @@ bool looks_like_dxf(std::string_view text) {
 
 bool looks_like_svg(std::string_view text) { return first_element(TextCursor(text)) == "svg"; }
 
-void refuse_other_formats(std::string_view text) {
-  for (const Other& other : kOthers) {
-    if (text.starts_with(other.begin)) fail_other(other.name, other.advice);
+std::optional<OtherFormat> find_other_format(std::string_view text) {
+  for (const Other& row : kOthers) {
+    if (text.starts_with(row.begin)) return other(row);
   }
   TextCursor cursor(text);
   cursor.skip_space();
-  if (cursor.peek() != '<') return;
+  if (cursor.peek() != '<') return {};
   const std::string element = first_element(cursor);
-  if (element == "svg") return;
-  for (const Other& other : kElements) {
-    if (element == other.begin) fail_other(other.name, other.advice);
+  if (element.empty() || element == "svg") return {};
+  for (const Other& row : kElements) {
+    if (element == row.begin) return other(row);
   }
-  fail_other("XML", kByGdal);
+  return OtherFormat{"XML of an unknown kind", "SVG, KML, GML and GPX are", false};
+}
+
+void refuse(const OtherFormat& format, bool is_file) {
+  const std::string advice =
+      !format.by_gdal ? format.advice
+      : is_file       ? "GDAL opens it, but is not installed here (libgdal); or convert it "
+                        "elsewhere: ogr2ogr -f GeoJSON result.json FILE"
+                : "give it as a file, which GDAL opens if it is installed, or convert it first: "
+                  "ogr2ogr -f GeoJSON result.json FILE";
+  throw ReadError(ErrorCode::kBadInput,
+                  "this looks like " + format.name + ", which is not read: " + advice, 1, 1);
 }
 
 }  // namespace minksum::io

@@ -7,6 +7,7 @@
 
 #include "io/feature_source.hpp"
 #include "io/formats.hpp"
+#include "io/gdal/gdal.hpp"
 #include "io/text_cursor.hpp"
 
 namespace minksum::io {
@@ -55,10 +56,36 @@ bool looks_like_poly(TextCursor cursor) {
                   "cannot be read: " + std::generic_category().message(reason), 0, 0);
 }
 
-std::string read_all(std::FILE* file, const ReadOptions& options, std::size_t expected) {
+// Refuses a file of another format, or has GDAL read it, before all of it is loaded. Returns
+// nothing if the format is read.
+std::optional<std::string> read_other(std::string_view begin, const std::string& path,
+                                      const ReadOptions& options) {
+  if (looks_like_wkb(begin)) return {};
+  const auto format = find_other_format(without_mark(begin));
+  if (!format) return {};
+  std::error_code unknown;
+  const bool is_file = std::filesystem::is_regular_file(path, unknown);
+  if (format->by_gdal && is_file) {
+    if (auto features = features_by_gdal(path, format->name, options)) return features;
+  }
+  refuse(*format, is_file);
+}
+
+// Some formats are folders of files.
+bool is_folder_for_gdal(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(path, unknown)) return false;
+  for (const auto& entry : std::filesystem::directory_iterator(path, unknown)) {
+    const auto ending = entry.path().extension();
+    if (ending == ".shp" || ending == ".gdbtable") return true;
+  }
+  return false;
+}
+
+std::string read_all(std::FILE* file, const std::string& path, const ReadOptions& options,
+                     std::size_t expected) {
   constexpr std::size_t kChunk = std::size_t{1} << 18;
   std::string text;
-  text.reserve(expected);
   for (;;) {
     const std::size_t before = text.size();
     // Reading stops one byte beyond the limit, which is enough to see that it is exceeded.
@@ -70,6 +97,10 @@ std::string read_all(std::FILE* file, const ReadOptions& options, std::size_t ex
     text.resize(before + got);
     if (std::ferror(file) != 0) fail_unreadable(errno == 0 ? EIO : errno);
     if (text.size() > options.max_bytes) fail_too_large(options.max_bytes);
+    if (before == 0) {
+      if (auto features = read_other(text, path, options)) return *std::move(features);
+      text.reserve(expected);
+    }
     if (got < want) return text;
   }
 }
@@ -104,7 +135,12 @@ std::string_view without_mark(std::string_view text) {
 }
 
 std::string load_text(const std::string& path, const ReadOptions& options) {
-  if (path == "-") return read_all(stdin, options, 0);
+  if (path == "-") return read_all(stdin, path, options, 0);
+  if (is_folder_for_gdal(path)) {
+    if (auto features = features_by_gdal(path, "a folder of files", options)) {
+      return *std::move(features);
+    }
+  }
   std::error_code unknown;
   const auto size = std::filesystem::file_size(path, unknown);
   const std::size_t expected = unknown ? 0 : static_cast<std::size_t>(size);
@@ -113,11 +149,12 @@ std::string load_text(const std::string& path, const ReadOptions& options) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) fail_unreadable(errno);
-  return read_all(file.get(), options, expected + 1);
+  return read_all(file.get(), path, options, expected + 1);
 }
 
 Format detect_format(std::string_view text) {
   if (looks_like_wkb(text)) return Format::kWkb;
+  if (looks_like_gdal_features(text)) return Format::kGdal;
   TextCursor cursor(without_mark(text));
   cursor.skip_space();
   const char first = cursor.peek();
@@ -141,15 +178,19 @@ std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOpti
     return std::make_unique<WholeText>(content, options, rules, read);
   };
   if (looks_like_wkb(text)) return whole(text, read_wkb);
+  if (looks_like_gdal_features(text)) return gdal_source(text, options, rules);
   check_encoding(text);
   const std::string_view content = without_mark(text);
-  refuse_other_formats(content);
+  if (const auto format = find_other_format(content)) refuse(*format, false);
   TextCursor cursor(content);
   cursor.skip_space();
   if (cursor.at_end()) {
     throw ReadError(ErrorCode::kBadInput,
                     text.empty() ? "the file is empty" : "the file is empty but for white space", 1,
                     1);
+  }
+  if (cursor.peek() == '<' && !looks_like_svg(content)) {  // it ends before it says what it is
+    refuse({"XML", "it has no element", false}, false);
   }
   switch (detect_format(content)) {
     case Format::kGeoJson:

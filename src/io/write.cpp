@@ -28,6 +28,7 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
     case Format::kDat:
     case Format::kDxf:
     case Format::kTable:
+    case Format::kGdal:
       break;
   }
   throw Error(ErrorCode::kBadInput, "regions are not written as .dat, as DXF or as tables");

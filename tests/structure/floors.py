@@ -58,6 +58,8 @@ EXCEPTIONS = {
         "readers and writers count their work as the library does, by this header",
     ("src/io/writer.cpp", "src/machine/shortest_double.hpp"):
         "not every standard library can write doubles",
+    ("src/io/gdal/gdal_features.cpp", "src/machine/shortest_double.hpp"):
+        "not every standard library can write doubles",
     ("src/operations/configuration_space/slices.cpp", "src/operations/sum/fixed_sum.hpp"):
         "slices share one raster of the obstacles, which has no public form",
     ("src/operations/no_fit/no_fit_table.cpp", "src/operations/sum/fixed_sum.hpp"):

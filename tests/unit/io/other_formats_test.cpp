@@ -16,7 +16,7 @@ TEST(OtherFormats, AreNamed) {
   };
   using namespace std::string_literals;
   const std::vector<Other> others = {
-      {"\0\0\x27\x0A\0\0\0\0"s, "this looks like a Shapefile, which is not read: convert it"},
+      {"\0\0\x27\x0A\0\0\0\0"s, "this looks like a Shapefile, which is not read: give it"},
       {"\x1F\x8B\x08", "this looks like a gzip archive, which is not read: unpack it first"},
       {"SQLite format 3\0..."s, "this looks like an SQLite database, such as GeoPackage"},
       {"AutoCAD Binary DXF\r\n", "this looks like a binary DXF drawing, which is not read: export"},

@@ -1,0 +1,231 @@
+// Opens files by GDAL, and hands over the features of one layer.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "io/gdal/gdal.hpp"
+#include "io/gdal/library.hpp"
+#include "io/gdal/records.hpp"
+#include "io/json_string.hpp"
+#include "machine/cancellation.hpp"
+#include "machine/shortest_double.hpp"
+
+namespace minksum::io {
+
+namespace {
+
+using gdal::Library;
+using Handle = Library::Handle;
+
+// Values of GDAL's enumerations.
+constexpr unsigned kOpenVector = 0x04;
+constexpr unsigned kOpenVerbose = 0x40;
+constexpr int kNoGeometry = 100;
+constexpr int kLittleEndian = 1;
+constexpr int kFailure = 3;
+enum FieldType { kInteger = 0, kReal = 2, kInteger64 = 12 };
+constexpr int kBoolean = 1;
+
+/// Keeps GDAL from writing to standard error while it lives.
+class Silence {
+ public:
+  explicit Silence(const Library& gdal) : gdal_(gdal) {
+    gdal_.CPLPushErrorHandler(gdal_.CPLQuietErrorHandler);
+    gdal_.CPLErrorReset();
+  }
+  ~Silence() { gdal_.CPLPopErrorHandler(); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  const Library& gdal_;
+};
+
+[[noreturn]] void fail(const std::string& message, ErrorCode code = ErrorCode::kBadInput,
+                       const std::optional<ExceededLimit>& limit = {}) {
+  throw ReadError(code, message, 0, 0, limit);
+}
+
+std::string last_message(const Library& gdal) {
+  std::string message = gdal.CPLGetLastErrorMsg();
+  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
+  return message.empty() ? "" : ": " + message;
+}
+
+using Owned = std::unique_ptr<void, void (*)(Handle)>;
+
+class LayerReader {
+ public:
+  LayerReader(const Library& gdal, Handle layer, const ReadOptions& options)
+      : gdal_(gdal),
+        layer_(layer),
+        options_(options),
+        cancel_{.cancel = options.cancel},
+        cancellation_(cancel_) {}
+
+  std::string read() {
+    text_ = gdal::kMark;
+    append(srid());
+    for (;;) {
+      gdal_.CPLErrorReset();
+      const Owned feature(gdal_.OGR_L_GetNextFeature(layer_), gdal_.OGR_F_Destroy);
+      if (!feature) break;
+      ++count_;
+      add(feature.get());
+      cancellation_.check(text_.size() - counted_to_);
+      counted_to_ = text_.size();
+      if (text_.size() > options_.max_bytes) {
+        fail("the features take more than the limit of " + std::to_string(options_.max_bytes) +
+                 " bytes",
+             ErrorCode::kLimitExceeded,
+             ExceededLimit{"io::ReadOptions::max_bytes", options_.max_bytes});
+      }
+    }
+    if (gdal_.CPLGetLastErrorType() >= kFailure) {
+      fail("GDAL fails behind feature " + std::to_string(count_) + last_message(gdal_));
+    }
+    return std::move(text_);
+  }
+
+ private:
+  [[nodiscard]] std::int32_t srid() const {
+    const Handle system = gdal_.OGR_L_GetSpatialRef(layer_);
+    if (system == nullptr) return 0;
+    const char* const authority = gdal_.OSRGetAuthorityName(system, nullptr);
+    const char* const code = gdal_.OSRGetAuthorityCode(system, nullptr);
+    if (authority == nullptr || code == nullptr) return 0;
+    constexpr std::int32_t kWgs84 = 4326;
+    if (std::string_view(code) == "CRS84") return kWgs84;
+    return std::string_view(authority) == "EPSG" ? std::atoi(code) : 0;
+  }
+
+  void add(Handle feature) {
+    const std::int64_t number = gdal_.OGR_F_GetFID(feature);
+    const std::string id = number < 0 ? "" : std::to_string(number);
+    const std::string properties = properties_of(feature);
+    const Handle geometry = gdal_.OGR_F_GetGeometryRef(feature);
+    const int size = geometry == nullptr ? 0 : gdal_.OGR_G_WkbSize(geometry);
+    if (size < 0) fail(in_feature() + "its geometry is too large");
+    append(gdal::Lengths{id.size(), properties.size(), static_cast<std::uint64_t>(size)});
+    text_ += id;
+    text_ += properties;
+    if (size == 0) return;
+    const std::size_t begin = text_.size();
+    text_.resize(begin + static_cast<std::size_t>(size));
+    auto* const out = reinterpret_cast<unsigned char*>(text_.data() + begin);
+    if (gdal_.OGR_G_ExportToIsoWkb(geometry, kLittleEndian, out) != 0) {
+      fail(in_feature() + "GDAL cannot write its geometry as WKB" + last_message(gdal_));
+    }
+  }
+
+  [[nodiscard]] std::string properties_of(Handle feature) const {
+    std::string json = "{";
+    const int count = gdal_.OGR_F_GetFieldCount(feature);
+    for (int field = 0; field < count; ++field) {
+      if (gdal_.OGR_F_IsFieldSet(feature, field) == 0) continue;
+      const Handle definition = gdal_.OGR_F_GetFieldDefnRef(feature, field);
+      json += json.size() > 1 ? ", " : "";
+      const std::string name = text_of(gdal_.OGR_Fld_GetNameRef(definition), "the name of a field");
+      json += name + ": " + value_of(feature, field, definition, name);
+    }
+    return json + '}';
+  }
+
+  [[nodiscard]] std::string value_of(Handle feature, int field, Handle definition,
+                                     const std::string& name) const {
+    if (gdal_.OGR_F_IsFieldNull(feature, field) != 0) return "null";
+    switch (gdal_.OGR_Fld_GetType(definition)) {
+      case kInteger:
+      case kInteger64: {
+        const std::int64_t value = gdal_.OGR_F_GetFieldAsInteger64(feature, field);
+        if (gdal_.OGR_Fld_GetSubType(definition) == kBoolean) return value != 0 ? "true" : "false";
+        return std::to_string(value);
+      }
+      case kReal: {
+        const double value = gdal_.OGR_F_GetFieldAsDouble(feature, field);
+        if (!std::isfinite(value)) return "null";  // JSON has no other numbers
+        char digits[kDoubleCharacters];
+        return {digits, write_shortest(digits, value)};
+      }
+      default:  // dates and lists are written as GDAL does
+        return text_of(gdal_.OGR_F_GetFieldAsString(feature, field), "the field " + name);
+    }
+  }
+
+  [[nodiscard]] std::string text_of(const char* text, const std::string& what) const {
+    if (!is_utf8(text)) {
+      fail(in_feature() + what +
+           " is not UTF-8; GDAL converts a Shapefile whose encoding the environment variable "
+           "SHAPE_ENCODING names, such as ISO-8859-1");
+    }
+    return json_string(text);
+  }
+
+  [[nodiscard]] std::string in_feature() const {
+    return "feature " + std::to_string(count_) + ": ";
+  }
+
+  template <class Value>
+  void append(const Value& value) {
+    text_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+
+  const Library& gdal_;
+  Handle layer_;
+  const ReadOptions& options_;
+  Options cancel_;  ///< of reading
+  Cancellation cancellation_;
+  std::string text_;
+  std::size_t counted_to_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// Returns the layer to read. Tables without geometries do not count.
+Handle choose_layer(const Library& gdal, Handle dataset, const std::string& wanted) {
+  constexpr std::size_t kMostNamed = 20;
+  std::vector<Handle> layers;
+  std::string names;
+  const int count = gdal.GDALDatasetGetLayerCount(dataset);
+  for (int i = 0; i < count; ++i) {
+    const Handle layer = gdal.GDALDatasetGetLayer(dataset, i);
+    if (layer == nullptr || gdal.OGR_L_GetGeomType(layer) == kNoGeometry) continue;
+    const std::string name = gdal.OGR_L_GetName(layer);
+    if (name == wanted) return layer;
+    layers.push_back(layer);
+    if (layers.size() <= kMostNamed) names += (names.empty() ? "'" : ", '") + name + "'";
+  }
+  if (layers.empty()) fail("there is no layer of geometries");
+  if (layers.size() > kMostNamed) names += " and more";
+  if (!wanted.empty()) {
+    fail("there is no layer '" + wanted + "' (io::DrawingOptions::layer); there are " + names);
+  }
+  if (layers.size() > 1) {
+    fail("there are " + std::to_string(layers.size()) +
+         " layers, and io::DrawingOptions::layer names the one to read: " + names);
+  }
+  return layers.front();
+}
+
+}  // namespace
+
+std::optional<std::string> features_by_gdal(const std::string& path, const std::string& name,
+                                            const ReadOptions& options) {
+  const Library* const gdal = gdal::library();
+  if (gdal == nullptr) return {};
+  const Silence silence(*gdal);
+  const auto open = [&](const std::string& what) {
+    return Owned(
+        gdal->GDALOpenEx(what.c_str(), kOpenVector | kOpenVerbose, nullptr, nullptr, nullptr),
+        gdal->GDALClose);
+  };
+  Owned dataset = open(path);
+  if (!dataset && name.find(" zip ") != std::string::npos) dataset = open("/vsizip/{" + path + "}");
+  if (!dataset) {
+    fail("this looks like " + name + ", but GDAL cannot open it" + last_message(*gdal));
+  }
+  const Handle layer = choose_layer(*gdal, dataset.get(), options.drawing.layer);
+  return LayerReader(*gdal, layer, options).read();
+}
+
+}  // namespace minksum::io

@@ -1,0 +1,82 @@
+// Reads what GDAL has handed over. A file may pretend to be that, so lengths are checked.
+#include <cstring>
+
+#include "io/formats.hpp"
+#include "io/gdal/gdal.hpp"
+#include "io/gdal/records.hpp"
+#include "io/text_cursor.hpp"
+
+namespace minksum::io {
+
+namespace {
+
+class GdalSource : public FeatureSource {
+ public:
+  GdalSource(std::string_view text, const ReadOptions& options, Rules rules)
+      : FeatureSource(options, rules),
+        cursor_(text, TextCursor::Counts::kBytes),
+        options_(options) {
+    builder_.follow(cursor_);
+    cursor_.advance(gdal::kMark.size());
+    builder_.set_srid(take<std::int32_t>(), cursor_.position());
+  }
+
+  [[nodiscard]] std::string properties() const override { return std::string(properties_); }
+  [[nodiscard]] std::string id() const override { return std::string(id_); }
+  [[nodiscard]] bool has_lines() const override { return false; }
+
+ private:
+  bool read_next() override {
+    if (cursor_.at_end()) return false;
+    start_ = cursor_.position();
+    ++count_;
+    const auto lengths = take<gdal::Lengths>();
+    id_ = take_text(lengths.id);
+    properties_ = take_text(lengths.properties);
+    const std::string_view wkb = take_text(lengths.wkb);
+    is_null_ = wkb.empty();
+    if (is_null_) return true;
+    try {
+      read_wkb(wkb, options_, builder_);
+    } catch (const ReadError& error) {
+      // The byte is one of the WKB, which the user never sees.
+      std::string message = error.what();
+      if (message.starts_with("byte ")) message.erase(0, message.find(": ") + 2);
+      throw ReadError(error.code(), "feature " + std::to_string(count_) + ": " + message, 0, 0,
+                      error.limit());
+    }
+    builder_.follow(cursor_);
+    return true;
+  }
+
+  template <class Value>
+  Value take() {
+    Value value;
+    std::memcpy(&value, take_text(sizeof(Value)).data(), sizeof(Value));
+    return value;
+  }
+
+  std::string_view take_text(std::uint64_t length) {
+    if (length > cursor_.rest().size()) cursor_.fail("the features of a file are cut");
+    const std::string_view text = cursor_.rest().substr(0, length);
+    cursor_.advance(length);
+    return text;
+  }
+
+  TextCursor cursor_;
+  const ReadOptions& options_;
+  std::string_view id_;
+  std::string_view properties_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+bool looks_like_gdal_features(std::string_view text) { return text.starts_with(gdal::kMark); }
+
+std::unique_ptr<FeatureSource> gdal_source(std::string_view text, const ReadOptions& options,
+                                           Rules rules) {
+  return std::make_unique<GdalSource>(text, options, rules);
+}
+
+}  // namespace minksum::io
