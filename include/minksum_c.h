@@ -417,7 +417,7 @@ MINKSUM_API minksum_status minksum_locate(const minksum_locator *locator, double
 
 /** Tells how two sets stand to each other: see `minksum::Depth`. */
 typedef struct minksum_depth {
-  int found;        /**< 0 if a set has no area, and the rest means nothing */
+  int found;        /**< 0 if a set is empty, and the rest means nothing */
   int overlapping;  /**< whether the interiors meet */
   double vector[2]; /**< the shortest move of b after which a and b only touch */
   double distance;  /**< the length of `vector` */
@@ -428,7 +428,7 @@ MINKSUM_API minksum_status minksum_penetration_depth(const minksum_geometry *a,
                                                      const minksum_options *options,
                                                      minksum_depth *depth, minksum_error *error);
 /** Makes the exact vector of `minksum_penetration_depth`, as a single point, or an empty geometry
- * if a set has no area. */
+ * if a set is empty. */
 MINKSUM_API minksum_status minksum_depth_vector(const minksum_geometry *a,
                                                 const minksum_geometry *b,
                                                 const minksum_options *options,

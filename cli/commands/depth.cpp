@@ -70,11 +70,20 @@ Json feature_json(const Feature& feature) {
           {"vertex", feature.place.vertex + 1}};
 }
 
+Options reading_of(const DepthArguments& arguments) {
+  return {.fill = arguments.options.fill, .regularize = arguments.options.regularize};
+}
+
 [[noreturn]] void fail_about_empty_operand(const DepthArguments& arguments, const Geometry& a) {
-  const Options reading{.fill = arguments.options.fill, .regularize = true};
   Culprit culprit;
-  culprit.operand = resolve(a, reading).empty() ? 0 : 1;
-  throw Error(ErrorCode::kBadInput, "there is no distance from a shape without area", culprit);
+  culprit.operand = resolve(a, reading_of(arguments)).empty() ? 0 : 1;
+  throw Error(ErrorCode::kBadInput, "there is no distance from an empty shape", culprit);
+}
+
+// Returns a point of a shape that is not empty.
+Point first_point(const Geometry& shape) {
+  if (!shape.region.empty()) return shape.region.point(0);
+  return shape.polylines.empty() ? shape.points.front() : shape.polylines.front().front();
 }
 
 Point sum_of(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
@@ -112,14 +121,14 @@ std::string vector_text(const Point& vector) {
 // An arrow shows the way of the point of B that touches A in the end.
 void draw(const DepthArguments& arguments, const Geometry& a, const Geometry& b, const Depth& depth,
           OutputFiles& files) {
-  const Options reading{.fill = arguments.options.fill, .regularize = true};
+  const Options reading = reading_of(arguments);
   const Geometry second = resolve(b, reading);
   const Geometry moved = transform(second, Affine::translation(depth.vector.x, depth.vector.y));
   Figure figure;
   figure.layers = {{resolve(a, reading), "first", "A"},
                    {second, "second", "B"},
                    {moved, "sum", "B, " + vector_text(depth.vector)}};
-  Point end = sum_of(b.region.point(0), depth.vector);
+  Point end = sum_of(first_point(second), depth.vector);
   if (depth.contact) {
     Geometry contact = contact_of(*depth.contact, a, b, depth.vector);
     end = contact.points.front();

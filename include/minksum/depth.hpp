@@ -1,4 +1,4 @@
-// Declares how two regions stand to each other: penetration depth, distance and time of impact.
+// Declares how two shapes stand to each other: penetration depth, distance and time of impact.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace minksum {
 /// Tells how A and B stand to each other, and the shortest move that changes that. Lengths are in
 /// the unit of the coordinates.
 struct Depth {
-  /// Whether their interiors meet.
+  /// Whether their interiors meet. For thin parts, which have no interior, see below.
   bool overlapping = false;
   /// The shortest move of B after which B touches A and does not overlap it; (0, 0) if they only
   /// touch already. If several moves are shortest, it is the lexicographically smallest one.
@@ -26,14 +26,20 @@ struct Depth {
   std::optional<EdgeOrigin> contact;
 };
 
-/// Returns the penetration depth of two overlapping regions, or the distance of two that are apart.
-/// Returns nothing if one has no area. The shapes are read by `options.fill`, and their thin parts
-/// are dropped. They may have holes and several parts, and need not be convex. The result is exact.
+/// Returns the penetration depth of two overlapping shapes, or the distance of two that are apart.
+/// Returns nothing if one is empty. The shapes are read by `options.fill`. They may have holes and
+/// several parts, polylines and points, and need not be convex. The result is exact.
 ///
 /// B + t overlaps A if and only if t is in A° ⊕ (−B)°. So the answer is the vector from the origin
 /// to the nearest point of that set's boundary, tight places included (Cameron, Culley 1986). The
 /// time is that of minkowski_sum, and O(n log n) for the n edges of sum and operands. Throws as
 /// minkowski_sum of geometries does.
+///
+/// B + t meets A if and only if t is in A ⊕ −B. Shapes with thin parts overlap if they still meet
+/// after every move that is short enough: if the origin is inside that set. So a point overlaps an
+/// area inside of which it lies, and two polylines that cross overlap, but two points, or two
+/// polylines on one straight line, only touch. A polyline that just fits between two areas, without
+/// play, overlaps them: tight places are those of areas alone.
 [[nodiscard]] MINKSUM_API std::optional<Depth> penetration_depth(const Geometry& a,
                                                                  const Geometry& b,
                                                                  const Options& options = {});

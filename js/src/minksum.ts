@@ -213,7 +213,7 @@ export class Minksum {
   }
 
   // -- How two sets stand to each other ------------------------------------------------------------
-  /** Tells how deep two sets overlap, or how far they are apart; `null` if one has no area. */
+  /** Tells how deep two sets overlap, or how far they are apart; `null` if one is empty. */
   penetrationDepth(a: Operand, b: Operand, options: Options = {}): Depth | null {
     const { library } = this;
     return this.operands.with([a, b], options, ([first, second]) => {

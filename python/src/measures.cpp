@@ -176,7 +176,7 @@ void bind_pairs(nb::module_& m) {
       "a"_a.none(), "b"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
       nb::sig(signature("penetration_depth", "a: GeometryLike, b: GeometryLike", "", "typing.Any")),
       "Return how two sets stand to each other: a `Depth` with the shortest move of b after which "
-      "they touch. None if one of them has no area.");
+      "they touch. None if one of them is empty.");
   m.def(
       "time_of_impact",
       [](nb::handle a, nb::handle b, nb::handle direction, MINKSUM_SETTINGS) {

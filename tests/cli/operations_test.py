@@ -285,12 +285,22 @@ class DepthOfTwo(ProgramTest):
         self.depth(FRAME, SQUARE, "--svg", picture)
         xml.etree.ElementTree.parse(picture)
 
+    def test_polylines_and_points(self):
+        picture = self.folder / "picture.svg"
+        for thin, relation, distance in (("POINT (1 0.5)", "overlapping", 0.5),
+                                         ("POINT (2 1)", "touching", 0),
+                                         ("LINESTRING (5 0, 5 9)", "apart", 3)):
+            for pair in ((SQUARE, thin), (thin, SQUARE)):
+                found = self.depth(*pair, "--svg", picture)
+                self.assertEqual((found["relation"], found["distance"], found["contact"]),
+                                 (relation, distance, None))
+                xml.etree.ElementTree.parse(picture)
+
     def test_bad_input(self):
         square = self.file("square.wkt", SQUARE)
-        for content in (EMPTY, "POINT (1 1)", "LINESTRING (0 0, 2 2)"):
-            bad = self.file("bad.wkt", content)
-            for pair in ((bad, square), (square, bad)):
-                self.fails(2, f"{bad}: there is no distance", "depth", *pair)
+        bad = self.file("bad.wkt", EMPTY)
+        for pair in ((bad, square), (square, bad)):
+            self.fails(2, f"{bad}: there is no distance", "depth", *pair)
         for along, why in (("0,0", "direction"), ("1", "two numbers"), ("1,,2", "two numbers")):
             self.fails(1, why, "depth", square, square, "--along", along)
         self.fails(1, "both be standard input", "depth", "-", "-")

@@ -27,10 +27,10 @@ Shape read(const Geometry& geometry, const Options& options, int operand) {
       validate(geometry.region, 1, options).empty()) {
     return {geometry, true};
   }
-  return {resolve_area(geometry, operand, options), false};
+  return {resolve(geometry, options, operand), false};
 }
 
-/// A ⊕ −B with its tight places.
+/// A ⊕ −B, with thin parts where a shape has some, and with its tight places.
 struct Obstacle {
   Shape a;
   Shape b;
@@ -52,7 +52,7 @@ std::optional<Obstacle> obstacle(const Geometry& a, const Geometry& b, const Opt
 struct Edge {
   Point a;
   Point b;
-  bool tight = false;
+  bool thin = false;  ///< a thin part of the sum, or a tight place
 };
 
 std::vector<Edge> edges_of(const Obstacle& obstacle, Cancellation& cancellation) {
@@ -62,12 +62,14 @@ std::vector<Edge> edges_of(const Obstacle& obstacle, Cancellation& cancellation)
     edges.push_back({region.point(v), region.point(w)});
     cancellation.check(work_of(edges.back().a));
   });
-  for (const Polyline& line : obstacle.tight.polylines) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      edges.push_back({line[i], line[i + 1], true});
+  for (const Geometry* thin : {&obstacle.sum, &obstacle.tight}) {
+    for (const Polyline& line : thin->polylines) {
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        edges.push_back({line[i], line[i + 1], true});
+      }
     }
+    for (const Point& point : thin->points) edges.push_back({point, point, true});
   }
-  for (const Point& point : obstacle.tight.points) edges.push_back({point, point, true});
   return edges;
 }
 
@@ -117,8 +119,8 @@ Nearest nearest_of(const std::vector<Edge>& edges, Cancellation& cancellation) {
         !best || squared < best->squared ||
         (squared == best->squared &&
          (point.x < best->point.x || (point.x == best->point.x && point.y < best->point.y)));
-    // Of edges with the same nearest point, only one that is not tight tells what is in contact.
-    const bool says_more = best && point == best->point && best->edge->tight && !edges[i].tight;
+    // Of edges with the same nearest point, only one that is not thin tells what is in contact.
+    const bool says_more = best && point == best->point && best->edge->thin && !edges[i].thin;
     if (better || says_more) best = Nearest{point, std::move(squared), &edges[i]};
   }
   return *best;
@@ -140,7 +142,7 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
   depth.vector = nearest.point;
   depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
-  if (!nearest.edge->tight && around->a.as_given && around->b.as_given) {
+  if (!nearest.edge->thin && around->a.as_given && around->b.as_given) {
     depth.contact =
         find_contact(around->a.geometry.region, around->b.geometry.region, nearest.point,
                      minus(nearest.edge->b, nearest.edge->a), cancellation);
