@@ -258,8 +258,8 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
     if (length != nullptr) *length = 0;
     // In the order of minksum_format, whose last value is named below.
     constexpr io::Format kFormats[] = {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
-                                       io::Format::kSvg, io::Format::kWkb};
-    const auto index = as<std::size_t>(format, MINKSUM_WKB);
+                                       io::Format::kSvg, io::Format::kWkb,     io::Format::kHexWkb};
+    const auto index = as<std::size_t>(format, MINKSUM_HEX_WKB);
     const auto kind = as<io::Coordinates::Style>(style, MINKSUM_DECIMALS);
     std::ostringstream out;
     out.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text

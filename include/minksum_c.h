@@ -189,7 +189,8 @@ typedef enum minksum_format {
   MINKSUM_GEOJSON, /**< GeoJSON */
   MINKSUM_POLY,    /**< `.poly`, only without polylines and points */
   MINKSUM_SVG,     /**< a picture, which is only written */
-  MINKSUM_WKB      /**< Well-Known Binary: bytes, with MINKSUM_DOUBLES only */
+  MINKSUM_WKB,     /**< Well-Known Binary: bytes, with MINKSUM_DOUBLES only */
+  MINKSUM_HEX_WKB  /**< the same as hexadecimal digits */
 } minksum_format;
 /** Says as which numbers coordinates are written. */
 typedef enum minksum_style {

@@ -89,7 +89,7 @@ def test_depth_and_impact():
     a, b = mk.box(0, 0, 4, 4), mk.box(3, 1, 5, 3)
     depth = mk.penetration_depth(a, b)
     assert depth.overlapping and depth.vector == (1, 0) and depth.squared == 1
-    assert mk.penetration_depth(a, "POINT (3 1)").vector == (1, 0)
+    assert mk.penetration_depth(a, "POINT (3 2)").vector == (1, 0)
     assert mk.penetration_depth(a, "POINT EMPTY") is None
     assert mk.time_of_impact(a, mk.box(5, 0, 6, 1), ("-1/3", 0)) == 3
     assert mk.time_of_impact(a, mk.box(5, 0, 6, 1), (1, 0)) is None

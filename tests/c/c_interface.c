@@ -120,6 +120,11 @@ static void test_binary(void) {
   EXPECT(length == 93);
   EXPECT_WKT(minksum_read(bytes, length, &out, &error), "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
   minksum_text_free(bytes);
+  EXPECT(minksum_write(tile, MINKSUM_HEX_WKB, MINKSUM_DOUBLES, 0, &bytes, &length, NULL) ==
+         MINKSUM_OK);
+  EXPECT(length == 186);
+  EXPECT_WKT(minksum_read(bytes, length, &out, &error), "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))");
+  minksum_text_free(bytes);
   EXPECT(minksum_write(tile, MINKSUM_WKB, MINKSUM_EXACT, 0, &bytes, NULL, NULL) ==
          MINKSUM_BAD_INPUT);
   minksum_geometry_free(tile);
