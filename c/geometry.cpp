@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -15,22 +16,21 @@ namespace minksum::c {
 minksum_status tell(minksum_error* error, minksum_status status, const std::string& message,
                     const Error* cause) {
   if (error == nullptr) return status;
-  *error = {};
-  error->status = status;
   const Culprit culprit = cause != nullptr ? cause->culprit() : Culprit{};
+  const auto* const read = dynamic_cast<const io::ReadError*>(cause);
+  const std::optional<ExceededLimit> limit =
+      cause != nullptr ? cause->limit() : std::optional<ExceededLimit>();
+  // Texts are not cleared behind their ends, which would take longer than a short call.
+  error->status = status;
   error->operand = culprit.operand;
   error->polygon = culprit.polygon;
   error->ring = culprit.ring;
   error->vertex = culprit.vertex;
-  if (const auto* read = dynamic_cast<const io::ReadError*>(cause)) {
-    error->line = read->line();
-    error->column = read->column();
-  }
-  if (cause != nullptr && cause->limit()) {
-    cause->limit()->name.copy(error->limit, sizeof error->limit - 1);
-    error->limit_value = cause->limit()->value;
-  }
-  message.copy(error->message, sizeof error->message - 1);
+  error->line = read != nullptr ? read->line() : 0;
+  error->column = read != nullptr ? read->column() : 0;
+  error->limit[limit ? limit->name.copy(error->limit, sizeof error->limit - 1) : 0] = '\0';
+  error->limit_value = limit ? limit->value : 0;
+  error->message[message.copy(error->message, sizeof error->message - 1)] = '\0';
   return status;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "handles.hpp"
 
@@ -31,6 +32,13 @@ minksum_status of_areas(const Handle* a, const Handle* b, const minksum_options*
     const Region second = resolve(value_of(b), reading, 1).region;
     return Geometry(operation(first, second, reading));
   });
+}
+
+std::optional<Rational> impact(const Handle* a, const Handle* b, const double direction[2],
+                               const minksum_options* options) {
+  require(direction != nullptr, "an argument is NULL");
+  return time_of_impact(value_of(a), value_of(b), {direction[0], direction[1]},
+                        options_of(options));
 }
 
 }  // namespace
@@ -225,12 +233,18 @@ minksum_status minksum_time_of_impact(const Handle* a, const Handle* b, const do
   return guarded(error, [&] {
     double& answer = result_at(factor);
     int& is_there = result_at(found);
-    require(direction != nullptr, "an argument is NULL");
-    const auto time =
-        time_of_impact(value_of(a), value_of(b), {direction[0], direction[1]}, options_of(options));
+    const auto time = impact(a, b, direction, options);
     if (!time) return;
     is_there = 1;
     answer = time->to_double();
+  });
+}
+minksum_status minksum_impact_factor(const Handle* a, const Handle* b, const double direction[2],
+                                     const minksum_options* options, Handle** result,
+                                     minksum_error* error) {
+  return made(result, error, [&] {
+    const auto time = impact(a, b, direction, options);
+    return time ? Geometry({}, {}, {{*time, 0}}) : Geometry();
   });
 }
 

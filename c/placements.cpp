@@ -1,5 +1,6 @@
 // Implements the C interface for placing parts and for robots.
 #include <cstdlib>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,16 @@ double tolerance_of(const minksum_space_options* given) {
   minksum_space_options standard;
   minksum_space_options_init(&standard);
   return given != nullptr ? given->tolerance : standard.tolerance;
+}
+
+/// The waypoints as pairs of points: the placement, and cosine and sine of the angle.
+std::unique_ptr<minksum_geometry> exact_path(const Reach& found) {
+  auto made = std::make_unique<minksum_geometry>();
+  for (const Waypoint& waypoint : found.path) {
+    made->value.points.push_back(waypoint.at);
+    made->value.points.push_back(waypoint.turn.direction());
+  }
+  return made;
 }
 
 }  // namespace
@@ -143,9 +154,11 @@ minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_ge
         reach(value_of(robot), value_of(obstacles), {{from.x, from.y}, from.degrees},
               {{to.x, to.y}, to.degrees}, setting, options_of(options));
     if (!found.path.empty()) {
+      std::unique_ptr<minksum_geometry> exact = exact_path(found);
       answer.path = static_cast<minksum_configuration*>(
           std::calloc(found.path.size(), sizeof(minksum_configuration)));
       if (answer.path == nullptr) throw std::bad_alloc();
+      answer.exact = exact.release();
     }
     for (const Waypoint& waypoint : found.path) {
       answer.path[answer.count++] = {waypoint.at.x.to_double(), waypoint.at.y.to_double(),
@@ -157,5 +170,6 @@ minksum_status minksum_find_path(const minksum_geometry* robot, const minksum_ge
 void minksum_reach_free(minksum_reach* reach) {
   if (reach == nullptr) return;
   std::free(reach->path);
+  minksum_geometry_free(reach->exact);
   *reach = {};
 }

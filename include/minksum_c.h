@@ -441,6 +441,13 @@ MINKSUM_API minksum_status minksum_time_of_impact(const minksum_geometry *a,
                                                   const double direction[2],
                                                   const minksum_options *options, double *factor,
                                                   int *found, minksum_error *error);
+/** Makes the exact factor of `minksum_time_of_impact`, as the single point (factor, 0), or an empty
+ * geometry if there is none. */
+MINKSUM_API minksum_status minksum_impact_factor(const minksum_geometry *a,
+                                                 const minksum_geometry *b,
+                                                 const double direction[2],
+                                                 const minksum_options *options,
+                                                 minksum_geometry **result, minksum_error *error);
 
 /** Tells what a check found: see `minksum::SumCheck`. */
 typedef struct minksum_sum_check {
@@ -543,7 +550,9 @@ typedef struct minksum_configuration {
 typedef struct minksum_reach {
   int reachable;               /**< whether there is a path */
   size_t count;                /**< number of waypoints */
-  minksum_configuration *path; /**< waypoints from start to goal; free it with minksum_reach_free */
+  minksum_configuration *path; /**< waypoints from start to goal */
+  minksum_geometry *exact;     /**< the same exactly, as two points for each waypoint: the placement,
+                                    and cosine and sine of the angle; NULL without a path */
 } minksum_reach;
 /** Finds out whether the robot gets from one configuration to another, turning in steps of a full
  * turn over `angles`. If `certain` is not 0, the path is free at all angles between as well. The
@@ -555,7 +564,7 @@ MINKSUM_API minksum_status minksum_find_path(const minksum_geometry *robot,
                                              const minksum_space_options *space_options,
                                              const minksum_options *options, minksum_reach *result,
                                              minksum_error *error);
-/** Frees the path of a result. */
+/** Frees the path of a result, in both forms. */
 MINKSUM_API void minksum_reach_free(minksum_reach *reach);
 
 #ifdef __cplusplus

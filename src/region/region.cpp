@@ -16,6 +16,14 @@ std::size_t last_until(std::span<const std::size_t> starts, std::size_t index) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - starts.begin(), 1)) - 1;
 }
 
+void require_finite(double x, double y, const Region& region, std::size_t vertex) {
+  if (std::isfinite(x) && std::isfinite(y)) return;
+  const bool not_a_number = std::isnan(x) || std::isnan(y);
+  throw Error(ErrorCode::kBadInput,
+              not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
+              RegionAccess::culprit(region, vertex, -1));
+}
+
 }  // namespace
 
 Region::Region(const Polygon& polygon) : Region(std::span<const Polygon>(&polygon, 1)) {}
@@ -72,13 +80,7 @@ void Region::add_vertex(Decimal x, Decimal y) {
 
 void Region::add_vertex(double x, double y) {
   require_open_ring();
-  if (!std::isfinite(x) || !std::isfinite(y)) {
-    const bool not_a_number = std::isnan(x) || std::isnan(y);
-    throw Error(ErrorCode::kBadInput,
-                not_a_number ? "a coordinate is not a number (NaN)" : "a coordinate is infinite",
-                {-1, polygon_count() - 1, ring_count() - 1 - arrays_.get<kPolygonStarts>().back(),
-                 vertex_count() - arrays_.get<kRingStarts>().back()});
-  }
+  require_finite(x, y, *this, vertex_count());
   arrays_.push_back<kVertices>({store(x), store(y)});
 }
 
@@ -123,17 +125,22 @@ Region Region::from_flat(std::span<const double> coordinates,
   require_offsets(ring_offsets, coordinates.size() / 2, "ring offsets");
   require_offsets(polygon_offsets, ring_offsets.size() - 1, "polygon offsets");
   Region region;
-  const auto at = [](std::span<const std::int64_t> offsets, std::size_t i) {
-    return static_cast<std::size_t>(offsets[i]);
-  };
-  for (std::size_t p = 0; p + 1 < polygon_offsets.size(); ++p) {
-    region.begin_polygon();
-    for (std::size_t r = at(polygon_offsets, p); r < at(polygon_offsets, p + 1); ++r) {
-      region.begin_ring();
-      for (std::size_t v = at(ring_offsets, r); v < at(ring_offsets, r + 1); ++v) {
-        region.add_vertex(coordinates[2 * v], coordinates[2 * v + 1]);
-      }
-    }
+  Arrays& arrays = region.arrays_;
+  const std::size_t vertices = coordinates.size() / 2;
+  arrays.reserve({vertices, 0, ring_offsets.size() - 1, polygon_offsets.size() - 1, 0});
+  for (const std::int64_t first : polygon_offsets.first(polygon_offsets.size() - 1)) {
+    arrays.push_back<kPolygonStarts>(static_cast<std::size_t>(first));
+  }
+  for (const std::int64_t first : ring_offsets.first(ring_offsets.size() - 1)) {
+    arrays.push_back<kRingStarts>(static_cast<std::size_t>(first));
+  }
+  arrays.resize<kVertices>(vertices);
+  const std::span<StoredPoint> points = arrays.change<kVertices>();
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const double x = coordinates[2 * v];
+    const double y = coordinates[2 * v + 1];
+    require_finite(x, y, region, v);
+    points[v] = {region.store(x), region.store(y)};
   }
   return region;
 }

@@ -73,6 +73,17 @@ constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1
                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr int kLargestPower = 22;
 
+// A double's bits: 52 of its mantissa, then its exponent plus the bias.
+constexpr int kMantissaBits = 52;
+constexpr int kBias = 1023;
+constexpr std::int64_t kHiddenBit = std::int64_t{1} << kMantissaBits;
+
+bool is_normal_exponent(int exponent) { return -kBias < exponent && exponent <= kBias; }
+
+double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << kMantissaBits);
+}
+
 // Rounds m · 2^exp2 · 10^exp10 in the cases that are quick and exact. Big integers do the others.
 bool nearest_quick(const StoredCoordinate& c, double& result) {
   const bool exact_mantissa = c.payload <= kExactDoubleLimit && c.payload >= -kExactDoubleLimit;
@@ -81,8 +92,10 @@ bool nearest_quick(const StoredCoordinate& c, double& result) {
     result = static_cast<double>(c.payload);
     if (c.exp2 == 0) return true;
     if (!exact_mantissa) return false;
-    result = std::ldexp(result, c.exp2);  // rounds (denormals) or overflows correctly
-    if (result == 0) result = 0.0;        // never -0
+    // One rounding (of denormals), or an infinity.
+    result =
+        is_normal_exponent(c.exp2) ? result * power_of_two(c.exp2) : std::ldexp(result, c.exp2);
+    if (result == 0) result = 0.0;  // never -0
     return true;
   }
   if (c.exp2 != 0) return false;
@@ -129,15 +142,16 @@ StoredCoordinate Region::store(const Rational& value) {
 
 StoredCoordinate Region::store(double value) {
   if (value == 0) return {};
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  exponent -= 53;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto biased = static_cast<int>(bits >> kMantissaBits) & (2 * kBias + 1);
+  auto mantissa = static_cast<std::int64_t>(bits) & (kHiddenBit - 1);
+  if (biased != 0) mantissa += kHiddenBit;
   // An integer stays an integer. Any other number becomes odd times a power of two.
   const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
-  mantissa /= std::int64_t{1} << zeros;
-  exponent += zeros;
-  if (exponent > 0 && exponent + 53 - zeros < 63) {
+  mantissa >>= zeros;
+  const int exponent = std::max(biased, 1) - kBias - kMantissaBits + zeros;
+  if (value < 0) mantissa = -mantissa;
+  if (exponent > 0 && exponent + kMantissaBits + 1 - zeros < 63) {
     return compact(mantissa * (std::int64_t{1} << exponent), 0, 0);
   }
   return compact(mantissa, exponent, 0);

@@ -240,6 +240,8 @@ static void test_shapes(void) {
 
 static void test_pairs(void) {
   const double along[2] = {-1, 0};
+  const double slow[2] = {-0.75, 0};
+  const double away[2] = {1, 0};
   const double nowhere[2] = {0, 0};
   const double centre[2] = {0.5, 0.5};
   minksum_geometry *a = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
@@ -259,6 +261,9 @@ static void test_pairs(void) {
   EXPECT(depth.vector[0] == -3 && depth.vector[1] == 0);
   EXPECT(minksum_time_of_impact(a, b, along, NULL, &factor, &found, &error) == MINKSUM_OK);
   EXPECT(found && factor == 3);
+  EXPECT_WKT(minksum_impact_factor(a, b, slow, NULL, &out, &error), "POINT (4 0)");
+  EXPECT_WKT(minksum_impact_factor(a, b, away, NULL, &out, &error), "POLYGON EMPTY");
+  EXPECT(minksum_impact_factor(a, b, nowhere, NULL, &out, &error) == MINKSUM_BAD_INPUT);
   EXPECT(minksum_time_of_impact(a, b, nowhere, NULL, &factor, &found, &error) ==
          MINKSUM_BAD_INPUT);
   EXPECT_WKT(minksum_no_fit_polygon(a, unit, centre, NULL, &out, &error),
@@ -318,7 +323,9 @@ static void test_robots(void) {
   EXPECT(minksum_find_path(robot, walls, from, to, 8, 0, &how, NULL, &reach, &error) ==
          MINKSUM_OK);
   EXPECT(reach.reachable && reach.count >= 2 && reach.path[reach.count - 1].y == 8);
+  EXPECT(minksum_geometry_counts(reach.exact).points == 2 * reach.count);
   minksum_reach_free(&reach);
+  EXPECT(reach.exact == NULL);
   EXPECT(minksum_find_path(robot, walls, from, to, SIZE_MAX, 0, &how, NULL, &reach, &error) ==
          MINKSUM_LIMIT_EXCEEDED);
   minksum_reach_free(NULL);
