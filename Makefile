@@ -12,7 +12,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test test-core test-python test-sql npm-pack test-js web test-web install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build demo test test-core test-python test-sql npm-pack test-js bench-js test-wasm web test-web install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -53,13 +53,23 @@ npm-pack: deps ## make the package for JavaScript: build/npm/minksum-0.1.0.tgz
 test-js: build npm-pack ## test the package for JavaScript beside the native program
 	cd js && MINKSUM_PROGRAM=$(abspath $(BUILD))/minksum npm test
 
+bench-js: build npm-pack ## measure the package for JavaScript beside the program, clipper2-wasm and jsts
+	cd js && MINKSUM_PROGRAM=$(abspath $(BUILD))/minksum npm run --silent bench
+
+test-wasm: deps ## build the library for WebAssembly, and run unit tests and equal bytes in Node.js
+	@scripts/install_packages.sh packages-js.txt
+	$(CMAKE) -S . -B $(BUILD)/wasm -DCMAKE_TOOLCHAIN_FILE=cmake/wasm.cmake -DMINKSUM_BUILD_PROGRAM=OFF -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF
+	$(CMAKE) --build $(BUILD)/wasm -j $(JOBS) --target unit_tests property_pairs
+	node $(BUILD)/wasm/tests/property/property_pairs.js --gtest_brief=1 --gtest_filter='Bytes.*'
+	node $(BUILD)/wasm/tests/unit/unit_tests.js --gtest_brief=1
+
 web: npm-pack ## make the page for the browser: build/web/index.html, which opens without a server
 	cd web && npm ci --no-audit --no-fund && npm run --silent check && node build.mjs $(abspath $(BUILD))/web
 	@echo "Open $(abspath $(BUILD))/web/index.html in a browser, or put $(BUILD)/web on any static host."
 
 test-web: build web ## test the page in Debian's Chromium, beside the program
 	@scripts/install_packages.sh packages-web.txt
-	cd web && MINKSUM_PAGE=$(abspath $(BUILD))/web MINKSUM_PROGRAM=$(abspath $(BUILD))/minksum npm test
+	cd web && MINKSUM_PYTHON=$(firstword $(wildcard $(abspath $(BUILD))/python-environment/bin/python) /usr/bin/python3) MINKSUM_PAGE=$(abspath $(BUILD))/web MINKSUM_PROGRAM=$(abspath $(BUILD))/minksum npm test
 
 install-sql: deps ## install the extensions into the PostgreSQL of pg_config
 	@scripts/install_packages.sh packages-sql.txt

@@ -1,7 +1,9 @@
 // The module in WebAssembly: its functions, its memory, and the structs of the C interface there,
 // whose layout wasm/layout.cpp holds.
 import { MinksumError, type ErrorCode } from "./errors.js";
+import { progressStages, type Progress } from "./types.js";
 
+type ProgressListener = (progress: Progress) => boolean | void;
 /** An address in the module's memory; 0 is none. */
 export type Address = number;
 type Call = (...args: number[]) => number;
@@ -17,10 +19,16 @@ const kCodes: ErrorCode[] = ["bad-input", "limit", "cancelled", "internal"];
 const kKept = 1 << 20;
 
 /** What the module imports: little, as it uses neither files nor the network. */
-function imports(memory: () => WebAssembly.Memory): WebAssembly.Imports {
+function imports(
+  memory: () => WebAssembly.Memory, tell: (stage: number, done: number, parts: number) => number,
+): WebAssembly.Imports {
   const view = () => new DataView(memory().buffer);
   return {
-    env: { emscripten_notify_memory_growth: () => {}, __call_sighandler: () => {} },
+    env: {
+      emscripten_notify_memory_growth: () => {},
+      __call_sighandler: () => {},
+      minksum_progress: tell,
+    },
     wasi_snapshot_preview1: {
       clock_time_get: (_clock: number, _precision: bigint, out: Address) => {
         view().setBigUint64(out, BigInt(Math.round(performance.now() * 1e6)), true);
@@ -55,6 +63,9 @@ export class Library {
   private words: Uint32Array;
   private octets: Uint8Array;
   private kept: Address;
+  private listener: ProgressListener | undefined;
+  /** what a listener has thrown */
+  private thrown: { error: unknown } | undefined;
 
   private constructor(instance: WebAssembly.Instance) {
     this.memory = instance.exports["memory"] as WebAssembly.Memory;
@@ -70,14 +81,32 @@ export class Library {
   }
   static async instantiate(module: WebAssembly.Module): Promise<Library> {
     let instance: WebAssembly.Instance | undefined;
-    const given = imports(() => instance!.exports["memory"] as WebAssembly.Memory);
+    let library: Library | undefined;
+    const given = imports(
+      () => instance!.exports["memory"] as WebAssembly.Memory,
+      (stage, done, parts) => library!.tell(stage, done, parts),
+    );
     instance = await WebAssembly.instantiate(module, given);
-    return new Library(instance);
+    library = new Library(instance);
+    return library;
+  }
+  /** Tells the listener of progress. Returns 0 if the operation shall go on. */
+  private tell(stage: number, done: number, parts: number): number {
+    const { listener } = this;
+    try {
+      return listener?.({ stage: progressStages[stage]!, done, parts }) === false ? 1 : 0;
+    } catch (error) {
+      // It must not pass through the library, which would not clear up behind itself.
+      this.thrown = { error };
+      return 1;
+    } finally {
+      this.listener = listener; // it may have called the library
+    }
   }
 
   // -- Memory. Its arrays are new whenever it has grown. ------------------------------------------
   private look(): void {
-    if (this.doubles.buffer === this.memory.buffer) return;
+    if (this.octets.length !== 0) return; // growing takes the old ones their memory
     this.doubles = new Float64Array(this.memory.buffer);
     this.words = new Uint32Array(this.memory.buffer);
     this.octets = new Uint8Array(this.memory.buffer);
@@ -129,7 +158,10 @@ export class Library {
   // -- Errors ------------------------------------------------------------------------------------
   /** Throws the error of a call unless its status is 0. `operand` names what the call read. */
   check(status: number, operand?: number): void {
-    if (status !== 0) throw this.errorAt(this.error, operand);
+    if (status === 0) return;
+    const { thrown } = this;
+    this.thrown = undefined;
+    throw thrown !== undefined ? thrown.error : this.errorAt(this.error, operand);
   }
   errorAt(address: Address, operand?: number): MinksumError {
     const word = (offset: number) => this.u32[(address + offset) >>> 2]!;
@@ -154,7 +186,9 @@ export class Library {
     tight: boolean | undefined;
     maxSegments: number;
     maxCrossings: number;
+    progress: ProgressListener | undefined;
   }): Address {
+    this.listener = options.progress;
     const at = this.options >>> 2;
     const { u32 } = this;
     const limit = (where: number, value: number) => {
@@ -167,7 +201,7 @@ export class Library {
     u32[at + 5] = options.regularize ? 1 : 0;
     u32[at + 6] = options.tight === undefined ? kNone : options.tight ? 1 : 0;
     u32[at + 7] = 1;
-    u32[at + 8] = 0;
+    u32[at + 8] = options.progress ? this.call["minksum_progress_address"]!() : 0;
     u32[at + 9] = 0;
     return this.options;
   }

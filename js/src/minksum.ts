@@ -6,9 +6,9 @@ import { Operands } from "./operands.js";
 import { Results } from "./results.js";
 import { readTrace } from "./trace.js";
 import type {
-  CheckOptions, Configuration, Contact, Depth, Fault, Location, OffsetOptions, Operand, Options,
-  Prepared, Reach, ReachOptions, ReferenceOptions, ResultOf, RoundOptions, Side, Slice,
-  SliceOptions, SpaceOptions, SumCheck, TableOptions, Trace,
+  CheckOptions, Configuration, Contact, Depth, ExactConfiguration, Fault, Location, NumberOf,
+  OffsetOptions, Operand, Options, Prepared, ReachOf, ReachOptions, ReferenceOptions, ResultOf,
+  RoundOptions, Side, Slice, SliceOptions, SpaceOptions, SumCheck, TableOptions, Trace,
 } from "./types.js";
 
 const kFills = ["automatic", "evenodd", "nonzero", "positive", "negative", "strict"] as const;
@@ -230,19 +230,21 @@ export class Minksum {
     });
   }
   /** Returns the smallest t ≥ 0 for which b, moved by t · direction, touches or overlaps a. */
-  timeOfImpact(
-    a: Operand, b: Operand, direction: [number, number], options: Options = {},
-  ): number | null {
+  timeOfImpact<O extends Options = {}>(
+    a: Operand, b: Operand, direction: [number, number], options: O = {} as O,
+  ): NumberOf<O> | null {
     const { library } = this;
     return this.operands.with([a, b], options, ([first, second]) =>
       library.withRoom(16, (where) => {
         library.f64.set(direction, where / 8);
-        const { results, error, call } = library;
-        const status = call["minksum_time_of_impact"]!(
-          first!, second!, where, this.writeOptions(options), results, results + 8, error,
-        );
-        library.check(status);
-        return library.u32[(results >>> 2) + 2] === 0 ? null : library.f64[results / 8]!;
+        const { results, error } = library;
+        const how = this.writeOptions(options);
+        const made = this.made("minksum_impact_factor", [first!, second!, where, how, results, error]);
+        const { points } =
+          options.coords === "exact"
+            ? this.results.take(made, { as: "flat", coords: "exact" })
+            : this.results.take(made, { as: "flat" });
+        return (points[0] ?? null) as NumberOf<O> | null;
       }),
     );
   }
@@ -274,10 +276,10 @@ export class Minksum {
     });
   }
   /** Tells whether a robot gets from one configuration to another, and how. */
-  reach(
+  reach<O extends ReachOptions = {}>(
     robot: Operand, obstacles: Operand, from: Configuration, to: Configuration,
-    options: ReachOptions = {},
-  ): Reach {
+    options: O = {} as O,
+  ): ReachOf<O> {
     const { library } = this;
     const { call, results, error } = library;
     return this.withSpace(robot, obstacles, options, (first, second, space) =>
@@ -289,17 +291,29 @@ export class Minksum {
           this.writeOptions(options), results, error,
         );
         library.check(status);
-        const [reachable, count, path] = library.u32.slice(results >>> 2, (results >>> 2) + 3);
-        const xyd = library.f64.slice(path! / 8, path! / 8 + 3 * count!);
-        call["minksum_reach_free"]!(results);
-        return {
-          reachable: reachable === 1,
-          path: Array.from({ length: count! }, (_, i) => ({
-            x: xyd[3 * i]!, y: xyd[3 * i + 1]!, degrees: xyd[3 * i + 2]!,
-          })),
-        };
+        const answer = library.u32.slice(results >>> 2, (results >>> 2) + 4);
+        try {
+          return { reachable: answer[0] === 1, path: this.pathOf(answer, options) } as ReachOf<O>;
+        } finally {
+          library.u32.set(answer, results >>> 2);
+          call["minksum_reach_free"]!(results);
+        }
       }),
     );
+  }
+
+  private pathOf(answer: Uint32Array, options: ReachOptions): (Configuration | ExactConfiguration)[] {
+    const [, count, path, exact] = answer;
+    const waypoints = Array.from({ length: count! }, (_, i) => {
+      const [x, y, degrees] = this.library.f64.subarray(path! / 8 + 3 * i, path! / 8 + 3 * i + 3);
+      return { x: x!, y: y!, degrees: degrees! };
+    });
+    if (options.coords !== "exact" || count === 0) return waypoints;
+    const { points } = this.results.convert(exact!, { as: "flat", coords: "exact" });
+    return waypoints.map(({ degrees }, i) => {
+      const [x, y, cos, sin] = points.slice(4 * i, 4 * i + 4);
+      return { x: x!, y: y!, degrees, cos: cos!, sin: sin! };
+    });
   }
 
   // -- Sets ----------------------------------------------------------------------------------------
@@ -550,6 +564,7 @@ export class Minksum {
       tight: options.tight,
       maxSegments: options.maxSegments ?? 0,
       maxCrossings: options.maxCrossings ?? 0,
+      progress: options.progress,
     });
   }
 }

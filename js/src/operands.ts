@@ -1,17 +1,19 @@
 // Puts operands into the module's memory.
 import type { Address, Library } from "./abi.js";
+import { Doubles } from "./doubles.js";
 import { badInput } from "./errors.js";
 import { exactText } from "./exact.js";
 import type { Flat, Operand, Position, ReadOptions } from "./types.js";
 
+const encoder = new TextEncoder();
 const kSides = { nearest: 0, outside: 1, inside: 2 } as const;
 
-/** What GeoJSON holds, as lists of positions. Rings do not repeat their first position. */
+/** What GeoJSON holds, with numbers of any kind. It tells what is wrong, and where. Rings do not
+ * repeat their first position. */
 class Parts {
   readonly polygons: Position[][][] = [];
   readonly lines: Position[][] = [];
   readonly points: Position[] = [];
-  exact = false;
 
   constructor(
     private readonly operand: number,
@@ -88,7 +90,6 @@ class Parts {
         if (!/^[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?(\/[-+]?\d+)?$/.test(coordinate)) {
           throw this.bad(`${JSON.stringify(coordinate)} is not a number`, place);
         }
-        this.exact = true;
       } else if (typeof coordinate !== "number" || !Number.isFinite(coordinate)) {
         throw this.bad(`a coordinate is not a finite number: ${String(coordinate)}`, place);
       }
@@ -115,29 +116,11 @@ class Parts {
       ? "GEOMETRYCOLLECTION EMPTY"
       : `GEOMETRYCOLLECTION (${texts.join(", ")})`;
   }
-  flat(): Flat {
-    const coords: number[] = [];
-    const rings = [0];
-    const polygons = [0];
-    const lineCoords: number[] = [];
-    const lines = [0];
-    for (const polygon of this.polygons) {
-      for (const ring of polygon) {
-        for (const p of ring) coords.push(p[0] as number, p[1] as number);
-        rings.push(coords.length / 2);
-      }
-      polygons.push(rings.length - 1);
-    }
-    for (const line of this.lines) {
-      for (const p of line) lineCoords.push(p[0] as number, p[1] as number);
-      lines.push(lineCoords.length / 2);
-    }
-    const points = this.points.flat() as number[];
-    return { coords, rings, polygons, lineCoords, lines, points };
-  }
 }
 
 export class Operands {
+  private readonly doubles = new Doubles();
+
   constructor(
     private readonly library: Library,
     /** returns the address of something prepared, or nothing if `value` is something else */
@@ -166,24 +149,20 @@ export class Operands {
     if (operand === null || operand === undefined) {
       throw new TypeError(`operand ${index} is ${operand}`);
     }
-    if (typeof operand === "string") return this.read(new TextEncoder().encode(operand), index, options);
+    if (typeof operand === "string") return this.read(encoder.encode(operand), index, options);
     if (operand instanceof Uint8Array) return this.read(operand, index, options);
     if (typeof operand !== "object") throw new TypeError(`operand ${index} is a ${typeof operand}`);
-    if ("coords" in operand) return this.makeFlat(this.numbers(operand as Flat, index), index, options);
+    if ("coords" in operand) return this.makeFlat(operand as Flat, index, options);
     if (!("type" in operand)) throw badInput("an operand has no `type`", { operand: index });
+    const flat = this.doubles.read(operand, options.z === "drop");
+    if (flat !== undefined) return this.putFlat(flat, index);
     const parts = new Parts(index, options.z === "drop");
     parts.add(operand);
-    return parts.exact
-      ? this.read(new TextEncoder().encode(parts.wkt()), index, options)
-      : this.makeFlat(parts.flat(), index, options);
+    return this.read(encoder.encode(parts.wkt()), index, options);
   }
 
-  /** Flat arrays with strings become GeoJSON's way through text. */
-  private numbers(flat: Flat, index: number): Flat | string {
-    const exact = [flat.coords, flat.lineCoords, flat.points].some(
-      (list) => list !== undefined && typeof list[0] === "string",
-    );
-    if (!exact) return flat;
+  /** Flat arrays with strings go the way of text. */
+  private text(flat: Flat, index: number): string {
     const parts = new Parts(index, false);
     const at = (list: ArrayLike<any>, i: number) => [list[2 * i], list[2 * i + 1]];
     const range = (list: ArrayLike<any>, from: number, to: number) =>
@@ -222,12 +201,19 @@ export class Operands {
     });
   }
 
-  private makeFlat(flat: Flat | string, index: number, options: ReadOptions): Address {
-    if (typeof flat === "string") return this.read(new TextEncoder().encode(flat), index, options);
+  private makeFlat(flat: Flat, index: number, options: ReadOptions): Address {
+    this.checkOffsets(flat.coords, flat.rings, "rings", 2, index);
+    this.checkOffsets(flat.rings, flat.polygons, "polygons", 1, index);
+    this.checkOffsets(flat.lineCoords ?? [], flat.lines ?? [0], "lines", 2, index);
+    const isText = (list: ArrayLike<unknown> | undefined) => typeof list?.[0] === "string";
+    return isText(flat.coords) || isText(flat.lineCoords) || isText(flat.points)
+      ? this.read(encoder.encode(this.text(flat, index)), index, options)
+      : this.putFlat(flat, index);
+  }
+  /** Makes a geometry of flat arrays whose offsets are known to be good. */
+  private putFlat(flat: Flat, index: number): Address {
     const { library } = this;
     const { coords, rings, polygons } = flat;
-    this.checkOffsets(coords, rings, "rings", 2, index);
-    this.checkOffsets(rings, polygons, "polygons", 1, index);
     const bytes = 8 * (coords.length + rings.length + polygons.length);
     const geometry = library.withRoom(bytes, (address) => {
       const xy = address / 8;
@@ -259,7 +245,6 @@ export class Operands {
       });
     const lines = flat.lines ?? [0];
     const lineCoords = flat.lineCoords ?? [];
-    this.checkOffsets(lineCoords, lines, "lines", 2, index);
     for (let l = 0; l + 1 < lines.length; ++l) {
       add("minksum_geometry_add_polyline", lineCoords, lines[l]!, lines[l + 1]!);
     }

@@ -51,11 +51,21 @@ export class Results {
     const { library } = this;
     const { results, error, call } = library;
     call["minksum_geometry_counts"]!(results, geometry);
+    const { u32 } = library;
     const at = results >>> 2;
-    const [polygons, rings, vertices, lines, lineVertices, points] = library.u32.subarray(at, at + 6);
+    const polygons = u32[at]!;
+    const rings = u32[at + 1]!;
+    const vertices = u32[at + 2]!;
+    const lines = u32[at + 3]!;
+    const lineVertices = u32[at + 4]!;
+    const points = u32[at + 5]!;
     const doubles = (count: number, from: Address) => library.f64.slice(from / 8, from / 8 + count);
-    const offsets = (count: number, from: Address) =>
-      Uint32Array.from({ length: count }, (_, i) => library.u32[(from >>> 2) + 2 * i]!);
+    const offsets = (count: number, from: Address) => {
+      const made = new Uint32Array(count);
+      const { u32 } = library;
+      for (let i = 0, at = from >>> 2; i < count; ++i, at += 2) made[i] = u32[at]!;
+      return made;
+    };
     const made: FlatResult = {
       coords: new Float64Array(),
       rings: new Uint32Array(1),
@@ -64,29 +74,29 @@ export class Results {
       lines: new Uint32Array(1),
       points: new Float64Array(),
     };
-    if (vertices! + polygons! > 0) {
-      library.withRoom(8 * (2 * vertices! + rings! + polygons! + 2), (xy) => {
-        const ringsAt = xy + 16 * vertices!;
-        const polygonsAt = ringsAt + 8 * (rings! + 1);
+    if (vertices + polygons > 0) {
+      library.withRoom(8 * (2 * vertices + rings + polygons + 2), (xy) => {
+        const ringsAt = xy + 16 * vertices;
+        const polygonsAt = ringsAt + 8 * (rings + 1);
         const get = call["minksum_geometry_get_polygons"]!;
         library.check(get(geometry, xy, ringsAt, polygonsAt, error));
-        made.coords = doubles(2 * vertices!, xy);
-        made.rings = offsets(rings! + 1, ringsAt);
-        made.polygons = offsets(polygons! + 1, polygonsAt);
+        made.coords = doubles(2 * vertices, xy);
+        made.rings = offsets(rings + 1, ringsAt);
+        made.polygons = offsets(polygons + 1, polygonsAt);
       });
     }
-    if (lines! > 0) {
-      library.withRoom(8 * (2 * lineVertices! + lines! + 1), (xy) => {
-        const linesAt = xy + 16 * lineVertices!;
+    if (lines > 0) {
+      library.withRoom(8 * (2 * lineVertices + lines + 1), (xy) => {
+        const linesAt = xy + 16 * lineVertices;
         library.check(call["minksum_geometry_get_polylines"]!(geometry, xy, linesAt, error));
-        made.lineCoords = doubles(2 * lineVertices!, xy);
-        made.lines = offsets(lines! + 1, linesAt);
+        made.lineCoords = doubles(2 * lineVertices, xy);
+        made.lines = offsets(lines + 1, linesAt);
       });
     }
-    if (points! > 0) {
-      library.withRoom(16 * points!, (xy) => {
+    if (points > 0) {
+      library.withRoom(16 * points, (xy) => {
         library.check(call["minksum_geometry_get_points"]!(geometry, xy, error));
-        made.points = doubles(2 * points!, xy);
+        made.points = doubles(2 * points, xy);
       });
     }
     return made;
@@ -131,27 +141,20 @@ export class Results {
 
 /** Returns flat arrays as GeoJSON. */
 export function geojson(flat: FlatResult | ExactFlatResult): Geometry {
-  const positions = (list: ArrayLike<number | string>, from: number, to: number) => {
-    const made: Position[] = [];
-    for (let v = from; v < to; ++v) made.push([list[2 * v]!, list[2 * v + 1]!]);
-    return made;
-  };
   const { coords, rings, polygons, lineCoords, lines, points } = flat;
   const areas: Position[][][] = [];
   for (let p = 0; p + 1 < polygons.length; ++p) {
     const area: Position[][] = [];
     for (let r = polygons[p]!; r < polygons[p + 1]!; ++r) {
-      const ring = positions(coords, rings[r]!, rings[r + 1]!);
-      if (ring.length > 0) ring.push([...ring[0]!]);
-      area.push(ring);
+      area.push(positions(coords, rings[r]!, rings[r + 1]!, true));
     }
     areas.push(area);
   }
   const paths: Position[][] = [];
   for (let l = 0; l + 1 < lines.length; ++l) {
-    paths.push(positions(lineCoords, lines[l]!, lines[l + 1]!));
+    paths.push(positions(lineCoords, lines[l]!, lines[l + 1]!, false));
   }
-  const places = positions(points, 0, points.length / 2);
+  const places = positions(points, 0, points.length / 2, false);
   const made: Geometry[] = [];
   if (areas.length === 1) made.push({ type: "Polygon", coordinates: areas[0]! } satisfies Polygon);
   if (areas.length > 1) made.push({ type: "MultiPolygon", coordinates: areas });
@@ -163,4 +166,13 @@ export function geojson(flat: FlatResult | ExactFlatResult): Geometry {
   return made.length === 0
     ? { type: "Polygon", coordinates: [] }
     : { type: "GeometryCollection", geometries: made };
+}
+/** Returns points of a list. A ring is closed by a copy of its first point. */
+function positions(
+  list: ArrayLike<number | string>, from: number, to: number, close: boolean,
+): Position[] {
+  const made: Position[] = [];
+  for (let v = from; v < to; ++v) made.push([list[2 * v]!, list[2 * v + 1]!]);
+  if (close && from < to) made.push([list[2 * from]!, list[2 * from + 1]!]);
+  return made;
 }

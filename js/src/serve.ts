@@ -2,6 +2,7 @@
 import { MinksumError } from "./errors.js";
 import type { WasmSource } from "./load.js";
 import type { Minksum, NoFitTable } from "./minksum.js";
+import type { Options, Progress } from "./types.js";
 import type { Answer, Question } from "./worker.js";
 
 /** Returns a function that answers questions by `reply`. */
@@ -18,7 +19,11 @@ export function serve(
     }
     const mk = (await library) as any;
     if (question.method === "version?") return mk.version;
-    const { method, args, table } = question;
+    const { id, method, args, table } = question;
+    if (question.progress) {
+      const options = args.pop() as Options;
+      args.push({ ...options, progress: (progress: Progress) => reply({ id, progress }) });
+    }
     if (method === "noFitTable") {
       const made = mk.noFitTable(...args) as NoFitTable;
       tables.set(table!, made);

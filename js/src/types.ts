@@ -98,6 +98,27 @@ export interface ReadOptions {
   /** joins ends of outlines in drawings that are at most so far apart */
   joinEnds?: number;
 }
+/** The names of a sum's stages, in their order. */
+export const stages = [
+  "operands",
+  "convolution",
+  "cover",
+  "arrangement",
+  "loops",
+  "filters",
+  "output",
+] as const;
+/** What an operation is doing, besides the stages of a sum. */
+export const progressStages = [...stages, "overlay", "rounding", "checking", "search"] as const;
+export type ProgressStage = (typeof progressStages)[number];
+/** How far an operation is. */
+export interface Progress {
+  stage: ProgressStage;
+  /** how many parts are done: slices, pairs of parts, or the stages of a sum */
+  done: number;
+  /** how many parts there are; 0 = not known */
+  parts: number;
+}
 /** Says what a result looks like. */
 export interface ResultOptions {
   /** GeoJSON (the default), flat arrays, WKT, or the picture as SVG */
@@ -117,6 +138,8 @@ export interface Options extends ReadOptions, ResultOptions {
   maxSegments?: number;
   /** crossings of a sum above which it is refused */
   maxCrossings?: number;
+  /** called when a stage begins, and every few milliseconds; `false` stops the operation */
+  progress?: (progress: Progress) => boolean | void;
 }
 export type Side = "nearest" | "outside" | "inside";
 export interface OffsetOptions extends Options {
@@ -170,11 +193,25 @@ export interface Configuration {
   y: number;
   degrees: number;
 }
-export interface Reach {
+/** A placement and a turn, exactly. */
+export interface ExactConfiguration {
+  x: string;
+  y: string;
+  /** the angle's nearest double */
+  degrees: number;
+  /** cosine and sine of the angle */
+  cos: string;
+  sin: string;
+}
+export interface Reach<At = Configuration> {
   reachable: boolean;
   /** waypoints from start to goal */
-  path: Configuration[];
+  path: At[];
 }
+/** The type of a path for given options. */
+export type ReachOf<O> = Reach<O extends { coords: "exact" } ? ExactConfiguration : Configuration>;
+/** The type of a number for given options. */
+export type NumberOf<O> = O extends { coords: "exact" } ? string : number;
 export interface Slice<Result = Geometry> {
   /** the angle that was asked for */
   degrees: number;
@@ -217,16 +254,6 @@ export interface Fault {
   vertex: number | undefined;
 }
 
-/** The names of a sum's stages, in their order. */
-export const stages = [
-  "operands",
-  "convolution",
-  "cover",
-  "arrangement",
-  "loops",
-  "filters",
-  "output",
-] as const;
 export type Stage = (typeof stages)[number];
 /** Directed segments: x and y of both ends of each, in turn. Their right side is the outer one. */
 export interface Segments {

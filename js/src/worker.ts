@@ -7,9 +7,9 @@
 import { fromWorker, spawn } from "#spawn";
 import { MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
 import type {
-  CheckOptions, Configuration, Contact, Depth, Fault, Location, OffsetOptions, Operand, Options,
-  Reach, ReachOptions, ReferenceOptions, ResultOf, RoundOptions, Side, Slice, SliceOptions,
-  SumCheck, TableOptions, Trace,
+  CheckOptions, Configuration, Contact, Depth, Fault, Location, NumberOf, OffsetOptions, Operand,
+  Options, Progress, ReachOf, ReachOptions, ReferenceOptions, ResultOf, RoundOptions, Side, Slice,
+  SliceOptions, SumCheck, TableOptions, Trace,
 } from "./types.js";
 
 export { MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
@@ -22,11 +22,15 @@ export interface Question {
   method: string;
   args: unknown[];
   table?: number | undefined;
+  /** whether progress shall be told */
+  progress?: boolean | undefined;
 }
 /** What a worker answers. */
 export interface Answer {
   id: number;
   value?: unknown;
+  /** told while the operation goes on */
+  progress?: Progress;
   error?: { code?: ErrorCode; name?: string; message: string; place?: ErrorPlace };
 }
 /** A worker with which one can speak. */
@@ -52,6 +56,7 @@ export interface WorkerOptions {
 }
 
 interface Pending extends Question {
+  heard: Options["progress"];
   resolve(value: any): void;
   reject(error: unknown): void;
 }
@@ -154,9 +159,9 @@ export class MinksumWorker {
   penetrationDepth(a: Operand, b: Operand, options?: Plain<Options>): Promise<Depth | null> {
     return this.ask("penetrationDepth", [a, b, options]);
   }
-  timeOfImpact(
-    a: Operand, b: Operand, direction: [number, number], options?: Plain<Options>,
-  ): Promise<number | null> {
+  timeOfImpact<O extends Plain<Options> = {}>(
+    a: Operand, b: Operand, direction: [number, number], options?: O,
+  ): Promise<NumberOf<O> | null> {
     return this.ask("timeOfImpact", [a, b, direction, options]);
   }
   slices<O extends Plain<SliceOptions> = {}>(
@@ -164,10 +169,9 @@ export class MinksumWorker {
   ): Promise<Slice<ResultOf<O>>[]> {
     return this.ask("slices", [robot, obstacles, angles, options]);
   }
-  reach(
-    robot: Operand, obstacles: Operand, from: Configuration, to: Configuration,
-    options?: Plain<ReachOptions>,
-  ): Promise<Reach> {
+  reach<O extends Plain<ReachOptions> = {}>(
+    robot: Operand, obstacles: Operand, from: Configuration, to: Configuration, options?: O,
+  ): Promise<ReachOf<O>> {
     return this.ask("reach", [robot, obstacles, from, to, options]);
   }
   union<O extends Plain<Options> = {}>(a: Operand, b: Operand, options?: O): Made<O> {
@@ -222,7 +226,7 @@ export class MinksumWorker {
   async noFitTable(parts: Operand[], options?: Plain<TableOptions>): Promise<NoFitTableInWorker> {
     const table = this.next;
     const { size, turns } = await this.ask("noFitTable", [parts, options], table);
-    const { signal: _, ...kept } = options ?? {};
+    const { signal: _, progress: _progress, ...kept } = options ?? {};
     this.tables.set(table, { id: 0, method: "noFitTable", args: [parts, kept], table });
     const ask = (method: string, args: unknown[]) => {
       if (method === "dispose") this.tables.delete(table);
@@ -240,23 +244,26 @@ export class MinksumWorker {
   // -- The worker ----------------------------------------------------------------------------------
   private ask(method: string, args: unknown[], table?: number): Promise<any> {
     if (this.closed) return Promise.reject(new MinksumError("cancelled", "the worker was closed"));
-    const last = args[args.length - 1] as Abortable | undefined;
+    const last = args[args.length - 1] as Plain<Options> | undefined;
     const signal = last?.signal instanceof AbortSignal ? last.signal : undefined;
     if (signal?.aborted) return Promise.reject(signal.reason);
-    const sent = signal ? [...args.slice(0, -1), { ...last, signal: undefined }] : args;
+    const heard = typeof last?.progress === "function" ? last.progress : undefined;
+    const strip = signal !== undefined || heard !== undefined;
+    const rest = strip ? { ...last, signal: undefined, progress: undefined } : last;
     const id = this.next++;
+    const question = { id, method, args: [...args.slice(0, -1), rest], table, progress: !!heard };
     return new Promise((resolve, reject) => {
       const abort = () => this.abort(id, signal!.reason);
       signal?.addEventListener("abort", abort, { once: true });
       const done = () => signal?.removeEventListener("abort", abort);
       this.pending.set(id, {
-        id, method, args: sent, table,
+        ...question, heard,
         resolve: (value) => (done(), resolve(value)),
         reject: (error) => (done(), reject(error)),
       });
       this.channel.hold?.(true);
       try {
-        this.channel.send({ id, method, args: sent, table });
+        this.channel.send(question);
       } catch (error) {
         this.settle(id)?.reject(error);
       }
@@ -279,15 +286,27 @@ export class MinksumWorker {
     if (this.pending.size === 0) this.channel.hold?.(false);
     return asked;
   }
-  private hear({ id, value, error }: Answer): void {
+  private hear({ id, value, error, progress }: Answer): void {
     if (id === 0) {
       this.started ||= error === undefined;
       if (error !== undefined) this.fail(toError(error));
       return;
     }
+    if (progress !== undefined) {
+      this.tell(id, progress);
+      return;
+    }
     const asked = this.settle(id);
     if (error === undefined) asked?.resolve(value);
     else asked?.reject(toError(error));
+  }
+  private tell(id: number, progress: Progress): void {
+    try {
+      const goOn = this.pending.get(id)?.heard?.(progress);
+      if (goOn === false) this.abort(id, new MinksumError("cancelled", "`progress` asked to stop"));
+    } catch (error) {
+      this.abort(id, error);
+    }
   }
   /** The worker cannot be stopped but by its end. Another one does what else was asked. */
   private abort(id: number, reason: unknown): void {
@@ -296,9 +315,9 @@ export class MinksumWorker {
     this.channel.end();
     this.channel = this.open();
     for (const table of this.tables.values()) this.channel.send(table);
-    for (const { id: other, method, args, table } of this.pending.values()) {
+    for (const { id: other, method, args, table, progress } of this.pending.values()) {
       this.channel.hold?.(true);
-      this.channel.send({ id: other, method, args, table });
+      this.channel.send({ id: other, method, args, table, progress });
     }
     asked.reject(reason);
   }

@@ -110,6 +110,10 @@ test("sets stand to each other", () => {
   assert.equal(mk.penetrationDepth("POINT (0 0)", other), null);
   assert.equal(mk.timeOfImpact(box(0, 0, 1, 1), box(5, 0, 6, 1), [-2, 0]), 2);
   assert.equal(mk.timeOfImpact(box(0, 0, 1, 1), box(5, 0, 6, 1), [2, 0]), null);
+  const exactly = (direction) =>
+    mk.timeOfImpact(box(0, 0, 1, 1), box(5, 0, 6, 1), direction, { coords: "exact" });
+  assert.equal(exactly([-3, 0]), "4/3");
+  assert.equal(exactly([3, 0]), null);
 });
 
 test("robots go where they can", () => {
@@ -123,6 +127,13 @@ test("robots go where they can", () => {
   const through = mk.reach(robot, walls, from, { x: 4.5, y: 6, degrees: 0 }, { workspace, angles: 4 });
   assert.equal(through.reachable, true);
   assert.deepEqual(through.path[0], from);
+  const exactly = mk.reach(robot, walls, from, { x: 4.5, y: 6, degrees: 30 }, { workspace, angles: 12, coords: "exact" });
+  assert.deepEqual(exactly.path[0], { ...from, x: "9/2", y: "3/2", cos: "1", sin: "0" });
+  for (const { cos, sin } of exactly.path) {
+    const [[p, q = 1n], [r, s = 1n]] = [cos, sin].map((text) => text.split("/").map(BigInt));
+    assert.equal((p * s) ** 2n + (r * q) ** 2n, (q * s) ** 2n, "a point of the unit circle");
+  }
+  assert.ok(Math.abs(exactly.path.at(-1).degrees - 30) < 0.01);
   const wide = mk.reach(box(-1, -1, 1, 1), walls, from, { x: 4.5, y: 6, degrees: 0 }, { workspace, angles: 4 });
   assert.deepEqual(wide, { reachable: false, path: [] });
 });

@@ -43,6 +43,7 @@ test("the programs of its page run as they stand", () => {
   assert.equal(outputs[0].split("\n")[1],
     "POLYGON ((0 0, 91/10 0, 28/3 1, 28/3 10, 1/3 10, 0 9, 0 0), (10/3 4, 10/3 6, 6 6, 6 4, 10/3 4))");
   assert.equal(outputs[1], "Polygon true\n");
+  assert.equal(outputs[2], "true\n");
 });
 test("TypeScript knows the types of results", () => {
   writeFileSync(join(folder, "types.ts"), `
@@ -54,8 +55,9 @@ test("TypeScript knows the types of results", () => {
     const text: string = mk.convert(flat, { as: "wkt" });
     // @ts-expect-error: there is no such join
     mk.offset(text, 1, { join: "mitre" });
+    const factor: string | null = mk.timeOfImpact(text, text, [1, 0], { coords: "exact", progress: () => false });
     const later: FlatResult = await (await start()).minkowskiSum(text, text, { as: "flat" });
-    export default [later, MinksumError];
+    export default [later, factor, MinksumError];
   `);
   run(bin("tsc"), ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "types.ts"]);
 });

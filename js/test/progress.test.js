@@ -1,0 +1,50 @@
+// Progress is told, and a listener can stop an operation.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { load } from "minksum/worker";
+import { box, mk, random, star } from "./support.js";
+
+const next = random(11);
+const [a, b] = [star(next, 300, 1e6), star(next, 300, 1e6)];
+
+test("an operation tells its stages", () => {
+  const told = [];
+  const sum = mk.minkowskiSum(a, b, { progress: (p) => void told.push(p) });
+  assert.deepEqual(sum, mk.minkowskiSum(a, b));
+  const names = new Set(told.map((p) => p.stage));
+  for (const name of ["operands", "convolution", "arrangement", "loops", "output"]) assert.ok(names.has(name), name);
+  assert.ok(told.every(({ done, parts }) => done >= 0 && done <= parts));
+});
+test("false stops an operation, and an error of the listener is thrown", () => {
+  assert.throws(() => mk.minkowskiSum(a, b, { progress: () => false }), { code: "cancelled" });
+  const own = new Error("mine");
+  const fail = () => {
+    throw own;
+  };
+  assert.throws(() => mk.minkowskiSum(a, b, { progress: fail }), (error) => error === own);
+  assert.equal(mk.area(mk.minkowskiSum(box(0, 0, 1, 1), box(0, 0, 1, 1))), 4);
+});
+test("a listener may call the library", () => {
+  let calls = 0;
+  const progress = () => {
+    ++calls;
+    assert.equal(mk.area(mk.minkowskiSum(box(0, 0, 1, 1), box(0, 0, 1, 1))), 4);
+  };
+  assert.deepEqual(mk.minkowskiSum(a, b, { progress }), mk.minkowskiSum(a, b));
+  assert.ok(calls > 3);
+});
+test("a worker tells progress, and can be stopped by it", async () => {
+  const worker = await load();
+  const told = [];
+  const sum = await worker.minkowskiSum(a, b, { progress: (p) => void told.push(p.stage) });
+  assert.deepEqual(sum, mk.minkowskiSum(a, b));
+  assert.ok(told.includes("arrangement"));
+  await assert.rejects(worker.minkowskiSum(a, b, { progress: () => false }), { code: "cancelled" });
+  const own = new Error("mine");
+  const fail = () => {
+    throw own;
+  };
+  await assert.rejects(worker.minkowskiSum(a, b, { progress: fail }), (error) => error === own);
+  assert.equal(await worker.area(box(0, 0, 2, 2)), 4);
+  worker.close();
+});
