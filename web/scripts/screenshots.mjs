@@ -22,24 +22,23 @@ const looks = {
     isMobile: true,
   },
 };
-const all = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((example) => ({ name: `example-${example}`, example }));
-const more = [
-  { name: "slices", example: 8, op: "slices" },
-  { name: "robot", example: 8, op: "robot" },
-  ...[0, 1, 3, 4, 5, 6, 7].map((stage) => ({ name: `stage-${stage}`, example: 2, stage })),
+// Each operation on an example that suits it, and the stages of a sum.
+const operations = {
+  sum: 1, erode: 0, open: 0, close: 5, offset: 6, nofit: 3, depth: 7, robot: 8, slices: 8, path: 8,
+};
+const pictures = [
+  ...Object.entries(operations).map(([op, example]) => ({ name: op, example, op })),
+  ...[1, 3, 5, 7].map((stage) => ({ name: `stage-${stage}`, example: 2, op: "steps", stage })),
 ];
 for (const [look, options] of Object.entries(looks)) {
   if (only && !look.startsWith(only)) continue;
   const { context, close } = await start(options);
   const { page } = await open(context);
-  for (const { name, example, op, stage } of look === "light-wide"
-    ? [...all, ...more]
-    : [...all.slice(0, 4), ...more.slice(0, 1)]) {
+  for (const { name, example, op, stage } of pictures) {
     await page.selectOption("#example", String(example));
     await settled(page);
-    if (op) await page.click(`[data-op=${op}]`);
+    await page.evaluate((wanted) => document.querySelector(`[data-op=${wanted}]`).click(), op);
     if (stage !== undefined) await page.fill("#stage", String(stage));
-    await page.waitForTimeout(500);
     await settled(page);
     await page.screenshot({
       path: join(out, `${look}-${name}.png`),

@@ -53,6 +53,14 @@ export async function settled(page) {
     timeout: 60_000,
   });
 }
+/** Waits until `check` holds. */
+export async function until(page, check, what) {
+  for (let i = 0; i < 400; ++i) {
+    if (await check()) return;
+    await page.waitForTimeout(25);
+  }
+  throw new Error(`never: ${what}`);
+}
 export async function chooseExample(page, name) {
   await page.selectOption("#example", { label: name });
   await settled(page);

@@ -1,7 +1,7 @@
 // What people do on the page: draw, drag, drop, share, stop; and what it must not do.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chooseExample, drop, open, settled, start } from "./browser.mjs";
+import { chooseExample, drop, open, settled, start, until as untilOn } from "./browser.mjs";
 
 let browser, page, noted;
 before(async () => {
@@ -17,13 +17,7 @@ async function place(x, y) {
 }
 const text = (name) => page.inputValue(`#text-${name}`);
 const vertices = (wkt) => wkt.split(",").length - 1;
-async function until(check, what) {
-  for (let i = 0; i < 400; ++i) {
-    if (await check()) return;
-    await page.waitForTimeout(25);
-  }
-  assert.fail(`never: ${what}`);
-}
+const until = (check, what) => untilOn(page, check, what);
 
 test("shapes are drawn by mouse and by keyboard", async () => {
   await chooseExample(page, "An empty sheet");
