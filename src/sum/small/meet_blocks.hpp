@@ -1,6 +1,7 @@
 // Finds the meetings of two blocks of eight segments.
 #pragma once
 
+#include "sum/small/sides.hpp"
 #include "sum/small/small_segments.hpp"
 
 namespace minksum {
@@ -25,35 +26,25 @@ template <class Number>
   const double* const y = s.y.data() + other * kLanes;
   const double* const dx = s.dx.data() + other * kLanes;
   const double* const dy = s.dy.data() + other * kLanes;
+  constexpr LaneBits kOfLane = 0x01010101;  // one byte for each kind
   BlockMeetings meetings;
   for (; rows != 0; rows &= rows - 1) {
     const auto row = static_cast<unsigned>(std::countr_zero(rows));
     const std::size_t of = block * kLanes + row;
-    const auto of_x = static_cast<Number>(s.x[of]);
-    const auto of_y = static_cast<Number>(s.y[of]);
-    const auto of_dx = static_cast<Number>(s.dx[of]);
-    const auto of_dy = static_cast<Number>(s.dy[of]);
-    LaneBits bits = 0;  // one byte for each kind
-    for (std::size_t t = 0; t < kLanes; ++t) {
-      const Number ax = static_cast<Number>(x[t]) - of_x;
-      const Number ay = static_cast<Number>(y[t]) - of_y;
-      const auto tx = static_cast<Number>(dx[t]);
-      const auto ty = static_cast<Number>(dy[t]);
-      // Seen from t, `along` is the start of r, -`left` is its end, and -`turn` is its turn.
-      const Number start = of_dx * ay - of_dy * ax;  // how far t starts on the left of r
-      const Number turn = of_dx * ty - of_dy * tx;   // and how much farther it ends there
-      const Number end = start + turn;
-      const Number along = ax * ty - ay * tx;  // they meet at along / turn of the way of r
-      const Number left = turn - along;
+    const Vec<double> at{s.x[of], s.y[of]};
+    const Vec<double> way{s.dx[of], s.dy[of]};
+    const auto kinds = [&](const auto& cross, std::size_t t) __attribute__((always_inline)) {
+      const auto [start, end, along, left] =
+          sides(cross, way, {x[t] - at.x, y[t] - at.y}, {dx[t], dy[t]});
       const bool right = (start >= 0) & (end < 0) & (along < 0) & (left <= 0);
       const bool right_of_other = (along >= 0) & (left > 0) & (start < 0) & (end >= 0);
       const bool at_end = (left == 0) & (start <= 0) & (end >= 0) & !((end == 0) & (start < 0));
       const bool at_end_of_other =
           (end == 0) & (along <= 0) & (left <= 0) & !((left == 0) & (along < 0));
-      bits |= (right ? kBitOf[t] : 0) | (right_of_other ? kBitOf[t + kLanes] : 0) |
-              (at_end ? kBitOf[t + 2 * kLanes] : 0) |
-              (at_end_of_other ? kBitOf[t + 3 * kLanes] : 0);
-    }
+      return (right ? kBitOf[t] : 0) | (right_of_other ? kBitOf[t + kLanes] : 0) |
+             (at_end ? kBitOf[t + 2 * kLanes] : 0) | (at_end_of_other ? kBitOf[t + 3 * kLanes] : 0);
+    };
+    const LaneBits bits = test_lanes<Number, kOfLane>(kLanes, kinds);
     const auto byte = [&](unsigned kind) {
       return (bits >> (kind * kLanes) & first_bits(kLanes)) << (row * kLanes);
     };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "exact/wide_int.hpp"
 #include "sum/small/small_meetings.hpp"
@@ -12,8 +13,8 @@ namespace minksum {
 /// the segment's way.
 struct SmallCorner {
   std::uint32_t segment;
-  std::int64_t along;
-  std::int64_t whole;
+  Int128 along;
+  Int128 whole;
 };
 
 struct SmallBoundary {
@@ -22,16 +23,6 @@ struct SmallBoundary {
   std::uint32_t between;  ///< number of corners that are not the start of a segment
   std::array<SmallCorner, kMax> corners;
 };
-
-/// A fraction of a segment's way.
-struct SmallFraction {
-  std::int64_t above;
-  std::int64_t below;  ///< positive
-};
-
-[[nodiscard]] inline bool less(const SmallFraction& a, const SmallFraction& b) {
-  return Int128{a.above} * b.below < Int128{b.above} * a.below;
-}
 
 /// By meeting on the right: the walk that turned there, and that turn's number in the walk.
 struct RightMeetings {
@@ -81,10 +72,17 @@ class OuterWalk {
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr bool kShort = std::is_same_v<Number, double>;
+  using Integer = std::conditional_t<kShort, std::int64_t, Int128>;
+  /// A fraction of a segment's way.
+  struct Fraction {
+    Integer above;
+    Integer below;  ///< positive
+  };
   /// A segment, and how much of its way has been passed.
   struct WalkLocation {
     std::uint32_t segment = kNone;
-    SmallFraction passed{0, 1};
+    Fraction passed{0, 1};
   };
   /// The place at which the walk goes on, and the turn that it takes.
   struct Next {
@@ -101,13 +99,17 @@ class OuterWalk {
     return cross(way(of), between(of, t));
   }
   [[nodiscard]] Vec<Number> way(std::uint32_t t) const {
-    return {static_cast<Number>(s_.dx[t]), static_cast<Number>(s_.dy[t])};
+    return whole_numbers<Number>({s_.dx[t], s_.dy[t]});
   }
   [[nodiscard]] Vec<Number> between(std::uint32_t from, std::uint32_t to) const {
-    return {static_cast<Number>(s_.x[to] - s_.x[from]), static_cast<Number>(s_.y[to] - s_.y[from])};
+    return whole_numbers<Number>({s_.x[to] - s_.x[from], s_.y[to] - s_.y[from]});
   }
-  [[nodiscard]] static SmallFraction fraction(Number above, Number below) {
-    return {static_cast<std::int64_t>(above), static_cast<std::int64_t>(below)};
+  [[nodiscard]] static Fraction fraction(Number above, Number below) {
+    return {static_cast<Integer>(above), static_cast<Integer>(below)};
+  }
+  [[nodiscard]] static bool less(const Fraction& a, const Fraction& b) {
+    using Wide = std::conditional_t<kShort, Int128, WideInt<4>>;
+    return product<Wide>(a.above, b.below) < product<Wide>(b.above, a.below);
   }
   void corner(const WalkLocation& place) {
     boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
@@ -129,10 +131,10 @@ class OuterWalk {
   [[nodiscard, gnu::always_inline]] Next next_after(const WalkLocation& place) {
     const std::uint32_t at = place.segment;
     Next next;
-    SmallFraction best{0, 0};
+    Fraction best{0, 0};
     m_.for_each_right(at, [&](std::uint32_t t, std::size_t meeting) {
       const Number c = turn(at, t);
-      const SmallFraction here = fraction(-cross(between(at, t), way(t)), -c);
+      const Fraction here = fraction(-cross(between(at, t), way(t)), -c);
       if (place.passed.above != 0 && !less(place.passed, here)) return;
       if (next.place.segment != kNone) {
         if (less(best, here)) return;
@@ -186,8 +188,7 @@ class OuterWalk {
     const double sense = whole < 0 ? -1 : 1;
     const bool same_sense = sense * (by_x ? s_.dx[at] : s_.dy[at]) > 0;
     if (!same_sense || sense * along < 0 || sense * along >= sense * whole) return {};
-    return {t,
-            {static_cast<std::int64_t>(sense * along), static_cast<std::int64_t>(sense * whole)}};
+    return {t, {whole_number<Integer>(sense * along), whole_number<Integer>(sense * whole)}};
   }
 
   /// Whether the sum certainly has no hole. A walk around a hole has the sum on its left, too, and

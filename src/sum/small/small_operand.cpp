@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
-#include "exact/wide_int.hpp"
 #include "machine/vectors.hpp"
 #include "region/region_access.hpp"
 #include "sum/small/small_rings.hpp"
@@ -34,6 +34,10 @@ bool find_grid(const Region& region, SmallOperand& s) {
 Vec<std::int64_t> step(const SmallOperand& s, std::uint32_t from, std::uint32_t to) {
   return {static_cast<std::int64_t>(s[SmallOperand::kX][to] - s[SmallOperand::kX][from]),
           static_cast<std::int64_t>(s[SmallOperand::kY][to] - s[SmallOperand::kY][from])};
+}
+
+Int128 exact_turn(const Vec<std::int64_t>& in, const Vec<std::int64_t>& out) {
+  return Int128{in.x} * out.y - Int128{in.y} * out.x;
 }
 
 /// Sets the longest extent of an edge. Returns false if that is too long for any number type.
@@ -101,9 +105,9 @@ bool drop_straight(SmallOperand& s) {
   for (std::uint32_t i = 0; i < s.size; ++i) {
     const Vec<std::int64_t> in = step(s, before, i);
     const Vec<std::int64_t> out = step(s, i, i + 1 == s.size ? 0 : i + 1);
-    stays[i] = cross(in, out) != 0;
+    stays[i] = exact_turn(in, out) != 0;
     all = all && stays[i];
-    if (!stays[i] && !(in.x * out.x + in.y * out.y > 0)) return false;
+    if (!stays[i] && !(Int128{in.x} * out.x + Int128{in.y} * out.y > 0)) return false;
     before = i;
   }
   if (all) return true;
@@ -138,7 +142,8 @@ void orient(SmallOperand& s) {
   find_smallest(s);
   const std::uint32_t n = s.size;
   const std::uint32_t i = s.smallest;
-  if (cross(step(s, i == 0 ? n - 1 : i - 1, i), step(s, i, i + 1 == n ? 0 : i + 1)) > 0) return;
+  if (exact_turn(step(s, i == 0 ? n - 1 : i - 1, i), step(s, i, i + 1 == n ? 0 : i + 1)) > 0)
+    return;
   std::reverse(s[SmallOperand::kX], s[SmallOperand::kX] + n);
   std::reverse(s[SmallOperand::kY], s[SmallOperand::kY] + n);
   double* const vertex_source = s[SmallOperand::kVertexSource];
@@ -158,7 +163,7 @@ void set_edges(SmallOperand& s) {
   Vec<std::int64_t> in = step(s, n - 1, 0);
   for (std::uint32_t i = 0; i < n; ++i) {
     const Vec<std::int64_t> out = step(s, i, i + 1 == n ? 0 : i + 1);
-    const bool convex = cross(in, out) > 0;
+    const bool convex = exact_turn(in, out) > 0;
     const auto value = [&](std::int64_t d) { return convex ? static_cast<double>(d) : 0.0; };
     s.convex &= convex;
     dx[i] = static_cast<double>(out.x);
@@ -195,6 +200,25 @@ bool is_simple_ring(const SmallOperand& s) {
       widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
 }
 
+/// Whether a hole is simple and lies inside the outer ring, apart from the holes before it.
+template <class Number>
+bool is_clear_hole(const SmallOperand& hole, const SmallOperand& outer,
+                   std::span<const SmallOperand> before, std::span<const BoxOf<double>> boxes) {
+  const BoxOf<double>& box = boxes[before.size()];
+  if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y ||
+      !is_simple_ring<Number>(hole) || !holds<Number>(outer, hole) ||
+      do_meet<Number>(hole, outer)) {
+    return false;
+  }
+  for (std::size_t l = 0; l < before.size(); ++l) {
+    if (box.meets(boxes[l]) && (do_meet<Number>(hole, before[l]) ||
+                                holds<Number>(hole, before[l]) || holds<Number>(before[l], hole))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Reads the sizes of the holes. Returns false if they are many or not clearly valid, or if two
 /// rings touch.
 bool read_holes(const Region& region, SmallOperand& s) {
@@ -210,20 +234,13 @@ bool read_holes(const Region& region, SmallOperand& s) {
       return false;
     }
     set_edges(hole);
-    const BoxOf<double>& box = boxes.emplace_back(box_of(hole));
+    boxes.push_back(box_of(hole));
     const SmallNumberType numbers =
         small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
-    if (numbers != SmallNumberType::kDoubles || box.x0 < 0 || box.y0 < 0 || box.x1 > s.extent.x ||
-        box.y1 > s.extent.y || !is_simple_ring<double>(hole) || !holds(s, hole) ||
-        do_meet(hole, s)) {
-      return false;
-    }
-    for (std::size_t l = 0; l < k; ++l) {
-      if (box.meets(boxes[l]) &&
-          (do_meet(hole, holes[l]) || holds(hole, holes[l]) || holds(holes[l], hole))) {
-        return false;
-      }
-    }
+    const auto is_clear = [&]<class Number>() {
+      return is_clear_hole<Number>(hole, s, std::span(holes).first(k), boxes);
+    };
+    if (numbers == SmallNumberType::kNone || !with_numbers(numbers, is_clear)) return false;
     s.holes.push_back(hole.extent);
   }
   return true;
@@ -250,9 +267,8 @@ bool load_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
 }
 
 bool is_clearly_valid(const Region& region, SmallOperand& s) {
-  const bool wide =
-      small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) == SmallNumberType::kIntegers;
-  return (wide ? is_simple_ring<std::int64_t>(s) : is_simple_ring<double>(s)) &&
+  const auto numbers = small_numbers(s.longest, std::max(s.extent.x, s.extent.y));
+  return with_numbers(numbers, [&]<class Number>() { return is_simple_ring<Number>(s); }) &&
          read_holes(region, s);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/formulas.hpp"
-#include "machine/vectors.hpp"
+#include "exact/wide_int.hpp"
 #include "minksum/region.hpp"
 #include "sum/small/lanes.hpp"
 
@@ -19,8 +19,8 @@ class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
   static constexpr std::size_t kMaxHoles = 32;
-  /// The largest extent of a box.
-  static constexpr double kWidest = 0x1p36;
+  /// The largest extent of a box. Doubles hold twice the sum of two points of it.
+  static constexpr double kWidest = 0x1p49;
 
   /// The properties of each vertex. Each property has an array, filled up with zeros.
   enum Row : std::uint8_t {
@@ -82,17 +82,21 @@ struct SmallRows {
         dy(o[SmallOperand::kDy]) {}
 };
 
-/// A number type that holds all cross products of edges with each other, and with differences of
-/// points of a box.
-enum class SmallNumberType : std::uint8_t { kDoubles, kIntegers, kNone };
+/// How the cross products of edges with each other, and with differences of points of a box, are
+/// computed: in doubles that hold them, or in doubles that round them and, where these do not tell
+/// the sign, in integers of 128 bits.
+enum class SmallNumberType : std::uint8_t { kDoubles, kRounded, kNone };
 
 [[nodiscard]] inline SmallNumberType small_numbers(double longest, double width) {
-  // A cross product is at most twice this. Integers take vectors that not all machines have.
-  const double product = longest * width;
-  if (product <= 0x1p52) return SmallNumberType::kDoubles;
-  const bool fits = product < 0x1p62 && width <= SmallOperand::kWidest;
-  return fits && widest_vectors() == Vectors::kAvx512 ? SmallNumberType::kIntegers
-                                                      : SmallNumberType::kNone;
+  // A cross product is at most twice this.
+  if (longest * width <= 0x1p52) return SmallNumberType::kDoubles;
+  return width <= SmallOperand::kWidest ? SmallNumberType::kRounded : SmallNumberType::kNone;
+}
+/// Calls work() with the number type as its template argument.
+template <class Work>
+auto with_numbers(SmallNumberType type, Work work) {
+  return type == SmallNumberType::kDoubles ? work.template operator()<double>()
+                                           : work.template operator()<Int128>();
 }
 
 /// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sum/small/blocks.hpp"
+#include "sum/small/sides.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
@@ -14,33 +15,23 @@ template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_meeting(const SmallOperand& ring, std::uint32_t i,
                                                      const SmallOperand& s, std::size_t first,
                                                      std::size_t count) {
-  const auto x = static_cast<Number>(ring[SmallOperand::kX][i]);
-  const auto y = static_cast<Number>(ring[SmallOperand::kY][i]);
-  const auto dx = static_cast<Number>(ring[SmallOperand::kDx][i]);
-  const auto dy = static_cast<Number>(ring[SmallOperand::kDy][i]);
-  const double* const other_x = s[SmallOperand::kX] + first;
-  const double* const other_y = s[SmallOperand::kY] + first;
-  const double* const other_dx = s[SmallOperand::kDx] + first;
-  const double* const other_dy = s[SmallOperand::kDy] + first;
-  LaneBits met = 0;
-  for (std::size_t t = 0; t < count / kLanes * kLanes; ++t) {
-    const Number ax = static_cast<Number>(other_x[t]) - x;
-    const Number ay = static_cast<Number>(other_y[t]) - y;
-    const auto tx = static_cast<Number>(other_dx[t]);
-    const auto ty = static_cast<Number>(other_dy[t]);
-    const Number turn = dx * ty - dy * tx;
-    const Number start = dx * ay - dy * ax;
-    const Number end = start + turn;
-    const Number along = ax * ty - ay * tx;
-    const Number left = along - turn;
+  const SmallRows rings(ring);
+  const SmallRows others(s);
+  const Vec<double> at{rings.x[i], rings.y[i]};
+  const Vec<double> way{rings.dx[i], rings.dy[i]};
+  const auto meets = [&](const auto& cross, std::size_t lane) __attribute__((always_inline)) {
+    const std::size_t e = first + lane;
+    const Vec<double> a{others.x[e] - at.x, others.y[e] - at.y};
+    const Vec<double> t{others.dx[e], others.dy[e]};
+    const auto [start, end, along, left] = sides(cross, way, a, t);
     // Edges meet if neither lies on one side of the other's line, and if their boxes meet.
-    const bool meets = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
-                       !((along > 0) & (left > 0)) & !((along < 0) & (left < 0)) &
-                       (std::abs(2 * ax + tx - dx) <= std::abs(dx) + std::abs(tx)) &
-                       (std::abs(2 * ay + ty - dy) <= std::abs(dy) + std::abs(ty));
-    met |= meets ? kBitOf[t] : 0;
-  }
-  return met;
+    const bool meet = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
+                      !((along > 0) & (left < 0)) & !((along < 0) & (left > 0)) &
+                      (std::abs(2 * a.x + t.x - way.x) <= std::abs(way.x) + std::abs(t.x)) &
+                      (std::abs(2 * a.y + t.y - way.y) <= std::abs(way.y) + std::abs(t.y));
+    return meet ? kBitOf[lane] : 0;
+  };
+  return test_lanes<Number>(count / kLanes * kLanes, meets);
 }
 
 /// Whether no edge has a point in common with another one, but for the vertex between neighbours.
@@ -77,14 +68,14 @@ template <class Number>
   return simple;
 }
 
-/// Whether two rings have a point of their boundaries in common. Doubles must hold all cross
-/// products.
+/// Whether two rings have a point of their boundaries in common.
+template <class Number>
 [[nodiscard]] inline bool do_meet(const SmallOperand& a, const SmallOperand& b) {
   LaneBits met = 0;
   for (std::uint32_t i = 0; i < a.size; ++i) {
     for (std::size_t first = 0; first < b.size; first += 64) {
       const std::size_t count = std::min<std::size_t>(filled_up(b.size) - first, 64);
-      met |= edges_meeting<double>(a, i, b, first, count) & first_bits(b.size - first);
+      met |= edges_meeting<Number>(a, i, b, first, count) & first_bits(b.size - first);
     }
   }
   return met != 0;
@@ -92,6 +83,7 @@ template <class Number>
 
 /// Whether a ring of any orientation holds the first vertex of another one. The rings must not
 /// meet.
+template <class Number>
 [[nodiscard]] inline bool holds(const SmallOperand& a, const SmallOperand& b) {
   const Vec<double> at{b[SmallOperand::kX][0], b[SmallOperand::kY][0]};
   bool inside = false;
@@ -101,7 +93,7 @@ template <class Number>
     // This counts edges that pass the height of the point, on its right.
     const bool up = to.y >= 0 && to.y < d.y;
     const bool down = to.y < 0 && to.y >= d.y;
-    const double side = d.x * to.y - d.y * to.x;
+    const Number side = cross(whole_numbers<Number>(d), whole_numbers<Number>(to));
     if ((up && side > 0) || (down && side < 0)) inside = !inside;
   }
   return inside;

@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "sum/small/blocks.hpp"
+#include "sum/small/sides.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
 
 /// The segments of a small sum. All numbers are integers. The type `Number` in the functions below
-/// holds all cross products of their differences.
+/// holds all cross products of their differences. If that is not `double`, doubles may round them.
 struct SmallSegments {
   static constexpr std::size_t kMaxBlocks = 192;
   static constexpr std::size_t kMax = kLanes * kMaxBlocks;
@@ -60,35 +61,31 @@ struct SmallSegments {
 /// Returns those of up to 64 vertices that meet an edge of this direction: it is in (in, out].
 template <class Number>
 [[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallOperand& o, std::size_t first,
-                                                        std::size_t count, Number dx, Number dy) {
+                                                        std::size_t count,
+                                                        const Vec<double>& edge) {
   const double* const in_x = o[SmallOperand::kInX] + first;
   const double* const in_y = o[SmallOperand::kInY] + first;
   const double* const out_x = o[SmallOperand::kOutX] + first;
   const double* const out_y = o[SmallOperand::kOutY] + first;
-  LaneBits bits = 0;
-  const auto number = [](double d) { return static_cast<Number>(d); };
-  for (std::size_t v = 0; v < count / kLanes * kLanes; ++v) {
-    const bool meets = (number(in_x[v]) * dy - number(in_y[v]) * dx > 0) &
-                       (dx * number(out_y[v]) - dy * number(out_x[v]) >= 0);
-    bits |= meets ? kBitOf[v] : 0;
-  }
-  return bits;
+  const auto meets = [&](const auto& cross, std::size_t v) __attribute__((always_inline)) {
+    const bool meet =
+        (cross({in_x[v], in_y[v]}, edge) > 0) & (cross(edge, {out_x[v], out_y[v]}) >= 0);
+    return meet ? kBitOf[v] : 0;
+  };
+  return test_lanes<Number>(count / kLanes * kLanes, meets);
 }
 /// Returns those of up to 64 edges whose direction is in [in, out).
 template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_between(const SmallOperand& o, std::size_t first,
-                                                     std::size_t count, const Vec<Number>& in,
-                                                     const Vec<Number>& out) {
+                                                     std::size_t count, const Vec<double>& in,
+                                                     const Vec<double>& out) {
   const double* const dx = o[SmallOperand::kDx] + first;
   const double* const dy = o[SmallOperand::kDy] + first;
-  LaneBits bits = 0;
-  for (std::size_t e = 0; e < count / kLanes * kLanes; ++e) {
-    const auto ex = static_cast<Number>(dx[e]);
-    const auto ey = static_cast<Number>(dy[e]);
-    const bool between = (in.x * ey - in.y * ex >= 0) & (ex * out.y - ey * out.x > 0);
-    bits |= between ? kBitOf[e] : 0;
-  }
-  return bits;
+  const auto between = [&](const auto& cross, std::size_t e) __attribute__((always_inline)) {
+    const Vec<double> edge{dx[e], dy[e]};
+    return (cross(in, edge) >= 0) & (cross(edge, out) > 0) ? kBitOf[e] : 0;
+  };
+  return test_lanes<Number>(count / kLanes * kLanes, between);
 }
 
 /// Lists the reduced convolution in the order of the first operand's ring. So segments that are
@@ -113,18 +110,16 @@ template <class Number>
     return size + static_cast<std::uint32_t>(std::popcount(bits)) <= SmallSegments::kMax;
   };
   for (std::uint32_t i = 0; i < p.size; ++i) {
-    const auto number = [&](SmallOperand::Row row) { return static_cast<Number>(p[row][i]); };
-    const Vec<Number> in{number(SmallOperand::kInX), number(SmallOperand::kInY)};
-    const Vec<Number> out{number(SmallOperand::kOutX), number(SmallOperand::kOutY)};
-    const Number dx = number(SmallOperand::kDx);
-    const Number dy = number(SmallOperand::kDy);
+    const Vec<double> in{p[SmallOperand::kInX][i], p[SmallOperand::kInY][i]};
+    const Vec<double> out{p[SmallOperand::kOutX][i], p[SmallOperand::kOutY][i]};
+    const Vec<double> edge{of_p.dx[i], of_p.dy[i]};
     for (std::size_t first = 0; first < n; first += 64) {
       const std::size_t count = std::min<std::size_t>(n - first, 64);
       const LaneBits at_vertex =
-          in.x == 0 && in.y == 0 ? 0 : edges_between(q, first, count, in, out);
+          in.x == 0 && in.y == 0 ? 0 : edges_between<Number>(q, first, count, in, out);
       if (!fit(at_vertex)) return false;
       for_each_bit(at_vertex, [&](std::uint32_t e) { append(of_q, first + e, of_p, i, false); });
-      const LaneBits of_edge = vertices_meeting(q, first, count, dx, dy);
+      const LaneBits of_edge = vertices_meeting<Number>(q, first, count, edge);
       if (!fit(of_edge)) return false;
       for_each_bit(of_edge, [&](std::uint32_t v) { append(of_p, i, of_q, first + v, true); });
     }

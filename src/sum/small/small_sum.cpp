@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "exact/wide_int.hpp"
 #include "machine/vectors.hpp"
 #include "region/region_access.hpp"
 #include "sum/small/outer_walk.hpp"
@@ -53,29 +53,38 @@ class SmallWriter {
   void finish() { RegionAccess::keep_vertices(region_, size_); }
 
  private:
+  /// Up to here, products of way or offset with a part of a way take at most 128 bits.
+  static constexpr std::int64_t kFewBits = std::int64_t{1} << 60;
   [[nodiscard]] StoredCoordinate compact(std::int64_t value) const {
     return value == 0 ? StoredCoordinate{} : StoredCoordinate{value, exp2_, exp10_, 0, 0};
   }
   StoredCoordinate store(double start, double way, const SmallCorner& corner, std::int64_t offset) {
-    const std::int64_t whole = corner.whole;
-    const Int128 moved = Int128{static_cast<std::int64_t>(way)} * corner.along;
     const std::int64_t base = static_cast<std::int64_t>(start) + offset;
-    const Int128 part = moved / whole;
-    if (part * whole == moved) return compact(base + static_cast<std::int64_t>(part));
-    const Int128 above = moved + Int128{base} * whole;
-    const auto magnitude = static_cast<Uint128>(above < 0 ? -above : above);
-    const auto low = static_cast<std::uint64_t>(magnitude);
-    const auto high = static_cast<std::uint64_t>(magnitude >> 64);
-    const auto place = static_cast<std::int64_t>(RegionAccess::limbs(region_).size());
-    const auto below = static_cast<std::uint64_t>(whole);
-    std::uint16_t count = high != 0 ? 2 : 1;
-    if (high != 0) {
-      RegionAccess::append_limbs(region_, std::array{low, high, below});
-    } else {
-      RegionAccess::append_limbs(region_, std::array{low, below});
+    if (corner.whole <= kFewBits) {
+      return store<Int128>(base, way, static_cast<std::int64_t>(corner.along),
+                           static_cast<std::int64_t>(corner.whole));
     }
-    if (above < 0) count |= kNegativeLimbs;
-    return {place, exp2_, exp10_, count, 1};
+    return store<WideInt<3>>(base, way, corner.along, corner.whole);
+  }
+  /// Stores base + way · along / whole, where `Wide` holds the products.
+  template <class Wide, class Integer>
+  StoredCoordinate store(std::int64_t base, double way, Integer along, Integer whole) {
+    const auto moved = product<Wide>(static_cast<std::int64_t>(way), along);
+    // This is off by less than a half, so it is the quotient if that is an integer.
+    const double near = way * (static_cast<double>(along) / static_cast<double>(whole));
+    const auto part = static_cast<std::int64_t>(near + (near < 0 ? -0.5 : 0.5));
+    if (product<Wide>(part, whole) == moved) return compact(base + part);
+    const auto above = as_limbs(moved + product<Wide>(base, whole));
+    const auto place = static_cast<std::int64_t>(RegionAccess::limbs(region_).size());
+    const auto append = [&](const auto& magnitude) {
+      std::size_t count = magnitude.limbs().size();
+      while (magnitude.limb(count - 1) == 0) --count;
+      RegionAccess::append_limbs(region_, magnitude.limbs().first(count));
+      return static_cast<std::uint16_t>(count);
+    };
+    std::uint16_t count = append(above.magnitude());
+    if (above.negative()) count |= kNegativeLimbs;
+    return {place, exp2_, exp10_, count, append(as_limbs(whole))};
   }
   void set(const StoredCoordinate& x, const StoredCoordinate& y,
            const SmallSegments::Origin& origin) {
@@ -125,9 +134,7 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
     std::uint32_t left;
     explicit Round(const SmallOperand& o)
         : SmallRows(o), size(o.size), at(o.smallest), left(o.size) {}
-    [[nodiscard]] Vec<Number> way() const {
-      return {static_cast<Number>(dx[at]), static_cast<Number>(dy[at])};
-    }
+    [[nodiscard]] Vec<Number> way() const { return whole_numbers<Number>({dx[at], dy[at]}); }
     void go_on() {
       at = at + 1 == size ? 0 : at + 1;
       --left;
@@ -230,20 +237,15 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
   }
   const SmallNumberType numbers = numbers_of_sum(p, q);
   if (numbers == SmallNumberType::kNone) return false;
-  const bool wide = numbers == SmallNumberType::kIntegers;
   if (p.convex && q.convex) {
     scratch.count(p.size + q.size);
-    if (wide) {
-      merge_convex<std::int64_t>(p, q, result);
-    } else {
-      merge_convex<double>(p, q, result);
-    }
+    with_numbers(numbers, [&]<class Number>() { merge_convex<Number>(p, q, result); });
     return true;
   }
   const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
   SmallScratch::State& state = scratch.state();
-  const bool done = wide ? walk<std::int64_t>(p, q, width, state, result)
-                         : walk<double>(p, q, width, state, result);
+  const bool done = with_numbers(
+      numbers, [&]<class Number>() { return walk<Number>(p, q, width, state, result); });
   scratch.count(state.segments.size);
   return done;
 }

@@ -93,6 +93,7 @@ TEST(SmallOperand, HasShortIntegers) {
   const std::int64_t far = std::int64_t{1} << 60;
   EXPECT_TRUE(is_small(rectangle(far - 5, 0, far, 1)));
   EXPECT_FALSE(is_small(rectangle(far, 0, far + 5, 1)));
+  EXPECT_TRUE(is_small(rectangle(0, 0, std::int64_t{1} << 49, 1)));
   EXPECT_FALSE(is_small(rectangle(0, 0, far / 2, 1)));
   // The corners are so far apart that 64 bits do not hold their difference.
   EXPECT_FALSE(is_small(rectangle(-7 * far, 0, 7 * far, 1)));
