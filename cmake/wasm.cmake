@@ -8,6 +8,8 @@ set(CMAKE_CXX_FLAGS_RELEASE "-Os -DNDEBUG" CACHE STRING "")
 set(CMAKE_C_FLAGS_INIT "-fwasm-exceptions")
 set(CMAKE_CXX_FLAGS_INIT
   "-fwasm-exceptions -msimd128 -include ${CMAKE_CURRENT_LIST_DIR}/wasm/standard.hpp")
+# GoogleTest asks for less by itself, which that header cannot complete.
+set(CMAKE_CXX_STANDARD 20)
 # What the linker makes for Node.js must not fetch its own file, which Node.js 18 refuses.
 set(CMAKE_EXE_LINKER_FLAGS_INIT
   "-fwasm-exceptions -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH -sSTACK_OVERFLOW_CHECK=0")

@@ -19,13 +19,16 @@ const clock = () => {
 };
 /** Returns the median time of a call in milliseconds. */
 function time(call) {
-  for (const begin = clock(); clock() - begin < 150; ) call(); // the engine compiles what is called often
   const once = (count) => {
     const begin = clock();
     for (let i = 0; i < count; ++i) call();
     return (clock() - begin) / count;
   };
-  const count = Math.max(1, Math.round(20 / once(3)));
+  // The engine compiles what is called often.
+  let last = once(1);
+  for (const begin = clock(); clock() - begin < 500; ) last = once(1);
+  if (last > 500) return last;
+  const count = Math.max(1, Math.round(20 / last));
   return Array.from({ length: 9 }, () => once(count)).sort((a, b) => a - b)[4];
 }
 const table = (title, heads, rows) => {
