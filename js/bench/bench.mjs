@@ -2,8 +2,10 @@
 // node bench/bench.mjs [FOLDER WITH MODELS]     (MINKSUM_PROGRAM is the native program)
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
+import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
+import GeoJSONWriter from "jsts/org/locationtech/jts/io/GeoJSONWriter.js";
+import BufferOp from "jsts/org/locationtech/jts/operation/buffer/BufferOp.js";
 import { load } from "minksum";
 import { minkowskiSum as clipperSum } from "./clipper.mjs";
 
@@ -93,8 +95,7 @@ for (const [a, b] of pairs.filter(([a]) => !a.startsWith("hole"))) {
 }
 table("Sums of GeoJSON, in doubles", ["sum", "minksum, ms", "error", "clipper2-wasm, ms", "error"], sums);
 
-const jsts = createRequire(import.meta.url)("jsts/dist/jsts.min.js");
-const [reader, writer] = [new jsts.io.GeoJSONReader(), new jsts.io.GeoJSONWriter()];
+const [reader, writer] = [new GeoJSONReader(), new GeoJSONWriter()];
 const offsets = [];
 for (const name of ["bird", "nazca_monkey", "texas", "hole1"]) {
   const shape = mk.convert(read(name));
@@ -104,7 +105,7 @@ for (const name of ["bird", "nazca_monkey", "texas", "hole1"]) {
   const tolerance = distance * (1 - Math.cos(Math.PI / 32));
   const exact = mk.offset(shape, distance, { tolerance: distance * 1e-6, coords: "exact" });
   const geometry = reader.read(shape);
-  const buffer = () => writer.write(jsts.operation.buffer.BufferOp.bufferOp(geometry, distance, 8));
+  const buffer = () => writer.write(BufferOp.bufferOp(geometry, distance, 8));
   const ours = () => mk.offset(shape, distance, { tolerance });
   offsets.push([name, ms(time(ours)), error(ours(), exact), ms(time(buffer)), error(buffer(), exact)]);
 }
