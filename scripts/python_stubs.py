@@ -24,7 +24,7 @@ from typing import Any, overload
 import numpy
 import numpy.typing
 
-from ._results import Exact, Reach, Slice
+from ._results import Exact, Reach, Slice, Trace
 from ._types import GeometryLike, Number
 
 # What stands for a single geometry by its type alone.

@@ -44,11 +44,12 @@ from ._core import (
     symmetric_difference,
     time_of_impact,
     to_ragged_array,
+    trace_sum,
     union,
     union_all,
     validate,
 )
-from ._results import Depth, Reach, Slice
+from ._results import Cover, Depth, Loop, Reach, Segments, Slice, Trace
 from ._spaces import ConfigurationSpace
 from ._transforms import rotate, scale, translate
 from ._types import GeometryLike, Number
@@ -60,6 +61,7 @@ __all__ = [
     "CancelToken",
     "CancelledError",
     "ConfigurationSpace",
+    "Cover",
     "Depth",
     "Error",
     "Geometry",
@@ -67,11 +69,14 @@ __all__ = [
     "GeometryLike",
     "InternalError",
     "LimitError",
+    "Loop",
     "NoFitPolygon",
     "NoFitTable",
     "Number",
     "Reach",
+    "Segments",
     "Slice",
+    "Trace",
     "affine_transform",
     "area",
     "as_geometry",
@@ -107,6 +112,7 @@ __all__ = [
     "symmetric_difference",
     "time_of_impact",
     "to_ragged_array",
+    "trace_sum",
     "translate",
     "union",
     "union_all",

@@ -7,7 +7,7 @@ from typing import Any, overload
 import numpy
 import numpy.typing
 
-from ._results import Exact, Reach, Slice
+from ._results import Exact, Reach, Slice, Trace
 from ._types import GeometryLike, Number
 
 # What stands for a single geometry by its type alone.
@@ -394,6 +394,12 @@ class NoFitTable:
     @property
     def turns(self) -> int: ...
     def entries(self, first: int = 0, end: int | None = None) -> GeometryArray: ...
+def trace_sum(
+    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
+    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
+    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
+    None = None
+) -> Trace: ...
 class ConfigurationSpace:
     def __init__(
         self, robot: GeometryLike, obstacles: GeometryLike, *, reference: tuple[Number, Number] |

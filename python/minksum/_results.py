@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from ._core import Geometry
@@ -88,3 +91,99 @@ class Reach:
     slices: int
     parts: int
     margin: Exact
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Directed segments of a trace. Points outside of the sum can lie only on their right.
+
+    Attributes
+    ----------
+    ends : array of shape (n, 4)
+        x and y of the start, and x and y of the end.
+    edge_of_first : array of bool
+        Whether the first operand has the edge.
+    kept : array of bool
+        Whether the segment is in the arrangement.
+    """
+
+    ends: NDArray[numpy.float64]
+    edge_of_first: NDArray[numpy.bool_]
+    kept: NDArray[numpy.bool_]
+
+
+@dataclass(frozen=True)
+class Cover:
+    """Cells that certainly lie in the sum.
+
+    Attributes
+    ----------
+    origin : (float, float)
+        The lower left corner of the grid.
+    cell : float
+        The side of a cell.
+    covered : array of bool of shape (rows, columns)
+        Whether a cell certainly lies in the sum.
+    """
+
+    origin: tuple[float, float]
+    cell: float
+    covered: NDArray[numpy.bool_]
+
+
+@dataclass(frozen=True)
+class Loop:
+    """An orientable loop of the arrangement.
+
+    Attributes
+    ----------
+    vertices : array of shape (n, 2)
+        The vertices, in order.
+    positive : bool
+        Whether it runs counter-clockwise.
+    state : {'accepted', 'rejected by nesting', 'rejected by collision'}
+        What became of it.
+    """
+
+    vertices: NDArray[numpy.float64]
+    positive: bool
+    state: str
+
+
+@dataclass(frozen=True)
+class Trace:
+    """What the stages of a sum made. Coordinates are those of the sum, as doubles.
+
+    Attributes
+    ----------
+    sum : Geometry
+        The sum itself.
+    convolution : Segments
+        The segments of the reduced convolution.
+    cover : Cover or None
+        The grid, if there was one.
+    nodes : array of shape (n, 2)
+        Nodes of the arrangement outside of the cover.
+    pieces : Segments
+        The segments, split at the nodes.
+    loops : list of Loop
+        Orientable loops, and what became of them.
+    """
+
+    sum: Geometry
+    convolution: Segments
+    cover: Optional[Cover]
+    nodes: NDArray[numpy.float64]
+    pieces: Segments
+    loops: list[Loop]
+
+
+def _segments(parts: tuple[Any, Any]) -> Segments:
+    ends, flags = parts
+    return Segments(ends, flags[:, 0].astype(bool), flags[:, 1].astype(bool))
+
+
+def _trace(total: Any, convolution: Any, grid: Any, nodes: Any, pieces: Any, loops: Any) -> Trace:
+    cover = None if grid is None else Cover(grid[:2], grid[2], grid[3].astype(bool))
+    return Trace(total, _segments(convolution), cover, nodes, _segments(pieces),
+                 [Loop(*loop) for loop in loops])

@@ -6,7 +6,7 @@ from typing import Any, Optional
 
 import numpy
 
-from ._core import Geometry, as_geometry
+from ._core import Geometry, resolve
 
 # The first colours of `minksum draw`, which people with any kind of colour vision can tell apart.
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
@@ -56,7 +56,8 @@ def plot_geometry(
     from matplotlib.patches import PathPatch
 
     ax = pyplot.gca() if ax is None else ax
-    shape = as_geometry(geometry)
+    # Holes of a resolved set run clockwise, as matplotlib wants it.
+    shape: Any = resolve(geometry)
     if shape is None:
         return ax
     fill = to_rgba(facecolor or color, alpha)

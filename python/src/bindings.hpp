@@ -12,6 +12,7 @@ void bind_readers(nanobind::module_& m);
 void bind_sets(nanobind::module_& m);
 void bind_measures(nanobind::module_& m);
 void bind_no_fit(nanobind::module_& m);
+void bind_trace(nanobind::module_& m);
 void bind_space(nanobind::module_& m);
 
 }  // namespace minksum::python

@@ -23,5 +23,6 @@ NB_MODULE(_core, m) {
   minksum::python::bind_sets(m);
   minksum::python::bind_measures(m);
   minksum::python::bind_no_fit(m);
+  minksum::python::bind_trace(m);
   minksum::python::bind_space(m);
 }

@@ -163,11 +163,17 @@ def test_plotting():
     import matplotlib
 
     matplotlib.use("Agg")
+    from matplotlib import pyplot
+
     from minksum.plotting import plot_geometry
 
     ax = plot_geometry("GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)), "
-                       "LINESTRING (5 5, 6 6), POINT (7 7))")
+                       "LINESTRING (5 5, 6 6), POINT (7 7))", pyplot.figure().gca())
     assert len(ax.patches) == 1 and len(ax.lines) == 2
+    hole_like_its_outline = "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 6 3, 6 6, 3 6, 3 3))"
+    path = plot_geometry(hole_like_its_outline, pyplot.figure().gca()).patches[0].get_path()
+    # matplotlib fills by winding numbers, so the hole must run the other way.
+    assert path.vertices[5:].tolist() == [[3, 3], [3, 6], [6, 6], [6, 3], [3, 3]]
 
 
 def test_drawings_and_instances(tmp_path):

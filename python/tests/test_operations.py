@@ -121,6 +121,19 @@ def test_offsets_hold_their_side():
         assert abs(near.area - reference.area) < 0.01 * reference.length * 2
 
 
+def test_trace_of_a_sum():
+    # Crossings of axis-parallel edges are integers, so doubles can be compared.
+    frame = mk.from_wkt("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (2 2, 2 7, 7 7, 7 2, 2 2))")
+    hook = mk.from_wkt("POLYGON ((0 0, 3 0, 3 1, 1 1, 1 3, 0 3, 0 0))")
+    trace = mk.trace_sum(frame, hook)
+    assert trace.sum == frame + hook
+    kept = [loop for loop in trace.loops if loop.state == "accepted"]
+    assert len(kept) == trace.sum.num_polygons + trace.sum.num_holes == 2
+    assert {tuple(p) for p in trace.sum.coords} <= {tuple(p) for l in kept for p in l.vertices}
+    assert trace.convolution.ends.shape == (len(trace.convolution.kept), 4)
+    assert set(trace.convolution.edge_of_first.tolist()) == {True, False}
+
+
 def test_check_of_a_sum():
     a, b = mk.box(0, 0, 3, 3), mk.from_wkt("POLYGON ((0 0, 1 0, 0 1, 0 0))")
     assert mk.check_sum(a + b, a, b)["proof"] == "holds"

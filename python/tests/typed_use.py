@@ -66,6 +66,11 @@ def parts_and_robots() -> None:
     polygon: mk.NoFitPolygon = mk.NoFitPolygon(a, a)
     contacts: list[str] = polygon.contact([(9, 9)])
     assert contacts == ["free"]
+    trace: mk.Trace = mk.trace_sum(a, a)
+    segments: mk.Segments = trace.convolution
+    cover: mk.Cover | None = trace.cover
+    loops: list[mk.Loop] = trace.loops
+    assert len(segments.ends) >= 4 and len(loops) >= 1 and (cover is None or cover.cell > 0)
     space: mk.ConfigurationSpace = mk.ConfigurationSpace(a, mk.box(5, 5, 6, 6))
     slices: list[mk.Slice] = list(space.slices([0, 90], free=False))
     found: mk.Reach = mk.reach(a, mk.box(5, 5, 6, 6), (0, 0, 0), (1, 1, 0), angles=4)
