@@ -1,10 +1,14 @@
 #include "io/json_string.hpp"
 
+#include <algorithm>
+
 #include "minksum/detail/utf8.hpp"
 
 namespace minksum::io {
 
 bool is_utf8(std::string_view text) {
+  const auto is_plain = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::ranges::all_of(text, is_plain)) return true;
   while (!text.empty()) {
     const std::size_t length = detail::utf8_length(text);
     if (length == 0) return false;

@@ -70,7 +70,8 @@ class TableSource : public FeatureSource {
         options_(options),
         mark_(mark_between(first_line(text))) {
     builder_.follow(cursor_);
-    const Row header = take_row();
+    Row header;
+    take_row(header);
     for (const Cell& cell : header) names_.push_back(text_of(cell));
     if (names_.size() > 1 && names_.back().empty()) names_.pop_back();  // as GDAL writes one column
     column_ = options.column.empty() ? find_column() : named_column();
@@ -111,7 +112,7 @@ class TableSource : public FeatureSource {
       if (cursor_.at_end()) return false;
       const std::size_t begin = cursor_.position();
       cursor_.name_record("row " + std::to_string(rows_ + 1) + ": ");
-      row_ = take_row();
+      take_row(row_);
       if (row_.size() == 1 && row_[0].begin == row_[0].end) continue;
       ++rows_;
       while (row_.size() > names_.size() && row_.back().begin == row_.back().end) row_.pop_back();
@@ -123,15 +124,14 @@ class TableSource : public FeatureSource {
     }
   }
 
-  Row take_row() {
-    Row row;
+  void take_row(Row& row) {
+    row.clear();
     for (;;) {
       row.push_back(take_cell());
       if (!cursor_.accept(mark_)) break;
     }
     cursor_.accept('\r');
     cursor_.accept('\n');
-    return row;
   }
 
   Cell take_cell() {
