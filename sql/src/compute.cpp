@@ -1,4 +1,6 @@
 // Computes single values.
+#include <cmath>
+
 #include "state.hpp"
 
 namespace minksum::sql {
@@ -55,32 +57,39 @@ Geometry sum(Operand& p, Operand& q, const Options& options, int& prepared) {
 Rational exactly(mink_bytes text, const char* argument) {
   const auto number = Rational::parse(view(text));
   if (number) return *number;
-  throw Refusal{MINK_BAD_TEXT, std::string(argument) + " is not a number: \"" +
-                std::string(view(text)) + '"', {}, "Write a number such as 1.5, 1e-3 or 2/3."};
+  throw Refusal{MINK_BAD_TEXT,
+                std::string(argument) + " is not a number: \"" + std::string(view(text)) + '"',
+                {},
+                "Write a number such as 1.5, 1e-3 or 2/3."};
+}
+
+Rational finite(double number, const char* argument) {
+  if (std::isfinite(number)) return Rational(number);
+  throw Refusal{MINK_BAD_INPUT, std::string(argument) + " is infinite or NaN", {}, ""};
 }
 
 /// Returns a number that was given as float8 or as text.
 Rational first_number(const mink_request& request, const char* argument) {
   return request.text && request.exact.size != 0 ? exactly(request.exact, argument)
-                                                 : Rational(request.numbers[0]);
+                                                 : finite(request.numbers[0], argument);
 }
 
 OffsetOptions shape_of(const mink_request& request) {
   OffsetOptions shape;
-  shape.join = choose(request.join, "join_style",
-                      {Join::kRound, Join::kMiter, Join::kSquare, Join::kBevel});
+  shape.join =
+      choose(request.join, "join_style", {Join::kRound, Join::kMiter, Join::kSquare, Join::kBevel});
   shape.cap = choose(request.cap, "cap_style", {Cap::kRound, Cap::kButt, Cap::kSquare});
   shape.side = side_of(request.side, "side");
-  shape.miter_limit = Rational(request.numbers[1]);
-  if (request.numbers[2] != 0) shape.tolerance = Rational(request.numbers[2]);
+  shape.miter_limit = finite(request.numbers[1], "miter_limit");
+  if (request.numbers[2] != 0) shape.tolerance = finite(request.numbers[2], "tolerance");
   return shape;
 }
 
 Geometry disc_of(const mink_request& request, const Options& options) {
-  const Rational radius(request.numbers[0]);
+  const Rational radius = finite(request.numbers[0], "radius");
   OffsetOptions shape;
   const bool given = request.numbers[1] != 0;
-  shape.tolerance = given ? Rational(request.numbers[1]) : radius / Rational(1000);
+  shape.tolerance = given ? finite(request.numbers[1], "tolerance") : radius / Rational(1000);
   shape.side = side_of(request.side, "side");
   if (radius.sign() <= 0 || shape.tolerance->sign() <= 0) {
     return disc(radius, *shape.tolerance, shape.side);  // which says what is wrong
@@ -139,8 +148,7 @@ Geometry set_of(mink_state& state, const mink_request& request, const Options& o
     case MINK_NO_FIT_POLYGON:
       return no_fit_polygon(a.geometry, b.geometry, reference(state, request, options), options);
     case MINK_INNER_FIT_POLYGON:
-      return inner_fit_polygon(a.geometry, b.geometry, reference(state, request, options),
-                               options);
+      return inner_fit_polygon(a.geometry, b.geometry, reference(state, request, options), options);
     default:
       return boolean(request.operation, a, b, options);
   }
@@ -165,7 +173,7 @@ mink_status impact_of(mink_state& state, const mink_request& request, mink_answe
                       const Options& options) {
   const Operand& a = operand(state, request, 0, options);
   const Operand& b = operand(state, request, 1, options);
-  const Point direction{Rational(request.numbers[0]), Rational(request.numbers[1])};
+  const Point direction{finite(request.numbers[0], "dx"), finite(request.numbers[1], "dy")};
   const auto time = time_of_impact(a.geometry, b.geometry, direction, options);
   if (!time) return MINK_NULL;
   answer.numbers[0] = time->to_double();
@@ -178,7 +186,7 @@ mink_status is_sum(mink_state& state, const mink_request& request, mink_answer& 
   const Operand& p = operand(state, request, 1, options);
   const Operand& q = operand(state, request, 2, options);
   CheckOptions how;
-  how.within = Rational(request.numbers[0]);
+  how.within = finite(request.numbers[0], "within");
   const SumCheck check = check_sum(result.geometry, p.geometry, q.geometry, how, options);
   answer.truth = check.ok();
   // That nothing speaks against a result proves nothing.
