@@ -124,6 +124,7 @@ static void test_placements(void) {
   minksum_geometry *a = read("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 5, 5 5, 5 3, 3 3))");
   minksum_geometry *b = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
   minksum_geometry *point = read("POINT (0 0)");
+  minksum_geometry *nothing = read("POLYGON EMPTY");
   minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))");
   minksum_geometry *out = NULL;
   int contacts[4];
@@ -137,10 +138,13 @@ static void test_placements(void) {
   EXPECT(minksum_depth_vector(b, third, NULL, &out, &error) == MINKSUM_OK);
   EXPECT(is(out, "POINT (-1/6 -1/6)"));
   EXPECT(minksum_depth_vector(b, point, NULL, &out, &error) == MINKSUM_OK);
+  EXPECT(is(out, "POINT (0 0)"));
+  EXPECT(minksum_depth_vector(b, nothing, NULL, &out, &error) == MINKSUM_OK);
   EXPECT(is(out, "POLYGON EMPTY"));
   minksum_geometry_free(a);
   minksum_geometry_free(b);
   minksum_geometry_free(point);
+  minksum_geometry_free(nothing);
   minksum_geometry_free(third);
 }
 

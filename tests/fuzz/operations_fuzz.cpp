@@ -129,13 +129,12 @@ void try_placements(const Case& c, int x, int y) {
     require(!overlap(a, moved(b, place)), c, "on the no-fit polygon parts do not overlap");
   }
   const Point shift{Rational(x % 32 - 16, 2), Rational(y % 32 - 16, 2)};
-  const Geometry there = transform(c.b, Affine::translation(shift.x, shift.y));
+  // Depth counts thin parts, which the no-fit polygon leaves out.
+  const Geometry there(moved(b, shift));
   const bool overlapping = overlap(a, moved(b, shift));
   require((nfp.contact(shift) == Contact::kOverlapping) == overlapping, c,
           "inside the no-fit polygon parts overlap");
-  Options options;
-  options.fill = c.fill;
-  const auto depth = penetration_depth(c.a, there, options);
+  const auto depth = penetration_depth(Geometry(a), there);
   if (!depth) fail(c, "two areas have a depth");
   require(depth->overlapping == overlapping, c, "depth tells whether parts overlap");
   const Point parted{shift.x + depth->vector.x, shift.y + depth->vector.y};
@@ -147,7 +146,7 @@ void try_placements(const Case& c, int x, int y) {
             "moved a hair less they stand as before");
   }
   const Point direction{Rational(y % 5 - 2), Rational(x % 3 + 1)};
-  const auto time = time_of_impact(c.a, there, direction, options);
+  const auto time = time_of_impact(Geometry(a), there, direction);
   const auto at = [&](const Rational& f) {
     return nfp.contact({shift.x + direction.x * f, shift.y + direction.y * f});
   };
