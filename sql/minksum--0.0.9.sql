@@ -219,7 +219,7 @@ CREATE FUNCTION mink_depth(a bytea, b bytea,
   AS 'MODULE_PATHNAME'
   LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 150000;
 COMMENT ON FUNCTION mink_depth(bytea, bytea, text) IS
-  'whether the areas overlap, and the shortest move of b after which both touch';
+  'whether a and b overlap, and the shortest move of b after which they touch';
 
 CREATE FUNCTION mink_impact(a bytea, b bytea, dx float8, dy float8, fill text DEFAULT 'automatic')
   RETURNS float8
@@ -236,7 +236,7 @@ CREATE FUNCTION mink_depth_text(a text, b text,
   AS 'MODULE_PATHNAME'
   LANGUAGE C IMMUTABLE STRICT PARALLEL SAFE COST 150000;
 COMMENT ON FUNCTION mink_depth_text(text, text, text) IS
-  'whether the areas overlap, and the shortest move of b after which both touch';
+  'whether a and b overlap, and the shortest move of b after which they touch';
 
 CREATE FUNCTION mink_impact_text(a text, b text, dx float8, dy float8,
   fill text DEFAULT 'automatic')

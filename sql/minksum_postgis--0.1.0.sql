@@ -126,7 +126,7 @@ CREATE FUNCTION mink_depth(a geometry, b geometry,
   LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 150000
   RETURN mink_depth(a::bytea, b::bytea, fill);
 COMMENT ON FUNCTION mink_depth(geometry, geometry, text) IS
-  'whether the areas overlap, and the shortest move of b after which both touch';
+  'whether a and b overlap, and the shortest move of b after which they touch';
 
 CREATE FUNCTION mink_impact(a geometry, b geometry, dx float8, dy float8,
   fill text DEFAULT 'automatic')

@@ -121,7 +121,9 @@ class Functions(DatabaseTest):
             row = self.ask(f"SELECT overlapping, distance, dx, dy, squared FROM {call}")
             self.assertEqual(row, "t|1.4142135623730951|1|1|2")
             self.assertIn("1.4142135623730951", told)
-        self.assertEqual(self.ask(f"SELECT mink_depth({geometry(a)}, 'POINT (0 0)'::geometry) "
+        self.assertEqual(self.ask(f"SELECT overlapping, squared FROM mink_depth({geometry(a)}, "
+                                  "'POINT (1 1)'::geometry)"), "t|1")
+        self.assertEqual(self.ask(f"SELECT mink_depth({geometry(a)}, 'POINT EMPTY'::geometry) "
                                   "IS NULL"), "t")
 
     def test_impact(self):
