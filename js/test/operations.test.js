@@ -107,7 +107,10 @@ test("sets stand to each other", () => {
   assert.deepEqual(mk.penetrationDepth(box(0, 0, 9, 9), other), {
     overlapping: true, vector: [0, -2], exact: ["0", "-2"], distance: 2,
   });
-  assert.equal(mk.penetrationDepth("POINT (0 0)", other), null);
+  assert.deepEqual(mk.penetrationDepth("POINT (0 0)", other), {
+    overlapping: false, vector: [-1, -1], exact: ["-1", "-1"], distance: Math.SQRT2,
+  });
+  assert.equal(mk.penetrationDepth("POINT EMPTY", other), null);
   assert.equal(mk.timeOfImpact(box(0, 0, 1, 1), box(5, 0, 6, 1), [-2, 0]), 2);
   assert.equal(mk.timeOfImpact(box(0, 0, 1, 1), box(5, 0, 6, 1), [2, 0]), null);
   const exactly = (direction) =>
