@@ -85,4 +85,20 @@ TEST(RandomPairs, ReducedIsSignedIsBruteForce) {
             << ", in parts: " << tally.sums_in_parts << '\n';
 }
 
+// Doubles hold no digit of the smaller operand, so the order of events on a segment is exact work.
+TEST(RandomPairs, OperandsOfSizesThatDoublesCannotAdd) {
+  const Rational factor = Rational::parse("1e200").value();
+  const auto count = static_cast<std::uint64_t>(count_from_environment(kDefaultPairs)) / 100;
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    Random random(seed);
+    Pair pair = random_pair(random);
+    Region& larger = random.one_in(2) ? pair.p : pair.q;
+    larger = scaled(larger, factor);
+    const Region sum = minkowski_sum(pair.p, pair.q);
+    ASSERT_EQ(to_text(sum), to_text(sum_by(Method::kSigned, pair.p, pair.q))) << note(seed, pair);
+    ASSERT_EQ(to_text(sum), to_text(reference::brute_force_sum(pair.p, pair.q)))
+        << note(seed, pair);
+  }
+}
+
 }  // namespace

@@ -68,6 +68,8 @@ class EventOrder {
  private:
   using Ordered = ArrangementScratch::Ordered;
   static constexpr std::size_t kFew = 12;
+  /// Bisection of a list of kFew events takes as many comparisons.
+  static constexpr std::size_t kNear = 4;
   static constexpr std::size_t kMany = 4096;
 
   /// Throws if there are too many events. Each piece ends at an event or at its segment's end, so
@@ -102,6 +104,7 @@ class EventOrder {
   }
   /// Sorts the events on s, and unites equal ones. Rounded positions bring events almost into
   /// order. Insertion then costs about one exact comparison each, and meets all equal neighbours.
+  /// Where an event is not near its place, bisection finds it.
   void order(KeptId s, Ordered ordered) {
     const std::span<Event> events = scratch_.events_of(s);
     if (events.size() < 2) return;
@@ -109,14 +112,24 @@ class EventOrder {
     if (events.size() > kFew && ordered == Ordered::kNot) sort_roughly(events, cancellation_);
     for (std::size_t i = 1; i < events.size(); ++i) {
       const Event event = events[i];
-      std::size_t j = i;
+      const auto follows = [&](std::size_t j) { return compare(s, events[j], event); };
+      std::size_t place = i;
       Sign order = kNegative;
-      while (j > 0 && (order = compare(s, events[j - 1], event)) == kPositive) {
-        events[j] = events[j - 1];
-        --j;
+      while (place > 0 && i - place < kNear && (order = follows(place - 1)) == kPositive) --place;
+      if (order == kPositive && place > 0) {
+        std::size_t low = 0;
+        order = kNegative;
+        while (low < place && order != kZero) {
+          const std::size_t middle = low + (place - low) / 2;
+          order = follows(middle);
+          (order == kPositive ? place : low) = order == kPositive ? middle : middle + 1;
+        }
+        if (order == kZero) place = low;
       }
-      events[j] = event;
-      if (order == kZero) unite(scratch_.parent, events[j - 1].point, event.point);
+      const std::span moved = events.subspan(place, i - place);
+      std::copy_backward(moved.begin(), moved.end(), events.subspan(0, i + 1).end());
+      events[place] = event;
+      if (order == kZero) unite(scratch_.parent, events[place - 1].point, event.point);
     }
   }
   /// Orders the events on s if rounded positions tell all of them apart. Otherwise few events stay
