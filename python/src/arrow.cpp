@@ -22,12 +22,12 @@ using Flat = nb::ndarray<const Number, nb::ndim<1>, nb::c_contig, nb::device::cp
 
 void check(const Flat<std::int64_t>& offsets, std::size_t elements, std::size_t bytes) {
   bool good = offsets.shape(0) == elements + 1 && offsets.data()[0] >= 0;
-  for (std::size_t i = 0; good && i < elements; ++i) {
-    good = offsets.data()[i] <= offsets.data()[i + 1];
-  }
+  std::size_t i = 0;
+  for (; good && i < elements; ++i) good = offsets.data()[i] <= offsets.data()[i + 1];
   if (!good || static_cast<std::uint64_t>(offsets.data()[elements]) > bytes) {
     throw Error(ErrorCode::kBadInput,
-                "the offsets of a column must not decrease or pass the end of its bytes");
+                "offset " + std::to_string(i) +
+                    " of a column: offsets must not decrease or pass the end of the bytes");
   }
 }
 

@@ -31,15 +31,6 @@ std::size_t thread_count(std::optional<int> asked) {
   return cores;
 }
 
-std::vector<std::size_t> place_in(const std::vector<std::size_t>& shape, std::size_t index) {
-  std::vector<std::size_t> place(shape.size());
-  for (std::size_t i = shape.size(); i-- > 0;) {
-    place[i] = index % shape[i];
-    index /= shape[i];
-  }
-  return place;
-}
-
 /// Tells whether the exception that is being handled is about the call and not about an element:
 /// Ctrl-C, a token, what the progress callback threw, or the time.
 bool ends_call() {

@@ -90,8 +90,8 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
 }
 
 nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& operation) {
-  const Argument left(a);
-  const Argument right(b);
+  const Argument left(a, 0);
+  const Argument right(b, 1);
   if (left.scalar() && right.scalar()) {
     const Shape* x = left.shape();
     const Shape* y = right.shape();

@@ -99,8 +99,10 @@ nb::object depth_of(const std::optional<Depth>& depth) {
 template <class Value, class Compute, class Show>
 nb::object ask_pairs(Call& call, nb::handle a, nb::handle b, const Compute& compute,
                      const Show& show) {
-  const Operands first = operands_of(a);
-  const Operands second = operands_of(b);
+  const Argument left(a, 0);
+  const Argument right(b, 1);
+  const Operands& first = left.array();
+  const Operands& second = right.array();
   const Pairs pairs(first, second);
   std::vector<std::optional<Value>> values(pairs.size());
   for_each_pair(call, first, second, pairs,
@@ -119,8 +121,7 @@ nb::object locate_all(nb::handle a, nb::handle points, MINKSUM_SETTINGS) {
   Call call(MINKSUM_SETTING_VALUES);
   const ShapePtr shape = operand_of(a);
   if (!shape) return nb::none();
-  std::vector<Point> asked;
-  for (nb::handle point : points) asked.push_back(require_point(point, "each of the points"));
+  const std::vector<Point> asked = require_points(points);
   auto* places = new std::vector<std::int8_t>(asked.size());
   const nb::capsule owner(
       places, [](void* p) noexcept { delete static_cast<std::vector<std::int8_t>*>(p); });

@@ -45,10 +45,17 @@ struct Table {
   std::size_t parts;
 
   [[nodiscard]] TurnedPart turned(nb::handle key) const {
-    if (nb::isinstance<nb::tuple>(key)) {
-      return {nb::cast<std::size_t>(key[0]), nb::cast<int>(key[1])};
+    TurnedPart turned{0, 0};
+    const bool pair = nb::isinstance<nb::tuple>(key) && nb::len(key) == 2;
+    const nb::object part = pair ? nb::object(key[0]) : nb::borrow(key);
+    if (!nb::try_cast(part, turned.part, false) ||
+        (pair && !nb::try_cast(nb::object(key[1]), turned.turn, false)) || turned.part >= parts) {
+      const std::string message = "there is no part or turn " +
+                                  nb::cast<std::string>(nb::repr(key)) + " in a table of " +
+                                  std::to_string(parts) + " parts";
+      throw Error(ErrorCode::kBadInput, message);
     }
-    return {nb::cast<std::size_t>(key), 0};
+    return turned;
   }
   [[nodiscard]] ShapePtr at(nb::handle key) const {
     if (!nb::isinstance<nb::tuple>(key) || nb::len(key) != 2) {
@@ -97,9 +104,8 @@ ShapeArrayPtr entries(const Table& table, std::size_t first, std::optional<std::
 nb::object contacts(const NoFitPolygon& polygon, nb::handle points) {
   nb::list names;
   const char* const words[] = {"free", "touching", "overlapping"};
-  for (nb::handle point : points) {
-    names.append(
-        words[static_cast<int>(polygon.contact(require_point(point, "each of the points")))]);
+  for (const Point& point : require_points(points)) {
+    names.append(words[static_cast<int>(polygon.contact(point))]);
   }
   return names;
 }

@@ -2,10 +2,13 @@
 
 #include <nanobind/stl/string.h>
 
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "errors.hpp"
 
 namespace nb = nanobind;
 
@@ -27,6 +30,10 @@ std::vector<std::uint64_t> limbs_of(nb::handle magnitude) {
 Rational quotient(nb::handle numerator, nb::handle denominator) {
   const nb::object magnitude = nb::steal(PyNumber_Absolute(numerator.ptr()));
   if (!magnitude.is_valid()) throw nb::python_error();
+  if (PyLong_Check(numerator.ptr()) == 0 || PyLong_Check(denominator.ptr()) == 0 ||
+      nb::cast<bool>(denominator.attr("__lt__")(0))) {
+    throw nb::type_error("a fraction needs integers, of which the denominator is positive");
+  }
   const std::vector<std::uint64_t> above = limbs_of(magnitude);
   const std::vector<std::uint64_t> below = limbs_of(denominator);
   const bool negative = nb::cast<bool>(numerator.attr("__lt__")(0));
@@ -54,19 +61,32 @@ nb::object integer_object(std::span<const std::uint64_t> limbs, bool negative) {
 }
 
 Rational from_text(nb::handle value) {
-  const auto text = nb::cast<std::string>(nb::str(value));
+  const std::string text = utf8(value);
   std::optional<Rational> number = Rational::parse(text);
   if (!number) throw Error(ErrorCode::kBadInput, "'" + text + "' is not a number");
   return *std::move(number);
 }
 
+[[noreturn]] void refuse_infinite(nb::handle value) {
+  throw Error(ErrorCode::kBadInput,
+              "a finite number is expected, not " + nb::cast<std::string>(nb::str(value)));
+}
+
 }  // namespace
 
 std::optional<Rational> number_of(nb::handle value) {
-  if (PyFloat_Check(value.ptr())) return Rational(PyFloat_AsDouble(value.ptr()));
+  if (PyFloat_Check(value.ptr())) {
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (!std::isfinite(number)) refuse_infinite(value);
+    return Rational(number);
+  }
   if (PyLong_Check(value.ptr())) return integer(value);
   if (PyUnicode_Check(value.ptr())) return from_text(value);
-  if (nb::hasattr(value, "__index__")) return integer(nb::steal(PyNumber_Index(value.ptr())));
+  if (nb::hasattr(value, "__index__")) {
+    const nb::object index = nb::steal(PyNumber_Index(value.ptr()));
+    if (!index.is_valid()) throw nb::python_error();
+    return integer(index);
+  }
   if (nb::hasattr(value, "numerator") && nb::hasattr(value, "denominator")) {
     return quotient(value.attr("numerator"), value.attr("denominator"));
   }
@@ -75,8 +95,9 @@ std::optional<Rational> number_of(nb::handle value) {
     nb::object ratio;
     try {
       ratio = value.attr("as_integer_ratio")();
-    } catch (nb::python_error&) {
-      throw Error(ErrorCode::kBadInput, "a number is not finite");
+    } catch (nb::python_error& error) {
+      if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_OverflowError)) throw;
+      refuse_infinite(value);
     }
     return quotient(ratio[0], ratio[1]);
   }
@@ -84,8 +105,12 @@ std::optional<Rational> number_of(nb::handle value) {
 }
 
 Rational require_number(nb::handle value, const char* what) {
-  std::optional<Rational> number = number_of(value);
-  if (number) return *std::move(number);
+  try {
+    std::optional<Rational> number = number_of(value);
+    if (number) return *std::move(number);
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string(what) + ": " + error.what());
+  }
   const std::string message = std::string(what) +
                               " must be a number: int, float, Fraction, "
                               "Decimal, or a text such as '1/3'";
@@ -98,6 +123,18 @@ Point require_point(nb::handle value, const char* what) {
   }
   const std::string message = std::string(what) + " must be a pair of numbers (x, y)";
   throw nb::type_error(message.c_str());
+}
+
+std::vector<Point> require_points(nb::handle values) {
+  std::vector<Point> points;
+  for (nb::handle value : values) {
+    try {
+      points.push_back(require_point(value, "a point"));
+    } catch (...) {
+      rethrow_at({points.size()});
+    }
+  }
+  return points;
 }
 
 nb::object exact_number(const Rational& value) {

@@ -5,6 +5,7 @@
 
 #include <minksum/minksum.hpp>
 #include <optional>
+#include <vector>
 
 namespace minksum::python {
 
@@ -16,6 +17,9 @@ namespace minksum::python {
 [[nodiscard]] Rational require_number(nanobind::handle value, const char* what);
 /// Returns a pair of numbers as a point. Throws TypeError, which names `what`, for anything else.
 [[nodiscard]] Point require_point(nanobind::handle value, const char* what);
+
+/// Returns the points of an iterable. What it throws names the index of the point.
+[[nodiscard]] std::vector<Point> require_points(nanobind::handle values);
 
 /// Returns an int for an integer, and a fractions.Fraction otherwise.
 [[nodiscard]] nanobind::object exact_number(const Rational& value);

@@ -9,6 +9,7 @@
 
 #include "bindings.hpp"
 #include "call.hpp"
+#include "errors.hpp"
 #include "numbers.hpp"
 #include "shape.hpp"
 
@@ -21,34 +22,71 @@ namespace {
 using Offsets = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Coordinates = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
-[[noreturn]] void refuse_offsets(const char* what) { throw Error(ErrorCode::kBadInput, what); }
-
-std::span<const std::int64_t> checked(const Offsets& offsets, std::size_t most, const char* what) {
-  const std::span<const std::int64_t> all(offsets.data(), offsets.shape(0));
-  if (all.empty() || all.front() != 0) refuse_offsets(what);
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    if (all[i] < all[i - 1]) refuse_offsets(what);
+/// Returns an argument as an array of numbers of one of some kinds, as NumPy names them.
+nb::object numbers_of(nb::handle argument, const char* name, const char* kinds, const char* type,
+                      int dimensions) {
+  const nb::object numpy = nb::module_::import_("numpy");
+  nb::object array = numpy.attr("asarray")(argument);
+  const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
+  const bool empty = nb::cast<std::size_t>(array.attr("size")) == 0;
+  if ((!empty && std::string_view(kinds).find(kind) == std::string_view::npos) ||
+      array.attr("ndim").not_equal(nb::int_(dimensions))) {
+    const std::string message = std::string(name) + " must be an array of " + type +
+                                (dimensions == 1 ? " in one dimension" : " of the shape (n, 2)");
+    throw nb::type_error(message.c_str());
   }
-  if (static_cast<std::uint64_t>(all.back()) != most) refuse_offsets(what);
+  nb::object converted =
+      numpy.attr("ascontiguousarray")(array, dimensions == 1 ? "int64" : "float64");
+  // Integers that no double has would be changed.
+  if (dimensions == 2 && kind != "f" && !empty &&
+      !nb::cast<bool>(
+          numpy.attr("array_equal")(converted.attr("astype")(array.attr("dtype")), array))) {
+    throw Error(ErrorCode::kBadInput, std::string(name) + " has integers that are no doubles");
+  }
+  return converted;
+}
+
+/// Returns offsets that begin with 0, do not decrease and end with `most`, the count of `things`.
+std::span<const std::int64_t> checked(const Offsets& offsets, std::size_t most, const char* name,
+                                      const char* things) {
+  const std::span<const std::int64_t> all(offsets.data(), offsets.shape(0));
+  const auto refuse = [&](std::size_t i, const std::string& fault) {
+    throw Error(ErrorCode::kBadInput,
+                std::string(name) + '[' + std::to_string(i) + "]" + fault + ": " + name +
+                    " must begin with 0, must not decrease, and must end with the number of " +
+                    things + ", " + std::to_string(most));
+  };
+  const auto number = [&all](std::size_t i) { return std::to_string(all[i]); };
+  if (all.empty()) refuse(0, " is missing");
+  if (all.front() != 0) refuse(0, " is " + number(0));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (all[i] < all[i - 1]) refuse(i, " is " + number(i) + " after " + number(i - 1));
+  }
+  const std::size_t last = all.size() - 1;
+  if (static_cast<std::uint64_t>(all[last]) != most) refuse(last, " is " + number(last));
   return all;
 }
 
 /// Makes geometries of flat arrays, as `shapely.to_ragged_array` returns them for multipolygons.
-ShapeArrayPtr from_ragged_array(const Coordinates& coordinates, const Offsets& rings,
-                                const Offsets& polygons, const std::optional<Offsets>& geometries) {
-  if (coordinates.shape(1) != 2) throw nb::type_error("coords must have the shape (n, 2)");
-  const auto ring_starts = checked(rings, coordinates.shape(0),
-                                   "ring_offsets must begin with 0, must not decrease, and must "
-                                   "end with the number of vertices");
-  const auto polygon_starts = checked(polygons, ring_starts.size() - 1,
-                                      "polygon_offsets must begin with 0, must not decrease, and "
-                                      "must end with the number of rings");
+ShapeArrayPtr from_ragged_array(nb::handle coords, nb::handle ring_offsets,
+                                nb::handle polygon_offsets, nb::handle geometry_offsets) {
+  const auto offsets_of = [](nb::handle argument, const char* name) {
+    return nb::cast<Offsets>(numbers_of(argument, name, "iu", "integers", 1));
+  };
+  const auto coordinates = nb::cast<Coordinates>(numbers_of(coords, "coords", "fiu", "numbers", 2));
+  if (coordinates.shape(1) != 2) {
+    throw nb::type_error("coords must be an array of numbers of the shape (n, 2)");
+  }
+  const Offsets rings = offsets_of(ring_offsets, "ring_offsets");
+  const Offsets polygons = offsets_of(polygon_offsets, "polygon_offsets");
+  std::optional<Offsets> geometries;
+  if (!geometry_offsets.is_none()) geometries = offsets_of(geometry_offsets, "geometry_offsets");
+  const auto ring_starts = checked(rings, coordinates.shape(0), "ring_offsets", "vertices");
+  const auto polygon_starts = checked(polygons, ring_starts.size() - 1, "polygon_offsets", "rings");
   std::vector<std::int64_t> each;
   std::span<const std::int64_t> starts;
   if (geometries) {
-    starts = checked(*geometries, polygon_starts.size() - 1,
-                     "geometry_offsets must begin with 0, must not decrease, and must end with "
-                     "the number of polygons");
+    starts = checked(*geometries, polygon_starts.size() - 1, "geometry_offsets", "polygons");
   } else {
     for (std::size_t p = 0; p < polygon_starts.size(); ++p) {
       each.push_back(static_cast<std::int64_t>(p));
@@ -57,9 +95,7 @@ ShapeArrayPtr from_ragged_array(const Coordinates& coordinates, const Offsets& r
   }
   auto array = std::make_shared<ShapeArray>();
   const double* xy = coordinates.data();
-  for (std::size_t g = 0; g + 1 < starts.size(); ++g) {
-    auto shape = std::make_shared<Shape>();
-    Region& region = shape->geometry.region;
+  const auto read = [&](Region& region, std::size_t g) {
     for (auto p = starts[g]; p < starts[g + 1]; ++p) {
       if (polygon_starts[p] == polygon_starts[p + 1]) continue;
       region.begin_polygon();
@@ -74,6 +110,14 @@ ShapeArrayPtr from_ragged_array(const Coordinates& coordinates, const Offsets& r
         }
         for (std::int64_t v = begin; v < end; ++v) region.add_vertex(xy[2 * v], xy[2 * v + 1]);
       }
+    }
+  };
+  for (std::size_t g = 0; g + 1 < starts.size(); ++g) {
+    auto shape = std::make_shared<Shape>();
+    try {
+      read(shape->geometry.region, g);
+    } catch (...) {
+      rethrow_at({g});
     }
     array->items.push_back(std::move(shape));
   }
@@ -100,9 +144,12 @@ nb::tuple to_ragged_array(const ShapeArray& array) {
   std::vector<std::int64_t> polygons{0};
   std::vector<std::int64_t> geometries{0};
   for (const ShapePtr& item : array.items) {
-    if (!item) throw nb::value_error("flat arrays have no missing geometries");
-    if (item->geometry.has_thin_parts()) {
-      throw nb::value_error("these flat arrays hold polygons alone, no polylines or points");
+    if (!item || item->geometry.has_thin_parts()) {
+      const std::string message =
+          "element " + std::to_string(geometries.size() - 1) +
+          (item ? " has polylines or points: these flat arrays hold polygons alone"
+                : " is missing: flat arrays have no missing geometries");
+      throw nb::value_error(message.c_str());
     }
     const Region& region = item->geometry.region;
     for (const std::size_t polygon : region.polygons()) {
@@ -158,11 +205,9 @@ void bind_readers(nb::module_& m) {
     const bool drop_z = drops_z(z);
     if (text.is_none()) return nb::none();
     if (PyUnicode_Check(text.ptr()) || PyBytes_Check(text.ptr())) {
-      if (PyUnicode_Check(text.ptr())) {
-        const auto words = nb::cast<std::string>(text);
-        if (io::detect_format(words) != format) {
-          throw Error(ErrorCode::kBadInput, "the text is in another format");
-        }
+      if (PyUnicode_Check(text.ptr()) ? io::detect_format(utf8(text)) != format
+                                      : format != io::Format::kWkb) {
+        throw Error(ErrorCode::kBadInput, "the text is in another format");
       }
       return to_object(operand_of(text, drop_z));
     }
@@ -209,8 +254,8 @@ void bind_readers(nb::module_& m) {
       nb::arg("object").none(), nb::kw_only(), "z"_a = "error",
       nb::sig("def as_geometry(object: GeometryLike, *, z: str = 'error') -> typing.Any"),
       "Return the geometry, or the array, that an operand stands for.");
-  m.def("from_ragged_array", from_ragged_array, "coords"_a, "ring_offsets"_a, "polygon_offsets"_a,
-        "geometry_offsets"_a = nb::none(),
+  m.def("from_ragged_array", from_ragged_array, "coords"_a.none(), "ring_offsets"_a.none(),
+        "polygon_offsets"_a.none(), "geometry_offsets"_a = nb::none(),
         nb::sig("def from_ragged_array(coords: numpy.typing.NDArray[numpy.float64], "
                 "ring_offsets: numpy.typing.NDArray[numpy.int64], "
                 "polygon_offsets: numpy.typing.NDArray[numpy.int64], "

@@ -77,8 +77,10 @@ Geometry mirror(const Geometry& a, const Options& options) {
 nb::object sum(nb::handle a, nb::handle b, bool tight, MINKSUM_SETTINGS) {
   Call call(MINKSUM_SETTING_VALUES);
   if (!tight) return apply(call, a, b, plain_sum);
-  Operands first = operands_of(a);
-  Operands second = operands_of(b);
+  const Argument left(a, 0);
+  const Argument right(b, 1);
+  const Operands& first = left.array();
+  const Operands& second = right.array();
   const Pairs pairs(first, second);
   ShapeArray sums{std::vector<ShapePtr>(pairs.size()), pairs.shape()};
   ShapeArray places = sums;

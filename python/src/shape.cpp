@@ -8,7 +8,8 @@
 #include <minksum/io.hpp>
 #include <utility>
 
-#include "numbers.hpp"
+#include "errors.hpp"
+#include "mapping.hpp"
 
 namespace nb = nanobind;
 
@@ -38,21 +39,6 @@ nb::object attribute(nb::handle object, const char* name) {
   return value;
 }
 
-bool is_number(nb::handle object) {
-  return !is_text(object) &&
-         (PyFloat_Check(object.ptr()) || PyLong_Check(object.ptr()) ||
-          nb::hasattr(object, "numerator") || nb::hasattr(object, "as_integer_ratio"));
-}
-
-bool is_sequence(nb::handle object) {
-  return nb::isinstance<nb::list>(object) || nb::isinstance<nb::tuple>(object);
-}
-
-/// Tells whether an object is a pair of numbers, perhaps with more behind them.
-bool is_point(nb::handle object) {
-  return is_sequence(object) && nb::len(object) >= 2 && is_number(object[0]);
-}
-
 template <class Number>
 Shape ring_of(const nb::ndarray<const Number, nb::ndim<2>, nb::device::cpu>& points) {
   Shape shape;
@@ -70,110 +56,14 @@ Shape ring_of(const nb::ndarray<const Number, nb::ndim<2>, nb::device::cpu>& poi
   return shape;
 }
 
-Point exact_vertex(nb::handle point, bool drop_z, const Region& region) {
-  if (!is_sequence(point) || nb::len(point) < 2) {
-    throw nb::type_error("a vertex must be a pair of numbers (x, y)");
-  }
-  if (nb::len(point) > 2 && !drop_z) {
-    throw Error(ErrorCode::kBadInput,
-                "a vertex has more than two coordinates: z=\"drop\" drops what is beyond x and y");
-  }
-  try {
-    return {require_number(point[0], "x"), require_number(point[1], "y")};
-  } catch (const Error& error) {
-    Culprit place;
-    if (region.polygon_count() > 0) {
-      place.polygon = region.polygon_count() - 1;
-      const IndexRange rings = region.rings_of(place.polygon);
-      place.ring = rings.size() - 1;
-      place.vertex = region.vertices_of(rings.front() + place.ring).size();
-    }
-    throw Error(error.code(), error.what(), place);
-  }
-}
-
-/// Appends a ring. It may repeat its first vertex at its end, as GeoJSON has it.
-void append_ring(Region& region, nb::handle ring, bool drop_z) {
-  region.begin_ring();
-  std::size_t count = nb::len(ring);
-  if (count > 1 && ring[0].equal(ring[count - 1])) --count;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point at = exact_vertex(ring[i], drop_z, region);
-    region.add_vertex(at.x, at.y);
-  }
-}
-
-void append_polygon(Region& region, nb::handle rings, bool drop_z) {
-  if (nb::len(rings) == 0) return;
-  region.begin_polygon();
-  for (nb::handle ring : rings) append_ring(region, ring, drop_z);
-}
-
-Polyline polyline_of(nb::handle points, bool drop_z) {
-  Polyline line;
-  for (nb::handle point : points) line.push_back(exact_vertex(point, drop_z, Region()));
-  return line;
-}
-
-void append_mapping(Geometry& geometry, nb::handle mapping, bool drop_z);
-
-void append_coordinates(Geometry& geometry, const std::string& type, nb::handle coordinates,
-                        bool drop_z) {
-  if (type == "Polygon") {
-    append_polygon(geometry.region, coordinates, drop_z);
-  } else if (type == "MultiPolygon") {
-    for (nb::handle polygon : coordinates) append_polygon(geometry.region, polygon, drop_z);
-  } else if (type == "LineString" || type == "LinearRing") {
-    if (nb::len(coordinates) > 0) geometry.polylines.push_back(polyline_of(coordinates, drop_z));
-  } else if (type == "MultiLineString") {
-    for (nb::handle line : coordinates) geometry.polylines.push_back(polyline_of(line, drop_z));
-  } else if (type == "Point") {
-    if (nb::len(coordinates) > 0) {
-      geometry.points.push_back(exact_vertex(coordinates, drop_z, Region()));
-    }
-  } else if (type == "MultiPoint") {
-    for (nb::handle point : coordinates) {
-      geometry.points.push_back(exact_vertex(point, drop_z, Region()));
-    }
-  } else {
-    throw Error(ErrorCode::kBadInput, "'" + type + "' is not a type of geometry that is read");
-  }
-}
-
-void append_mapping(Geometry& geometry, nb::handle mapping, bool drop_z) {
-  const nb::object type_object = mapping.attr("get")("type");
-  if (!nb::isinstance<nb::str>(type_object)) {
-    throw Error(ErrorCode::kBadInput, "the mapping has no member \"type\" that is a text");
-  }
-  const auto type = nb::cast<std::string>(type_object);
-  const auto each = [&](const char* member) {
-    for (nb::handle part : mapping[member]) append_mapping(geometry, part, drop_z);
-  };
-  if (type == "FeatureCollection") return each("features");
-  if (type == "GeometryCollection") return each("geometries");
-  if (type == "Feature") {
-    const nb::object part = mapping["geometry"];
-    if (!part.is_none()) append_mapping(geometry, part, drop_z);
-    return;
-  }
-  append_coordinates(geometry, type, mapping["coordinates"], drop_z);
-}
-
-/// Returns the ring of an array of NumPy, or nothing if the array is not one of numbers.
+/// Returns the ring of an array of NumPy, or nothing if the array is not one of pairs of numbers.
 ShapePtr shape_of_array(nb::handle object) {
   nb::ndarray<const double, nb::ndim<2>, nb::device::cpu> doubles;
   nb::ndarray<const std::int64_t, nb::ndim<2>, nb::device::cpu> integers;
-  const auto two_columns = [](const auto& array) {
-    if (array.shape(1) != 2) {
-      throw nb::type_error("an array of numbers must have the shape (n, 2): one ring");
-    }
-  };
-  if (nb::try_cast(object, doubles, false)) {
-    two_columns(doubles);
+  if (nb::try_cast(object, doubles, false) && doubles.shape(1) == 2) {
     return std::make_shared<Shape>(ring_of(doubles));
   }
-  if (nb::try_cast(object, integers, false)) {
-    two_columns(integers);
+  if (nb::try_cast(object, integers, false) && integers.shape(1) == 2) {
     return std::make_shared<Shape>(ring_of(integers));
   }
   return nullptr;
@@ -199,10 +89,26 @@ bool all_of_shapely(const nb::list& objects) {
   return true;
 }
 
+/// Tells whether an object can be no single geometry. Arrays of objects are taken for arrays.
+bool is_array(nb::handle object) {
+  if (is_sequence(object)) return nb::len(object) == 0 || !is_point(object[0]);
+  if (!nb::hasattr(object, "dtype") || !nb::hasattr(object, "ndim")) return false;
+  const nb::object dimensions = object.attr("ndim");
+  return nb::getattr(object.attr("dtype"), "kind", nb::str("O")).equal(nb::str("O")) ||
+         (dimensions.not_equal(nb::int_(0)) && dimensions.not_equal(nb::int_(2)));
+}
+
+/// Reads the elements of a list. A list in a list is refused, which also ends one that contains
+/// itself.
 Operands list_of(nb::handle objects, bool drop_z) {
   Operands operands;
   for (nb::handle object : objects) {
-    operands.array.items.push_back(operand_of(object, drop_z));
+    try {
+      if (is_array(object)) throw nb::type_error("a single geometry is expected, not an array");
+      operands.array.items.push_back(operand_of(object, drop_z));
+    } catch (...) {
+      rethrow_at({operands.array.items.size()});
+    }
   }
   operands.array.shape = {operands.array.items.size()};
   return operands;
@@ -212,6 +118,15 @@ Operands list_of(nb::handle objects, bool drop_z) {
 Operands elements_of(nb::handle array, bool drop_z) {
   const nb::object kind = array.attr("dtype").attr("kind");
   const auto letter = nb::cast<std::string>(kind);
+  const auto shape = nb::cast<std::vector<std::size_t>>(nb::list(array.attr("shape")));
+  if ((letter == "f" || letter == "i" || letter == "u") &&
+      (shape.size() < 2 || shape.size() > 3 || shape.back() != 2)) {
+    const std::string message =
+        "an array of numbers must have the shape (n, 2), one ring, or "
+        "(m, n, 2), m rings; not " +
+        nb::cast<std::string>(nb::repr(nb::tuple(array.attr("shape"))));
+    throw nb::type_error(message.c_str());
+  }
   if (letter != "O" && letter != "S" && letter != "U") {
     return operands_of(array.attr("tolist")(), drop_z);
   }
@@ -219,17 +134,14 @@ Operands elements_of(nb::handle array, bool drop_z) {
   if (letter == "O" && all_of_shapely(nb::borrow<nb::list>(elements))) {
     elements = wkb_of_shapely(array.attr("ravel")()).attr("tolist")();
   }
-  Operands operands = list_of(elements, drop_z);
-  operands.array.shape = nb::cast<std::vector<std::size_t>>(nb::list(array.attr("shape")));
-  operands.scalar = operands.array.shape.empty();
-  return operands;
-}
-
-ShapePtr shape_of_ring(nb::handle ring, bool drop_z) {
-  auto shape = std::make_shared<Shape>();
-  shape->geometry.region.begin_polygon();
-  append_ring(shape->geometry.region, ring, drop_z);
-  return shape;
+  try {
+    Operands operands = list_of(elements, drop_z);
+    operands.array.shape = shape;
+    operands.scalar = shape.empty();
+    return operands;
+  } catch (const ElementError& error) {
+    throw ElementError{error.error, place_in(shape, error.index.front()), error.operand};
+  }
 }
 
 ShapePtr shape_of_text(nb::handle object, bool drop_z) {
@@ -238,7 +150,7 @@ ShapePtr shape_of_text(nb::handle object, bool drop_z) {
     const std::string_view data(static_cast<const char*>(bytes.data()), bytes.size());
     return read_wkb(data, drop_z);
   }
-  return read_shape(nb::cast<std::string>(object), drop_z);
+  return read_shape(utf8(object), drop_z);
 }
 
 ShapePtr shape_of_shapely(nb::handle object, bool drop_z) {
@@ -265,6 +177,13 @@ ShapePtr read_wkb(std::string_view bytes, bool drop_z) {
   if (bytes[0] != 0 && bytes[0] != 1) {
     throw Error(ErrorCode::kBadInput, "byte 1: WKB is expected, which begins with 0 or 1");
   }
+  // What is not told for WKB by its first bytes must not be read as a text.
+  if (io::detect_format(bytes) != io::Format::kWkb) {
+    throw Error(ErrorCode::kBadInput, bytes.size() < 5
+                                          ? "byte " + std::to_string(bytes.size() + 1) +
+                                                ": the code of a type is expected, found the end"
+                                          : "byte 2: the code of a type is expected");
+  }
   return read_shape(bytes, drop_z);
 }
 
@@ -276,15 +195,19 @@ ShapePtr read_shape(std::string_view text, bool drop_z) {
     throw Error(ErrorCode::kBadInput,
                 "the text is not WKT, WKB or GeoJSON; minksum.io has functions for other formats");
   }
-  io::Document document = io::read_document(text, options);
-  return std::make_shared<Shape>(
-      Shape{std::move(document.geometry), document.source.srid.value_or(0)});
-}
-
-ShapePtr shape_of_mapping(nb::handle mapping, bool drop_z) {
-  auto shape = std::make_shared<Shape>();
-  append_mapping(shape->geometry, mapping, drop_z);
-  return shape;
+  try {
+    io::Document document = io::read_document(text, options);
+    return std::make_shared<Shape>(
+        Shape{std::move(document.geometry), document.source.srid.value_or(0)});
+  } catch (const io::ReadError& error) {
+    // The library names its own option.
+    std::string message = error.what();
+    const std::string_view option = "io::ReadOptions::drop_z keeps";
+    const std::size_t at = message.find(option);
+    if (at == std::string::npos) throw;
+    message.replace(at, option.size(), "z=\"drop\" of as_geometry keeps");
+    throw io::ReadError(error.code(), message, error.line(), error.column(), error.limit());
+  }
 }
 
 Operands operands_of(nb::handle object, bool drop_z) {
@@ -320,11 +243,15 @@ ShapePtr operand_of(nb::handle object, bool drop_z) {
   return std::move(operands.array.items.front());
 }
 
-Argument::Argument(nb::handle object) : object_(object) {
+Argument::Argument(nb::handle object, int operand) : object_(object) {
   if (nb::isinstance<Shape>(object)) {
     shape_ = nb::inst_ptr<Shape>(object);
-  } else {
+    return;
+  }
+  try {
     operands_ = operands_of(object);
+  } catch (...) {
+    rethrow_at({}, operand);
   }
 }
 

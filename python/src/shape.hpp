@@ -44,7 +44,8 @@ struct Operands {
 /// An operand that is not copied if it is a `Geometry`, which the caller's object keeps alive.
 class Argument {
  public:
-  explicit Argument(nanobind::handle object);
+  /// Errors name the operand, which is counted from 0; -1 = there is only one.
+  explicit Argument(nanobind::handle object, int operand = -1);
   [[nodiscard]] bool scalar() const { return shape_ != nullptr || operands_.scalar; }
   /// Returns a single geometry; null if it is missing.
   [[nodiscard]] const Shape* shape() const {

@@ -26,7 +26,11 @@ void set_up(ConfigurationOptions& setting, nb::handle reference, nb::handle work
 }
 
 std::vector<Turn> turns_of(nb::handle angles, double tolerance) {
-  if (PyLong_Check(angles.ptr())) return full_turn(nb::cast<std::size_t>(angles), tolerance);
+  if (PyLong_Check(angles.ptr())) {
+    std::size_t count = 0;
+    if (!nb::try_cast(angles, count)) throw nb::value_error("angles must be a positive count");
+    return full_turn(count, tolerance);
+  }
   std::vector<Turn> turns;
   for (nb::handle angle : angles) {
     turns.push_back(nearest_turn(require_number(angle, "each of the angles"), tolerance));

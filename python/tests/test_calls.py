@@ -53,21 +53,6 @@ def test_what_is_refused(operand, kind, words):
             call()
 
 
-def test_truncated_wkb_at_every_byte():
-    shapes = [shapely.box(0, 0, 1, 1), shapely.box(0, 0, 9, 9) - shapely.box(2, 2, 3, 3),
-              shapely.MultiPoint([(0, 0), (1, 1)]),
-              shapely.GeometryCollection([shapely.box(0, 0, 1, 1),
-                                          shapely.LineString([(0, 0), (1, 1)])])]
-    count = 0
-    for shape in shapes:
-        wkb = shapely.to_wkb(shape)
-        for n in range(len(wkb)):
-            with pytest.raises(mk.BadInputError, match="byte"):
-                mk.from_wkb(wkb[:n])
-            count += 1
-    assert count > 400
-
-
 @pytest.mark.parametrize(
     "call, words",
     [
@@ -131,8 +116,10 @@ def test_limits_tokens_progress_and_time():
 
 def test_ctrl_c_ends_a_call_and_loses_nothing():
     program = textwrap.dedent("""
-        import sys
+        import signal, sys
         sys.path.insert(0, %r)
+        # A shell's background jobs ignore Ctrl-C, and what they start inherits that.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         import minksum as mk
         from test_calls import long_operand
         big = long_operand()
