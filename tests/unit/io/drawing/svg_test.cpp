@@ -154,8 +154,8 @@ TEST(Svg, CurvesHaveTheirAreaWithinTheTolerance) {
   for (const auto& [content, area, perimeter] : cases) {
     for (const Rational& tolerance : {Rational(1, 10), Rational(1, 1000)}) {
       const double slack = perimeter * tolerance.to_double() + 1e-9;
-      const auto read_area = [&](RoundingSide side) {
-        const Geometry read = read_geometry(svg(content), within(tolerance, side));
+      const auto read_area = [&tolerance, drawing = svg(content)](RoundingSide side) {
+        const Geometry read = read_geometry(drawing, within(tolerance, side));
         return minksum::area(resolve(read).region).to_double();
       };
       EXPECT_NEAR(read_area(RoundingSide::kNearest), area, slack) << content;
