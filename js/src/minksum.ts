@@ -257,7 +257,12 @@ export class Minksum {
     const { library } = this;
     const { call, results, error } = library;
     return this.withSpace(robot, obstacles, options, (first, second, space) => {
-      const how = this.writeOptions(options);
+      const { progress } = options;
+      let done = 0;
+      const told: Options = progress
+        ? { ...options, progress: (now) => progress({ ...now, done, parts: angles.length }) }
+        : options;
+      const how = this.writeOptions(told);
       const made = this.made("minksum_space_new", [first, second, space, how, results, error]);
       try {
         return Array.from(angles, (degrees) => {
@@ -268,6 +273,7 @@ export class Minksum {
           const [taken, free] = library.u32.slice(results >>> 2, (results >>> 2) + 2);
           const slice: Slice<ResultOf<O>> = { degrees, obstacles: this.results.take(taken!, options) };
           if (options.free) slice.free = this.results.take(free!, options);
+          ++done;
           return slice;
         });
       } finally {

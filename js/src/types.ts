@@ -114,9 +114,9 @@ export type ProgressStage = (typeof progressStages)[number];
 /** How far an operation is. */
 export interface Progress {
   stage: ProgressStage;
-  /** how many parts are done: slices, pairs of parts, or the stages of a sum */
+  /** how many parts are done: slices, or rows of a table; everything else is one part */
   done: number;
-  /** how many parts there are; 0 = not known */
+  /** how many parts there are */
   parts: number;
 }
 /** Says what a result looks like. */

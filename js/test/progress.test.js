@@ -15,6 +15,18 @@ test("an operation tells its stages", () => {
   for (const name of ["operands", "convolution", "arrangement", "loops", "output"]) assert.ok(names.has(name), name);
   assert.ok(told.every(({ done, parts }) => done >= 0 && done <= parts));
 });
+test("slices and tables tell how many parts are done", () => {
+  const counts = (work) => {
+    const told = [];
+    work({ progress: (p) => void told.push(p) });
+    const done = told.map((p) => p.done);
+    assert.deepEqual(done, [...done].sort((x, y) => x - y));
+    return [told.at(-1).parts, told.at(-1).done];
+  };
+  assert.deepEqual(counts((options) => mk.slices(a, b, [0, 30, 60], options)), [3, 2]);
+  const parts = [a, b, box(0, 0, 1, 1)];
+  assert.deepEqual(counts((options) => mk.noFitTable(parts, options).dispose()), [3, 2]);
+});
 test("false stops an operation, and an error of the listener is thrown", () => {
   assert.throws(() => mk.minkowskiSum(a, b, { progress: () => false }), { code: "cancelled" });
   const own = new Error("mine");
