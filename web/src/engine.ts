@@ -1,5 +1,5 @@
 // Speaks with the worker. Of the sums that are asked for while it computes only the last is done.
-import type { Answer, Failure, Job, ReadAnswer, RunAnswer, RunJob } from "./jobs.js";
+import type { Answer, Failure, Job, ReadAnswer, RunAnswer, RunJob, Told } from "./jobs.js";
 
 /** Both are made by the scripts beside this one: the worker's code, and the library. */
 declare const minksumWorker: () => void;
@@ -18,6 +18,8 @@ export class Engine {
   private module: Promise<WebAssembly.Module>;
   /** when the running job was sent */
   private since = 0;
+  /** how far the running job is, as far as it has told */
+  progress: Told | undefined;
 
   constructor(private readonly answered: (answer: RunAnswer | Failure, roundTrip: number) => void) {
     this.module = this.compile();
@@ -37,7 +39,10 @@ export class Engine {
     const worker = new Worker(address);
     URL.revokeObjectURL(address);
     this.worker = worker;
-    worker.onmessage = (event: MessageEvent<Answer>) => this.finish(event.data);
+    worker.onmessage = ({ data }: MessageEvent<Answer | Told>) => {
+      if (data.kind === "progress") this.progress = data;
+      else this.finish(data);
+    };
     worker.onerror = (event) => {
       event.preventDefault();
       this.restart(event.message || "The worker ended. There may be too little memory.");
@@ -74,6 +79,7 @@ export class Engine {
     const ended = this.running;
     this.worker.terminate();
     this.next = undefined;
+    this.progress = undefined;
     this.start();
     ended?.resolve({ kind: "failure", message, code });
     this.answered({ kind: "failure", message, code }, 0);
@@ -99,6 +105,7 @@ export class Engine {
   private finish(answer: Answer): void {
     const { running } = this;
     this.running = undefined;
+    this.progress = undefined;
     running?.resolve(answer);
     this.go();
   }

@@ -1,8 +1,17 @@
 // What the page asks its worker, and what the worker answers.
-import type { Contact, Depth, ExactFlatResult, Fault, FlatResult, Reach, Trace } from "minksum";
+import type {
+  Contact,
+  Depth,
+  ExactFlatResult,
+  Fault,
+  FlatResult,
+  Progress,
+  Reach,
+  Trace,
+} from "minksum";
 import type { Operation, Shape, State } from "./model.js";
 
-export interface RunJob extends Omit<State, "a" | "b" | "op"> {
+export interface RunJob extends Omit<State, "a" | "b" | "op" | "workspace"> {
   kind: "run";
   id: number;
   op: Operation;
@@ -11,6 +20,8 @@ export interface RunJob extends Omit<State, "a" | "b" | "op"> {
   b: string;
   /** B where it was dragged to */
   placed: string;
+  /** the limits of the plane as WKT */
+  limits?: string | undefined;
   /** whether exact coordinates and origins are asked for, and the faults of both operands */
   details: boolean;
 }
@@ -68,3 +79,5 @@ export interface Failure {
   column?: number;
 }
 export type Answer = RunAnswer | ReadAnswer | Failure | { kind: "started"; version: string };
+/** Told while a job goes on. */
+export type Told = { kind: "progress" } & Progress;

@@ -5,10 +5,12 @@ import { Engine } from "./engine.js";
 import { examples, stateOf } from "./examples.js";
 import { faultMarks, gridMarks } from "./ground.js";
 import { CodeBox, copy, drawingAsSvg, flatToWkt, save, showProblem } from "./files.js";
+import { showBusy } from "./busy.js";
 import { handleMarks } from "./handles.js";
 import { hoverAt, tightPlace } from "./hover.js";
 import type { Failure, RunAnswer, RunJob } from "./jobs.js";
 import { listenToKeys } from "./keys.js";
+import { limitMarks, limitsWkt } from "./limits.js";
 import { emptyShape, moved, toWkt, vertexCount, type State } from "./model.js";
 import { byId, element, Panel } from "./panel.js";
 import { isInside, operandMarks, places, resultMarks, worldBox } from "./picture.js";
@@ -64,7 +66,7 @@ function placedWkt(state: State): string {
 function compute(details: boolean): void {
   settle(false);
   const { state } = store;
-  const { a, b, ...rest } = state;
+  const { a, b, workspace: _, ...rest } = state;
   const job: RunJob = {
     kind: "run",
     id: ++lastJob,
@@ -72,6 +74,7 @@ function compute(details: boolean): void {
     a: toWkt(a),
     b: toWkt(b),
     placed: placedWkt(state),
+    limits: limitsWkt(state),
     details,
   };
   engine.run(job);
@@ -108,23 +111,10 @@ function settle(done: boolean): void {
 }
 
 store.listen((state, before) => {
-  const noted = (
-    [
-      "op",
-      "a",
-      "b",
-      "fill",
-      "distance",
-      "tolerance",
-      "join",
-      "side",
-      "place",
-      "degrees",
-      "slices",
-      "from",
-      "to",
-    ] as const
-  ).filter((name) => state[name] !== before[name]);
+  // Choosing a stage of a sum computes nothing.
+  const noted = (Object.keys(state) as (keyof State)[]).filter(
+    (name) => name !== "stage" && state[name] !== before[name],
+  );
   onlyPlaceChanged = noted.every((name) => name === "place");
   if (noted.includes("op")) {
     fitNext = true;
@@ -154,6 +144,7 @@ function render(): void {
   scene.show("first", a);
   scene.show("second", b);
   scene.show("marks", [
+    ...limitMarks(view, state),
     ...handleMarks(editor, state, view),
     ...faultMarks(editor, view, state, answer, failure),
   ]);
@@ -183,7 +174,7 @@ function messages(state: State): void {
     answer?.faults?.flatMap((list, i) => list.map((f) => ({ ...f, name: "AB"[i]! }))) ?? [];
   let text = "";
   if (failure) {
-    const which = failure.operand === undefined ? "" : `${"AB"[failure.operand] ?? "A"}: `;
+    const which = ["A: ", "B: ", "Limits: "][failure.operand ?? -1] ?? "";
     text = which + failure.message;
   } else if (faults[0] && state.op !== "slices") {
     const { name, message, ring, vertex } = faults[0];
@@ -208,17 +199,17 @@ function buttons(): void {
     button.setAttribute("aria-pressed", String(button.dataset["target"] === editor.target));
   }
 }
-setInterval(() => {
-  byId("busy").hidden = engine.busyFor < 350;
-}, 100);
+setInterval(() => showBusy(engine), 100);
 
 // -- Texts -----------------------------------------------------------------------------------
+/** operands whose text was typed and is not read yet */
+const unread = new Set<Name>();
 function showTexts(): void {
   const { state } = store;
   if (editor.dragging) return;
   for (const name of ["a", "b"] as const) {
     const area = byId<HTMLTextAreaElement>(`text-${name}`);
-    if (document.activeElement !== area)
+    if (document.activeElement !== area && !unread.has(name))
       area.value = vertexCount(state[name]) ? toWkt(state[name]) : "";
   }
   byId<HTMLTextAreaElement>("exact").value =
@@ -357,8 +348,12 @@ function listen(): void {
     let timer: ReturnType<typeof setTimeout>;
     area.oninput = () => {
       settle(false);
+      unread.add(name);
       clearTimeout(timer);
-      timer = setTimeout(() => void readText(name, area.value), 250);
+      timer = setTimeout(() => {
+        unread.delete(name);
+        void readText(name, area.value);
+      }, 250);
     };
   }
   const file = byId<HTMLInputElement>("file");

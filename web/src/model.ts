@@ -35,6 +35,13 @@ export interface Pose {
   y: number;
   degrees: number;
 }
+/** Limits of the plane, between which a robot has to stay. */
+export interface Limits {
+  left: number;
+  bottom: number;
+  right: number;
+  top: number;
+}
 export interface State {
   a: Shape;
   b: Shape;
@@ -50,6 +57,7 @@ export interface State {
   slices: number;
   from: Pose;
   to: Pose;
+  workspace: Limits | null;
   stage: number;
 }
 
@@ -66,6 +74,7 @@ export const defaults: Omit<State, "a" | "b"> = {
   slices: 24,
   from: { x: 0, y: 0, degrees: 0 },
   to: { x: 10, y: 0, degrees: 0 },
+  workspace: null,
   stage: 0,
 };
 

@@ -1,4 +1,5 @@
 // What each operation is called, says and lets one choose.
+import { hasLimits } from "./limits.js";
 import type { Operation, State } from "./model.js";
 
 export interface OperationText {
@@ -98,7 +99,8 @@ export type Field =
       name: string;
       label: string;
       options: readonly (readonly [string, string])[];
-    };
+    }
+  | { kind: "limits"; label: string };
 
 const fill: Field = {
   kind: "choice",
@@ -123,6 +125,8 @@ const angle: Field = {
   unit: "°",
 };
 const slices: Field = { kind: "range", name: "slices", label: "Slices", min: 4, max: 120, step: 1 };
+
+const limits: Field = { kind: "limits", label: "Robot stays between limits" };
 
 export function fieldsOf(op: Operation): Field[] {
   switch (op) {
@@ -161,9 +165,9 @@ export function fieldsOf(op: Operation): Field[] {
         fill,
       ];
     case "robot":
-      return [angle, fill];
+      return [angle, limits, fill];
     case "slices":
-      return [slices, { ...angle, label: "Stack up to the angle" }, fill];
+      return [slices, { ...angle, label: "Stack up to the angle" }, limits, fill];
     case "path":
       return [
         {
@@ -185,6 +189,7 @@ export function fieldsOf(op: Operation): Field[] {
           unit: "°",
         },
         { ...slices, label: "Angles of a full turn" },
+        limits,
         fill,
       ];
     default:
@@ -194,7 +199,7 @@ export function fieldsOf(op: Operation): Field[] {
 export function valueOf(state: State, name: string): string | number {
   const [first, second] = name.split(".");
   const value = (state as any)[first!];
-  return second ? value[second] : value;
+  return second ? (value?.[second] ?? "") : value;
 }
 export function withValue(state: State, name: string, value: string | number): Partial<State> {
   const [first, second] = name.split(".");
@@ -203,6 +208,7 @@ export function withValue(state: State, name: string, value: string | number): P
 
 /** What the colours mean. */
 export function legendOf(state: State): [string, string][] {
+  const limits: [string, string][] = hasLimits(state) ? [["limits", "limits"]] : [];
   const both: [string, string][] = [
     ["first", "A"],
     ["second", "B, with its origin"],
@@ -223,12 +229,14 @@ export function legendOf(state: State): [string, string][] {
         ["first", "obstacles A"],
         ["second", "robot B"],
         ["blocked", "here it collides"],
+        ...limits,
       ];
     case "slices":
       return [
         ["first", "obstacles A"],
         ["slice", "slices, from 0° up"],
         ["slice chosen", "the highest one"],
+        ...limits,
       ];
     case "path":
       return [
@@ -236,6 +244,7 @@ export function legendOf(state: State): [string, string][] {
         ["second", "start"],
         ["second goal", "goal"],
         ["way", "way of the origin"],
+        ...limits,
       ];
     case "steps":
       return stageLegend(state.stage, both);

@@ -1,5 +1,6 @@
 // The controls beside the drawing.
 import type { RunAnswer } from "./jobs.js";
+import { firstLimits } from "./limits.js";
 import { toNumber, vertexCount, type Operation, type State } from "./model.js";
 import { fieldsOf, groups, legendOf, texts, valueOf, withValue, type Field } from "./operations.js";
 import { fullOf, stageTexts } from "./stages.js";
@@ -74,10 +75,16 @@ export class Panel {
       byId("fields").replaceChildren(...fieldsOf(state.op).map((field) => this.field(field)));
     }
     for (const input of byId("fields").querySelectorAll<HTMLInputElement>("[data-name]")) {
+      if (input.type === "checkbox") continue;
       const value = String(valueOf(state, input.dataset["name"]!));
       if (input.value !== value && document.activeElement !== input) input.value = value;
       const shown = input.parentElement!.querySelector("output");
       if (shown) shown.textContent = value + (input.dataset["unit"] ?? "");
+    }
+    const limits = document.querySelector<HTMLInputElement>("#fields [data-name=workspace]");
+    if (limits) {
+      limits.checked = state.workspace !== null;
+      byId("limits").hidden = !limits.checked;
     }
     byId("steps").hidden = state.op !== "steps";
     this.legend(state);
@@ -88,7 +95,22 @@ export class Panel {
     list.scrollLeft =
       button.offsetLeft - list.offsetLeft - list.clientWidth / 2 + button.clientWidth / 2;
   }
+  private limits(label: string): HTMLElement {
+    const check = element("input", { type: "checkbox", "data-name": "workspace" });
+    check.onchange = () =>
+      this.store.change({ workspace: check.checked ? firstLimits(this.store.state) : null });
+    const sides = (["left", "bottom", "right", "top"] as const).map((side) =>
+      this.field({ kind: "number", name: `workspace.${side}`, label: side, step: 1 }),
+    );
+    return element(
+      "div",
+      { class: "limits-field", role: "group", "aria-label": "Limits of the plane" },
+      element("label", {}, label, check),
+      element("div", { id: "limits", class: "limits-sides" }, ...sides),
+    );
+  }
   private field(field: Field): HTMLElement {
+    if (field.kind === "limits") return this.limits(field.label);
     const change = (value: string | number) =>
       this.store.change(withValue(this.store.state, field.name, value));
     if (field.kind === "choice") {
@@ -125,7 +147,7 @@ export class Panel {
     legend.dataset["key"] = key;
     legend.replaceChildren(
       ...legendOf(state).map(([cls, text]) => {
-        const line = /line|edge|arrow|way|ghost$|dropped|reflex|band/.test(cls);
+        const line = /line|edge|arrow|way|ghost$|dropped|reflex|band|limits/.test(cls);
         const d = cls === "node" ? "M8 6h0" : line ? "M1 7L16 7" : "M2 2H15V11H2Z";
         const sample = element("span");
         sample.innerHTML =

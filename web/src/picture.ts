@@ -1,6 +1,7 @@
 // What is on the canvas for each operation.
 import type { FlatResult } from "minksum";
 import type { RunAnswer } from "./jobs.js";
+import { hasLimits, limitsOf } from "./limits.js";
 import { toNumber, type State } from "./model.js";
 import type { Mark } from "./scene.js";
 import {
@@ -70,6 +71,7 @@ function sliceMarks(view: View, state: State, answer: RunAnswer): Mark[] {
         },
       ]
     : [];
+  if (hasLimits(state)) marks.push({ cls: "limits", d: path(limitsOf(state.workspace), 0, 4, 0) });
   // The stack is cut at the angle: what lies above would hide the slice there.
   const shown =
     state.degrees <= 0
@@ -212,6 +214,7 @@ export function worldBox(state: State, answer: RunAnswer | null, view: View): Bo
       : [0, 0];
     lists.push(...listsOf(posed(b, ...at)), [0, 0]);
   }
+  if (hasLimits(state)) lists.push(limitsOf(state.workspace));
   if (answer?.op === state.op) {
     for (const flat of [answer.result, ...(answer.slices ?? []).map((slice) => slice.obstacles)]) {
       if (flat) lists.push(flat.coords, flat.lineCoords, flat.points);

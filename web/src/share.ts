@@ -6,6 +6,7 @@ import {
   joins,
   operations,
   sides,
+  type Limits,
   type Position,
   type Shape,
   type State,
@@ -62,6 +63,13 @@ export function fromJson(text: string): State {
     y: finite(p?.y, `${name}.y`),
     degrees: finite(p?.degrees, `${name}.degrees`),
   });
+  const limit = (name: keyof Limits) => finite(all.workspace[name], `workspace.${name}`);
+  const limits = () => ({
+    left: limit("left"),
+    bottom: limit("bottom"),
+    right: limit("right"),
+    top: limit("top"),
+  });
   return {
     a: shape(given.a, "A"),
     b: shape(given.b, "B"),
@@ -76,6 +84,7 @@ export function fromJson(text: string): State {
     slices: Math.min(360, Math.max(1, Math.round(finite(all.slices, "slices")))),
     from: pose(all.from, "from"),
     to: pose(all.to, "to"),
+    workspace: all.workspace === null ? null : limits(),
     stage: Math.min(7, Math.max(0, Math.round(finite(all.stage, "stage")))),
   };
 }

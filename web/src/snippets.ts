@@ -1,4 +1,5 @@
 // Programs that make what is on the screen.
+import { limitsWkt } from "./limits.js";
 import { places } from "./picture.js";
 import { decimal, position, toWkt, type State } from "./model.js";
 
@@ -33,7 +34,12 @@ function shell(state: State, a: string, b: string): string {
         ? " --strict"
         : ` --fill ${state.fill}`;
   const save = (name: string, wkt: string) => `cat > ${name} <<'END'\n${wkt}\nEND\n`;
-  const files = save("a.wkt", a) + (state.op === "offset" ? "" : save("b.wkt", b));
+  const limits = limitsWkt(state);
+  const files =
+    save("a.wkt", a) +
+    (state.op === "offset" ? "" : save("b.wkt", b)) +
+    (limits ? save("limits.wkt", limits) : "");
+  const within = limits ? " --workspace limits.wkt" : "";
   const command = () => {
     switch (state.op) {
       case "offset":
@@ -49,14 +55,14 @@ function shell(state: State, a: string, b: string): string {
       case "robot":
         return (
           `cspace b.wkt a.wkt --theta ${exact(state.degrees)}:${exact(state.degrees)}:1 ` +
-          `--coords exact`
+          `--coords exact${within}`
         );
       case "slices":
-        return `cspace b.wkt a.wkt --angles ${state.slices} --coords exact`;
+        return `cspace b.wkt a.wkt --angles ${state.slices} --coords exact${within}`;
       case "path":
         return (
           `reach b.wkt a.wkt --from=${poseText(state.from)} --to=${poseText(state.to)} ` +
-          `--angles ${state.slices}`
+          `--angles ${state.slices}${within}`
         );
       case "steps":
         return "sum a.wkt b.wkt --trace stages --coords exact";
@@ -84,6 +90,8 @@ function cpp(state: State, a: string, b: string): string {
   const print = "io::to_wkt(RESULT, io::Coordinates{io::Coordinates::Style::kExact})";
   const lines = (made: string, shown = print.replace("RESULT", "result")) =>
     `  const auto result = ${made};\n  std::cout << ${shown} << '\\n';\n`;
+  const limits = limitsWkt(state);
+  const setting = limits ? "{.workspace = limits}" : "{}";
   const body = () => {
     switch (state.op) {
       case "offset": {
@@ -102,28 +110,33 @@ function cpp(state: State, a: string, b: string): string {
         return lines(`penetration_depth(a, b${how})`, "(result ? result->distance : 0.0)");
       case "robot":
         return lines(
-          `ConfigurationSpace(b, a, {}${how}).slice(nearest_turn(${number(state.degrees)}))`,
+          `ConfigurationSpace(b, a, ${setting}${how})` +
+            `.slice(nearest_turn(${number(state.degrees)}))`,
           print.replace("RESULT", "result.obstacles"),
         );
       case "slices":
         return (
-          `  const ConfigurationSpace space(b, a, {}${how});\n` +
+          `  const ConfigurationSpace space(b, a, ${setting}${how});\n` +
           `  for (const Turn& turn : full_turn(${state.slices}))\n` +
           `    std::cout << io::to_wkt(space.slice(turn).obstacles) << '\\n';\n`
         );
       case "path":
-        return lines(
-          `reach(b, a, {${point(state.from.x, state.from.y)}, ${state.from.degrees}}, ` +
-            `{${point(state.to.x, state.to.y)}, ${state.to.degrees}}, {.angles = ` +
-            `${state.slices}}${how})`,
-          `(result.reachable ? "yes" : "no")`,
+        return (
+          `  ReachOptions way;\n  way.angles = ${state.slices};\n` +
+          (limits ? `  way.workspace = limits;\n` : "") +
+          lines(
+            `reach(b, a, {${point(state.from.x, state.from.y)}, ${state.from.degrees}}, ` +
+              `{${point(state.to.x, state.to.y)}, ${state.to.degrees}}, way${how})`,
+            `(result.reachable ? "yes" : "no")`,
+          )
         );
       default:
         return lines(`minksum::${names[state.op].cpp}(a, b${how})`);
     }
   };
   const second =
-    state.op === "offset" ? "" : `  const Geometry b = io::read_geometry(R"(${b})");\n`;
+    (state.op === "offset" ? "" : `  const Geometry b = io::read_geometry(R"(${b})");\n`) +
+    (limits ? `  const Geometry limits = io::read_geometry(R"(${limits})");\n` : "");
   return (
     `#include <iostream>\n#include <minksum/io.hpp>\n#include <minksum/minksum.hpp>\nusing ` +
     `namespace minksum;\n\nint main() {\n` +
@@ -134,6 +147,8 @@ function cpp(state: State, a: string, b: string): string {
 function python(state: State, a: string, b: string): string {
   const fill = state.fill === "automatic" ? "" : `, fill="${state.fill}"`;
   const number = (value: number) => rational(exact(value));
+  const limits = limitsWkt(state);
+  const within = limits ? ", workspace=limits" : "";
   const made = () => {
     switch (state.op) {
       case "offset":
@@ -147,32 +162,39 @@ function python(state: State, a: string, b: string): string {
         return `minksum.penetration_depth(a, b${fill})`;
       case "robot":
         return (
-          `minksum.ConfigurationSpace(b, a${fill})` +
+          `minksum.ConfigurationSpace(b, a${within}${fill})` +
           `.slice("${decimal(state.degrees)}").obstacles`
         );
       case "slices":
-        return `list(minksum.ConfigurationSpace(b, a${fill}).slices(${state.slices}))`;
+        return (
+          `list(minksum.ConfigurationSpace(b, a${within}${fill})` +
+          `.slices(${state.slices}))`
+        );
       case "path": {
         const pose = (p: State["from"]) => `(${p.x}, ${p.y}, ${p.degrees})`;
         return (
           `minksum.reach(b, a, ${pose(state.from)}, ${pose(state.to)}, ` +
-          `angles=${state.slices}${fill})`
+          `angles=${state.slices}${within}${fill})`
         );
       }
       default:
         return `minksum.${names[state.op].python}(a, b${fill})`;
     }
   };
-  const second = state.op === "offset" ? "" : `b = minksum.from_wkt("${b}")\n`;
+  const second =
+    (state.op === "offset" ? "" : `b = minksum.from_wkt("${b}")\n`) +
+    (limits ? `limits = minksum.from_wkt("${limits}")\n` : "");
   return `import minksum\n\na = minksum.from_wkt("${a}")\n${second}print(${made()})\n`;
 }
 
 function javascript(state: State, a: string, b: string): string {
   const options: Record<string, unknown> = {};
   if (state.fill !== "automatic") options["fill"] = state.fill;
+  const limits = limitsWkt(state);
   const more = (extra: object = {}) => {
     const all = { ...options, ...extra };
     const texts = Object.entries(all).map(([name, value]) => `${name}: ${JSON.stringify(value)}`);
+    if (limits) texts.push("workspace: limits");
     return texts.length ? `, { ${texts.join(", ")} }` : "";
   };
   const exactWkt = { as: "wkt", coords: "exact" };
@@ -204,7 +226,9 @@ function javascript(state: State, a: string, b: string): string {
         return `mk.${names[state.op].js}(a, b${more(exactWkt)})`;
     }
   };
-  const second = state.op === "offset" ? "" : `const b = ${JSON.stringify(b)};\n`;
+  const second =
+    (state.op === "offset" ? "" : `const b = ${JSON.stringify(b)};\n`) +
+    (limits ? `const limits = ${JSON.stringify(limits)};\n` : "");
   return (
     `import { load } from "minksum";\n\nconst mk = await load();\nconst a = ` +
     `${JSON.stringify(a)};\n` +

@@ -6,9 +6,19 @@ import {
   type FlatResult,
   type Minksum,
   type Origin,
+  type Progress,
   type Trace,
 } from "minksum";
-import type { Answer, Details, Failure, Job, ReadAnswer, RunAnswer, RunJob } from "./jobs.js";
+import type {
+  Answer,
+  Details,
+  Failure,
+  Job,
+  ReadAnswer,
+  RunAnswer,
+  RunJob,
+  Told,
+} from "./jobs.js";
 import { fromExact, type Position, type Shape } from "./model.js";
 
 let library: Minksum;
@@ -16,10 +26,19 @@ const flat = { as: "flat" } as const;
 const exactFlat = { as: "flat", coords: "exact" } as const;
 const exactWkt = { as: "wkt", coords: "exact" } as const;
 
+/** Tells the page how far a job is, ten times a second. */
+let told = 0;
+function progress(now: Progress): void {
+  if (performance.now() - told < 100) return;
+  told = performance.now();
+  const message: Told = { kind: "progress", ...now };
+  postMessage(message);
+}
+
 /** How a job's operation is called, with results of any form. */
 function call(mk: Minksum, job: RunJob, form: object): any {
   const { a, b, fill } = job;
-  const how = { fill, ...form };
+  const how = { fill, progress, ...form };
   switch (job.op) {
     case "erode":
       return mk.erode(a, b, how);
@@ -34,11 +53,15 @@ function call(mk: Minksum, job: RunJob, form: object): any {
     case "nofit":
       return mk.noFitPolygon(a, b, { ...how, reference: [0, 0] });
     case "robot":
-      return mk.slices(b, a, [job.degrees], how)[0]!.obstacles;
+      return mk.slices(b, a, [job.degrees], within(job, how))[0]!.obstacles;
     default:
       return mk.minkowskiSum(a, b, how);
   }
 }
+
+/** Adds the limits of the plane to options, if there are some. */
+const within = <T extends object>(job: RunJob, options: T) =>
+  job.limits === undefined ? options : { ...options, workspace: job.limits };
 
 /** The no-fit polygon of the last job: dragging the part does not change it. */
 let lastNoFit: { key: string; made: FlatResult; milliseconds: number } | undefined;
@@ -55,21 +78,23 @@ function noFit(mk: Minksum, job: RunJob): { made: FlatResult; milliseconds: numb
 function run(mk: Minksum, job: RunJob): RunAnswer {
   const answer: RunAnswer = { kind: "run", id: job.id, op: job.op, milliseconds: 0, result: null };
   const { a, b, fill } = job;
+  const how = { fill, progress };
   const start = performance.now();
+  told = start;
   switch (job.op) {
     case "depth":
-      answer.depth = mk.penetrationDepth(a, job.placed, { fill });
+      answer.depth = mk.penetrationDepth(a, job.placed, how);
       break;
     case "slices": {
       const angles = Array.from({ length: job.slices }, (_, i) => (360 * i) / job.slices);
-      answer.slices = mk.slices(b, a, angles, { fill, ...flat });
+      answer.slices = mk.slices(b, a, angles, within(job, { ...how, ...flat }));
       break;
     }
     case "path":
-      answer.reach = mk.reach(b, a, job.from, job.to, { fill, angles: job.slices });
+      answer.reach = mk.reach(b, a, job.from, job.to, within(job, { ...how, angles: job.slices }));
       break;
     case "steps":
-      answer.trace = mk.trace(a, b, { fill, ...flat });
+      answer.trace = mk.trace(a, b, { ...how, ...flat });
       answer.result = answer.trace.result;
       break;
     case "nofit":
@@ -94,14 +119,14 @@ function run(mk: Minksum, job: RunJob): RunAnswer {
 function band(mk: Minksum, job: RunJob): RunAnswer["band"] {
   const { a, distance, tolerance, join, fill } = job;
   const one = (side: "inside" | "outside") =>
-    mk.offset(a, distance, { fill, tolerance, join, side, ...flat });
+    mk.offset(a, distance, { fill, tolerance, join, side, progress, ...flat });
   return join === "round" ? { inner: one("inside"), outer: one("outside") } : undefined;
 }
 
 function details(mk: Minksum, job: RunJob, answer: RunAnswer, faults: [Fault[], Fault[]]): Details {
   const tellsOrigins = job.op === "sum" || job.op === "steps";
   const trace = tellsOrigins
-    ? (answer.trace ?? mk.trace(job.a, job.b, { fill: job.fill, ...flat }))
+    ? (answer.trace ?? mk.trace(job.a, job.b, { fill: job.fill, progress, ...flat }))
     : null;
   // Origins count the vertices of an operand as it was given, unless it had to be resolved.
   const operands = [job.a, job.b].map((given, i) =>
@@ -157,7 +182,7 @@ function read(mk: Minksum, text: string, curveTolerance: number): ReadAnswer {
   return { kind: "read", shape, faults: mk.validate(text, { curveTolerance, most: 20 }) };
 }
 
-function failure(problem: unknown): Failure {
+function failure(problem: unknown, job: Job): Failure {
   if (!(problem instanceof MinksumError)) {
     return {
       kind: "failure",
@@ -165,7 +190,10 @@ function failure(problem: unknown): Failure {
     };
   }
   const { message, code, operand, polygon, ring, vertex, line, column } = problem;
-  return { kind: "failure", message, code, operand, polygon, ring, vertex, line, column };
+  // The robot B is the first operand of its operations, and the obstacles A are the second.
+  const isRobot = job.kind === "run" && ["robot", "slices", "path"].includes(job.op);
+  const which = isRobot && operand !== undefined && operand < 2 ? 1 - operand : operand;
+  return { kind: "failure", message, code, operand: which, polygon, ring, vertex, line, column };
 }
 
 onmessage = async ({ data: job }: MessageEvent<Job>) => {
@@ -184,7 +212,7 @@ onmessage = async ({ data: job }: MessageEvent<Job>) => {
       answer = job.kind === "read" ? read(library, job.text, job.tolerance) : run(library, job);
     }
   } catch (problem) {
-    answer = failure(problem);
+    answer = failure(problem, job);
   }
   postMessage(answer);
 };

@@ -53,6 +53,15 @@ export async function settled(page) {
     timeout: 60_000,
   });
 }
+/** A star of so many rays as WKT. The sum of two with many rays takes seconds. */
+export function star(rays, turn) {
+  const ring = Array.from({ length: 2 * rays }, (_, i) => {
+    const angle = turn + (Math.PI * i) / rays;
+    const radius = i % 2 ? 10 : 1000;
+    return `${(radius * Math.cos(angle)).toFixed(3)} ${(radius * Math.sin(angle)).toFixed(3)}`;
+  });
+  return `POLYGON ((${[...ring, ring[0]].join(", ")}))`;
+}
 /** Waits until `check` holds. */
 export async function until(page, check, what) {
   for (let i = 0; i < 400; ++i) {

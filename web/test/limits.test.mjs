@@ -5,7 +5,7 @@ import { createServer } from "node:http";
 import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { folder, open, settled, start } from "./browser.mjs";
+import { folder, open, settled, star, start } from "./browser.mjs";
 
 let browser, page;
 before(async () => {
@@ -31,9 +31,17 @@ test("axe finds no fault: light and dark, wide and narrow, in every operation", 
   ]) {
     await page.setViewportSize({ width, height: 900 });
     if ((await page.getAttribute("html", "data-theme")) !== scheme) await page.click("#theme");
+    await page.fill("#text-a", star(1500, 0));
+    await page.fill("#text-b", star(1499, 0.001));
+    await page.locator("#busy").waitFor({ state: "visible" });
+    const { violations: busy } = await page.evaluate(() => window.axe.run("#busy", { preload: false }));
+    assert.deepEqual(busy.map((v) => [width, scheme, v.id, v.nodes.map((n) => n.html)]), []);
+    await page.click("#cancel");
+    await page.selectOption("#example", { label: "Room and robot" });
     const shown = width === 1440 ? all : ["sum", "offset", "nofit", "path", "steps"];
     for (const op of shown) {
       await page.evaluate((name) => document.querySelector(`[data-op=${name}]`).click(), op);
+      await page.evaluate(() => document.querySelector("[data-name=workspace]:not(:checked)")?.click());
       await settled(page);
       const { violations } = await page.evaluate(() => window.axe.run({ preload: false }));
       assert.deepEqual(

@@ -112,6 +112,48 @@ test("a path is found where the program finds one", async () => {
   assert.equal(verdict, "yes");
   assert.equal(await fact("Path"), `${places.length} places`);
 });
+test("a robot stays between limits as it does in the program", async () => {
+  const limits = async (values) => {
+    for (const [side, value] of Object.entries(values)) {
+      await page.fill(`[data-name="workspace.${side}"]`, String(value));
+    }
+    await settled(page);
+  };
+  await choose("A sofa in a hall", "robot");
+  const free = await page.inputValue("#exact");
+  await page.check("[data-name=workspace]");
+  await limits({ left: 0, bottom: 0, right: 20.5, top: 12 });
+  const shown = await page.inputValue("#exact");
+  assert.notEqual(shown, free);
+  const { load } = await import(join(packaged, "index.js"));
+  const mk = await load();
+  for (const fill of ["automatic", "nonzero", "negative"]) {
+    await page.selectOption("[data-name=fill]", fill);
+    await settled(page);
+    if ((await page.inputValue("#exact")) === "") continue; // the robot has no area by this rule
+    // As text, because a corner of the frame has more digits than a number of JavaScript.
+    const told = mk.convert(await shell(await snippet("Shell")), { as: "wkt", coords: "exact" });
+    assert.equal(await page.inputValue("#exact"), told, fill);
+    assert.equal((await javascript(await snippet("JavaScript"))).trim(), told, fill);
+  }
+  await page.selectOption("[data-name=fill]", "automatic");
+  await page.click("[data-op=slices]");
+  await settled(page);
+  const { features } = JSON.parse(await shell(await snippet("Shell")));
+  const rings = ({ type, coordinates }) => (type === "Polygon" ? coordinates : coordinates.flat());
+  const count = features.flatMap((f) => rings(f.geometry)).reduce((n, r) => n + r.length - 1, 0);
+  assert.equal(await fact("Their vertices"), count.toLocaleString("en"));
+  await page.click("[data-op=path]");
+  await settled(page);
+  assert.match(await fact("Path"), /places$/);
+  await limits({ right: 9 });
+  assert.match(await page.textContent("#message"), /the robot leaves the workspace at the goal/);
+  await limits({ right: 0 });
+  assert.match(await page.textContent("#message"), /^Limits: /);
+  await page.uncheck("[data-name=workspace]");
+  await settled(page);
+  assert.match(await fact("Path"), /places$/);
+});
 test("the depth vector is the program's", async () => {
   await choose("Two parts that overlap", "depth");
   const told = await shell(
@@ -131,6 +173,7 @@ const hasPackage = await run(python, ["-c", "import minksum"]).then(
 test("the programs in Python give what the page shows, or can be read", async () => {
   for (const op of ["sum", "erode", "open", "close", "offset", "nofit", "depth", "robot", "path"]) {
     await choose(op === "path" ? "A sofa in a hall" : "Room and robot", op);
+    if (["robot", "path"].includes(op)) await page.check("[data-name=workspace]");
     const file = join(folder, "snippet.py");
     await writeFile(file, await snippet("Python"));
     if (!hasPackage) {
@@ -144,8 +187,11 @@ test("the programs in Python give what the page shows, or can be read", async ()
   }
 });
 test("the programs in C++ compile", async () => {
-  for (const op of ["sum", "offset", "nofit", "depth", "robot", "slices", "path"]) {
+  const robots = ["robot", "slices", "path"];
+  const limited = robots.map((op) => [op, true]);
+  for (const [op, limits] of ["sum", "offset", "nofit", "depth", ...robots].map((o) => [o]).concat(limited)) {
     await choose("Room and robot", op);
+    if (limits) await page.check("[data-name=workspace]");
     const cpp = join(folder, "snippet.cpp");
     await writeFile(cpp, await snippet("C++"));
     await run("c++", ["-std=c++20", "-fsyntax-only", `-I${join(root, "include")}`, cpp]);

@@ -1,7 +1,7 @@
 // What people do on the page: draw, drag, drop, share, stop; and what it must not do.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { chooseExample, drop, open, settled, start, until as untilOn } from "./browser.mjs";
+import { chooseExample, drop, open, settled, star, start, until as untilOn } from "./browser.mjs";
 
 let browser, page, noted;
 before(async () => {
@@ -324,17 +324,15 @@ test("bad input is refused, with its place marked", async () => {
 });
 test("a long sum is stopped, and the page goes on", async () => {
   await chooseExample(page, "Room and robot");
-  const star = (rays, turn) => {
-    const ring = Array.from({ length: 2 * rays }, (_, i) => {
-      const angle = turn + (Math.PI * i) / rays;
-      const radius = i % 2 ? 10 : 1000;
-      return `${(radius * Math.cos(angle)).toFixed(3)} ${(radius * Math.sin(angle)).toFixed(3)}`;
-    });
-    return `POLYGON ((${[...ring, ring[0]].join(", ")}))`;
-  };
   await page.fill("#text-a", star(1500, 0));
   await page.fill("#text-b", star(1499, 0.001));
   await page.locator("#busy").waitFor({ state: "visible" });
+  await until(
+    async () => / stage [1-7] of 7$/.test(await page.textContent("#doing")),
+    "the stage is told",
+  );
+  const bar = page.getByRole("progressbar", { name: "How much is done" });
+  assert.ok(await bar.evaluate(({ value, max }) => value < max && max === 7));
   await page.click("#cancel");
   await until(
     async () => (await page.textContent("#message")).includes("Stopped"),
@@ -342,6 +340,32 @@ test("a long sum is stopped, and the page goes on", async () => {
   );
   await chooseExample(page, "Room and robot");
   assert.match(await page.inputValue("#exact"), /^POLYGON/);
+});
+test("stacked slices tell how many are done", async () => {
+  await chooseExample(page, "Room and robot");
+  await page.click("[data-op=slices]");
+  await page.fill("#text-a", star(1500, 0));
+  await page.fill("#text-b", star(1499, 0.001));
+  await until(
+    async () => / \d+ of 24 parts done$/.test(await page.textContent("#doing")),
+    "the count is told",
+  );
+  await page.click("#cancel");
+  await chooseExample(page, "Room and robot");
+});
+test("text that was just typed is kept when an answer comes", async () => {
+  await chooseExample(page, "Room and robot");
+  const [a, b] = ["POLYGON ((0 0, 5 0, 0 5, 0 0))", "POLYGON ((0 0, 1 0, 0 1, 0 0))"];
+  await page.evaluate((given) => {
+    const area = document.getElementById("text-a");
+    area.value = given;
+    area.dispatchEvent(new Event("input"));
+    document.querySelector("[data-op=erode]").click();
+  }, a);
+  await page.fill("#text-b", b);
+  await settled(page);
+  assert.deepEqual([await text("a"), await text("b")], [a, b]);
+  assert.equal(await page.inputValue("#exact"), "POLYGON ((0 0, 4 0, 0 4, 0 0))");
 });
 test("nothing was complained of, and nothing was asked for but the folder's files", () => {
   assert.deepEqual(noted.errors, []);
