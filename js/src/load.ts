@@ -12,13 +12,24 @@ export type WasmSource =
   | WebAssembly.Module
   | Promise<Response>;
 
+/** The first four bytes of every module. */
+const kWasm = 0x0061736d;
+
 async function compile(source: WasmSource): Promise<WebAssembly.Module> {
   const given = await source;
   if (given instanceof WebAssembly.Module) return given;
   if (typeof given === "string" || given instanceof URL) return compile(fetch(given));
   if (typeof Response !== "undefined" && given instanceof Response) {
     if (!given.ok) throw new Error(`${given.url} was not loaded: ${given.status}`);
-    return WebAssembly.compile(await given.arrayBuffer());
+    const bytes = await given.arrayBuffer();
+    // A server may answer with a page of its own, as that of Vite does.
+    if (bytes.byteLength < 4 || new DataView(bytes).getUint32(0) !== kWasm) {
+      throw new Error(
+        `${given.url} is no module in WebAssembly. If Vite serves this page, its configuration ` +
+          `needs optimizeDeps: { exclude: ["minksum"] }`,
+      );
+    }
+    return WebAssembly.compile(bytes);
   }
   return WebAssembly.compile(given as BufferSource);
 }

@@ -1,7 +1,7 @@
 // Bad input is refused with its place, and leaves the library as it was.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { MinksumError } from "minksum";
+import { load, MinksumError } from "minksum";
 import { box, mk } from "./support.js";
 
 const good = box(0, 0, 1, 1);
@@ -79,4 +79,10 @@ test("results do not change with later calls", () => {
   const before = [...first.coords];
   mk.minkowskiSum(mk.disc(9, 0.001), mk.disc(5, 0.0001));
   assert.deepEqual([...first.coords], before);
+});
+test("what a server sends instead of the module is an error that says what to do", async () => {
+  for (const text of ["<!doctype html>", ""]) {
+    await assert.rejects(load({ wasm: new Response(text) }), /no module in WebAssembly.*optimizeDeps/);
+  }
+  await assert.rejects(load({ wasm: new Response("", { status: 404 }) }), /was not loaded: 404/);
 });
