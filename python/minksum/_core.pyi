@@ -89,6 +89,7 @@ class GeometryArray:
     @property
     def size(self) -> int: ...
     def __len__(self) -> int: ...
+    def __arrow_c_array__(self, requested_schema: Any = None) -> tuple[Any, Any]: ...
     def __getitem__(self, key: Any) -> Any: ...
     def __array__(
         self, dtype: Any = None, copy: Any = None
@@ -108,17 +109,8 @@ class GeometryArray:
     def __sub__(self, other: Geometry | GeometryArray) -> GeometryArray: ...
     def __xor__(self, other: Geometry | GeometryArray) -> GeometryArray: ...
     def __neg__(self) -> GeometryArray: ...
-def _from_wkb_column(
-    bytes: numpy.typing.NDArray[numpy.uint8], offsets: numpy.typing.NDArray[numpy.int64], valid:
-    numpy.typing.NDArray[numpy.bool_], z: str
-) -> GeometryArray: ...
-def _to_wkb_column(
-    array: GeometryArray, side: str
-) -> tuple[numpy.typing.NDArray[numpy.uint8], numpy.typing.NDArray[numpy.int64]]: ...
-def from_wkt(text: Any, *, z: str = 'error') -> Any: ...
-def from_wkb(text: Any, *, z: str = 'error') -> Any: ...
-def from_geojson(object: Any, *, z: str = 'error') -> Any: ...
-def as_geometry(object: GeometryLike, *, z: str = 'error') -> Any: ...
+def _from_arrow(column: Any, z: str, on_error: str) -> GeometryArray: ...
+def _to_arrow(array: GeometryArray, encoding: str, side: str) -> tuple[Any, Any]: ...
 def from_ragged_array(
     coords: numpy.typing.NDArray[numpy.float64], ring_offsets: numpy.typing.NDArray[numpy.int64],
     polygon_offsets: numpy.typing.NDArray[numpy.int64], geometry_offsets:
@@ -127,6 +119,10 @@ def from_ragged_array(
 def to_ragged_array(
     array: GeometryArray
 ) -> tuple[numpy.typing.NDArray[numpy.float64], tuple[numpy.typing.NDArray[numpy.int64], ...]]: ...
+def from_wkt(text: Any, *, z: str = 'error', on_error: str = 'raise') -> Any: ...
+def from_wkb(text: Any, *, z: str = 'error', on_error: str = 'raise') -> Any: ...
+def from_geojson(object: Any, *, z: str = 'error', on_error: str = 'raise') -> Any: ...
+def as_geometry(object: GeometryLike, *, z: str = 'error', on_error: str = 'raise') -> Any: ...
 def box(xmin: Number, ymin: Number, xmax: Number, ymax: Number) -> Geometry: ...
 def disc(radius: Number, tolerance: Number | None = None, side: str = 'nearest') -> Geometry: ...
 def _read_svg(text: str, tolerance: Number | None, side: str) -> Geometry: ...
@@ -134,171 +130,180 @@ def _read_dxf(
     text: str, tolerance: Number | None, side: str, layer: str, join_ends: Number
 ) -> Geometry: ...
 def minkowski_sum(
-    a: GeometryLike, b: GeometryLike, *, tight: bool = False, fill: str = 'automatic', regularize:
-    bool = False, threads: int | None = None, max_segments: int | None = None, max_crossings: int |
-    None = None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
-    cancel: CancelToken | None = None
+    a: GeometryLike, b: GeometryLike, *, tight: bool = False, return_stats: bool = False, on_error:
+    str = 'raise', fill: str = 'automatic', regularize: bool = False, threads: int | None = None,
+    max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None = None,
+    progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> Any: ...
 @overload
 def dilate(
-    a: Single, b: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None
-    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
-    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: Single, b: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool =
+    False, threads: int | None = None, max_segments: int | None = None, max_crossings: int | None =
+    None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
+    cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def dilate(
-    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
+    a: GeometryLike, b: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def erode(
-    a: Single, b: Single, *, tight: bool = False, fill: str = 'automatic', regularize: bool = False,
-    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
-    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
-    CancelToken | None = None
+    a: Single, b: Single, *, tight: bool = False, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def erode(
-    a: GeometryLike, b: GeometryLike, *, tight: bool = False, fill: str = 'automatic', regularize:
-    bool = False, threads: int | None = None, max_segments: int | None = None, max_crossings: int |
-    None = None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
-    cancel: CancelToken | None = None
+    a: GeometryLike, b: GeometryLike, *, tight: bool = False, on_error: str = 'raise', fill: str =
+    'automatic', regularize: bool = False, threads: int | None = None, max_segments: int | None =
+    None, max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str],
+    bool | None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def opening(
-    a: Single, b: Single, *, tight: bool = False, fill: str = 'automatic', regularize: bool = False,
-    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
-    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
-    CancelToken | None = None
+    a: Single, b: Single, *, tight: bool = False, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def opening(
-    a: GeometryLike, b: GeometryLike, *, tight: bool = False, fill: str = 'automatic', regularize:
-    bool = False, threads: int | None = None, max_segments: int | None = None, max_crossings: int |
-    None = None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
-    cancel: CancelToken | None = None
+    a: GeometryLike, b: GeometryLike, *, tight: bool = False, on_error: str = 'raise', fill: str =
+    'automatic', regularize: bool = False, threads: int | None = None, max_segments: int | None =
+    None, max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str],
+    bool | None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def closing(
-    a: Single, b: Single, *, tight: bool = False, fill: str = 'automatic', regularize: bool = False,
-    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
-    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
-    CancelToken | None = None
+    a: Single, b: Single, *, tight: bool = False, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def closing(
-    a: GeometryLike, b: GeometryLike, *, tight: bool = False, fill: str = 'automatic', regularize:
-    bool = False, threads: int | None = None, max_segments: int | None = None, max_crossings: int |
-    None = None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
+    a: GeometryLike, b: GeometryLike, *, tight: bool = False, on_error: str = 'raise', fill: str =
+    'automatic', regularize: bool = False, threads: int | None = None, max_segments: int | None =
+    None, max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str],
+    bool | None] | None = None, cancel: CancelToken | None = None
+) -> typing.Any: ...
+@overload
+def union(
+    a: Single, b: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool =
+    False, threads: int | None = None, max_segments: int | None = None, max_crossings: int | None =
+    None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
     cancel: CancelToken | None = None
-) -> typing.Any: ...
-@overload
-def union(
-    a: Single, b: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None
-    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
-    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def union(
-    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
+    a: GeometryLike, b: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def intersection(
-    a: Single, b: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None
-    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
-    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: Single, b: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool =
+    False, threads: int | None = None, max_segments: int | None = None, max_crossings: int | None =
+    None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
+    cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def intersection(
-    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
+    a: GeometryLike, b: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def difference(
-    a: Single, b: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None
-    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
-    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: Single, b: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool =
+    False, threads: int | None = None, max_segments: int | None = None, max_crossings: int | None =
+    None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
+    cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def difference(
-    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
+    a: GeometryLike, b: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def symmetric_difference(
-    a: Single, b: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None
-    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
-    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: Single, b: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool =
+    False, threads: int | None = None, max_segments: int | None = None, max_crossings: int | None =
+    None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
+    cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def symmetric_difference(
-    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
+    a: GeometryLike, b: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def offset(
     a: Single, distance: Number, *, tolerance: Number | None = None, side: str = 'nearest', join:
-    str = 'round', cap: str = 'round', miter_limit: Number = 2, fill: str = 'automatic', regularize:
-    bool = False, threads: int | None = None, max_segments: int | None = None, max_crossings: int |
-    None = None, timeout: float | None = None, progress: Callable[[str], bool | None] | None = None,
-    cancel: CancelToken | None = None
+    str = 'round', cap: str = 'round', miter_limit: Number = 2, on_error: str = 'raise', fill: str =
+    'automatic', regularize: bool = False, threads: int | None = None, max_segments: int | None =
+    None, max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str],
+    bool | None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def offset(
     a: GeometryLike, distance: Number, *, tolerance: Number | None = None, side: str = 'nearest',
-    join: str = 'round', cap: str = 'round', miter_limit: Number = 2, fill: str = 'automatic',
-    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
-    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
-    None] | None = None, cancel: CancelToken | None = None
+    join: str = 'round', cap: str = 'round', miter_limit: Number = 2, on_error: str = 'raise', fill:
+    str = 'automatic', regularize: bool = False, threads: int | None = None, max_segments: int |
+    None = None, max_crossings: int | None = None, timeout: float | None = None, progress:
+    Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def resolve(
-    a: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None = None,
-    max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None = None,
-    progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool = False,
+    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
+    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
+    CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def resolve(
-    a: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads: int | None =
-    None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None =
-    None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool = False,
+    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
+    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
+    CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def reflect(
-    a: Single, *, fill: str = 'automatic', regularize: bool = False, threads: int | None = None,
-    max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None = None,
-    progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: Single, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool = False,
+    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
+    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
+    CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def reflect(
-    a: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads: int | None =
-    None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None =
-    None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    a: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic', regularize: bool = False,
+    threads: int | None = None, max_segments: int | None = None, max_crossings: int | None = None,
+    timeout: float | None = None, progress: Callable[[str], bool | None] | None = None, cancel:
+    CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def rounded(
-    a: Single, *, decimals: int | None = None, side: str = 'nearest', fill: str = 'automatic',
-    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
-    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
-    None] | None = None, cancel: CancelToken | None = None
+    a: Single, *, decimals: int | None = None, side: str = 'nearest', on_error: str = 'raise', fill:
+    str = 'automatic', regularize: bool = False, threads: int | None = None, max_segments: int |
+    None = None, max_crossings: int | None = None, timeout: float | None = None, progress:
+    Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def rounded(
-    a: GeometryLike, *, decimals: int | None = None, side: str = 'nearest', fill: str = 'automatic',
-    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
-    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
-    None] | None = None, cancel: CancelToken | None = None
+    a: GeometryLike, *, decimals: int | None = None, side: str = 'nearest', on_error: str = 'raise',
+    fill: str = 'automatic', regularize: bool = False, threads: int | None = None, max_segments: int
+    | None = None, max_crossings: int | None = None, timeout: float | None = None, progress:
+    Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 def union_all(
     geometries: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads: int |
@@ -306,6 +311,7 @@ def union_all(
     None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None =
     None
 ) -> Geometry: ...
+def prepare(a: GeometryLike) -> Any: ...
 def area(a: GeometryLike, *, exact: bool = False) -> Any: ...
 def bounds(a: GeometryLike, *, exact: bool = False) -> Any: ...
 def locate(
@@ -321,22 +327,22 @@ def affine_transform(a: Single, matrix: Sequence[Number]) -> Geometry: ...
 @overload
 def affine_transform(a: GeometryLike, matrix: Sequence[Number]) -> typing.Any: ...
 def penetration_depth(
-    a: GeometryLike, b: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
-) -> Any: ...
-def time_of_impact(
-    a: GeometryLike, b: GeometryLike, direction: tuple[Number, Number], *, fill: str = 'automatic',
+    a: GeometryLike, b: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
     regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
     max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
     None] | None = None, cancel: CancelToken | None = None
 ) -> Any: ...
+def time_of_impact(
+    a: GeometryLike, b: GeometryLike, direction: tuple[Number, Number], *, on_error: str = 'raise',
+    fill: str = 'automatic', regularize: bool = False, threads: int | None = None, max_segments: int
+    | None = None, max_crossings: int | None = None, timeout: float | None = None, progress:
+    Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+) -> Any: ...
 def covers(
-    b: GeometryLike, a: GeometryLike, *, fill: str = 'automatic', regularize: bool = False, threads:
-    int | None = None, max_segments: int | None = None, max_crossings: int | None = None, timeout:
-    float | None = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken |
-    None = None
+    b: GeometryLike, a: GeometryLike, *, on_error: str = 'raise', fill: str = 'automatic',
+    regularize: bool = False, threads: int | None = None, max_segments: int | None = None,
+    max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str], bool |
+    None] | None = None, cancel: CancelToken | None = None
 ) -> Any: ...
 def check_sum(
     result: GeometryLike, p: GeometryLike, q: GeometryLike, *, within: Number = 0, fill: str =
@@ -346,31 +352,31 @@ def check_sum(
 ) -> dict[str, Any]: ...
 @overload
 def no_fit_polygon(
-    fixed: Single, moving: Single, *, reference: tuple[Number, Number] | None = None, fill: str =
-    'automatic', regularize: bool = False, threads: int | None = None, max_segments: int | None =
-    None, max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str],
-    bool | None] | None = None, cancel: CancelToken | None = None
+    fixed: Single, moving: Single, *, reference: tuple[Number, Number] | None = None, on_error: str
+    = 'raise', fill: str = 'automatic', regularize: bool = False, threads: int | None = None,
+    max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None = None,
+    progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def no_fit_polygon(
     fixed: GeometryLike, moving: GeometryLike, *, reference: tuple[Number, Number] | None = None,
-    fill: str = 'automatic', regularize: bool = False, threads: int | None = None, max_segments: int
-    | None = None, max_crossings: int | None = None, timeout: float | None = None, progress:
-    Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    on_error: str = 'raise', fill: str = 'automatic', regularize: bool = False, threads: int | None
+    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
+    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 @overload
 def inner_fit_polygon(
-    bin: Single, part: Single, *, reference: tuple[Number, Number] | None = None, fill: str =
-    'automatic', regularize: bool = False, threads: int | None = None, max_segments: int | None =
-    None, max_crossings: int | None = None, timeout: float | None = None, progress: Callable[[str],
-    bool | None] | None = None, cancel: CancelToken | None = None
+    bin: Single, part: Single, *, reference: tuple[Number, Number] | None = None, on_error: str =
+    'raise', fill: str = 'automatic', regularize: bool = False, threads: int | None = None,
+    max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None = None,
+    progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> Geometry: ...
 @overload
 def inner_fit_polygon(
-    bin: GeometryLike, part: GeometryLike, *, reference: tuple[Number, Number] | None = None, fill:
-    str = 'automatic', regularize: bool = False, threads: int | None = None, max_segments: int |
-    None = None, max_crossings: int | None = None, timeout: float | None = None, progress:
-    Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
+    bin: GeometryLike, part: GeometryLike, *, reference: tuple[Number, Number] | None = None,
+    on_error: str = 'raise', fill: str = 'automatic', regularize: bool = False, threads: int | None
+    = None, max_segments: int | None = None, max_crossings: int | None = None, timeout: float | None
+    = None, progress: Callable[[str], bool | None] | None = None, cancel: CancelToken | None = None
 ) -> typing.Any: ...
 class NoFitPolygon:
     def __init__(

@@ -52,7 +52,7 @@ nb::object wkb_array(const ShapeArray& array, const std::string& round, bool inc
 }
 
 ShapeArrayPtr make_array(nb::handle objects, const std::string& z) {
-  Operands operands = operands_of(objects, drops_z(z));
+  Operands operands = operands_of(objects, {drops_z(z)});
   if (operands.scalar) operands.array.shape = {1};
   return std::make_shared<ShapeArray>(std::move(operands.array));
 }
@@ -83,6 +83,15 @@ void bind_array(nb::module_& m) {
              if (a.shape.empty()) throw nb::type_error("an array of no dimension has no length");
              return a.shape.front();
            })
+      .def(
+          "__arrow_c_array__",
+          [](nb::handle self, nb::handle /*requested_schema*/) {
+            return nb::module_::import_("minksum._core").attr("_to_arrow")(self, "wkb", "nearest");
+          },
+          "requested_schema"_a = nb::none(),
+          nb::sig("def __arrow_c_array__(self, requested_schema: typing.Any = None) -> "
+                  "tuple[typing.Any, typing.Any]"),
+          "Return the array as a column of Arrow: WKB of rounded sets, of the type geoarrow.wkb.")
       .def("__getitem__", element, "key"_a,
            nb::sig("def __getitem__(self, key: typing.Any) -> typing.Any"))
       .def(

@@ -8,6 +8,8 @@ namespace minksum::python {
 void bind_geometry(nanobind::module_& m);
 void bind_array(nanobind::module_& m);
 void bind_arrow(nanobind::module_& m);
+void bind_arrow_export(nanobind::module_& m);
+void bind_flat(nanobind::module_& m);
 void bind_readers(nanobind::module_& m);
 void bind_sets(nanobind::module_& m);
 void bind_measures(nanobind::module_& m);

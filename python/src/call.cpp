@@ -75,6 +75,24 @@ const char* signature(const std::string& name, const std::string& operands, cons
       .c_str();
 }
 
+bool forgives(const std::string& on_error) {
+  return choice<bool>(on_error, "on_error", {{"raise", false}, {"none", true}});
+}
+
+bool is_bad_element() {
+  try {
+    throw;
+  } catch (const ElementError&) {
+    return true;
+  } catch (const Error& error) {
+    return error.code() == ErrorCode::kBadInput ||
+           (error.code() == ErrorCode::kLimitExceeded &&
+            !(error.limit() && error.limit()->name == "timeout"));
+  } catch (...) {
+    return false;
+  }
+}
+
 FillRule rule_of(const std::string& word) {
   return choice<FillRule>(word, "fill",
                           {{"automatic", FillRule::kAutomatic},
@@ -203,6 +221,7 @@ void Call::for_each(const std::vector<std::size_t>& shape,
       try {
         element(i, options);
       } catch (...) {
+        if (forgives_ && is_bad_element()) continue;
         const std::lock_guard lock(guard);
         // Of several elements that fail, the first is named, whichever thread is faster. What ends
         // the whole call counts only once, because all other threads then end in the same way.

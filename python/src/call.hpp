@@ -28,6 +28,10 @@ namespace minksum::python {
 #define MINKSUM_SETTING_VALUES \
   fill, regularize, threads, max_segments, max_crossings, timeout, progress, cancel
 
+/// The argument that says what becomes of an element that fails, of operations on arrays.
+#define MINKSUM_ON_ERROR_ARG nanobind::arg("on_error") = "raise"
+inline constexpr const char* kOnError = "on_error: str = 'raise', ";
+
 /// Returns a signature for the stubs: NAME(OPERANDS, *, OWN, the settings) -> RESULT. It lives as
 /// long as the module.
 [[nodiscard]] const char* signature(const std::string& name, const std::string& operands,
@@ -40,6 +44,10 @@ class Call {
   explicit Call(MINKSUM_SETTINGS);
   /// A call with the default settings.
   Call() = default;
+
+  /// Elements that are bad input or pass a limit are left out, instead of ending the call.
+  void forgive() { forgives_ = true; }
+  [[nodiscard]] bool forgives() const { return forgives_; }
 
   /// Options for an operation that runs on this thread alone, or on a thread of `for_each`.
   [[nodiscard]] Options& options() { return options_; }
@@ -58,6 +66,7 @@ class Call {
   std::shared_ptr<Watch> watch_;
   Options options_;
   std::optional<int> threads_;
+  bool forgives_ = false;
 };
 
 /// Returns the enumerator that a word names, and throws ValueError, which lists the words.
@@ -71,6 +80,11 @@ Enum choice(const std::string& word, const char* what,
   for (const auto& [name, value] : choices) message += std::string(" \"") + name + '"';
   throw nanobind::value_error(message.c_str());
 }
+/// Tells what the argument on_error says: whether elements that fail become missing.
+[[nodiscard]] bool forgives(const std::string& on_error);
+/// Tells whether the exception that is being handled is about an element and not about the call,
+/// and no fault of the library.
+[[nodiscard]] bool is_bad_element();
 [[nodiscard]] FillRule rule_of(const std::string& word);
 [[nodiscard]] RoundingSide side_of(const std::string& word);
 

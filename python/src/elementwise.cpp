@@ -1,8 +1,12 @@
 #include "elementwise.hpp"
 
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
 #include <string>
 
 namespace nb = nanobind;
+using namespace nb::literals;
 
 namespace minksum::python {
 namespace {
@@ -70,13 +74,18 @@ bool is_small(const Geometry& a, const Geometry& b) {
 bool is_small(const Geometry& a) { return !a.has_thin_parts() && a.region.vertex_count() < 32; }
 
 nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
-  const Argument argument(a);
+  const Argument argument(a, -1, call.forgives());
   if (argument.scalar()) {
     const Shape* x = argument.shape();
     if (x == nullptr) return nb::none();
     Shape result{{}, x->srid};
-    call.run(is_small(x->geometry),
-             [&] { result.geometry = operation(x->geometry, call.options()); });
+    try {
+      call.run(is_small(x->geometry),
+               [&] { result.geometry = operation(x->geometry, call.options()); });
+    } catch (const Error&) {
+      if (!call.forgives() || !is_bad_element()) throw;
+      return nb::none();
+    }
     return to_object(std::move(result));
   }
   const Operands& operands = argument.array();
@@ -90,15 +99,27 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
 }
 
 nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& operation) {
-  const Argument left(a, 0);
-  const Argument right(b, 1);
+  return apply_shapes(call, a, b, [&](const Shape& x, const Shape& y, const Options& options) {
+    return operation(x.geometry, y.geometry, options);
+  });
+}
+
+nb::object apply_shapes(Call& call, nb::handle a, nb::handle b, const ShapeOperation& operation) {
+  const Argument left(a, 0, call.forgives());
+  const Argument right(b, 1, call.forgives());
   if (left.scalar() && right.scalar()) {
     const Shape* x = left.shape();
     const Shape* y = right.shape();
     if (x == nullptr || y == nullptr) return nb::none();
-    Shape result{{}, common_srid(*x, *y)};
-    call.run(is_small(x->geometry, y->geometry),
-             [&] { result.geometry = operation(x->geometry, y->geometry, call.options()); });
+    Shape result;
+    try {
+      result.srid = common_srid(*x, *y);
+      call.run(is_small(x->geometry, y->geometry),
+               [&] { result.geometry = operation(*x, *y, call.options()); });
+    } catch (const Error&) {
+      if (!call.forgives() || !is_bad_element()) throw;
+      return nb::none();
+    }
     return to_object(std::move(result));
   }
   const Operands& first = left.array();
@@ -109,10 +130,19 @@ nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& 
                 [&](std::size_t i, const Shape& x, const Shape& y, const Options& options) {
                   auto result = std::make_shared<Shape>();
                   result->srid = common_srid(x, y);
-                  result->geometry = operation(x.geometry, y.geometry, options);
+                  result->geometry = operation(x, y, options);
                   results.items[i] = std::move(result);
                 });
   return to_object(std::move(results));
+}
+
+nb::object nested(const std::vector<nb::object>& values, const std::vector<std::size_t>& shape,
+                  bool scalar) {
+  if (scalar) return values.front();
+  const nb::object numpy = nb::module_::import_("numpy");
+  nb::object flat = numpy.attr("empty")(values.size(), "dtype"_a = "O");
+  for (std::size_t i = 0; i < values.size(); ++i) flat[i] = values[i];
+  return flat.attr("reshape")(nb::tuple(nb::cast(shape)));
 }
 
 }  // namespace minksum::python

@@ -9,6 +9,7 @@
 
 namespace minksum::python {
 
+using ShapeOperation = std::function<Geometry(const Shape&, const Shape&, const Options&)>;
 using UnaryOperation = std::function<Geometry(const Geometry&, const Options&)>;
 using BinaryOperation = std::function<Geometry(const Geometry&, const Geometry&, const Options&)>;
 
@@ -50,5 +51,13 @@ void for_each_pair(Call& call, const Operands& a, const Operands& b, const Pairs
                                      const UnaryOperation& operation);
 [[nodiscard]] nanobind::object apply(Call& call, nanobind::handle a, nanobind::handle b,
                                      const BinaryOperation& operation);
+/// Returns the same of an operation that keeps something with its operands.
+[[nodiscard]] nanobind::object apply_shapes(Call& call, nanobind::handle a, nanobind::handle b,
+                                            const ShapeOperation& operation);
+
+/// Returns an array of objects, nested as the array's shape tells, or the only element of a single
+/// operand.
+[[nodiscard]] nanobind::object nested(const std::vector<nanobind::object>& values,
+                                      const std::vector<std::size_t>& shape, bool scalar);
 
 }  // namespace minksum::python

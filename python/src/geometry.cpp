@@ -256,7 +256,7 @@ void bind_geometry(nb::module_& m) {
   type.def(
           "__init__",
           [](Shape* self, nb::handle object, const std::string& z) {
-            ShapePtr shape = operand_of(object, drops_z(z));
+            ShapePtr shape = operand_of(object, {drops_z(z)});
             if (!shape) throw nb::type_error("None is not a geometry");
             new (self) Shape(*shape);
           },

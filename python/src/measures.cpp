@@ -15,16 +15,6 @@ using namespace nb::literals;
 namespace minksum::python {
 namespace {
 
-/// Returns a list, nested as the array's shape tells, or the only element of a single operand.
-nb::object nested(const std::vector<nb::object>& values, const std::vector<std::size_t>& shape,
-                  bool scalar) {
-  if (scalar) return values.front();
-  const nb::object numpy = nb::module_::import_("numpy");
-  nb::object flat = numpy.attr("empty")(values.size(), "dtype"_a = "O");
-  for (std::size_t i = 0; i < values.size(); ++i) flat[i] = values[i];
-  return flat.attr("reshape")(nb::tuple(nb::cast(shape)));
-}
-
 template <class Ask>
 nb::object ask_each(nb::handle a, const Ask& ask) {
   const Operands operands = operands_of(a);
@@ -99,8 +89,8 @@ nb::object depth_of(const std::optional<Depth>& depth) {
 template <class Value, class Compute, class Show>
 nb::object ask_pairs(Call& call, nb::handle a, nb::handle b, const Compute& compute,
                      const Show& show) {
-  const Argument left(a, 0);
-  const Argument right(b, 1);
+  const Argument left(a, 0, call.forgives());
+  const Argument right(b, 1, call.forgives());
   const Operands& first = left.array();
   const Operands& second = right.array();
   const Pairs pairs(first, second);
@@ -165,8 +155,9 @@ Affine affine_of(const std::vector<nb::object>& matrix) {
 void bind_pairs(nb::module_& m) {
   m.def(
       "penetration_depth",
-      [](nb::handle a, nb::handle b, MINKSUM_SETTINGS) {
+      [](nb::handle a, nb::handle b, const std::string& on_error, MINKSUM_SETTINGS) {
         Call call(MINKSUM_SETTING_VALUES);
+        if (forgives(on_error)) call.forgive();
         return ask_pairs<std::optional<Depth>>(
             call, a, b,
             [](const Geometry& x, const Geometry& y, const Options& options) {
@@ -174,14 +165,17 @@ void bind_pairs(nb::module_& m) {
             },
             depth_of);
       },
-      "a"_a.none(), "b"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
-      nb::sig(signature("penetration_depth", "a: GeometryLike, b: GeometryLike", "", "typing.Any")),
+      "a"_a.none(), "b"_a.none(), nb::kw_only(), MINKSUM_ON_ERROR_ARG, MINKSUM_SETTING_ARGS,
+      nb::sig(signature("penetration_depth", "a: GeometryLike, b: GeometryLike", kOnError,
+                        "typing.Any")),
       "Return how two sets stand to each other: a `Depth` with the shortest move of b after which "
       "they touch. None if one of them is empty.");
   m.def(
       "time_of_impact",
-      [](nb::handle a, nb::handle b, nb::handle direction, MINKSUM_SETTINGS) {
+      [](nb::handle a, nb::handle b, nb::handle direction, const std::string& on_error,
+         MINKSUM_SETTINGS) {
         Call call(MINKSUM_SETTING_VALUES);
+        if (forgives(on_error)) call.forgive();
         const Point along = require_point(direction, "direction");
         return ask_pairs<std::optional<Rational>>(
             call, a, b,
@@ -192,16 +186,18 @@ void bind_pairs(nb::module_& m) {
               return when ? exact_number(*when) : nb::none();
             });
       },
-      "a"_a.none(), "b"_a.none(), "direction"_a, nb::kw_only(), MINKSUM_SETTING_ARGS,
+      "a"_a.none(), "b"_a.none(), "direction"_a, nb::kw_only(), MINKSUM_ON_ERROR_ARG,
+      MINKSUM_SETTING_ARGS,
       nb::sig(signature("time_of_impact",
-                        "a: GeometryLike, b: GeometryLike, direction: tuple[Number, Number]", "",
-                        "typing.Any")),
+                        "a: GeometryLike, b: GeometryLike, direction: tuple[Number, Number]",
+                        kOnError, "typing.Any")),
       "Return the smallest factor f >= 0 for which b, moved by f times the direction, meets a; "
       "None if there is none.");
   m.def(
       "covers",
-      [](nb::handle b, nb::handle a, MINKSUM_SETTINGS) {
+      [](nb::handle b, nb::handle a, const std::string& on_error, MINKSUM_SETTINGS) {
         Call call(MINKSUM_SETTING_VALUES);
+        if (forgives(on_error)) call.forgive();
         return ask_pairs<bool>(
             call, b, a,
             [](const Geometry& x, const Geometry& y, const Options& options) {
@@ -212,8 +208,8 @@ void bind_pairs(nb::module_& m) {
             },
             [](bool value) { return nb::bool_(value); });
       },
-      "b"_a.none(), "a"_a.none(), nb::kw_only(), MINKSUM_SETTING_ARGS,
-      nb::sig(signature("covers", "b: GeometryLike, a: GeometryLike", "", "typing.Any")),
+      "b"_a.none(), "a"_a.none(), nb::kw_only(), MINKSUM_ON_ERROR_ARG, MINKSUM_SETTING_ARGS,
+      nb::sig(signature("covers", "b: GeometryLike, a: GeometryLike", kOnError, "typing.Any")),
       "Return whether the area of a lies within that of b.");
   m.def(
       "check_sum",

@@ -19,6 +19,7 @@ NB_MODULE(_core, m) {
   minksum::python::bind_geometry(m);
   minksum::python::bind_array(m);
   minksum::python::bind_arrow(m);
+  minksum::python::bind_flat(m);
   minksum::python::bind_readers(m);
   minksum::python::bind_sets(m);
   minksum::python::bind_measures(m);

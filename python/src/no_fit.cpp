@@ -24,8 +24,10 @@ void def_fit(nb::module_& m, const char* name, Fit fit, const char* a, const cha
              const char* doc) {
   m.def(
       name,
-      [fit](nb::handle first, nb::handle second, nb::handle reference, MINKSUM_SETTINGS) {
+      [fit](nb::handle first, nb::handle second, nb::handle reference, const std::string& on_error,
+            MINKSUM_SETTINGS) {
         Call call(MINKSUM_SETTING_VALUES);
+        if (forgives(on_error)) call.forgive();
         std::optional<Point> at;
         if (!reference.is_none()) at = require_point(reference, "reference");
         return apply(call, first, second,
@@ -34,9 +36,10 @@ void def_fit(nb::module_& m, const char* name, Fit fit, const char* a, const cha
                      });
       },
       nb::arg(a).none(), nb::arg(b).none(), nb::kw_only(), "reference"_a = nb::none(),
-      MINKSUM_SETTING_ARGS,
-      nb::sig(signature(name, std::string(a) + ": GeometryLike, " + b + ": GeometryLike",
-                        "reference: tuple[Number, Number] | None = None, ")),
+      MINKSUM_ON_ERROR_ARG, MINKSUM_SETTING_ARGS,
+      nb::sig(
+          signature(name, std::string(a) + ": GeometryLike, " + b + ": GeometryLike",
+                    std::string("reference: tuple[Number, Number] | None = None, ") + kOnError)),
       doc);
 }
 

@@ -8,6 +8,7 @@
 #include <minksum/io.hpp>
 #include <utility>
 
+#include "call.hpp"
 #include "errors.hpp"
 #include "mapping.hpp"
 
@@ -100,13 +101,17 @@ bool is_array(nb::handle object) {
 
 /// Reads the elements of a list. A list in a list is refused, which also ends one that contains
 /// itself.
-Operands list_of(nb::handle objects, bool drop_z) {
+Operands list_of(nb::handle objects, Reading reading) {
   Operands operands;
   for (nb::handle object : objects) {
     try {
       if (is_array(object)) throw nb::type_error("a single geometry is expected, not an array");
-      operands.array.items.push_back(operand_of(object, drop_z));
+      operands.array.items.push_back(operand_of(object, reading));
     } catch (...) {
+      if (reading.forgive && is_bad_element()) {
+        operands.array.items.push_back(nullptr);
+        continue;
+      }
       rethrow_at({operands.array.items.size()});
     }
   }
@@ -115,7 +120,7 @@ Operands list_of(nb::handle objects, bool drop_z) {
 }
 
 /// Reads an array of NumPy whose elements are objects, or whose dtype is not handled directly.
-Operands elements_of(nb::handle array, bool drop_z) {
+Operands elements_of(nb::handle array, Reading reading) {
   const nb::object kind = array.attr("dtype").attr("kind");
   const auto letter = nb::cast<std::string>(kind);
   const auto shape = nb::cast<std::vector<std::size_t>>(nb::list(array.attr("shape")));
@@ -128,14 +133,14 @@ Operands elements_of(nb::handle array, bool drop_z) {
     throw nb::type_error(message.c_str());
   }
   if (letter != "O" && letter != "S" && letter != "U") {
-    return operands_of(array.attr("tolist")(), drop_z);
+    return operands_of(array.attr("tolist")(), reading);
   }
   nb::object elements = array.attr("ravel")().attr("tolist")();
   if (letter == "O" && all_of_shapely(nb::borrow<nb::list>(elements))) {
     elements = wkb_of_shapely(array.attr("ravel")()).attr("tolist")();
   }
   try {
-    Operands operands = list_of(elements, drop_z);
+    Operands operands = list_of(elements, reading);
     operands.array.shape = shape;
     operands.scalar = shape.empty();
     return operands;
@@ -210,7 +215,8 @@ ShapePtr read_shape(std::string_view text, bool drop_z) {
   }
 }
 
-Operands operands_of(nb::handle object, bool drop_z) {
+Operands operands_of(nb::handle object, Reading reading) {
+  const bool drop_z = reading.drop_z;
   if (object.is_none()) return single(nullptr);
   ShapePtr shape;
   if (nb::try_cast(object, shape, false)) return single(std::move(shape));
@@ -219,38 +225,43 @@ Operands operands_of(nb::handle object, bool drop_z) {
   if (is_text(object)) return single(shape_of_text(object, drop_z));
   if (is_of(object, "shapely")) return single(shape_of_shapely(object, drop_z));
   if (is_of(object, "geopandas") && nb::hasattr(object, "to_numpy")) {
-    return elements_of(object.attr("to_numpy")(), drop_z);
+    return elements_of(object.attr("to_numpy")(), reading);
   }
   if (nb::hasattr(object, "dtype") && nb::hasattr(object, "ravel")) {
     ShapePtr ring = shape_of_array(object);
-    return ring ? single(std::move(ring)) : elements_of(object, drop_z);
+    return ring ? single(std::move(ring)) : elements_of(object, reading);
   }
   if (nb::isinstance<nb::dict>(object)) return single(shape_of_mapping(object, drop_z));
+  if (is_arrow(object)) return {shapes_of_arrow(object, reading), false};
   const nb::object mapping = attribute(object, "__geo_interface__");
   if (mapping.is_valid()) return single(shape_of_mapping(mapping, drop_z));
   if (is_sequence(object)) {
     if (nb::len(object) > 0 && is_point(object[0])) return single(shape_of_ring(object, drop_z));
-    return list_of(object, drop_z);
+    return list_of(object, reading);
   }
   const std::string message =
       "a geometry is expected, not " + nb::cast<std::string>(object.type().attr("__name__"));
   throw nb::type_error(message.c_str());
 }
 
-ShapePtr operand_of(nb::handle object, bool drop_z) {
-  Operands operands = operands_of(object, drop_z);
+ShapePtr operand_of(nb::handle object, Reading reading) {
+  Operands operands = operands_of(object, reading);
   if (!operands.scalar) throw nb::type_error("a single geometry is expected, not an array");
   return std::move(operands.array.items.front());
 }
 
-Argument::Argument(nb::handle object, int operand) : object_(object) {
+Argument::Argument(nb::handle object, int operand, bool forgive) : object_(object) {
   if (nb::isinstance<Shape>(object)) {
     shape_ = nb::inst_ptr<Shape>(object);
     return;
   }
   try {
-    operands_ = operands_of(object);
+    operands_ = operands_of(object, {false, forgive});
   } catch (...) {
+    if (forgive && is_bad_element()) {
+      operands_ = single(nullptr);
+      return;
+    }
     rethrow_at({}, operand);
   }
 }

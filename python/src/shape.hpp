@@ -9,12 +9,21 @@
 #include <string>
 #include <vector>
 
+#include "prepared.hpp"
+
 namespace minksum::python {
+
+/// How operands are read.
+struct Reading {
+  bool drop_z = false;   ///< whether what is beyond x and y is dropped, instead of refused
+  bool forgive = false;  ///< whether elements of arrays that are bad input become missing
+};
 
 /// A geometry with the number of its reference system. It never changes once Python has it.
 struct Shape {
   Geometry geometry;
-  std::int32_t srid = 0;  ///< 0 = unknown
+  std::int32_t srid = 0;       ///< 0 = unknown
+  PreparedSlot prepared = {};  ///< for sums with others
 };
 /// Null stands for a missing geometry, which is None in Python.
 using ShapePtr = std::shared_ptr<Shape>;
@@ -37,15 +46,15 @@ struct Operands {
 
 /// Returns the geometry or the geometries that a Python object stands for. docs/python.md lists
 /// what objects these are. Throws TypeError for any other object, and Error as the readers do.
-[[nodiscard]] Operands operands_of(nanobind::handle object, bool drop_z = false);
+[[nodiscard]] Operands operands_of(nanobind::handle object, Reading reading = {});
 /// Returns the same for a single geometry. Throws TypeError for an array.
-[[nodiscard]] ShapePtr operand_of(nanobind::handle object, bool drop_z = false);
+[[nodiscard]] ShapePtr operand_of(nanobind::handle object, Reading reading = {});
 
 /// An operand that is not copied if it is a `Geometry`, which the caller's object keeps alive.
 class Argument {
  public:
   /// Errors name the operand, which is counted from 0; -1 = there is only one.
-  explicit Argument(nanobind::handle object, int operand = -1);
+  explicit Argument(nanobind::handle object, int operand = -1, bool forgive = false);
   [[nodiscard]] bool scalar() const { return shape_ != nullptr || operands_.scalar; }
   /// Returns a single geometry; null if it is missing.
   [[nodiscard]] const Shape* shape() const {
@@ -71,6 +80,11 @@ class Argument {
 /// Returns the little-endian WKB of a geometry that is rounded to a side, and so stays valid.
 [[nodiscard]] std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
                                  const Options& options = {});
+
+/// Tells whether an object is a column of Arrow.
+[[nodiscard]] bool is_arrow(nanobind::handle object);
+/// Reads a column of WKB or GeoArrow.
+[[nodiscard]] ShapeArray shapes_of_arrow(nanobind::handle object, Reading reading);
 
 /// Returns a single geometry or an array as an object of Python; null as None.
 [[nodiscard]] nanobind::object to_object(const ShapePtr& shape);

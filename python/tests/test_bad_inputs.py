@@ -14,6 +14,8 @@ import shapely
 import minksum as mk
 
 SQUARE = mk.box(0, 0, 1, 1)
+TABLE = mk.NoFitTable([SQUARE])
+SPACE = mk.ConfigurationSpace(SQUARE, SQUARE)
 NAN, INF = math.nan, math.inf
 TEXT = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 1 1))"
 
@@ -246,8 +248,6 @@ def offsets():
 def arguments():
     """Calls with arguments that are refused: name, call, error, words."""
     bad, value, kind = mk.BadInputError, ValueError, TypeError
-    table = mk.NoFitTable([SQUARE])
-    space = mk.ConfigurationSpace(SQUARE, SQUARE)
     for name, call in {
         "distance": lambda x: mk.offset(SQUARE, x),
         "tolerance": lambda x: mk.offset(SQUARE, 1, tolerance=x),
@@ -261,7 +261,7 @@ def arguments():
         "xmin": lambda x: mk.box(x, 0, 1, 1),
         "ymax": lambda x: mk.box(0, 0, 1, x),
         "within": lambda x: mk.check_sum(SQUARE, SQUARE, SQUARE, within=x),
-        "each of the angles": lambda x: list(space.slices([x])),
+        "each of the angles": lambda x: list(SPACE.slices([x])),
         "start": lambda x: mk.reach(SQUARE, SQUARE, (x, 0, 0), (1, 1, 1)),
         "goal": lambda x: mk.reach(SQUARE, SQUARE, (1, 1, 1), (0, 0, x)),
     }.items():
@@ -273,9 +273,9 @@ def arguments():
     yield "second point", lambda: mk.locate(SQUARE, [(0, 0), 5]), kind, "element 1: a point must be"
     yield "contact", lambda: mk.NoFitPolygon(SQUARE, SQUARE).contact([(0, 0, 0)]), kind, "element 0"
     for key in (-1, 1, "a", (0, 1, 2), (0,), (0, 4), (0, -1), (1, 0), 2**70, 0.5, None):
-        yield f"key {key!r}", lambda k=key: table[0, k], bad, "there is no"
+        yield f"key {key!r}", lambda k=key: TABLE[0, k], bad, "there is no"
     for key in (0, "ab", (0, 0, 0)):
-        yield f"keys {key!r}", lambda k=key: table[k], kind, "indexed by"
+        yield f"keys {key!r}", lambda k=key: TABLE[k], kind, "indexed by"
     for word in ("", "left", "Outside", "x" * 1000):
         for call in (lambda w: mk.offset(SQUARE, 1, side=w), lambda w: SQUARE.to_wkb(round=w),
                      lambda w: mk.rounded(SQUARE, side=w), lambda w: SQUARE.to_wkt(round=w),
@@ -306,7 +306,7 @@ def arguments():
     for turns in (0, 3, 5, -1):
         yield f"{turns} turns", lambda t=turns: mk.NoFitTable([SQUARE], turns=t), bad, "1, 2 or 4"
     for count in (0, -1, -(10**30)):
-        yield f"{count} angles", lambda c=count: list(space.slices(c)), value, "angle|turn|direction"
+        yield f"{count} angles", lambda c=count: list(SPACE.slices(c)), value, "angle|turn|direction"
     for tolerance in (0, -1, NAN, 2):
         yield f"turn by {tolerance}", lambda t=tolerance: mk.rotate(SQUARE, 1, tolerance=t), bad, \
             "tolerance"

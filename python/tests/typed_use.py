@@ -55,6 +55,7 @@ def arrays() -> None:
     assert mk.from_wkb(shapes.to_wkb())[0] == shapes[0] == mk.as_geometry(shapes[0])
     assert mk.from_geojson(shapes[0].to_geojson()) == mk.Geometry([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert minksum.arrow.from_arrow(minksum.arrow.to_arrow(shapes)) == shapes
+    assert mk.prepare(shapes) == shapes
 
 
 def parts_and_robots() -> None:
