@@ -17,8 +17,10 @@ namespace minksum::python {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Ctrl-C is looked for this often: people do not notice a twentieth of a second.
-constexpr std::chrono::milliseconds kBetweenLooks{50};
+// Ctrl-C is looked for this often, and the progress callback is called at most that often: people
+// do not notice a twentieth of a second.
+constexpr std::chrono::milliseconds kBetweenLooks{20};
+constexpr std::chrono::milliseconds kBetweenCalls{50};
 
 std::size_t thread_count(std::optional<int> asked) {
   if (!asked) {
@@ -147,7 +149,7 @@ struct Call::Watch {
     const Clock::time_point now = Clock::now();
     if (how_far.stage == stage && now < next_progress) return true;
     stage = how_far.stage;
-    next_progress = now + kBetweenLooks;
+    next_progress = now + kBetweenCalls;
     const nb::gil_scoped_acquire lock;
     const nb::object answer = progress(to_string(how_far.stage));
     return answer.is_none() || nb::cast<bool>(answer);

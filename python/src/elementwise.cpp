@@ -78,7 +78,7 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
   if (argument.scalar()) {
     const Shape* x = argument.shape();
     if (x == nullptr) return nb::none();
-    Shape result{{}, x->srid};
+    Shape result{{}, x->srid, {}, true};
     try {
       call.run(is_small(x->geometry),
                [&] { result.geometry = operation(x->geometry, call.options()); });
@@ -93,7 +93,8 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
   call.for_each(operands.array.shape, [&](std::size_t i, const Options& options) {
     const ShapePtr& x = operands.array.items[i];
     if (!x) return;
-    results.items[i] = std::make_shared<Shape>(Shape{operation(x->geometry, options), x->srid});
+    results.items[i] =
+        std::make_shared<Shape>(Shape{operation(x->geometry, options), x->srid, {}, true});
   });
   return to_object(std::move(results));
 }
@@ -112,6 +113,7 @@ nb::object apply_shapes(Call& call, nb::handle a, nb::handle b, const ShapeOpera
     const Shape* y = right.shape();
     if (x == nullptr || y == nullptr) return nb::none();
     Shape result;
+    result.resolved = true;
     try {
       result.srid = common_srid(*x, *y);
       call.run(is_small(x->geometry, y->geometry),
@@ -129,6 +131,7 @@ nb::object apply_shapes(Call& call, nb::handle a, nb::handle b, const ShapeOpera
   for_each_pair(call, first, second, pairs,
                 [&](std::size_t i, const Shape& x, const Shape& y, const Options& options) {
                   auto result = std::make_shared<Shape>();
+                  result->resolved = true;
                   result->srid = common_srid(x, y);
                   result->geometry = operation(x, y, options);
                   results.items[i] = std::move(result);

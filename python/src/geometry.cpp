@@ -29,10 +29,11 @@ io::Coordinates exact_style() {
 }
 
 /// Doubles are written of a rounded set, so that what is written is valid.
-Geometry writable(const Geometry& geometry, const std::string& side, const Options& options = {}) {
+Geometry writable(const Shape& shape, const std::string& side, const Options& options = {}) {
   RoundOptions target;
   target.side = side_of(side);
-  return round(resolve(geometry, options), target, options);
+  if (shape.resolved) return round(shape.geometry, target, options);
+  return round(resolve(shape.geometry, options), target, options);
 }
 
 std::string geometry_type(const Geometry& geometry) {
@@ -139,7 +140,7 @@ nb::object origins(const Geometry& geometry) {
 
 std::string picture(const Shape& shape) {
   std::ostringstream out;
-  io::write(out, writable(shape.geometry, "nearest"), io::Format::kSvg);
+  io::write(out, writable(shape, "nearest"), io::Format::kSvg);
   return out.str();
 }
 
@@ -183,7 +184,7 @@ void bind_conversions(nb::class_<Shape>& type) {
           "to_geojson",
           [](const Shape& s, bool exact) {
             return exact ? io::to_geojson(s.geometry, exact_style())
-                         : io::to_geojson(writable(s.geometry, "nearest"));
+                         : io::to_geojson(writable(s, "nearest"));
           },
           nb::kw_only(), "exact"_a = false,
           "Return a GeoJSON geometry object as a text. With `exact`, fractions are strings.")
@@ -193,7 +194,7 @@ void bind_conversions(nb::class_<Shape>& type) {
           "__geo_interface__",
           [](const Shape& s) {
             return nb::module_::import_("json").attr("loads")(
-                io::to_geojson(writable(s.geometry, "nearest")));
+                io::to_geojson(writable(s, "nearest")));
           },
           nb::sig("def __geo_interface__(self) -> dict[str, typing.Any]"),
           "The rounded set as a GeoJSON mapping.")
@@ -236,7 +237,7 @@ void bind_state(nb::class_<Shape>& type) {
 
 std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
                    const Options& options) {
-  std::string wkb = io::to_wkb(writable(shape.geometry, round, options));
+  std::string wkb = io::to_wkb(writable(shape, round, options));
   if (include_srid && shape.srid != 0) {
     // PostGIS's form: bit 0x20000000 of the code says that the number follows the code.
     wkb[4] = static_cast<char>(static_cast<unsigned char>(wkb[4]) | 0x20U);

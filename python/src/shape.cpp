@@ -159,15 +159,13 @@ ShapePtr shape_of_text(nb::handle object, bool drop_z) {
 }
 
 ShapePtr shape_of_shapely(nb::handle object, bool drop_z) {
-  // A geometry of Shapely is pickled as EWKB, in half of the time that `shapely.to_wkb` takes.
-  const nb::object state = object.attr("__reduce__")();
-  nb::tuple arguments;
-  if (nb::isinstance<nb::tuple>(state) && nb::len(state) > 1 &&
-      nb::try_cast(state[1], arguments, false) && arguments.size() == 1) {
-    const nb::object wkb = arguments[0];
-    if (PyBytes_Check(wkb.ptr())) return shape_of_text(wkb, drop_z);
-  }
-  return shape_of_text(wkb_of_shapely(object), drop_z);
+  static const nb::handle writer =
+      nb::object(nb::module_::import_("minksum._interop").attr("writer")()).release();
+  const auto parts = nb::borrow<nb::tuple>(writer);
+  const nb::object wkb = parts.size() == 6
+                             ? parts[0](object, parts[1], parts[2], parts[3], parts[4], parts[5])
+                             : parts[0](object);
+  return shape_of_text(wkb, drop_z);
 }
 
 }  // namespace

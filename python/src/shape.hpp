@@ -24,6 +24,7 @@ struct Shape {
   Geometry geometry;
   std::int32_t srid = 0;       ///< 0 = unknown
   PreparedSlot prepared = {};  ///< for sums with others
+  bool resolved = false;       ///< whether an operation of this package made it
 };
 /// Null stands for a missing geometry, which is None in Python.
 using ShapePtr = std::shared_ptr<Shape>;
