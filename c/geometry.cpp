@@ -4,7 +4,6 @@
 #include <cstring>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -261,10 +260,8 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
                                        io::Format::kSvg, io::Format::kWkb,     io::Format::kHexWkb};
     const auto index = as<std::size_t>(format, MINKSUM_HEX_WKB);
     const auto kind = as<io::Coordinates::Style>(style, MINKSUM_DECIMALS);
-    std::ostringstream out;
-    out.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
-    io::write(out, value_of(geometry), kFormats[index], io::Coordinates{kind, digits, {}});
-    const std::string written = std::move(out).str();
+    const std::string written =
+        io::to_text(value_of(geometry), kFormats[index], io::Coordinates{kind, digits, {}});
     result = static_cast<char*>(std::malloc(written.size() + 1));
     if (result == nullptr) throw std::bad_alloc();
     std::memcpy(result, written.c_str(), written.size() + 1);

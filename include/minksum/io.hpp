@@ -217,6 +217,9 @@ MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
 /// exact coordinates and read again is equal. `.poly` has no form for thin parts: Error(kBadInput).
 MINKSUM_API void write(std::ostream& out, const Geometry& geometry, Format format,
                        const Coordinates& style = {});
+/// Returns what that writes as a string.
+[[nodiscard]] MINKSUM_API std::string to_text(const Geometry& geometry, Format format,
+                                              const Coordinates& style = {});
 /// Returns the geometry as WKT.
 [[nodiscard]] MINKSUM_API std::string to_wkt(const Geometry& geometry,
                                              const Coordinates& style = {});

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,12 +70,17 @@ struct GeometryView {
 /// Returns the number that EWKT and EWKB have for it.
 [[nodiscard]] std::optional<std::int32_t> srid_of(const Coordinates& style);
 
-void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
-void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
-void write_poly(std::ostream& out, const Region& region, const Coordinates& style);
-void write_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
+/// Takes what a writer has made, part by part. It may be a stream: code that writes into strings
+/// alone must not need all of the C++ library's streams and locales, which would be a tenth of the
+/// module in WebAssembly.
+using Sink = std::function<void(std::string_view)>;
+
+void write_wkt(const Sink& out, const GeometryView& geometry, const Coordinates& style);
+void write_geojson(const Sink& out, const GeometryView& geometry, const Coordinates& style);
+void write_poly(const Sink& out, const Region& region, const Coordinates& style);
+void write_wkb(const Sink& out, const GeometryView& geometry, const Coordinates& style);
 /// Writes WKB as hexadecimal digits.
-void write_hex_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style);
-void write_svg(std::ostream& out, const GeometryView& geometry);
+void write_hex_wkb(const Sink& out, const GeometryView& geometry, const Coordinates& style);
+void write_svg(const Sink& out, const GeometryView& geometry);
 
 }  // namespace minksum::io

@@ -376,7 +376,7 @@ std::unique_ptr<FeatureSource> geojson_source(std::string_view text, const ReadO
   return std::make_unique<GeoJsonSource>(text, options, rules);
 }
 
-void write_geojson(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
+void write_geojson(const Sink& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
   writer.quote_quotients();
   const std::string crs = crs_of(style);

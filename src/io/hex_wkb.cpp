@@ -1,5 +1,4 @@
 // Reads WKB whose bytes are written as hexadecimal digits.
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -64,17 +63,17 @@ void read_hex_wkb(TextCursor& cursor, const ReadOptions& options, GeometryBuilde
   builder.follow(cursor);
 }
 
-void write_hex_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
-  std::ostringstream bytes;
-  bytes.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
-  write_wkb(bytes, geometry, style);
+void write_hex_wkb(const Sink& out, const GeometryView& geometry, const Coordinates& style) {
   std::string digits;
-  for (const char c : std::move(bytes).str()) {
-    const auto byte = static_cast<unsigned char>(c);
-    digits += "0123456789ABCDEF"[byte >> 4];
-    digits += "0123456789ABCDEF"[byte & 15];
-  }
-  out << digits;
+  const auto add = [&digits](std::string_view bytes) {
+    for (const char c : bytes) {
+      const auto byte = static_cast<unsigned char>(c);
+      digits += "0123456789ABCDEF"[byte >> 4];
+      digits += "0123456789ABCDEF"[byte & 15];
+    }
+  };
+  write_wkb(add, geometry, style);
+  out(digits);
 }
 
 }  // namespace minksum::io

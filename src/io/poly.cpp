@@ -99,7 +99,7 @@ void read_poly(std::string_view text, const ReadOptions&, GeometryBuilder& build
   PolyReader(text, builder).read();
 }
 
-void write_poly(std::ostream& out, const Region& region, const Coordinates& style) {
+void write_poly(const Sink& out, const Region& region, const Coordinates& style) {
   Writer writer(out, style);
   writer.count(region.ring_count());
   writer.text('\n');

@@ -84,7 +84,7 @@ double rounded(double value) {
 
 class SvgWriter {
  public:
-  SvgWriter(std::ostream& out, const GeometryView& geometry)
+  SvgWriter(const Sink& out, const GeometryView& geometry)
       : geometry_(geometry), view_(geometry), writer_(out, {}) {}
 
   void write() {
@@ -154,8 +154,6 @@ class SvgWriter {
 
 }  // namespace
 
-void write_svg(std::ostream& out, const GeometryView& geometry) {
-  SvgWriter(out, geometry).write();
-}
+void write_svg(const Sink& out, const GeometryView& geometry) { SvgWriter(out, geometry).write(); }
 
 }  // namespace minksum::io

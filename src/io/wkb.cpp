@@ -253,7 +253,7 @@ class WkbReader {
 
 class WkbWriter {
  public:
-  WkbWriter(std::ostream& out, const Coordinates& style)
+  WkbWriter(const Sink& out, const Coordinates& style)
       : out_(out),
         options_{.cancel = style.cancel},
         cancellation_(options_),
@@ -344,11 +344,11 @@ class WkbWriter {
     if (buffer_.size() >= kChunk) flush();
   }
   void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    out_(buffer_);
     buffer_.clear();
   }
 
-  std::ostream& out_;
+  const Sink& out_;
   Options options_;  ///< of writing
   Cancellation cancellation_;
   std::optional<std::int32_t> srid_;
@@ -366,7 +366,7 @@ void read_wkb(std::string_view bytes, const ReadOptions& options, GeometryBuilde
   WkbReader(bytes, options, builder).read();
 }
 
-void write_wkb(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
+void write_wkb(const Sink& out, const GeometryView& geometry, const Coordinates& style) {
   if (style.style != Coordinates::Style::kDouble) {
     throw Error(ErrorCode::kBadInput, "WKB holds doubles, not exact numbers or decimals");
   }

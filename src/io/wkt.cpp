@@ -273,7 +273,7 @@ void read_wkt(TextCursor& cursor, const ReadOptions& options, GeometryBuilder& b
   WktReader(cursor, options, builder).read();
 }
 
-void write_wkt(std::ostream& out, const GeometryView& geometry, const Coordinates& style) {
+void write_wkt(const Sink& out, const GeometryView& geometry, const Coordinates& style) {
   Writer writer(out, style);
   if (const auto srid = srid_of(style)) writer.text("SRID=" + std::to_string(*srid) + ";");
   write_nested(writer, geometry, kNotation);

@@ -1,5 +1,5 @@
 // Calls the writer of the chosen format.
-#include <sstream>
+#include <ostream>
 
 #include "io/formats.hpp"
 
@@ -7,8 +7,7 @@ namespace minksum::io {
 
 namespace {
 
-void write(std::ostream& out, const GeometryView& geometry, Format format,
-           const Coordinates& style) {
+void write(const Sink& out, const GeometryView& geometry, Format format, const Coordinates& style) {
   switch (format) {
     case Format::kWkt:
       return write_wkt(out, geometry, style);
@@ -34,12 +33,18 @@ void write(std::ostream& out, const GeometryView& geometry, Format format,
   throw Error(ErrorCode::kBadInput, "regions are not written as .dat, as DXF or as tables");
 }
 
-template <class Set>
-std::string to_text(const Set& set, Format format, const Coordinates& style) {
-  std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // without this, a lack of memory just shortens the text
-  write(out, set, format, style);
-  return std::move(out).str();
+void write(std::ostream& out, const GeometryView& geometry, Format format,
+           const Coordinates& style) {
+  const auto add = [&out](std::string_view part) {
+    out.write(part.data(), static_cast<std::streamsize>(part.size()));
+  };
+  write(Sink(add), geometry, format, style);
+}
+
+std::string to_text(const GeometryView& geometry, Format format, const Coordinates& style) {
+  std::string text;
+  write(Sink([&text](std::string_view part) { text += part; }), geometry, format, style);
+  return text;
 }
 
 GeometryView view_of(const Geometry& geometry) {
@@ -56,28 +61,32 @@ void write(std::ostream& out, const Geometry& geometry, Format format, const Coo
   write(out, view_of(geometry), format, style);
 }
 
+std::string to_text(const Geometry& geometry, Format format, const Coordinates& style) {
+  return to_text(view_of(geometry), format, style);
+}
+
 std::string to_wkt(const Region& region, const Coordinates& style) {
-  return to_text(region, Format::kWkt, style);
+  return to_text(GeometryView{region}, Format::kWkt, style);
 }
 
 std::string to_wkt(const Geometry& geometry, const Coordinates& style) {
-  return to_text(geometry, Format::kWkt, style);
+  return to_text(view_of(geometry), Format::kWkt, style);
 }
 
 std::string to_geojson(const Region& region, const Coordinates& style) {
-  return to_text(region, Format::kGeoJson, style);
+  return to_text(GeometryView{region}, Format::kGeoJson, style);
 }
 
 std::string to_geojson(const Geometry& geometry, const Coordinates& style) {
-  return to_text(geometry, Format::kGeoJson, style);
+  return to_text(view_of(geometry), Format::kGeoJson, style);
 }
 
 std::string to_wkb(const Region& region, const Coordinates& style) {
-  return to_text(region, Format::kWkb, style);
+  return to_text(GeometryView{region}, Format::kWkb, style);
 }
 
 std::string to_wkb(const Geometry& geometry, const Coordinates& style) {
-  return to_text(geometry, Format::kWkb, style);
+  return to_text(view_of(geometry), Format::kWkb, style);
 }
 
 }  // namespace minksum::io

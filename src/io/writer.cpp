@@ -68,7 +68,7 @@ void check_finite(double value) {
               ExceededLimit{"doubles"});
 }
 
-Writer::Writer(std::ostream& out, const Coordinates& style)
+Writer::Writer(const Sink& out, const Coordinates& style)
     : out_(out), style_(style), options_{.cancel = style.cancel}, cancellation_(options_) {
   const bool has_digits = style.style == Coordinates::Style::kDecimal;
   if (has_digits && (style.digits < 0 || style.digits > kMaxDecimals)) {
@@ -138,7 +138,7 @@ void Writer::point(const Point& point, char separator) {
 }
 
 void Writer::flush() {
-  out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  out_(buffer_);
   buffer_.clear();
 }
 

@@ -1,7 +1,6 @@
 // Writes coordinates in the chosen style through a buffer.
 #pragma once
 
-#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -16,7 +15,7 @@ void check_finite(double value);
 
 class Writer {
  public:
-  Writer(std::ostream& out, const Coordinates& style);
+  Writer(const Sink& out, const Coordinates& style);
   ~Writer() = default;
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -34,7 +33,7 @@ class Writer {
   void quote_quotients() { json_ = true; }
   /// Writes a double in its shortest form.
   void real(double value);
-  /// Hands the buffer to the stream. The destructor does not: text after the last flush is lost.
+  /// Hands the buffer to the sink. The destructor does not: text after the last flush is lost.
   void flush();
 
  private:
@@ -46,7 +45,7 @@ class Writer {
   void coordinate(const Rational& value);
   void nearest(double value);
 
-  std::ostream& out_;
+  const Sink& out_;
   Coordinates style_;
   Options options_;  ///< of writing
   Cancellation cancellation_;
