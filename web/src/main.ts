@@ -99,7 +99,8 @@ function answered(given: RunAnswer | Failure): void {
   }
   showTexts();
   draw();
-  complete = given.kind === "failure" || (given.faults !== undefined && given.id === lastJob);
+  const isLast = given.kind === "failure" || (given.faults !== undefined && given.id === lastJob);
+  complete = isLast && unread.size === 0;
 }
 let onlyPlaceChanged = false;
 /** whether no further answer is awaited */
