@@ -1,5 +1,6 @@
 // Converts coordinates from an operand's own numbers to its own grid.
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <optional>
 
@@ -33,15 +34,19 @@ bool as_long_number(const Region& region, const StoredCoordinate& c, LongNumber&
   const Uint128 above = value(0, n);
   Uint128 below = value(n, c.denominator_limbs);
   if ((above >> kMaxGridBits) != 0) return false;
-  int twos = 0;
+  const auto low = static_cast<std::uint64_t>(below);
+  const int twos = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(limbs[n + 1]);
+  below >>= twos;
   int fives = 0;
-  for (; below % 2 == 0; ++twos) below /= 2;
-  for (; below % 5 == 0; ++fives) below /= 5;
-  if ((below >> GridUnit::kDivisorBits) != 0) return false;
+  for (; (below >> 64) != 0 && below % 5 == 0; ++fives) below /= 5;
+  if ((below >> 64) != 0) return false;
+  auto rest = static_cast<std::uint64_t>(below);
+  for (; rest % 5 == 0; ++fives) rest /= 5;
+  if ((rest >> GridUnit::kDivisorBits) != 0) return false;
   const std::uint64_t common =
-      std::gcd(static_cast<std::uint64_t>(above % below), static_cast<std::uint64_t>(below));
-  number.payload = static_cast<Int128>(above / common);
-  number.divisor = static_cast<std::int64_t>(below / common);
+      rest == 1 ? 1 : std::gcd(static_cast<std::uint64_t>(above % rest), rest);
+  number.payload = static_cast<Int128>(common == 1 ? above : above / common);
+  number.divisor = static_cast<std::int64_t>(rest / common);
   if ((c.numerator_limbs & kNegativeLimbs) != 0) number.payload = -number.payload;
   number.exp2 += fives - twos;
   number.exp10 -= fives;
