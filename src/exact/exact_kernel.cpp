@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "exact/kernel_of.hpp"
+#include "exact/near_kernel.hpp"
 
 namespace minksum {
 namespace {
@@ -144,7 +145,35 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
     origin_ = {first, second};
     work_ = work_of_decision(bits);
     exponent_ = exponent;
+    // One operand alone has no sums.
+    two_ = split < sites_.size();
+    if (two_) near_.load(sites_, split, origin_);
   }
+  void connect(std::span<const SiteId> next) override {
+    KernelOf::connect(next);
+    if (two_) near_.connect(sites_, next);
+  }
+
+  using KernelOf::compare;
+  using KernelOf::orientation;
+  Sign orientation(const Segment& s, const SumVertex& v) const override {
+    return or_exactly(near_.orientation(s, v), [&] { return KernelOf::orientation(s, v); });
+  }
+  Sign orientation(const Segment& s, const NodePoint& node) const override {
+    return or_exactly(near_.orientation(s, node), [&] { return KernelOf::orientation(s, node); });
+  }
+  Sign compare(const NodePoint& a, const NodePoint& b, Axis axis) const override {
+    return or_exactly(near_.compare(a, b, axis), [&] { return KernelOf::compare(a, b, axis); });
+  }
+  Sign compare_along(const Segment& s, const PointOnSegment& a,
+                     const PointOnSegment& b) const override {
+    return or_exactly(near_.compare_along(s, a, b),
+                      [&] { return KernelOf::compare_along(s, a, b); });
+  }
+  double parameter(const Segment& s, const PointOnSegment& point) const override {
+    return or_exactly(near_.parameter(s, point), [&] { return KernelOf::parameter(s, point); });
+  }
+
   Arithmetic rung() const override { return Arithmetic::kArbitrary; }
   std::uint64_t work() const override { return work_; }
   void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
@@ -175,6 +204,10 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   }
 
  private:
+  template <class Answer, class Exact>
+  static Answer or_exactly(const std::optional<Answer>& near, Exact exact) {
+    return near ? *near : exact();
+  }
   static void set(const Fraction& value, ExactCoordinate& out) {
     out.negative = value.numerator() < 0;
     set_limbs(value.numerator(), out.numerator);
@@ -187,6 +220,8 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   std::array<Vec<Fraction>, 2> origin_;
   std::uint64_t work_ = 0;
   int exponent_ = 0;
+  bool two_ = false;
+  NearKernel near_;
 };
 
 template <class Kernel>

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "exact/bounded.hpp"
 #include "machine/cancellation.hpp"
-#include "overlay/bounded.hpp"
 #include "overlay/exact_points.hpp"
 
 namespace minksum::overlay {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "exact/bounded.hpp"
 #include "minksum/resolve.hpp"
-#include "overlay/bounded.hpp"
 #include "overlay/chains.hpp"
 #include "overlay/exact_points_of.hpp"
 #include "overlay/subdivision.hpp"

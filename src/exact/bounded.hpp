@@ -5,7 +5,7 @@
 
 #include "exact/sign.hpp"
 
-namespace minksum::overlay {
+namespace minksum {
 
 /// A number that is within `error` of `value`.
 ///
@@ -49,4 +49,4 @@ struct Bounded {
   [[nodiscard]] Sign sign() const { return value > 0 ? kPositive : kNegative; }
 };
 
-}  // namespace minksum::overlay
+}  // namespace minksum

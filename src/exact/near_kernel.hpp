@@ -1,0 +1,98 @@
+// Decides with doubles between operands of very different sizes.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "exact/bounded.hpp"
+#include "exact/formulas.hpp"
+#include "exact/sum_geometry.hpp"
+
+namespace minksum {
+
+/// A bounded double times a power of two. So no number of a small operand underflows.
+struct Scaled {
+  Bounded bounded;
+  int exponent = 0;
+
+  /// Returns the number as a multiple of 2^to, for `to` that is not smaller.
+  [[nodiscard]] Bounded at(int to) const {
+    if (to == exponent) return bounded;
+    return {std::ldexp(bounded.value, exponent - to),
+            std::ldexp(bounded.error, exponent - to) + Bounded::kTiny};
+  }
+  [[nodiscard]] bool is_zero() const { return bounded.value == 0 && bounded.error == 0; }
+  [[nodiscard]] std::optional<Sign> sign() const {
+    if (bounded.certain()) return bounded.sign();
+    return is_zero() ? std::optional(kZero) : std::nullopt;
+  }
+
+  friend Scaled operator+(const Scaled& a, const Scaled& b) {
+    if (a.is_zero()) return b;
+    if (b.is_zero()) return a;
+    const int exponent = std::max(a.exponent, b.exponent);
+    return {a.at(exponent) + b.at(exponent), exponent};
+  }
+  friend Scaled operator-(const Scaled& a, const Scaled& b) {
+    return a + Scaled{{-b.bounded.value, b.bounded.error}, b.exponent};
+  }
+  friend Scaled operator*(const Scaled& a, const Scaled& b) {
+    if (a.is_zero() || b.is_zero()) return {};
+    return {a.bounded * b.bounded, a.exponent + b.exponent};
+  }
+  friend Scaled operator/(const Scaled& a, const Scaled& b) {
+    return {a.bounded / b.bounded, a.exponent - b.exponent};
+  }
+};
+
+/// Decides as the exact kernel does, or not at all.
+///
+/// Where one operand is far larger than the other, the rounded sum of two sites has lost what the
+/// smaller operand adds. So a difference of two sum vertices is computed here as one difference in
+/// each operand. A site's difference from itself is 0 exactly, and then the smaller one counts. So
+/// points are measured from the end of a segment that shares a site with them.
+class NearKernel {
+ public:
+  /// Sets the sites. Those before `split` are the first operand's. Each operand's sites are rounded
+  /// relative to its origin.
+  void load(std::span<const Vec<Fraction>> sites, SiteId split,
+            const std::array<Vec<Fraction>, 2>& origins);
+  /// Sets the edges: the edge that starts at site i ends at site next[i].
+  void connect(std::span<const Vec<Fraction>> sites, std::span<const SiteId> next);
+
+  [[nodiscard]] std::optional<Sign> orientation(const Segment& s, const SumVertex& v) const;
+  [[nodiscard]] std::optional<Sign> orientation(const Segment& s, const NodePoint& node) const;
+  [[nodiscard]] std::optional<Sign> compare(const NodePoint& a, const NodePoint& b,
+                                            Axis axis) const;
+  [[nodiscard]] std::optional<Sign> compare_along(const Segment& s, const PointOnSegment& a,
+                                                  const PointOnSegment& b) const;
+  /// Returns the position along s with a relative error of at most 2^-48.
+  [[nodiscard]] std::optional<double> parameter(const Segment& s, const PointOnSegment& p) const;
+
+ private:
+  [[nodiscard]] Scaled rounded(const Fraction& value, std::size_t operand) const;
+  [[nodiscard]] std::size_t operand_of(SiteId site) const { return site < split_ ? 0 : 1; }
+  /// Returns a vector from one sum vertex to another.
+  [[nodiscard]] Vec<Scaled> between(const SumVertex& from, const SumVertex& to) const;
+  [[nodiscard]] SumVertex end(const Segment& s) const {
+    return sum_vertex(next_[s.edge], s.vertex);
+  }
+  /// Returns the end of s that shares a site with v, if one does, and the start otherwise.
+  [[nodiscard]] SumVertex near_end(const Segment& s, const SumVertex& v) const;
+  /// Returns the position along s from an end of s, where the whole of s has length 1.
+  [[nodiscard]] Scaled parameter_from(const SumVertex& from, const Segment& s,
+                                      const PointOnSegment& p) const;
+  /// Returns a vector from a sum vertex to a node.
+  [[nodiscard]] Vec<Scaled> between(const SumVertex& from, const NodePoint& node) const;
+
+  SiteId split_ = 0;
+  std::array<int, 2> exponents_{};
+  std::vector<Vec<Scaled>> sites_;
+  std::vector<Vec<Scaled>> edges_;
+  std::vector<SiteId> next_;
+};
+
+}  // namespace minksum
