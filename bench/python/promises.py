@@ -206,6 +206,10 @@ def distribution():
     with distributed.LocalCluster(n_workers=CORES, threads_per_worker=1, host="127.0.0.1",
                                   dashboard_address="127.0.0.1:0") as cluster, \
             distributed.Client(cluster) as client:
+        for which in (None, client):  # Every process loads its modules.
+            with tempfile.TemporaryDirectory() as folder:
+                boxes = [mk.box(0, 0, n, 1) for n in range(1, 9)]
+                minksum.dask.no_fit_table(boxes, out=folder, block=(1, 1), client=which)
         for count in (4, 8, 16, 32, 64):
             parts = [star(source, 12) for _ in range(count)]
             block = (max(1, count // 4), max(1, count // 2))

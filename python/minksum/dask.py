@@ -1,7 +1,7 @@
 """Work on many processes or machines, by Dask.
 
-Distribution costs about a millisecond a task. A table of no-fit polygons of fifty parts is made
-sooner by the threads of one machine; thousands of parts, or national data, are what this is for.
+The threads of one process make a table of few no-fit polygons as soon as a cluster. Thousands of
+parts, or national data, are what this is for.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import numpy
 import pyarrow as pa
 import pyarrow.parquet as pq
 
@@ -29,6 +30,11 @@ _SCHEMA = pa.schema([
     ("moving_turn", pa.int8()), ("geometry", pa.binary()), ("exact", pa.binary()),
     ("error", pa.string()),
 ])
+
+# So many entries of a table, or those around one part, are in memory until they are written.
+_AT_ONCE = 4096
+# Columns whose values repeat. Parquet need not look for repetitions in the others.
+_KEYS = _SCHEMA.names[:4]
 
 _SLICE_SCHEMA = pa.schema([
     ("asked", pa.string()), ("degrees", pa.float64()), ("off", pa.float64()),
@@ -77,7 +83,8 @@ def no_fit_table(
     """Write the no-fit polygons of all pairs of parts into Parquet files, and return their paths.
 
     A task makes one file, by rename, under a name made of the digest of everything on which it
-    depends. Files that are there are not made again: so a run that was killed goes on.
+    depends. Files that are there are not made again: so a run that was killed goes on. A task has
+    one thread; without a client all cores share a block.
 
     Parameters
     ----------
@@ -112,7 +119,7 @@ def no_fit_table(
             rows = (i, min(i + block[0], len(placed)))
             columns = (j, min(j + block[1], len(placed)))
             name = f"{digest}-{rows[0]}-{rows[1]}-{columns[0]}-{columns[1]}.parquet"
-            jobs.append((folder / name, rows, columns))
+            jobs.append((folder / name, rows, columns, None if client is None else 1))
     return _make_all(_make_block, placed, turns, jobs, client, retries)
 
 
@@ -258,39 +265,47 @@ def _turned(part: Geometry, turn: int, turns: int) -> Geometry:
 
 
 def _make_block(
-    parts: list[Geometry], turns: int, path: Path, rows: tuple[int, int], columns: tuple[int, int]
+    parts: list[Geometry], turns: int, path: Path, rows: tuple[int, int], columns: tuple[int, int],
+    threads: int | None,
 ) -> str:
     if path.exists():
         return str(path)
-    laid = [(j, s, _turned(parts[j], s, turns)) for j in range(*columns) for s in range(turns)]
-    moving = GeometryArray([shape for _, _, shape in laid])
+    moving = [_turned(parts[j], s, turns) for j in range(*columns) for s in range(turns)]
+    step = max(1, _AT_ONCE // (turns * len(moving)))
     unfinished = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
     try:
-        with pq.ParquetWriter(unfinished, _SCHEMA) as writer:
-            for i in range(*rows):
-                for r in range(turns):
-                    found = _around(_turned(parts[i], r, turns), moving)
-                    records = [
-                        (i, r, j, s, *result) for (j, s, _), result in zip(laid, found)
-                    ]
-                    columns_of = [pa.array(c, f.type) for c, f in zip(zip(*records), _SCHEMA)]
-                    writer.write_batch(pa.record_batch(columns_of, schema=_SCHEMA))
+        with pq.ParquetWriter(unfinished, _SCHEMA, use_dictionary=_KEYS) as writer:
+            for i in range(rows[0], rows[1], step):
+                end = min(i + step, rows[1])
+                fixed = [_turned(parts[k], r, turns) for k in range(i, end) for r in range(turns)]
+                keys = numpy.indices((end - i, turns, columns[1] - columns[0], turns))
+                begin = numpy.array([[i], [0], [columns[0]], [0]])
+                made = [pa.array(k, f.type) for k, f in zip(keys.reshape(4, -1) + begin, _SCHEMA)]
+                made += _around(fixed, moving, threads)
+                writer.write_batch(pa.record_batch(made, schema=_SCHEMA))
         os.replace(unfinished, path)
     finally:
         unfinished.unlink(missing_ok=True)
     return str(path)
 
 
-def _around(fixed: Geometry, moving: GeometryArray) -> list[tuple[Any, Any, Any]]:
-    """Return WKB, exact bytes and error of each pair. A pair that fails is not a block lost."""
+def _around(fixed: list[Geometry], moving: list[Geometry], threads: int | None) -> list[pa.Array]:
+    """Return columns of WKB, exact bytes and errors. A pair that fails is not a block lost."""
+    columns: Any
     try:
-        shapes = _core.no_fit_polygon(fixed, moving, reference=(0, 0), threads=1)
-        return [(g.to_wkb(), g.to_bytes(), None) for g in (shapes[i] for i in range(len(shapes)))]
+        found = _core.no_fit_polygon(GeometryArray(fixed).reshape([len(fixed), 1]),
+                                     GeometryArray(moving), reference=(0, 0), threads=threads)
+        found = found.reshape([found.size])
+        shapes = list(found)
+        # All cores make a column of Arrow, and a worker has one.
+        wkb = pa.array(found) if threads is None else pa.array([g.to_wkb() for g in shapes])
+        columns = wkb.cast(pa.binary()), [g.to_bytes() for g in shapes], [None] * len(shapes)
     except Error:
-        return [_pair(fixed, moving[i]) for i in range(len(moving))]
+        columns = zip(*(_pair(a, b) for a in fixed for b in moving))
+    return [pa.array(column, field.type) for column, field in zip(columns, list(_SCHEMA)[4:])]
 
 
-def _pair(fixed: Geometry, moving: Any) -> tuple[Any, Any, Any]:
+def _pair(fixed: Geometry, moving: Geometry) -> tuple[Any, Any, Any]:
     try:
         shape = _core.no_fit_polygon(fixed, moving, reference=(0, 0), threads=1)
         return shape.to_wkb(), shape.to_bytes(), None

@@ -135,12 +135,18 @@ def test_blocks_that_are_there_are_not_made_again(tmp_path):
 
 
 def test_two_processes_make_equal_bytes(tmp_path):
-    alone = minksum.dask.no_fit_table(SHAPES, out=tmp_path / "alone", block=(1, 1))
+    far = minksum.box(0, 0, 10**400, 1)  # lies beyond doubles, so its pairs have no WKB
+    parts = [*SHAPES, far]
+    alone = minksum.dask.no_fit_table(parts, out=tmp_path / "alone", block=(2, 4))
+    for row in read_all(alone).to_pylist():
+        failed = 3 in (row["fixed"], row["moving"])
+        assert [row["geometry"] is None, row["exact"] is None, row["error"] is not None] == (
+            [failed] * 3)
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1,
                                   dashboard_address="127.0.0.1:0",
                                   host="127.0.0.1") as cluster:
         with distributed.Client(cluster) as client:
-            shared = minksum.dask.no_fit_table(SHAPES, out=tmp_path / "shared", block=(1, 1),
+            shared = minksum.dask.no_fit_table(parts, out=tmp_path / "shared", block=(2, 4),
                                                client=client)
             column = pandas.Series([*(s.wkb for s in SHAPES), None],
                                    dtype=pandas.ArrowDtype(pa.binary()))
