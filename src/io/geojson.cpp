@@ -99,7 +99,7 @@ class GeoJsonSource : public FeatureSource {
       return true;
     }
     in_collection_ = false;
-    json_.text().name_record({});
+    json_.text().name_record({}, 0);
     if (after_features_ != kAbsent) {
       json_.text().move_to(std::exchange(after_features_, kAbsent));
     } else {
@@ -110,9 +110,7 @@ class GeoJsonSource : public FeatureSource {
     return false;
   }
 
-  void name_feature() {
-    json_.text().name_record("feature " + std::to_string(builder_.source().features + 1) + ": ");
-  }
+  void name_feature() { json_.text().name_record("feature", builder_.source().features + 1); }
 
   void begin_feature_here() {
     json_.skip_space();

@@ -99,7 +99,7 @@ std::string read_all(std::FILE* file, const std::string& path, const ReadOptions
     if (text.size() > options.max_bytes) fail_too_large(options.max_bytes);
     if (before == 0) {
       if (auto features = read_other(text, path, options)) return *std::move(features);
-      text.reserve(expected);
+      if (expected > 0) text.reserve(expected + kChunk);  // the last chunk shall not move the text
     }
     if (got < want) return text;
   }

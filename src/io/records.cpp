@@ -21,7 +21,7 @@ class RecordSource : public FeatureSource {
     cursor_.skip_space_and_comments();
     if (cursor_.at_end() && count_ > 0) return false;
     start_ = cursor_.position();
-    if (++count_ > 1) cursor_.name_record("geometry " + std::to_string(count_) + ": ");
+    if (++count_ > 1) cursor_.name_record("geometry", count_);
     const char quote = cursor_.peek() == '"' || cursor_.peek() == '\'' ? cursor_.peek() : '\0';
     if (quote != '\0') cursor_.advance();
     read_wkt_or_hex_wkb(cursor_, options_, builder_);

@@ -111,7 +111,7 @@ class TableSource : public FeatureSource {
     for (;;) {
       if (cursor_.at_end()) return false;
       const std::size_t begin = cursor_.position();
-      cursor_.name_record("row " + std::to_string(rows_ + 1) + ": ");
+      cursor_.name_record("row", rows_ + 1);
       take_row(row_);
       if (row_.size() == 1 && row_[0].begin == row_[0].end) continue;
       ++rows_;
@@ -140,9 +140,11 @@ class TableSource : public FeatureSource {
     if (quoted) {
       skip_quoted(cell);
     } else {
-      const char ends[] = {'\n', mark_ == '\0' ? '\n' : mark_};
+      const char mark = mark_ == '\0' ? '\n' : mark_;
       const std::string_view rest = cursor_.rest();
-      cursor_.advance(std::min(rest.find_first_of(std::string_view(ends, 2)), rest.size()));
+      const auto end =
+          std::ranges::find_if(rest, [mark](char c) { return c == mark || c == '\n'; });
+      cursor_.advance(static_cast<std::size_t>(end - rest.begin()));
       cell.end = cursor_.position();
       if (cell.end > cell.begin && cursor_.text()[cell.end - 1] == '\r') --cell.end;
     }
@@ -189,7 +191,7 @@ class TableSource : public FeatureSource {
       }
     }
     rows_ = 0;
-    cursor_.name_record({});
+    cursor_.name_record({}, 0);
     cursor_.move_to(begin);
     if (found.size() == 1) return found.front();
     if (found.empty()) {

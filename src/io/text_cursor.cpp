@@ -42,8 +42,10 @@ std::string TextCursor::found() const {
 
 void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t position,
                       const std::optional<ExceededLimit>& limit) const {
+  const std::string record =
+      record_.empty() ? "" : std::string(record_) + ' ' + std::to_string(record_number_) + ": ";
   if (counts_ == Counts::kBytes) {
-    throw ReadError(code, record_ + "byte " + std::to_string(position + 1) + ": " + message, 0, 0,
+    throw ReadError(code, record + "byte " + std::to_string(position + 1) + ": " + message, 0, 0,
                     limit);
   }
   const std::string_view before = text_.substr(0, position);
@@ -54,7 +56,7 @@ void TextCursor::fail(ErrorCode code, const std::string& message, std::size_t po
   const auto column = std::count_if(in_line.begin(), in_line.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   });
-  throw ReadError(code, record_ + message, line, static_cast<std::size_t>(column) + 1, limit);
+  throw ReadError(code, record + message, line, static_cast<std::size_t>(column) + 1, limit);
 }
 
 void TextCursor::fail_expected(const std::string& what) const {

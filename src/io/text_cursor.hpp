@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "minksum/io.hpp"
 
@@ -57,14 +56,19 @@ class TextCursor {
   }
   [[noreturn]] void fail_expected(const std::string& what) const;
 
-  /// Makes messages begin with the name of a record, such as "feature 3: ", from now on.
-  void name_record(std::string name) { record_ = std::move(name); }
+  /// Makes messages begin with the name of a record, such as "feature 3: ", from now on. The kind
+  /// must live as long as the cursor; if it is empty, they begin without a name.
+  void name_record(std::string_view kind, std::size_t number) {
+    record_ = kind;
+    record_number_ = number;
+  }
 
  private:
   std::string_view text_;
   Counts counts_;
   std::size_t position_ = 0;
-  std::string record_;
+  std::string_view record_;
+  std::size_t record_number_ = 0;
 };
 
 /// Counts one level of nesting while it lives, and fails beyond the limit.

@@ -1,4 +1,5 @@
 // Reads and writes well-known text: polygons, lines, points, several of each, and collections.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -26,6 +27,7 @@ class WktReader {
   // PostGIS writes a prefix such as `SRID=4326;`. Its numbers below 0 mean unknown, as 0 does.
   void srid() {
     cursor_.skip_space();
+    if (cursor_.peek() != 'S' && cursor_.peek() != 's') return;
     const std::size_t start = cursor_.position();
     if (cursor_.take_word() != "SRID") {
       cursor_.move_to(start);
@@ -89,15 +91,19 @@ class WktReader {
 
   // Takes Z, M or ZM from the end of the word, or from behind it.
   std::string take_dimension(std::string& word) {
-    for (const char* type : {"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "POINT", "MULTIPOINT",
-                             "LINESTRING", "MULTILINESTRING"}) {
-      for (const char* dimension : {"Z", "M", "ZM"}) {
-        if (word != std::string(type) + dimension) continue;
-        word = type;
-        return dimension;
-      }
+    constexpr std::array<std::string_view, 7> kTypes = {
+        "POLYGON",    "MULTIPOLYGON", "GEOMETRYCOLLECTION", "POINT",
+        "MULTIPOINT", "LINESTRING",   "MULTILINESTRING"};
+    for (const std::string_view dimension : {"ZM", "Z", "M"}) {
+      if (!word.ends_with(dimension)) continue;
+      const std::string_view type =
+          std::string_view(word).substr(0, word.size() - dimension.size());
+      if (std::ranges::find(kTypes, type) == kTypes.end()) continue;
+      word.resize(type.size());
+      return std::string(dimension);
     }
     cursor_.skip_space();
+    if (cursor_.peek() == '(') return {};  // nearly always
     const std::size_t start = cursor_.position();
     std::string next = cursor_.take_word();
     if (next == "Z" || next == "M" || next == "ZM") return next;
@@ -123,6 +129,7 @@ class WktReader {
 
   bool accept_empty() {
     cursor_.skip_space();
+    if (cursor_.peek() == '(') return false;  // nearly always
     const std::size_t start = cursor_.position();
     if (cursor_.take_word() == "EMPTY") return true;
     cursor_.move_to(start);
