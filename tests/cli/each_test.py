@@ -28,6 +28,19 @@ def collection(features, more=""):
     return '{"type": "FeatureCollection", %s"features": [%s]}' % (more, ",\n".join(features))
 
 
+def parts_of_the_collection():
+    """Returns each polygon of the folder gis as a feature."""
+    parts = []
+    for path in sorted((pathlib.Path(DATA) / "gis").glob("*.wkt")):
+        done = run("convert", path, "--format", "geojson", "-q")
+        done.check_returncode()
+        made = json.loads(done.stdout)
+        polygons = made["coordinates"] if made["type"] == "MultiPolygon" else [made["coordinates"]]
+        parts += [feature(polygon(json.dumps(p)), '{"file": "%s"}' % path.name)
+                  for p in polygons]
+    return parts
+
+
 class Each(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -170,38 +183,41 @@ class Each(ProgramTest):
     def test_killed_and_resumed(self):
         self.killed_and_resumed(self.rings(4000), 4000, "offset", "-d", "0.1")
 
+    def peak(self, many):
+        """Returns the bytes that --each takes at most."""
+        process = subprocess.Popen([PROGRAM, "sum", many, "ngon:12:1", "--each", "-q", "-o",
+                                    self.folder / "out.geojson"])
+        _, process.returncode, usage = os.wait4(process.pid, 0)
+        self.assertEqual(process.returncode, 0)
+        return usage.ru_maxrss * 1024
+
     def test_memory_does_not_grow_with_the_number_of_features(self):
-        def peak(many):
-            process = subprocess.Popen([PROGRAM, "sum", many, "ngon:12:1", "--each", "-q", "-o",
-                                        self.folder / "out.geojson"])
-            _, status, usage = os.wait4(process.pid, 0)
-            self.assertEqual(status, 0)
-            return usage.ru_maxrss * 1024
         few, many = self.rings(2000), self.rings(20000)
-        growth = peak(many) - peak(few)
+        growth = self.peak(many) - self.peak(few)
         # The text of the file is held, and what is read and not yet written is bounded.
         self.assertLess(growth, many.stat().st_size - few.stat().st_size + (4 << 20))
+
+    def test_the_text_is_held_once(self):
+        short = self.file("short.geojson", feature(polygon(SQUARE)))
+        long = self.file("long.geojson", feature(polygon(SQUARE)) + 40_000_001 * " ")
+        self.assertLess(self.peak(long) - self.peak(short), 44_000_000)
 
     def test_all_of_the_collection(self):
         if not DATA:
             self.skipTest("MINKSUM_DATA is not set")
-        parts = []
-        for path in sorted((pathlib.Path(DATA) / "gis").glob("*.wkt")):
-            done = run("convert", path, "--format", "geojson", "-q")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            made = json.loads(done.stdout)
-            polygons = (made["coordinates"] if made["type"] == "MultiPolygon"
-                        else [made["coordinates"]])
-            parts += [feature(polygon(json.dumps(p)), '{"file": "%s"}' % path.name)
-                      for p in polygons]
+        parts = parts_of_the_collection()
         many = self.file("all.geojson", collection(parts))
         self.assertGreater(len(parts), 1800)
         self.killed_and_resumed(many, len(parts), "sum", "ngon:5:0.01")
+        # Each feature by itself: jobs, as a process for each would take too long for a test.
+        b = json.dumps({"wkt": self.fine("convert", "ngon:5:0.01", "--coords", "exact", "-q")})
+        jobs = self.file("jobs.jsonl", "".join(
+            '{"operation": "sum", "a": %s, "b": %s}\n' % (part, b) for part in parts))
+        lines = self.fine("batch", jobs, "--format", "geojson").splitlines()
         made = json.loads((self.folder / "whole.geojson").read_text())["features"]
-        for index in range(0, len(parts), 40):
-            alone = self.file("alone.geojson", parts[index])
-            text = self.fine("sum", alone, "ngon:5:0.01", "--format", "geojson", "-q")
-            self.assertEqual(json.loads(text), made[index]["geometry"])
+        self.assertEqual(len(lines), len(made))
+        for line, result in zip(lines, made):
+            self.assertEqual(json.loads(line)["result"], result["geometry"])
 
 
 if __name__ == "__main__":
