@@ -56,11 +56,14 @@ Job parse_job(std::string_view text, std::string_view& id) {
 std::string typed_value(const std::string& name, std::string_view value) {
   if (auto text = json_string(value)) return "--" + name + "=" + *text;
   if (const auto elements = json_elements(value)) {
-    if (elements->size() != 2) throw usage("--" + name + " takes two numbers, as [1, -2.5]");
-    const auto number = [](std::string_view element) {
-      return json_string(element).value_or(std::string(element));
-    };
-    return "--" + name + "=" + number(elements->front()) + "," + number(elements->back());
+    if (elements->size() != 2 && name != "affine") {
+      throw usage("--" + name + " takes two numbers, as [1, -2.5]");
+    }
+    std::string text;
+    for (const std::string_view element : *elements) {
+      text += (text.empty() ? "" : ",") + json_string(element).value_or(std::string(element));
+    }
+    return "--" + name + "=" + text;
   }
   if (value.front() == '{' || value == "null") throw usage("--" + name + " takes no such value");
   return "--" + name + "=" + std::string(value);
@@ -276,6 +279,7 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");
     if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
     const NamedOperand b = job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
+    if (!operation.note.empty()) notes = to_json(operation.note);
     for (const NamedOperand* const operand : {&a, &b}) {
       const auto reading =
           reading_of_faults(operand->geometry.region, operation.fill, watch.token());

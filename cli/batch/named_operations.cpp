@@ -17,6 +17,7 @@ namespace {
 struct Made {
   FillRule fill;
   decltype(ReadyOperation::run) run;
+  std::string note;
 };
 using Cancel = std::optional<CancelToken>;
 
@@ -40,6 +41,10 @@ class Parser {
   std::vector<std::string> words_;
   CommandLine line_;
 };
+
+std::string point_json(const Point& point) {
+  return Json({point.x.to_string(), point.y.to_string()}).dump();
+}
 
 void require_json_format(const ResultArguments& arguments) {
   if (arguments.format == io::Format::kWkt || arguments.format == io::Format::kGeoJson) return;
@@ -73,7 +78,8 @@ Made made(const Arguments& arguments, auto answer) {
             mine.options.cancel = cancel;
             if constexpr (std::is_base_of_v<ResultArguments, Arguments>) mine.cancel = cancel;
             return answer(mine, a, b);
-          }};
+          },
+          {}};
 }
 
 Made make_sum(Parser& parser, ProcessLimits& limits) {
@@ -102,7 +108,7 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
     rounding.rounding = RoundingSide::kNearest;
     return json + "," + result_json(rounded(sum.tight, rounding), rounding, "tight");
   };
-  return {arguments.options.fill, run};
+  return {arguments.options.fill, run, {}};
 }
 
 template <MorphologyArguments::Operation operation>
@@ -115,17 +121,47 @@ Made make_morphology(Parser& parser, ProcessLimits& limits) {
               });
 }
 
+template <BooleanArguments::Operation operation>
+Made make_boolean(Parser& parser, ProcessLimits& limits) {
+  BooleanArguments arguments;
+  arguments.operation = operation;
+  const auto describe = [](CommandLine& line, BooleanArguments& mine, ProcessLimits& most) {
+    add_boolean(line, mine, most);
+  };
+  return made(parsed(parser, limits, describe, arguments),
+              [](const BooleanArguments& mine, const Geometry& a, const Geometry& b) {
+                return result_json(rounded(combined(mine, a, b), mine), mine);
+              });
+}
+
+template <TransformArguments::Operation operation>
+Made make_transform(Parser& parser, ProcessLimits& limits) {
+  TransformArguments arguments;
+  arguments.operation = operation;
+  const auto describe = [](CommandLine& line, TransformArguments& mine, ProcessLimits& most) {
+    add_transform(line, mine, most);
+  };
+  arguments = parsed(parser, limits, describe, arguments);
+  Made image_of =
+      made(arguments, [](const TransformArguments& mine, const Geometry& a, const Geometry&) {
+        return result_json(rounded(image(mine, a), mine), mine);
+      });
+  image_of.note = arguments.turn_note;
+  return image_of;
+}
+
 template <bool inner_fit>
 Made make_no_fit(Parser& parser, ProcessLimits& limits) {
   NoFitArguments arguments;
   arguments.inner_fit = inner_fit;
   return made(parsed(parser, limits, add_no_fit, arguments),
               [](const NoFitArguments& mine, const Geometry& a, const Geometry& b) {
-                if (mine.placements.empty()) {
-                  return result_json(rounded_fit_polygon(mine, fit_polygon(mine, a, b)), mine);
+                const auto reference = reference_of(mine, b);
+                if (!mine.placements.empty()) {
+                  return "\"result\":" + contacts_json(contacts(mine, a, b), reference).dump();
                 }
-                return "\"result\":" +
-                       contacts_json(contacts(mine, a, b), reference_of(mine, b)).dump();
+                const Geometry polygon = rounded_fit_polygon(mine, fit_polygon(mine, a, b));
+                return result_json(polygon, mine) + ",\"reference\":" + point_json(*reference);
               });
 }
 
@@ -154,8 +190,12 @@ struct Entry {
 
 const std::vector<Entry>& operations() {
   using enum MorphologyArguments::Operation;
+  using enum BooleanArguments::Operation;
+  using enum TransformArguments::Operation;
   static const std::vector<std::string> kMorphology{"fill",   "strict", "tight",
                                                     "format", "coords", "round"};
+  static const std::vector<std::string> kSets{"fill",   "strict", "regularize", "regularise",
+                                              "format", "coords", "round"};
   static const std::vector<Entry> kOperations{
       {"sum",
        make_sum,
@@ -174,15 +214,27 @@ const std::vector<Entry>& operations() {
        make_offset,
        {"distance", "join", "cap", "miter-limit", "mitre-limit", "tolerance", "side", "fill",
         "strict", "format", "coords", "round"},
-       1}};
+       1},
+      {"union", make_boolean<kUnion>, kSets},
+      {"intersection", make_boolean<kIntersection>, kSets},
+      {"difference", make_boolean<kDifference>, kSets},
+      {"symdiff", make_boolean<kSymmetricDifference>, kSets},
+      {"transform",
+       make_transform<kTransform>,
+       {"scale", "turn", "affine", "move", "about", "angle-tolerance", "fill", "strict",
+        "regularize", "regularise", "format", "coords", "round"},
+       1},
+      {"reflect", make_transform<kReflect>, kSets, 1},
+      {"convert", make_transform<kConvert>, kSets, 1}};
   return kOperations;
 }
 
 // These options take true or false; all others have a value.
-constexpr const char* kFlags[] = {"regularize", "regularise", "strict", "tight"};
+constexpr const char* kFlags[] = {"regularize", "regularise", "strict", "tight", "drop-z"};
 
-constexpr const char* kLimitOptions[] = {"max-vertices", "max-bytes", "max-segments",
-                                         "max-crossings", "timeout"};
+// These options say how operands are read, and what a job may take.
+constexpr const char* kLimitOptions[] = {
+    "max-vertices", "max-bytes", "max-segments", "max-crossings", "timeout", "drop-z", "column"};
 
 const Entry& entry_of(const std::string& name) {
   std::string names;
@@ -242,6 +294,7 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<Option
   Made made = entry.make(parser, mine);
   operation.fill = made.fill;
   operation.run = std::move(made.run);
+  operation.note = std::move(made.note);
   operation.limits = mine.read;
   operation.seconds = mine.seconds;
   return operation;

@@ -32,6 +32,7 @@ struct ReadyOperation {
                             const std::optional<CancelToken>& cancel, Worker& worker)>
       run;
   FillRule fill = FillRule::kAutomatic;  ///< the rule by which operands are read
+  std::string note;  ///< says how the operation differs from what was asked for; may be empty
   io::ReadOptions limits;
   double seconds = 0;  ///< 0 = no limit
 };

@@ -31,6 +31,8 @@ struct Part {
   /// What is added to a fixed part, for each rotation. For no-fit polygons this is the turned part
   /// times −1, moved so that a sum already lies at the reference point.
   std::vector<PreparedRegion> moving;
+  /// The reference point of each of those, as a member of JSON; for sums it is empty.
+  std::vector<std::string> references;
 };
 
 struct Parts {
@@ -60,14 +62,19 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return files;
 }
 
-// Returns the second operand of a pair, turned and for no-fit polygons reflected.
-Region moving_region(const BatchArguments& arguments, const Geometry& given, const Region& resolved,
-                     const Turn& turn) {
+// Adds the second operand of pairs, turned and for no-fit polygons reflected.
+void add_moving(Part& part, const BatchArguments& arguments, const Geometry& given,
+                const Region& resolved, const Turn& turn) {
   Region turned = transform(resolved, turn.map);
-  if (arguments.operation == "sum") return turned;
-  const Point reference = turn.map(given.region.point(0));
-  return transform(
-      turned, Affine::translation(reference.x, reference.y).after(Affine::scaling(Rational(-1))));
+  part.references.emplace_back();
+  if (arguments.operation != "sum") {
+    const Point reference = turn.map(given.region.point(0));
+    turned = transform(
+        turned, Affine::translation(reference.x, reference.y).after(Affine::scaling(Rational(-1))));
+    const Json json{reference.x.to_string(), reference.y.to_string()};
+    part.references.back() = ",\"reference\":" + json.dump();
+  }
+  part.moving.emplace_back(turned);
 }
 
 Part prepare(const BatchArguments& arguments, const fs::path& file, const Geometry& given,
@@ -79,10 +86,8 @@ Part prepare(const BatchArguments& arguments, const fs::path& file, const Geomet
   if (resolved.region.empty()) {
     throw Failure(kBadInput, file.string() + ": a part without area cannot be paired");
   }
-  Part part{file.filename().string(), PreparedRegion(resolved.region), {}};
-  for (const Turn& turn : turns) {
-    part.moving.emplace_back(moving_region(arguments, given, resolved.region, turn));
-  }
+  Part part{file.filename().string(), PreparedRegion(resolved.region), {}, {}};
+  for (const Turn& turn : turns) add_moving(part, arguments, given, resolved.region, turn);
   return part;
 }
 
@@ -159,6 +164,7 @@ class PairRunner {
     std::string& text = done.lines;
     text.append(head(pair)).append(",\"fixed\":").append(names_[fixed]);
     text.append(",\"moving\":").append(names_[moving]).append(",\"turn\":").append(turns_[turn]);
+    text += parts_.parts[moving].references[turn];
     text += ',';
     try {
       const Watchdog::Watch watch(watchdog_, seconds);

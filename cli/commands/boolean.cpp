@@ -15,12 +15,6 @@
 namespace minksum::cli {
 namespace {
 
-/// `minksum union A B ...`, and also intersection, difference and symdiff
-struct BooleanArguments : ResultArguments, OperandArguments {
-  enum class Operation { kUnion, kIntersection, kDifference, kSymmetricDifference };
-  Operation operation = Operation::kUnion;
-};
-
 struct Words {
   const char* name;
   const char* what;
@@ -40,6 +34,21 @@ const Words& words_of(const BooleanArguments& arguments) {
   return kWords[static_cast<std::size_t>(arguments.operation)];
 }
 
+void draw(const BooleanArguments& arguments, const Geometry& a, const Geometry& b,
+          const Geometry& result, OutputFiles& files) {
+  const Options reading{.fill = arguments.options.fill};
+  const char* const title = words_of(arguments).title;
+  const Captions captions{title, "A", "B", title};
+  write_picture(files, arguments.picture,
+                {resolve(a, reading), resolve(b, reading), result, nullptr, captions, true});
+}
+
+int run_boolean(const BooleanArguments& arguments) {
+  return run_operation(arguments, combined, draw);
+}
+
+}  // namespace
+
 Geometry combined(const BooleanArguments& arguments, const Geometry& a, const Geometry& b) {
   using enum BooleanArguments::Operation;
   const Geometry sets[] = {resolve(a, arguments.options, 0), resolve(b, arguments.options, 1)};
@@ -57,15 +66,6 @@ Geometry combined(const BooleanArguments& arguments, const Geometry& a, const Ge
   constexpr decltype(&intersect) kOperations[] = {intersect, subtract, symmetric_difference};
   const auto index = static_cast<std::size_t>(arguments.operation) - 1;
   return kOperations[index](sets[0].region, sets[1].region, part);
-}
-
-void draw(const BooleanArguments& arguments, const Geometry& a, const Geometry& b,
-          const Geometry& result, OutputFiles& files) {
-  const Options reading{.fill = arguments.options.fill};
-  const char* const title = words_of(arguments).title;
-  const Captions captions{title, "A", "B", title};
-  write_picture(files, arguments.picture,
-                {resolve(a, reading), resolve(b, reading), result, nullptr, captions, true});
 }
 
 Command add_boolean(CommandLine& line, BooleanArguments& arguments, ProcessLimits& limits) {
@@ -88,12 +88,6 @@ void convert(BooleanArguments& arguments) {
   require_one_standard_input(arguments.operands, "A and B");
   convert_operation(arguments, arguments);
 }
-
-int run_boolean(const BooleanArguments& arguments) {
-  return run_operation(arguments, combined, draw);
-}
-
-}  // namespace
 
 void add_boolean(Program& program) {
   using enum BooleanArguments::Operation;

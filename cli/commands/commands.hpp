@@ -15,6 +15,7 @@
 #include "minksum/offset.hpp"
 #include "minksum/round.hpp"
 #include "minksum/testing.hpp"
+#include "minksum/transform.hpp"
 
 namespace minksum::cli {
 
@@ -98,6 +99,26 @@ struct MorphologyArguments : ResultArguments, OperandArguments {
   enum class Operation { kDilate, kErode, kOpen, kClose };
   Operation operation = Operation::kDilate;
   bool tight = false;
+};
+
+/// `minksum union A B ...`, and also intersection, difference and symdiff
+struct BooleanArguments : ResultArguments, OperandArguments {
+  enum class Operation { kUnion, kIntersection, kDifference, kSymmetricDifference };
+  Operation operation = Operation::kUnion;
+};
+
+/// `minksum transform FILE ...`, and also reflect and convert
+struct TransformArguments : ResultArguments, OperandArguments {
+  enum class Operation { kTransform, kReflect, kConvert };
+  Operation operation = Operation::kTransform;
+  std::optional<Point> scale;
+  std::optional<Rational> degrees;
+  double tolerance = 1e-3;
+  std::optional<Affine> affine;
+  std::optional<Point> move;
+  Point about;
+  Affine map;             ///< all of these
+  std::string turn_note;  ///< says by which angle the map turns if that is not the typed one
 };
 
 /// `minksum nfp FIXED MOVING ...` and `minksum ifp BIN PART ...`

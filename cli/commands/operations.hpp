@@ -87,6 +87,13 @@ int run_operation(const Arguments& arguments, Compute compute, Draw draw) {
 [[nodiscard]] Geometry morphology(const MorphologyArguments& arguments, const Geometry& a,
                                   const Geometry& b);
 
+/// Returns the exact union, intersection, difference or symmetric difference.
+[[nodiscard]] Geometry combined(const BooleanArguments& arguments, const Geometry& a,
+                                const Geometry& b);
+/// Returns the set transformed exactly; for output as doubles, some coordinates are rounded
+/// already.
+[[nodiscard]] Geometry image(const TransformArguments& arguments, const Geometry& set);
+
 /// Returns the point of the moving part that says where it is. Nothing for a part without area,
 /// which the operation refuses.
 [[nodiscard]] std::optional<Point> reference_of(const NoFitArguments& arguments,

@@ -22,19 +22,6 @@
 namespace minksum::cli {
 namespace {
 
-/// `minksum transform FILE ...`, and also reflect and convert
-struct TransformArguments : ResultArguments, OperandArguments {
-  enum class Operation { kTransform, kReflect, kConvert };
-  Operation operation = Operation::kTransform;
-  std::optional<Point> scale;
-  std::optional<Rational> degrees;
-  double tolerance = 1e-3;
-  std::optional<Affine> affine;
-  std::optional<Point> move;
-  Point about;
-  Affine map;  ///< all of these
-};
-
 struct Words {
   const char* name;
   const char* what;
@@ -80,16 +67,6 @@ Geometry rounded_singly(Geometry set, const TransformArguments& arguments, const
   for (Polyline& polyline : near.polylines) std::ranges::for_each(polyline, move);
   std::ranges::for_each(near.points, move);
   return resolve(near, part) == near ? near : set;
-}
-
-Geometry image(const TransformArguments& arguments, const Geometry& a, const Geometry&) {
-  const Geometry set = resolve(a, arguments.options, 0);
-  Options part = arguments.options;
-  part.fill = FillRule::kAutomatic;
-  if (arguments.operation == TransformArguments::Operation::kConvert) {
-    return rounded_singly(set, arguments, part);
-  }
-  return rounded_singly(resolve(transform(set, arguments.map, part), part), arguments, part);
 }
 
 void draw(const TransformArguments& arguments, const Geometry& a, const Geometry&,
@@ -140,6 +117,58 @@ void add_map_options(const Command& command, TransformArguments& arguments) {
       .group(group);
 }
 
+Affine linear(const Point& scale) { return {scale.x, 0, 0, 0, scale.y, 0}; }
+
+void convert_map(TransformArguments& arguments) {
+  if (arguments.operation == TransformArguments::Operation::kReflect) {
+    arguments.map = Affine::scaling(-1);
+  }
+  if (arguments.operation != TransformArguments::Operation::kTransform) return;
+  if (!arguments.scale && !arguments.degrees && !arguments.affine && !arguments.move) {
+    throw Failure(kWrongUsage, "transform needs --scale, --turn, --affine or --move");
+  }
+  const Point& about = arguments.about;
+  Affine map = Affine::translation(-about.x, -about.y);
+  if (arguments.scale) map = linear(*arguments.scale).after(map);
+  if (arguments.degrees) {
+    const Turn turn = nearest_turn(*arguments.degrees, arguments.tolerance);
+    if (turn.off > 0) {
+      const Point to = turn.direction();
+      arguments.turn_note = "--turn: by " + shortest(turn.degrees) + " degrees, whose cosine " +
+                            to.x.to_string() + " and sine " + to.y.to_string() +
+                            " are exact (--angle-tolerance)";
+    }
+    map = turn.map().after(map);
+  }
+  map = Affine::translation(about.x, about.y).after(map);
+  if (arguments.affine) map = arguments.affine->after(map);
+  if (arguments.move) map = Affine::translation(arguments.move->x, arguments.move->y).after(map);
+  if ((map.xx * map.yy - map.xy * map.yx).sign() == 0) {
+    throw Failure(kWrongUsage, "this map makes areas vanish: its determinant is 0");
+  }
+  arguments.map = std::move(map);
+}
+
+int run_transform(const TransformArguments& arguments) {
+  if (!arguments.turn_note.empty()) note(arguments.turn_note);
+  const auto compute = [](const TransformArguments& mine, const Geometry& a, const Geometry&) {
+    return image(mine, a);
+  };
+  return run_operation(arguments, compute, draw);
+}
+
+}  // namespace
+
+Geometry image(const TransformArguments& arguments, const Geometry& given) {
+  const Geometry set = resolve(given, arguments.options, 0);
+  Options part = arguments.options;
+  part.fill = FillRule::kAutomatic;
+  if (arguments.operation == TransformArguments::Operation::kConvert) {
+    return rounded_singly(set, arguments, part);
+  }
+  return rounded_singly(resolve(transform(set, arguments.map, part), part), arguments, part);
+}
+
 Command add_transform(CommandLine& line, TransformArguments& arguments, ProcessLimits& limits) {
   const Words& words = words_of(arguments);
   const Command command = line.add_command(words.name, words.what);
@@ -160,47 +189,10 @@ Command add_transform(CommandLine& line, TransformArguments& arguments, ProcessL
   return command;
 }
 
-Affine linear(const Point& scale) { return {scale.x, 0, 0, 0, scale.y, 0}; }
-
-void convert_map(TransformArguments& arguments) {
-  if (arguments.operation == TransformArguments::Operation::kReflect) {
-    arguments.map = Affine::scaling(-1);
-  }
-  if (arguments.operation != TransformArguments::Operation::kTransform) return;
-  if (!arguments.scale && !arguments.degrees && !arguments.affine && !arguments.move) {
-    throw Failure(kWrongUsage, "transform needs --scale, --turn, --affine or --move");
-  }
-  const Point& about = arguments.about;
-  Affine map = Affine::translation(-about.x, -about.y);
-  if (arguments.scale) map = linear(*arguments.scale).after(map);
-  if (arguments.degrees) {
-    const Turn turn = nearest_turn(*arguments.degrees, arguments.tolerance);
-    if (turn.off > 0) {
-      const Point to = turn.direction();
-      note("--turn: by " + shortest(turn.degrees) + " degrees, whose cosine " + to.x.to_string() +
-           " and sine " + to.y.to_string() + " are exact (--angle-tolerance)");
-    }
-    map = turn.map().after(map);
-  }
-  map = Affine::translation(about.x, about.y).after(map);
-  if (arguments.affine) map = arguments.affine->after(map);
-  if (arguments.move) map = Affine::translation(arguments.move->x, arguments.move->y).after(map);
-  if ((map.xx * map.yy - map.xy * map.yx).sign() == 0) {
-    throw Failure(kWrongUsage, "this map makes areas vanish: its determinant is 0");
-  }
-  arguments.map = std::move(map);
-}
-
 void convert(TransformArguments& arguments) {
   convert_operation(arguments, arguments);
   convert_map(arguments);
 }
-
-int run_transform(const TransformArguments& arguments) {
-  return run_operation(arguments, image, draw);
-}
-
-}  // namespace
 
 void add_transform(Program& program) {
   using enum TransformArguments::Operation;

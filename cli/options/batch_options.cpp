@@ -7,9 +7,10 @@ namespace {
 
 constexpr const char* kFooter = R"(
 JOBS has a JSON object a line: "operation" (sum, dilate, erode, open, close, nfp,
-ifp, depth, offset), "a" and "b" (the path of a file, {"wkt": "..."}, or GeoJSON),
-"options" (named as on the command line), "id". Results are lines in the same
-order. A job that fails is a line with "error"; the exit code is 2 then.
+ifp, depth, offset, union, intersection, difference, symdiff, transform, reflect,
+convert), "a" and "b" (the path of a file, {"wkt": "..."}, or GeoJSON), "options"
+(named as on the command line), "id". Results are lines in the same order. A job
+that fails is a line with "error"; the exit code is 2 then.
 )";
 
 constexpr int kMaxThreads = 1024;

@@ -25,12 +25,16 @@ void convert_operation(ResultArguments& result, const OperandArguments& operands
 
 /// Each function adds the subcommand that its arguments name; parsing fills the arguments.
 Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits);
+Command add_boolean(CommandLine& line, BooleanArguments& arguments, ProcessLimits& limits);
+Command add_transform(CommandLine& line, TransformArguments& arguments, ProcessLimits& limits);
 Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits);
 Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits);
 Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits);
 
 /// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(MorphologyArguments& arguments);
+void convert(BooleanArguments& arguments);
+void convert(TransformArguments& arguments);
 void convert(NoFitArguments& arguments);
 void convert(OffsetArguments& arguments);
 void convert(DepthArguments& arguments);

@@ -103,6 +103,57 @@ class Jobs(BatchTest):
             self.assertEqual(error["code"], "bad-job")
             self.assertIn(message, error["message"])
 
+    def test_combined_sets(self):
+        other = self.file("other.wkt", "POLYGON ((1 1, 5 1, 5 5, 1 5, 1 1))")
+        for operation in ("union", "intersection", "difference", "symdiff"):
+            for options in ({}, {"regularize": True, "coords": "exact"}):
+                words = [f"--{k}" if v is True else f"--{k}={v}" for k, v in options.items()]
+                expected = self.fine(operation, self.square, other, *words)
+                given = self.one(operation=operation, a="square.wkt", b="other.wkt",
+                                 options=options)
+                self.assertEqual(given["result"]["wkt"] + "\n", expected)
+            error = self.one(2, operation=operation, a="square.wkt")["error"]
+            self.assertEqual((error["code"], error["message"]), ("bad-job", "the job has no 'b'"))
+        error = self.one(2, operation="difference", a="square.wkt", b=wkt("POINT (0 0)"))["error"]
+        self.assertEqual(error["code"], "bad-input")
+        self.assertIn("b: polylines, points and spikes can only be united", error["message"])
+
+    def test_one_set(self):
+        half = ["1/2", 0, 0, 2, "1/3", -1]
+        for operation, options, words in (
+                ("reflect", {}, []), ("convert", {"coords": "decimal:1"}, ["--coords=decimal:1"]),
+                ("transform", {"scale": "1/3", "move": [1, "2/7"], "coords": "exact"},
+                 ["--scale=1/3", "--move=1,2/7", "--coords=exact"]),
+                ("transform", {"scale": [2, -1], "turn": 90, "about": "1,1"},
+                 ["--scale=2,-1", "--turn=90", "--about=1,1"]),
+                ("transform", {"affine": half}, ["--affine=1/2,0,0,2,1/3,-1"]),
+                ("transform", {"affine": "1/2,0,0,2,1/3,-1"}, ["--affine=1/2,0,0,2,1/3,-1"])):
+            expected = self.fine(operation, self.square, *words)
+            given = self.one(operation=operation, a="square.wkt", options=options)
+            self.assertEqual(given["result"]["wkt"] + "\n", expected, options)
+            self.assertNotIn("notes", given)
+        turned = run("transform", self.square, "--turn", "10")
+        given = self.one(operation="transform", a="square.wkt", options={"turn": 10})
+        self.assertEqual(given["result"]["wkt"] + "\n", turned.stdout.decode())
+        self.assertEqual(["minksum: %s\n" % note for note in given["notes"]],
+                         [turned.stderr.decode()])
+        for options, message in (({}, "transform needs --scale, --turn, --affine or --move"),
+                                 ({"affine": [1, 2, 3, 4]}, "--affine takes 6 numbers"),
+                                 ({"scale": 0}, "its determinant is 0"),
+                                 ({"svg": "x.svg"}, "transform has no option 'svg' in a job")):
+            error = self.one(2, operation="transform", a="square.wkt", options=options)["error"]
+            self.assertEqual(error["code"], "bad-job")
+            self.assertIn(message, error["message"])
+
+    def test_how_operands_are_read(self):
+        high = wkt("POLYGON Z ((0 0 1, 2 0 1, 2 2 1, 0 0 1))")
+        given = self.one(operation="convert", a=high, options={"drop-z": True})
+        self.assertEqual(given["result"]["wkt"], "POLYGON ((0 0, 2 0, 2 2, 0 0))")
+        self.assertIn("--drop-z", self.one(2, operation="convert", a=high)["error"]["message"])
+        table = wkt("a,b\nPOINT (1 2),POINT (3 4)\n")
+        given = self.one(operation="convert", a=table, options={"column": "b"})
+        self.assertEqual(given["result"]["wkt"], "POINT (3 4)")
+
     def test_answers_of_nfp(self):
         given = self.one(operation="nfp", a="slit.wkt", b="square.wkt",
                          options={"at": [[2, 2.5], "-3,0", [1.5, 2]], "reference": [0, 0]})
@@ -119,6 +170,7 @@ class Jobs(BatchTest):
                 given = self.one(operation=operation, a="slit.wkt", b="square.wkt",
                                  options={"reference": pair})
                 self.assertEqual(given["result"]["wkt"] + "\n", expected)
+                self.assertEqual(given["reference"], ["1/3", "1/7"])
         expected = json.loads(self.fine("depth", self.slit, self.square, "--json", "--along",
                                         "-1/3,1/7"))
         for pair in (["-1/3", "1/7"], "-1/3,1/7"):
@@ -375,7 +427,7 @@ class Jobs(BatchTest):
         text = self.fine("batch", "--help")
         error = self.one(2, operation="none", a="-", b="-")["error"]["message"]
         names = error.split("there are ")[1].split(", ")
-        self.assertEqual(len(names), 9)
+        self.assertEqual(len(names), 16)
         listed = text.split('"operation" (')[1].split(")")[0]
         self.assertEqual(listed.replace("\n", " ").split(", "), names)
 
@@ -624,6 +676,8 @@ class Pairs(BatchTest):
                 turned = self.turned(result)
                 expected = self.fine("nfp", "-q", self.parts / result["fixed"], turned, "--coords", style)
                 self.assertEqual(result["result"]["wkt"] + "\n", expected)
+                first = turned.read_text().split("((")[1].split(",")[0]
+                self.assertEqual(" ".join(result["reference"]), first)
 
     def turned(self, result):
         """Returns a file with the moving part of a result, turned."""
@@ -681,6 +735,7 @@ class Pairs(BatchTest):
 
     def test_sums(self):
         for result in self.pairs("--operation", "sum", "--coords", "exact"):
+            self.assertNotIn("reference", result)
             self.assertEqual(result["result"]["wkt"] + "\n", self.fine(
                 "sum", self.parts / result["fixed"], self.parts / result["moving"], "--coords",
                 "exact"))
