@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 #include <ostream>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
@@ -39,11 +40,9 @@ one scale. Files as for `minksum sum`; one of them may be "-" for standard input
 )";
 
 // The styles of layers, by the names that --as takes.
-const std::map<std::string, std::string> kStyles = {{"first", "first"},
-                                                    {"second", "second"},
-                                                    {"result", "sum"},
-                                                    {"tight", "tight"},
-                                                    {"outline", "outline"}};
+const std::map<std::string, std::string> kStyles = {{"first", "first"}, {"second", "second"},
+                                                    {"result", "sum"},  {"result+tight", "sum"},
+                                                    {"tight", "tight"}, {"outline", "outline"}};
 constexpr const char* kStylesInTurn[] = {"first", "second", "result", "tight"};
 
 const std::map<std::string, Theme> kThemes = {
@@ -88,6 +87,21 @@ Layer layer_of(const DrawArguments& arguments, std::size_t index, const Geometry
   return layer;
 }
 
+// Adds the layers of a file. Tight places look the same in all pictures, so they have their own.
+void add_layers(const DrawArguments& arguments, std::size_t index, const Geometry& given,
+                std::vector<Layer>& layers) {
+  Layer layer = layer_of(arguments, index, given);
+  Layer tight;
+  if (!arguments.styles.empty() && arguments.styles[index] == "result+tight") {
+    tight.geometry = Geometry({}, std::exchange(layer.geometry.polylines, {}),
+                              std::exchange(layer.geometry.points, {}));
+    tight.style = "tight";
+    tight.caption = "Tight places";
+  }
+  layers.push_back(std::move(layer));
+  if (!tight.geometry.empty()) layers.push_back(std::move(tight));
+}
+
 // Unlike a file name, a text from the command line is refused rather than mended silently.
 void require_printable(const char* option, const std::string& text) {
   if (is_printable(text)) return;
@@ -106,9 +120,9 @@ Extent parse_box(const std::string& text) {
   throw Failure(kWrongUsage, "--bbox goes from the lower left corner to the upper right one");
 }
 
-// The box of a layer with a tenth of its size around it.
-Extent surroundings_of(const Layer& layer) {
-  Extent box = extent_of(layer.geometry);
+// The box of a geometry with a tenth of its size around it.
+Extent surroundings_of(const Geometry& geometry) {
+  Extent box = extent_of(geometry);
   const double around = std::max(box.width(), box.height()) / 10;
   if (box.empty || !(around > 0)) return box;
   box.include(box.min_x - around, box.min_y - around);
@@ -152,8 +166,9 @@ Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& lim
       .type_name("FILE");
   command
       .add_option("--as", arguments.styles,
-                  "What each file is, in their order: first, second, result, tight, outline. "
-                  "Without it: first, second, result, tight, then outlines")
+                  "What each file is, in their order: first, second, result, tight, outline, or "
+                  "result+tight: a result whose polylines and points are tight places. Without it: "
+                  "first, second, result, tight, then outlines")
       .one_of(names_of(kStyles))
       .delimiter(',')
       .repeats()
@@ -209,10 +224,10 @@ int run_draw(const DrawArguments& arguments) {
   }
   Figure figure{arguments, {}};
   for (std::size_t i = 0; i < given.size(); ++i) {
-    figure.layers.push_back(layer_of(arguments, i, given[i]));
+    add_layers(arguments, i, given[i], figure.layers);
   }
   if (arguments.zoom > 0) {
-    figure.view = surroundings_of(figure.layers[static_cast<std::size_t>(arguments.zoom) - 1]);
+    figure.view = surroundings_of(given[static_cast<std::size_t>(arguments.zoom) - 1]);
     if (figure.view->empty) figure.view.reset();
   }
   write_picture(files, arguments.output, [&] { return figure_picture(figure); });

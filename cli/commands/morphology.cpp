@@ -19,17 +19,23 @@ Geometry morphology(const MorphologyArguments& arguments, const Geometry& a, con
 namespace {
 
 int run_morphology(const MorphologyArguments& arguments) {
-  return run_operation(
-      arguments, morphology,
-      [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b,
-         const Geometry& result, OutputFiles& files) {
-        const Options reading{.fill = mine.options.fill};
-        constexpr const char* kNames[] = {"A ⊕ B", "A ⊖ B", "A ∘ B", "A • B"};
-        const char* const name = kNames[static_cast<std::size_t>(mine.operation)];
-        const Captions captions{name, "A", "B", name};
-        write_picture(files, mine.picture,
-                      {resolve(a, reading), resolve(b, reading), result, nullptr, captions, true});
-      });
+  return run_operation(arguments, morphology,
+                       [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b,
+                          const Geometry& result, OutputFiles& files) {
+                         const Options reading{.fill = mine.options.fill};
+                         constexpr const char* kNames[] = {"A ⊕ B", "A ⊖ B", "A ∘ B", "A • B"};
+                         const char* const name = kNames[static_cast<std::size_t>(mine.operation)];
+                         const Captions captions{name, "A", "B", name};
+                         // Only erosion has tight places; the thin parts of other results are made
+                         // of thin operands.
+                         const bool has_tight =
+                             mine.tight && mine.operation == MorphologyArguments::Operation::kErode;
+                         const Geometry tight({}, result.polylines, result.points);
+                         const Geometry shown = has_tight ? Geometry(result.region) : result;
+                         write_picture(files, mine.picture,
+                                       {resolve(a, reading), resolve(b, reading), shown,
+                                        has_tight ? &tight : nullptr, captions, true});
+                       });
 }
 
 }  // namespace

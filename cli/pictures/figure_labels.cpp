@@ -28,6 +28,7 @@ class Labeller {
   void keep_free(PicturePoint mark) {
     places_.take({mark.x - kMark, mark.y - kMark, mark.x + kMark, mark.y + kMark});
   }
+  void keep_off_lines(const Geometry& geometry);
   void write(PicturePoint anchor, PicturePoint direction, double distance, const char* style,
              const std::string& text) {
     const double width = kCharacter * static_cast<double>(character_count(text)) + 2;
@@ -48,6 +49,27 @@ class Labeller {
   const std::optional<Extent>& view_;
   LabelPlaces places_;
 };
+
+void Labeller::keep_off_lines(const Geometry& geometry) {
+  const Region& region = geometry.region;
+  std::vector<PicturePoint> vertices;
+  for (const std::size_t polygon : region.polygons()) {
+    for (const std::size_t ring : region.rings_of(polygon)) {
+      vertices.clear();
+      for (const std::size_t v : region.vertices_of(ring)) {
+        vertices.push_back({placement_.x(region.x(v)), placement_.y(region.y(v))});
+      }
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        places_.take_line(vertices[i], vertices[(i + 1) % vertices.size()]);
+      }
+    }
+  }
+  for (const Polyline& polyline : geometry.polylines) {
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      places_.take_line(at(polyline[i - 1]), at(polyline[i]));
+    }
+  }
+}
 
 // Writes a number at each vertex, on the side of its larger angle, because there is more room.
 void Labeller::number(const std::vector<PicturePoint>& vertices, bool closed) {
@@ -155,6 +177,11 @@ PicturePoint direction_between(PicturePoint from, PicturePoint to) {
 
 void label_figure(SvgPicture& picture, const Figure& figure, const PictureTransform& placement) {
   Labeller labels(picture, placement, figure.width, figure.view);
+  const bool any = std::ranges::any_of(figure.layers, [](const Layer& layer) {
+    return layer.numbered != nullptr || !layer.faults.empty();
+  });
+  if (!any) return;
+  for (const Layer& layer : figure.layers) labels.keep_off_lines(layer.geometry);
   mark_faults(labels, picture, figure, placement);
   for (const Layer& layer : figure.layers) {
     if (layer.numbered != nullptr) labels.number(*layer.numbered);

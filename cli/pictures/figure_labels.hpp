@@ -10,7 +10,7 @@ namespace minksum::cli {
 [[nodiscard]] PicturePoint direction_between(PicturePoint from, PicturePoint to);
 
 /// Marks the faults of all layers with numbers from 1, and numbers vertices where layers ask for
-/// that. No label hides another one, as far as there is room.
+/// that. No label hides another one or lies on a line, as far as there is room.
 void label_figure(SvgPicture& picture, const Figure& figure, const PictureTransform& placement);
 
 }  // namespace minksum::cli

@@ -26,6 +26,34 @@ void LabelPlaces::take(const LabelBox& box) {
   for_each_cell(box, [&](long long cell) { cells_[cell].push_back(box); });
 }
 
+void LabelPlaces::take_line(PicturePoint from, PicturePoint to) {
+  constexpr double kStep = 3;
+  const double x = to.x - from.x;
+  const double y = to.y - from.y;
+  // Pictures are at most so many times as high as wide, and a zoom leaves most of a line outside.
+  constexpr double kHigh = 4;
+  double begin = 0;
+  double end = 1;
+  const auto clip = [&](double at, double along, double most) {
+    if (along == 0) {
+      if (at < 0 || at > most) end = -1;
+      return;
+    }
+    const double first = -at / along;
+    const double second = (most - at) / along;
+    begin = std::max(begin, std::min(first, second));
+    end = std::min(end, std::max(first, second));
+  };
+  clip(from.x, x, width_);
+  clip(from.y, y, kHigh * width_);
+  const double length = std::hypot(x, y);
+  for (double at = begin * length; at <= end * length; at += kStep) {
+    const double share = length > 0 ? at / length : 0;
+    const PicturePoint middle{from.x + share * x, from.y + share * y};
+    take({middle.x - kStep / 2, middle.y - kStep / 2, middle.x + kStep / 2, middle.y + kStep / 2});
+  }
+}
+
 double LabelPlaces::area_taken(const LabelBox& box) const {
   double area = 0;
   for_each_cell(box, [&](long long cell) {

@@ -1,4 +1,4 @@
-// Finds places for labels in a picture, so that none hides another one.
+// Finds places for labels in a picture, so that none hides another one or lies on a line.
 #pragma once
 
 #include <string>
@@ -30,6 +30,8 @@ class LabelPlaces {
 
   /// Keeps labels away from this box.
   void take(const LabelBox& box);
+  /// Keeps labels off this line.
+  void take_line(PicturePoint from, PicturePoint to);
   /// Takes the place for a label of this size that is free and nearest to `anchor`, `direction`
   /// before all others. Returns its middle. If no place nearby is free, it is the one with the
   /// least below it. The nearest places are at `distance` from the anchor.

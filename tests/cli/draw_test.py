@@ -45,6 +45,27 @@ class Draw(ProgramTest):
                    self.square, "--as", "first")
         self.fails(1, "--as", "draw", self.frame, "--as", "third")
 
+    def test_tight_places_have_one_colour(self):
+        fit = self.file("fit.wkt", "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 0)), "
+                                   "LINESTRING (1 1, 3 1), POINT (2 3))")
+        def thin(picture):
+            classes = [e.get("class").split() for e in picture.iter()
+                       if e.tag in (SVG + "path", SVG + "circle")]
+            return [c[1] for c in classes if c[0] in ("thin", "dot")]
+        picture = self.picture(fit, "--as", "result+tight", "--zoom", 1)
+        self.assertEqual((self.styles(picture), thin(picture)), (["sum"], ["tight"] * 3))
+        self.assertIn("Tight places", self.texts(picture))
+        picture = self.picture(fit, "--as", "result")
+        self.assertEqual(thin(picture), ["sum"] * 2)
+        self.assertNotIn("Tight places", self.texts(picture))
+        self.assertNotIn("Tight places", self.texts(self.picture(self.frame, "--as",
+                                                                 "result+tight")))
+        svg = self.folder / "erosion.svg"
+        room = self.file("room.wkt", "POLYGON ((0 0, 9 0, 9 2, 4 2, 4 4, 0 4, 0 0))")
+        for more, style in (([], []), (["--tight"], ["tight"])):
+            self.fine("erode", room, self.square, *more, "--svg", svg)
+            self.assertEqual(thin(ElementTree.parse(svg)), style)
+
     def test_one_frame_and_one_scale(self):
         numbers = []
         for path in self.picture(self.frame, self.square).iter(SVG + "path"):
@@ -261,6 +282,25 @@ class Draw(ProgramTest):
         for i, (x, y) in enumerate(places):
             for u, v in places[:i]:
                 self.assertTrue(abs(x - u) >= 9 or abs(y - v) >= 11, (x, y, u, v))
+
+    def test_labels_do_not_lie_on_lines(self):
+        line = self.file("line.wkt", "LINESTRING (2 4, 2 1)")
+        peg = self.file("peg.wkt", "POLYGON ((0 0, 2 0, 2 2, 1 3, 0 2, 0 0))")
+        picture = self.picture(line, peg, "--labels", "--no-axes", "--no-legend", "--width", 480)
+        lines = []
+        for path in picture.iter(SVG + "path"):
+            numbers = [float(n) for n in re.findall(r"-?[0-9.]+", path.get("d"))]
+            points = list(zip(numbers[::2], numbers[1::2]))
+            if path.get("d").endswith("Z"):
+                points.append(points[0])
+            lines += zip(points, points[1:])
+        self.assertGreater(len(lines), 5)
+        for text in picture.iter(SVG + "text"):
+            x, y = float(text.get("x")), float(text.get("y")) - 4
+            for (x1, y1), (x2, y2) in lines:
+                for k in range(101):
+                    u, v = x1 + (x2 - x1) * k / 100, y1 + (y2 - y1) * k / 100
+                    self.assertTrue(abs(u - x) > 4 or abs(v - y) > 5, (text.text, x, y, u, v))
 
     def test_files(self):
         out = self.folder / "out.svg"
