@@ -221,7 +221,7 @@ minksum_status minksum_geometry_get_origins(const minksum_geometry* geometry,
 }
 
 void minksum_read_options_init(minksum_read_options* read_options) {
-  if (read_options != nullptr) *read_options = {0, 0, MINKSUM_NEAREST, 0};
+  if (read_options != nullptr) *read_options = {0, 0, MINKSUM_NEAREST, 0, nullptr, nullptr};
 }
 minksum_status minksum_read_as(const char* text, size_t length,
                                const minksum_read_options* read_options, minksum_geometry** result,
@@ -236,6 +236,8 @@ minksum_status minksum_read_as(const char* text, size_t length,
       how.drawing.join_ends = read_options->join_ends;
       how.drawing.side = as_side(read_options->side);
       how.drop_z = read_options->drop_z != 0;
+      if (read_options->column != nullptr) how.column = read_options->column;
+      if (read_options->layer != nullptr) how.drawing.layer = read_options->layer;
     }
     return io::read_geometry(std::string_view(text, length), how);
   });

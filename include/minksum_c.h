@@ -215,6 +215,8 @@ typedef struct minksum_read_options {
   double join_ends; /**< joins ends of a drawing's outlines that are at most so far apart */
   minksum_side side; /**< the side of curves */
   int drop_z;       /**< not 0 = drop heights and measures, which are errors otherwise */
+  const char *column; /**< the column of a table that holds the geometries; NULL = it is found */
+  const char *layer; /**< the only layer of a DXF drawing to read; NULL = all */
 } minksum_read_options;
 /** Sets the defaults. NULL is allowed. */
 MINKSUM_API void minksum_read_options_init(minksum_read_options *read_options);

@@ -187,15 +187,16 @@ export class Operands {
 
   private read(text: Uint8Array, index: number, options: ReadOptions): Address {
     const { library } = this;
-    return library.withRoom(text.length + 24, (address) => {
+    return library.withRoom(text.length + 32, (address) => {
       const how = address / 8;
       library.f64[how] = options.curveTolerance ?? 0;
       library.f64[how + 1] = options.joinEnds ?? 0;
       library.u32[2 * how + 4] = kSides[options.curveSide ?? "nearest"];
       library.u32[2 * how + 5] = options.z === "drop" ? 1 : 0;
-      library.u8.set(text, address + 24);
+      library.u32.fill(0, 2 * how + 6, 2 * how + 8);  // no column, no layer
+      library.u8.set(text, address + 32);
       const { results, error } = library;
-      const status = library.call["minksum_read_as"]!(address + 24, text.length, address, results, error);
+      const status = library.call["minksum_read_as"]!(address + 32, text.length, address, results, error);
       library.check(status, index);
       return library.u32[results >>> 2]!;
     });

@@ -41,6 +41,11 @@ static int is(minksum_geometry *geometry, const char *wkt) {
 static void test_reading(void) {
   const char circle[] = "<svg xmlns='http://www.w3.org/2000/svg'><circle r='1'/></svg>";
   const char high[] = "POINT Z (1 2 3)";
+  const char table[] = "a,b\nPOINT (1 2),POINT (3 4)\n";
+  const char drawing[] =
+      "0\nSECTION\n2\nENTITIES\n"
+      "0\nLINE\n8\ncut\n10\n0\n20\n0\n11\n5\n21\n6\n"
+      "0\nLINE\n8\nmark\n10\n7\n20\n7\n11\n8\n21\n9\n0\nENDSEC\n0\nEOF\n";
   minksum_read_options how;
   minksum_geometry *out = NULL;
   double area = 0;
@@ -56,6 +61,18 @@ static void test_reading(void) {
   how.drop_z = 1;
   EXPECT(minksum_read_as(high, strlen(high), &how, &out, &error) == MINKSUM_OK);
   EXPECT(is(out, "POINT (1 2)"));
+  EXPECT(minksum_read_as(table, strlen(table), &how, &out, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(strstr(error.message, "several columns") != NULL);
+  how.column = "b";
+  EXPECT(minksum_read_as(table, strlen(table), &how, &out, &error) == MINKSUM_OK);
+  EXPECT(is(out, "POINT (3 4)"));
+  how.column = "c";
+  EXPECT(minksum_read_as(table, strlen(table), &how, &out, &error) == MINKSUM_BAD_INPUT);
+  how.layer = "cut";
+  EXPECT(minksum_read_as(drawing, strlen(drawing), &how, &out, &error) == MINKSUM_OK);
+  EXPECT(is(out, "LINESTRING (0 0, 5 6)"));
+  how.layer = "fold";
+  EXPECT(minksum_read_as(drawing, strlen(drawing), &how, &out, &error) == MINKSUM_BAD_INPUT);
   how.tolerance = -1;
   EXPECT(minksum_read_as(high, strlen(high), &how, &out, &error) == MINKSUM_BAD_INPUT);
   how.tolerance = 0;
