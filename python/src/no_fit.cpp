@@ -64,7 +64,7 @@ struct Table {
     if (!nb::isinstance<nb::tuple>(key) || nb::len(key) != 2) {
       throw nb::type_error("a table is indexed by [i, j] or [(i, turn), (j, turn)]");
     }
-    return std::make_shared<Shape>(Shape{table.at(turned(key[0]), turned(key[1])), 0});
+    return std::make_shared<Shape>(Shape{table.at(turned(key[0]), turned(key[1])), 0, {}, true});
   }
 };
 
@@ -95,8 +95,11 @@ ShapeArrayPtr entries(const Table& table, std::size_t first, std::optional<std::
     for (std::size_t r = 0; r < turns; ++r) {
       for (std::size_t moving = 0; moving < table.parts; ++moving) {
         for (std::size_t s = 0; s < turns; ++s) {
-          array->items[i++] = std::make_shared<Shape>(Shape{
-              table.table.at({fixed, static_cast<int>(r)}, {moving, static_cast<int>(s)}), 0});
+          array->items[i++] = std::make_shared<Shape>(
+              Shape{table.table.at({fixed, static_cast<int>(r)}, {moving, static_cast<int>(s)}),
+                    0,
+                    {},
+                    true});
         }
       }
     }
