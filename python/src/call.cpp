@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -199,8 +200,16 @@ void Call::run(bool small, const std::function<void()>& operation) {
   }
   start_watch();
   options_.threads = static_cast<int>(thread_count(threads_));
+  auto memory = std::make_unique<Workspace>();
+  options_.memory = memory.get();
   const nb::gil_scoped_release unlocked;
-  operation();
+  try {
+    operation();
+  } catch (...) {
+    // Whoever presses Ctrl-C does not wait until gigabytes are given back.
+    std::thread([memory = std::move(memory)] {}).detach();
+    throw;
+  }
 }
 
 void Call::for_each(const std::vector<std::size_t>& shape,
