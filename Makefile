@@ -60,8 +60,8 @@ test-wasm: deps ## build the library for WebAssembly, and run unit tests and equ
 	@scripts/install_packages.sh packages-js.txt
 	$(CMAKE) -S . -B $(BUILD)/wasm -DCMAKE_TOOLCHAIN_FILE=cmake/wasm.cmake -DMINKSUM_BUILD_PROGRAM=OFF -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF
 	$(CMAKE) --build $(BUILD)/wasm -j $(JOBS) --target unit_tests property_pairs
-	node $(BUILD)/wasm/tests/property/property_pairs.js --gtest_brief=1 --gtest_filter='Bytes.*'
-	node $(BUILD)/wasm/tests/unit/unit_tests.js --gtest_brief=1
+	node --no-experimental-fetch $(BUILD)/wasm/tests/property/property_pairs.js --gtest_brief=1 --gtest_filter='Bytes.*'
+	node --no-experimental-fetch $(BUILD)/wasm/tests/unit/unit_tests.js --gtest_brief=1
 
 web: npm-pack ## make the page for the browser: build/web/index.html, which opens without a server
 	cd web && npm ci --no-audit --no-fund && npm run --silent check && node build.mjs $(abspath $(BUILD))/web

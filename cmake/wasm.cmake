@@ -12,7 +12,6 @@ set(CMAKE_CXX_FLAGS_INIT
   "-fwasm-exceptions -msimd128 -include ${CMAKE_CURRENT_LIST_DIR}/wasm/standard.hpp")
 # GoogleTest asks for less by itself, which that header cannot complete.
 set(CMAKE_CXX_STANDARD 20)
-# What the linker makes for Node.js must not fetch its own file, which Node.js 18 refuses.
 set(CMAKE_EXE_LINKER_FLAGS_INIT
   "-fwasm-exceptions -sENVIRONMENT=node -sALLOW_MEMORY_GROWTH -sSTACK_OVERFLOW_CHECK=0")
 # The linker needs a package of Node.js that Debian keeps where only Debian's own Node.js looks.
@@ -26,4 +25,5 @@ if(NOT trying)
 endif()
 # Threads are declared, and starting one fails. The library starts none unless it is asked to.
 set(CMAKE_HAVE_LIBC_PTHREAD TRUE)
-set(CMAKE_CROSSCOMPILING_EMULATOR node)
+# What the linker makes would fetch its own file where it can, and Node.js refuses that from 18 on.
+set(CMAKE_CROSSCOMPILING_EMULATOR node --no-experimental-fetch)
