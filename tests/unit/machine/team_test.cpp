@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/threads.hpp"
+
 namespace minksum {
 namespace {
 
@@ -95,8 +97,16 @@ TEST(Team, AsksTheCallerOnItsOwnThread) {
   };
   EXPECT_THROW(share(kTasks, cancellation, endless), Error);
   EXPECT_EQ(asked, 20);
-  // Also if all tasks are begun, and the caller only waits.
-  asked = 0;
+}
+
+TEST(Team, AsksTheCallerWhileItWaits) {
+  MINKSUM_NEEDS_THREADS();
+  int asked = 0;
+  Options options;
+  options.progress = [&](const Progress&) { return ++asked < 20; };
+  Team team(3, true);
+  Cancellation cancellation(options);
+  cancellation.join(team);
   std::atomic<bool> begun{false};
   const auto others_endless = [&](std::size_t task, std::size_t member, Cancellation& own) {
     if (member == 0) {
@@ -107,6 +117,7 @@ TEST(Team, AsksTheCallerOnItsOwnThread) {
     while (true) own.check();
   };
   EXPECT_THROW(share(2, cancellation, others_endless), Error);
+  EXPECT_EQ(asked, 20);
 }
 
 }  // namespace

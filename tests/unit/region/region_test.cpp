@@ -15,6 +15,7 @@
 #include "region/region_access.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
+#include "support/threads.hpp"
 
 namespace minksum {
 namespace {
@@ -291,6 +292,7 @@ TEST(Region, ChangesOfACopyAreItsOwn) {
 }
 
 TEST(Region, CopiesAreForDifferentThreads) {
+  MINKSUM_NEEDS_THREADS();
   const Region region = with_origins();
   const auto copy_and_change = [copy = region]() mutable {
     for (int i = 0; i < 1000; ++i) {

@@ -9,6 +9,7 @@
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
+#include "support/threads.hpp"
 
 namespace {
 
@@ -159,6 +160,7 @@ TEST(PreparedRegion, LeavesOtherDenominatorsToRationals) {
 }
 
 TEST(PreparedRegion, ServesManyThreads) {
+  MINKSUM_NEEDS_THREADS();
   const PreparedRegion p(comb(9, 3, 40));
   const PreparedRegion q(round_polygon(24, 50));
   const Region expected = minkowski_sum(p.region(), q.region());

@@ -11,6 +11,7 @@
 #include "minksum/prepared_region.hpp"
 #include "minksum/testing.hpp"
 #include "support/shapes.hpp"
+#include "support/threads.hpp"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
@@ -127,6 +128,7 @@ TEST(Workspace, AFailureLeavesAnEmptyResultAndAUsableWorkspace) {
 }
 
 TEST(Threads, SumsSideBySideAreTheSame) {
+  MINKSUM_NEEDS_THREADS();
   const Region p = ragged_frame(120, 400000, 5);
   const Region q = ragged_frame(40, 60000, 6);
   const Region expected = minkowski_sum(p, q);
