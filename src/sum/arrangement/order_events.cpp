@@ -117,14 +117,11 @@ class EventOrder {
       Sign order = kNegative;
       while (place > 0 && i - place < kNear && (order = follows(place - 1)) == kPositive) --place;
       if (order == kPositive && place > 0) {
-        std::size_t low = 0;
-        order = kNegative;
-        while (low < place && order != kZero) {
-          const std::size_t middle = low + (place - low) / 2;
-          order = follows(middle);
-          (order == kPositive ? place : low) = order == kPositive ? middle : middle + 1;
-        }
-        if (order == kZero) place = low;
+        const auto after = std::partition_point(
+            events.begin(), events.begin() + static_cast<std::ptrdiff_t>(place),
+            [&](const Event& e) { return compare(s, e, event) != kPositive; });
+        place = static_cast<std::size_t>(after - events.begin());
+        order = place > 0 ? follows(place - 1) : kNegative;
       }
       const std::span moved = events.subspan(place, i - place);
       std::copy_backward(moved.begin(), moved.end(), events.subspan(0, i + 1).end());
