@@ -138,20 +138,19 @@ class GridKernel final : public KernelOf<Rung> {
 class RationalKernel final : public KernelOf<ArbitraryRung> {
  public:
   void load(std::vector<Vec<Fraction>> sites, SiteId split, const Vec<Fraction>& first,
-            const Vec<Fraction>& second, std::size_t bits, int exponent) {
+            const Vec<Fraction>& second, std::size_t bits, int exponent,
+            Cancellation& cancellation) {
     sites_ = std::move(sites);
     next_.clear();
     split_ = split;
     origin_ = {first, second};
     work_ = work_of_decision(bits);
     exponent_ = exponent;
-    // One operand alone has no sums.
-    two_ = split < sites_.size();
-    if (two_) near_.load(sites_, split, origin_);
+    if (has_sums()) near_.load(sites_, split, origin_, work_, cancellation);
   }
   void connect(std::span<const SiteId> next) override {
     KernelOf::connect(next);
-    if (two_) near_.connect(sites_, next);
+    if (has_sums()) near_.connect(next);
   }
 
   using KernelOf::compare;
@@ -204,6 +203,8 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   }
 
  private:
+  /// One operand alone has no sums.
+  [[nodiscard]] bool has_sums() const { return split_ < sites_.size(); }
   template <class Answer, class Exact>
   static Answer or_exactly(const std::optional<Answer>& near, Exact exact) {
     return near ? *near : exact();
@@ -220,7 +221,6 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   std::array<Vec<Fraction>, 2> origin_;
   std::uint64_t work_ = 0;
   int exponent_ = 0;
-  bool two_ = false;
   NearKernel near_;
 };
 
@@ -246,9 +246,10 @@ void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const Gr
 
 void make_rational_kernel(std::vector<Vec<Fraction>> sites, SiteId split,
                           const Vec<Fraction>& origin_first, const Vec<Fraction>& origin_second,
-                          std::size_t bits, int exponent, std::unique_ptr<ExactKernel>& old) {
+                          std::size_t bits, int exponent, Cancellation& cancellation,
+                          std::unique_ptr<ExactKernel>& old) {
   reuse_or_make<RationalKernel>(old).load(std::move(sites), split, origin_first, origin_second,
-                                          bits, exponent);
+                                          bits, exponent, cancellation);
 }
 
 }  // namespace minksum

@@ -118,7 +118,7 @@ struct GridCoordinates {
   bool small = true;                           ///< whether `small_sites` holds the sites
   std::vector<Vec<std::int64_t>> small_sites;  ///< up to kSmallBits bits
   std::vector<Vec<Int128>> large_sites;
-  Vec<Int128> extent{};                        ///< the largest integer along each axis
+  Vec<Int128> extent{};  ///< the largest integer along each axis
   Vec<Int128> offset{};
   GridUnit unit;
   int bits = 0;
@@ -150,6 +150,7 @@ void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const Gr
 /// below `split` belong to the first operand.
 void make_rational_kernel(std::vector<Vec<Fraction>> sites, SiteId split,
                           const Vec<Fraction>& origin_first, const Vec<Fraction>& origin_second,
-                          std::size_t bits, int exponent, std::unique_ptr<ExactKernel>& old);
+                          std::size_t bits, int exponent, Cancellation& cancellation,
+                          std::unique_ptr<ExactKernel>& old);
 
 }  // namespace minksum

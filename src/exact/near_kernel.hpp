@@ -10,6 +10,7 @@
 #include "exact/bounded.hpp"
 #include "exact/formulas.hpp"
 #include "exact/sum_geometry.hpp"
+#include "machine/cancellation.hpp"
 
 namespace minksum {
 
@@ -59,9 +60,10 @@ class NearKernel {
   /// Sets the sites. Those before `split` are the first operand's. Each operand's sites are rounded
   /// relative to its origin.
   void load(std::span<const Vec<Fraction>> sites, SiteId split,
-            const std::array<Vec<Fraction>, 2>& origins);
+            const std::array<Vec<Fraction>, 2>& origins, std::uint64_t work,
+            Cancellation& cancellation);
   /// Sets the edges: the edge that starts at site i ends at site next[i].
-  void connect(std::span<const Vec<Fraction>> sites, std::span<const SiteId> next);
+  void connect(std::span<const SiteId> next) { next_.assign(next.begin(), next.end()); }
 
   [[nodiscard]] std::optional<Sign> orientation(const Segment& s, const SumVertex& v) const;
   [[nodiscard]] std::optional<Sign> orientation(const Segment& s, const NodePoint& node) const;
@@ -73,8 +75,7 @@ class NearKernel {
   [[nodiscard]] std::optional<double> parameter(const Segment& s, const PointOnSegment& p) const;
 
  private:
-  [[nodiscard]] Scaled rounded(const Fraction& value, std::size_t operand) const;
-  [[nodiscard]] std::size_t operand_of(SiteId site) const { return site < split_ ? 0 : 1; }
+  [[nodiscard]] Vec<Scaled> edge(SiteId start) const;
   /// Returns a vector from one sum vertex to another.
   [[nodiscard]] Vec<Scaled> between(const SumVertex& from, const SumVertex& to) const;
   [[nodiscard]] SumVertex end(const Segment& s) const {
@@ -88,10 +89,7 @@ class NearKernel {
   /// Returns a vector from a sum vertex to a node.
   [[nodiscard]] Vec<Scaled> between(const SumVertex& from, const NodePoint& node) const;
 
-  SiteId split_ = 0;
-  std::array<int, 2> exponents_{};
   std::vector<Vec<Scaled>> sites_;
-  std::vector<Vec<Scaled>> edges_;
   std::vector<SiteId> next_;
 };
 

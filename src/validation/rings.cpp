@@ -213,10 +213,9 @@ void approximate_sites(std::size_t count, const SumSettings& options, Cancellati
     const RationalCoordinates& r = operand.rationals;
     const int exponent = rational_exponent({&r.extent, 1});
     make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, r.bits,
-                         exponent, operand.kernel);
+                         exponent, cancellation, operand.kernel);
     operand.unit = {-exponent, 0, 1};
-    operand.bounds =
-        RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
+    operand.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
   } else {
     const GridCoordinates& grid = operand.grid;
     const GridPart part{&grid, 1, all};

@@ -83,7 +83,7 @@ void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Cancella
   std::move(second.sites.begin(), second.sites.end(), std::back_inserter(first.sites));
   o.bits = std::max(first.bits, second.bits);
   make_rational_kernel(std::move(first.sites), o.split, first.low, second.low, o.bits, exponent,
-                       o.kernel);
+                       cancellation, o.kernel);
   o.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
   o.trace_unit = std::ldexp(1.0, -exponent);
   o.trace_origin = {to_double(first.low.x + second.low.x), to_double(first.low.y + second.low.y)};
@@ -119,10 +119,10 @@ class HoleFiller {
   HoleFiller(const PreparedOperand& operand, const PreparedOperand& other, bool tight_wanted,
              std::vector<Vec<double>>& sizes)
       : operand_(operand), sizes_(sizes), tight_wanted_(tight_wanted) {
-    const double unit =
-        std::ldexp(1.0, other.unit.exp2 - operand.unit.exp2) *
-        std::pow(10.0, other.unit.exp10 - operand.unit.exp10) *
-        static_cast<double>(operand.unit.divisor) / static_cast<double>(other.unit.divisor);
+    const double unit = std::ldexp(1.0, other.unit.exp2 - operand.unit.exp2) *
+                        std::pow(10.0, other.unit.exp10 - operand.unit.exp10) *
+                        static_cast<double>(operand.unit.divisor) /
+                        static_cast<double>(other.unit.divisor);
     // A hole is open and the other operand is closed, so a polygon as wide as the hole does not
     // fit. Where rounding leaves a doubt the hole stays, which costs nothing but time.
     const bool exact = operand.unit == other.unit && operand.bounds.difference == 0 &&
@@ -229,8 +229,9 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSet
   connect_rings(o.rings, *o.kernel, cancellation, o.sites, o.previous);
 }
 
-void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const SumSettings& options,
-                      NarrowHoles narrow, Cancellation& cancellation, Operands& o) {
+void combine_operands(const PreparedOperand& p, const PreparedOperand& q,
+                      const SumSettings& options, NarrowHoles narrow, Cancellation& cancellation,
+                      Operands& o) {
   fill_holes(p, q, narrow, options.tight.value_or(false), cancellation, o);
   join_sites(p, q, options, cancellation, o);
   o.convex.clear();
@@ -246,10 +247,9 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
   rank_directions(p, q, cancellation, o);
   o.thin = {p.thin, q.thin};
   // The region of a sum of polylines may be in several parts, connected by segments without area.
-  o.connected =
-      p.region->polygon_count() == 1 && q.region->polygon_count() == 1 && !o.both_thin();
-  o.both_convex = o.rings.size() == 2 &&
-                  std::find(o.convex.begin(), o.convex.end(), 0) == o.convex.end();
+  o.connected = p.region->polygon_count() == 1 && q.region->polygon_count() == 1 && !o.both_thin();
+  o.both_convex =
+      o.rings.size() == 2 && std::find(o.convex.begin(), o.convex.end(), 0) == o.convex.end();
 }
 
 }  // namespace minksum

@@ -70,8 +70,9 @@ void compare(Random& random, int exponent, Tally& tally) {
   const auto [sites, next] = random_operands(random, exponent);
   const Formulas exact(sites, next);
   NearKernel near;
-  near.load(sites, kSites, {sites[0], sites[kSites]});
-  near.connect(sites, next);
+  Cancellation never;
+  near.load(sites, kSites, {sites[0], sites[kSites]}, 1, never);
+  near.connect(next);
   const auto site = [&](bool first) {
     return static_cast<SiteId>(random.below(kSites)) + (first ? 0 : kSites);
   };
@@ -137,8 +138,9 @@ TEST(NearKernel, MeasuresFromTheNearerEnd) {
                                          at(0, 0), at(5, -1),  at(3, 4)};
   const std::vector<SiteId> next{1, 2, 0, 4, 5, 3};
   NearKernel near;
-  near.load(sites, 3, {sites[0], sites[3]});
-  near.connect(sites, next);
+  Cancellation never;
+  near.load(sites, 3, {sites[0], sites[3]}, 1, never);
+  near.connect(next);
   const Segment lowest{0, 3};   // the long edge along the x axis
   const Segment falling{3, 1};  // small edges at its far end
   const Segment rising{4, 1};
