@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -18,9 +19,11 @@ namespace minksum::python {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Ctrl-C is looked for this often, and the progress callback is called at most that often: people
-// do not notice a twentieth of a second.
+// People do not notice a delay of a twentieth of a second. Ctrl-C is looked for more often than
+// that, because a call also needs time to end. A look takes the interpreter's lock from other
+// threads.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
+/// The progress callback is called once in this time, or less often.
 constexpr std::chrono::milliseconds kBetweenCalls{50};
 
 std::size_t thread_count(std::optional<int> asked) {
@@ -58,6 +61,28 @@ bool on_main_thread() {
 Workspace& small_memory() {
   thread_local Workspace memory;
   return memory;
+}
+
+/// Lends memory to options, and takes it back at its end.
+class Loan {
+ public:
+  Loan(Options& options, Workspace* memory) : options_(options) { options_.memory = memory; }
+  ~Loan() { options_.memory = nullptr; }
+  Loan(const Loan&) = delete;
+  Loan& operator=(const Loan&) = delete;
+
+ private:
+  Options& options_;
+};
+
+/// Gives memory back on a thread of its own: whoever presses Ctrl-C does not wait until gigabytes
+/// are given back.
+void give_back(std::unique_ptr<Workspace> memory) {
+  try {
+    std::thread([memory = std::move(memory)] {}).detach();
+  } catch (const std::system_error&) {
+    // The system gives no thread. The memory went with what would have run on it.
+  }
 }
 
 constexpr const char* kSettingsSignature =
@@ -195,19 +220,18 @@ void Call::run(bool small, const std::function<void()>& operation) {
   if (small) {
     options_.threads = 1;
     // A progress callback may call the library again, which then needs memory of its own.
-    if (!watch_) options_.memory = &small_memory();
+    const Loan loan(options_, watch_ ? nullptr : &small_memory());
     return operation();
   }
   start_watch();
   options_.threads = static_cast<int>(thread_count(threads_));
   auto memory = std::make_unique<Workspace>();
-  options_.memory = memory.get();
   const nb::gil_scoped_release unlocked;
+  const Loan loan(options_, memory.get());
   try {
     operation();
   } catch (...) {
-    // Whoever presses Ctrl-C does not wait until gigabytes are given back.
-    std::thread([memory = std::move(memory)] {}).detach();
+    if (ends_call()) give_back(std::move(memory));
     throw;
   }
 }
