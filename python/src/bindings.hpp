@@ -11,6 +11,7 @@ void bind_arrow(nanobind::module_& m);
 void bind_arrow_export(nanobind::module_& m);
 void bind_flat(nanobind::module_& m);
 void bind_readers(nanobind::module_& m);
+void bind_sums(nanobind::module_& m);
 void bind_sets(nanobind::module_& m);
 void bind_measures(nanobind::module_& m);
 void bind_no_fit(nanobind::module_& m);

@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <deque>
 #include <string>
 
 namespace nb = nanobind;
@@ -36,6 +37,12 @@ std::vector<std::size_t> indices(const std::vector<std::size_t>& whole,
     }
   }
   return result;
+}
+
+ShapeOperation on_geometries(const BinaryOperation& operation) {
+  return [operation](const Shape& a, const Shape& b, const Options& options) {
+    return operation(a.geometry, b.geometry, options);
+  };
 }
 
 }  // namespace
@@ -100,9 +107,7 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
 }
 
 nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& operation) {
-  return apply_shapes(call, a, b, [&](const Shape& x, const Shape& y, const Options& options) {
-    return operation(x.geometry, y.geometry, options);
-  });
+  return apply_shapes(call, a, b, on_geometries(operation));
 }
 
 nb::object apply_shapes(Call& call, nb::handle a, nb::handle b, const ShapeOperation& operation) {
@@ -137,6 +142,29 @@ nb::object apply_shapes(Call& call, nb::handle a, nb::handle b, const ShapeOpera
                   results.items[i] = std::move(result);
                 });
   return to_object(std::move(results));
+}
+
+void def_operator(nb::module_& m, const char* name, const ShapeOperation& operation) {
+  for (const char* type : {"Geometry", "GeometryArray"}) {
+    static std::deque<std::string> kept;
+    const std::string& text =
+        kept.emplace_back(std::string("def ") + name + "(self, other: GeometryLike) -> " +
+                          "Geometry | GeometryArray | None");
+    nb::cpp_function_def(
+        [operation](nb::handle a, nb::handle b) -> nb::object {
+          if (!nb::isinstance<Shape>(b) && !nb::isinstance<ShapeArray>(b)) {
+            return nb::borrow(Py_NotImplemented);
+          }
+          Call call;
+          return apply_shapes(call, a, b, operation);
+        },
+        nb::scope(m.attr(type)), nb::name(name), nb::is_method(), nb::is_operator(),
+        nb::arg("other"), nb::sig(text.c_str()));
+  }
+}
+
+void def_operator(nb::module_& m, const char* name, const BinaryOperation& operation) {
+  def_operator(m, name, on_geometries(operation));
 }
 
 nb::object nested(const std::vector<nb::object>& values, const std::vector<std::size_t>& shape,

@@ -55,6 +55,10 @@ void for_each_pair(Call& call, const Operands& a, const Operands& b, const Pairs
 [[nodiscard]] nanobind::object apply_shapes(Call& call, nanobind::handle a, nanobind::handle b,
                                             const ShapeOperation& operation);
 
+/// Adds an operator between geometries and arrays to both classes.
+void def_operator(nanobind::module_& m, const char* name, const ShapeOperation& operation);
+void def_operator(nanobind::module_& m, const char* name, const BinaryOperation& operation);
+
 /// Returns an array of objects, nested as the array's shape tells, or the only element of a single
 /// operand.
 [[nodiscard]] nanobind::object nested(const std::vector<nanobind::object>& values,

@@ -21,6 +21,7 @@ NB_MODULE(_core, m) {
   minksum::python::bind_arrow(m);
   minksum::python::bind_flat(m);
   minksum::python::bind_readers(m);
+  minksum::python::bind_sums(m);
   minksum::python::bind_sets(m);
   minksum::python::bind_measures(m);
   minksum::python::bind_no_fit(m);
