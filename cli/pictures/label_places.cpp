@@ -27,10 +27,10 @@ void LabelPlaces::take(const LabelBox& box) {
 }
 
 void LabelPlaces::take_line(PicturePoint from, PicturePoint to) {
-  constexpr double kStep = 3;
+  constexpr double kStep = 3;  // a line becomes boxes that are as wide as a thick line
   const double x = to.x - from.x;
   const double y = to.y - from.y;
-  // Pictures are at most so many times as high as wide, and a zoom leaves most of a line outside.
+  // A zoom leaves most of a line outside. Nobody walks along that. No picture is as high as this.
   constexpr double kHigh = 4;
   double begin = 0;
   double end = 1;

@@ -25,4 +25,3 @@ def writer() -> tuple[Any, ...]:
     except Exception:  # another version of Shapely
         pass
     return (lambda geometry: shapely.to_wkb(geometry, include_srid=True),)
-
