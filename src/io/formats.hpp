@@ -1,6 +1,7 @@
 // Declares a reader and a writer for each format.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,6 +13,11 @@
 #include "minksum/io.hpp"
 
 namespace minksum::io {
+
+/// The words that begin a text in WKT, in capitals.
+inline constexpr std::array<std::string_view, 7> kWktTypes = {
+    "POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
+    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
 
 // Readers of a whole text, which is one feature.
 void read_poly(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);

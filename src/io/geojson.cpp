@@ -13,7 +13,7 @@ namespace minksum::io {
 namespace {
 
 // Makes a name from the text fit for a message: one short line of ASCII.
-std::string quoted(std::string_view name) {
+std::string in_quotes(std::string_view name) {
   std::string result = "\"";
   for (const char c : name.substr(0, 40)) result += c >= ' ' && c <= '~' ? c : '?';
   return result + '"';
@@ -232,7 +232,7 @@ class GeoJsonSource : public FeatureSource {
       return;
     }
     if (expected == Expected::kFeature) {
-      fail_at(members.type_at, "expected a Feature, found the type " + quoted(type));
+      fail_at(members.type_at, "expected a Feature, found the type " + in_quotes(type));
     }
     if (type == "Polygon" || type == "MultiPolygon" || type == "GeometryCollection") return;
     for (const char* thin : {"Point", "MultiPoint", "LineString", "MultiLineString"}) {
@@ -240,7 +240,7 @@ class GeoJsonSource : public FeatureSource {
       if (builder_.rules() == Rules::kGeometry) return;
       fail_at(members.type_at, "a region needs polygons: " + type + " has no area");
     }
-    fail_at(members.type_at, "unknown type " + quoted(type));
+    fail_at(members.type_at, "unknown type " + in_quotes(type));
   }
 
   void read_content(const std::string& type) {

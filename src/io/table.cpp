@@ -19,9 +19,6 @@ struct Cell {
 };
 using Row = std::vector<Cell>;
 
-constexpr std::array<std::string_view, 7> kTypes = {
-    "POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
-    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
 constexpr std::array<std::string_view, 8> kLoneNames = {
     "WKT", "WKB", "GEOM", "GEOMETRY", "THE_GEOM", "WKB_GEOMETRY", "WKT_GEOM", "SHAPE"};
 
@@ -59,7 +56,7 @@ bool looks_like_geometry(std::string_view cell) {
   constexpr std::size_t kLongest = 20;
   const std::string start = in_capitals(cell.substr(0, kLongest));
   return start.starts_with("SRID=") ||
-         std::ranges::any_of(kTypes, [&](auto type) { return start.starts_with(type); });
+         std::ranges::any_of(kWktTypes, [&](auto type) { return start.starts_with(type); });
 }
 
 class TableSource : public FeatureSource {

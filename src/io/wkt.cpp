@@ -91,14 +91,11 @@ class WktReader {
 
   // Takes Z, M or ZM from the end of the word, or from behind it.
   std::string take_dimension(std::string& word) {
-    constexpr std::array<std::string_view, 7> kTypes = {
-        "POLYGON",    "MULTIPOLYGON", "GEOMETRYCOLLECTION", "POINT",
-        "MULTIPOINT", "LINESTRING",   "MULTILINESTRING"};
     for (const std::string_view dimension : {"ZM", "Z", "M"}) {
       if (!word.ends_with(dimension)) continue;
       const std::string_view type =
           std::string_view(word).substr(0, word.size() - dimension.size());
-      if (std::ranges::find(kTypes, type) == kTypes.end()) continue;
+      if (std::ranges::find(kWktTypes, type) == kWktTypes.end()) continue;
       word.resize(type.size());
       return std::string(dimension);
     }

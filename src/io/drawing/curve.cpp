@@ -5,10 +5,6 @@
 namespace minksum::io {
 namespace {
 
-Span operator+(const Span& a, const Span& b) { return {a.x + b.x, a.y + b.y}; }
-Span operator-(const Span& a, const Span& b) { return {a.x - b.x, a.y - b.y}; }
-Span operator*(const Interval& f, const Span& a) { return {f * a.x, f * a.y}; }
-
 Bezier<Interval> seen_from(const Point& origin, std::span<const Point> controls, bool backwards) {
   Bezier<Interval> result;
   for (std::size_t i = 0; i < controls.size(); ++i) {

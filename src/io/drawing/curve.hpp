@@ -22,6 +22,9 @@ struct Curve {
 
 /// A vector whose coordinates are not known exactly.
 using Span = Vector<Interval>;
+inline Span operator+(const Span& a, const Span& b) { return {a.x + b.x, a.y + b.y}; }
+inline Span operator-(const Span& a, const Span& b) { return {a.x - b.x, a.y - b.y}; }
+inline Span operator*(const Interval& f, const Span& a) { return {f * a.x, f * a.y}; }
 
 /// Returns the polynomial Bezier curve of two to twelve control points.
 [[nodiscard]] Curve bezier_curve(std::span<const Point> controls);

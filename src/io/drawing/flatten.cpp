@@ -15,7 +15,6 @@ namespace {
               "in doubles");
 }
 
-Span operator-(const Span& a, const Span& b) { return {a.x - b.x, a.y - b.y}; }
 Interval cross(const Span& a, const Span& b) { return a.x * b.y - a.y * b.x; }
 Interval dot(const Span& a, const Span& b) { return a.x * b.x + a.y * b.y; }
 
