@@ -85,7 +85,7 @@ Made made(const Arguments& arguments, auto answer) {
 Made make_sum(Parser& parser, ProcessLimits& limits) {
   bool tight = false;
   const auto describe = [&tight](CommandLine& line, SumArguments& arguments, ProcessLimits& mine) {
-    const Command command = add_sum(line, arguments, mine);
+    const Command command = describe_sum(line, arguments, mine);
     command.remove_option("--tight");  // in the subcommand it takes the name of a file
     command.add_flag("--tight", tight);
     arguments.options.threads = 1;  // jobs share the threads
@@ -115,7 +115,7 @@ template <MorphologyArguments::Operation operation>
 Made make_morphology(Parser& parser, ProcessLimits& limits) {
   MorphologyArguments arguments;
   arguments.operation = operation;
-  return made(parsed(parser, limits, add_morphology, arguments),
+  return made(parsed(parser, limits, describe_morphology, arguments),
               [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b) {
                 return result_json(rounded(morphology(mine, a, b), mine), mine);
               });
@@ -126,7 +126,7 @@ Made make_boolean(Parser& parser, ProcessLimits& limits) {
   BooleanArguments arguments;
   arguments.operation = operation;
   const auto describe = [](CommandLine& line, BooleanArguments& mine, ProcessLimits& most) {
-    add_boolean(line, mine, most);
+    describe_boolean(line, mine, most);
   };
   return made(parsed(parser, limits, describe, arguments),
               [](const BooleanArguments& mine, const Geometry& a, const Geometry& b) {
@@ -139,7 +139,7 @@ Made make_transform(Parser& parser, ProcessLimits& limits) {
   TransformArguments arguments;
   arguments.operation = operation;
   const auto describe = [](CommandLine& line, TransformArguments& mine, ProcessLimits& most) {
-    add_transform(line, mine, most);
+    describe_transform(line, mine, most);
   };
   arguments = parsed(parser, limits, describe, arguments);
   Made image_of =
@@ -154,7 +154,7 @@ template <bool inner_fit>
 Made make_no_fit(Parser& parser, ProcessLimits& limits) {
   NoFitArguments arguments;
   arguments.inner_fit = inner_fit;
-  return made(parsed(parser, limits, add_no_fit, arguments),
+  return made(parsed(parser, limits, describe_no_fit, arguments),
               [](const NoFitArguments& mine, const Geometry& a, const Geometry& b) {
                 const auto reference = reference_of(mine, b);
                 if (!mine.placements.empty()) {
@@ -166,14 +166,14 @@ Made make_no_fit(Parser& parser, ProcessLimits& limits) {
 }
 
 Made make_depth(Parser& parser, ProcessLimits& limits) {
-  return made(parsed(parser, limits, add_depth, DepthArguments()),
+  return made(parsed(parser, limits, describe_depth, DepthArguments()),
               [](const DepthArguments& mine, const Geometry& a, const Geometry& b) {
                 return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
               });
 }
 
 Made make_offset(Parser& parser, ProcessLimits& limits) {
-  return made(parsed(parser, limits, add_offset, OffsetArguments()),
+  return made(parsed(parser, limits, describe_offset, OffsetArguments()),
               [](const OffsetArguments& mine, const Geometry& a, const Geometry&) {
                 const Geometry result = offset(a, mine.distance, mine.shape, mine.options);
                 return result_json(rounded(result, mine), mine);

@@ -144,6 +144,6 @@ int run_batch(const BatchArguments& arguments) {
   return run.finish(Json::object(), files);
 }
 
-void add_batch(Program& program) { program.add(add_batch, run_batch); }
+void add_batch(Program& program) { program.add(describe_batch, run_batch); }
 
 }  // namespace minksum::cli

@@ -31,7 +31,7 @@ struct BatchArguments : ResultArguments {
 
 /// Adds the subcommand; parsing fills the other two arguments. The time limit is one for each job,
 /// not for the process.
-Command add_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& limits);
+Command describe_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& limits);
 
 /// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(BatchArguments& arguments);

@@ -37,7 +37,7 @@ struct Part {
 
 struct Parts {
   std::vector<Part> parts;
-  std::vector<Turn> turns;
+  std::vector<PartialTurn> turns;
   Digest digest;
 
   [[nodiscard]] std::uint64_t pairs() const { return parts.size() * parts.size() * turns.size(); }
@@ -64,7 +64,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
 
 // Adds the second operand of pairs, turned and for no-fit polygons reflected.
 void add_moving(Part& part, const BatchArguments& arguments, const Geometry& given,
-                const Region& resolved, const Turn& turn) {
+                const Region& resolved, const PartialTurn& turn) {
   Region turned = transform(resolved, turn.map);
   part.references.emplace_back();
   if (arguments.operation != "sum") {
@@ -78,7 +78,7 @@ void add_moving(Part& part, const BatchArguments& arguments, const Geometry& giv
 }
 
 Part prepare(const BatchArguments& arguments, const fs::path& file, const Geometry& given,
-             const std::vector<Turn>& turns) {
+             const std::vector<PartialTurn>& turns) {
   if (const auto reading = reading_of_faults(given.region, arguments.fill)) {
     note(file.string() + ": " + *reading);
   }
@@ -87,7 +87,7 @@ Part prepare(const BatchArguments& arguments, const fs::path& file, const Geomet
     throw Failure(kBadInput, file.string() + ": a part without area cannot be paired");
   }
   Part part{file.filename().string(), PreparedRegion(resolved.region), {}, {}};
-  for (const Turn& turn : turns) add_moving(part, arguments, given, resolved.region, turn);
+  for (const PartialTurn& turn : turns) add_moving(part, arguments, given, resolved.region, turn);
   return part;
 }
 

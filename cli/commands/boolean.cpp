@@ -34,8 +34,8 @@ const Words& words_of(const BooleanArguments& arguments) {
   return kWords[static_cast<std::size_t>(arguments.operation)];
 }
 
-void draw(const BooleanArguments& arguments, const Geometry& a, const Geometry& b,
-          const Geometry& result, OutputFiles& files) {
+void draw_combination(const BooleanArguments& arguments, const Geometry& a, const Geometry& b,
+                      const Geometry& result, OutputFiles& files) {
   const Options reading{.fill = arguments.options.fill};
   const char* const title = words_of(arguments).title;
   const Captions captions{title, "A", "B", title};
@@ -44,7 +44,7 @@ void draw(const BooleanArguments& arguments, const Geometry& a, const Geometry& 
 }
 
 int run_boolean(const BooleanArguments& arguments) {
-  return run_operation(arguments, combined, draw);
+  return run_operation(arguments, combined, draw_combination);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ Geometry combined(const BooleanArguments& arguments, const Geometry& a, const Ge
   return kOperations[index](sets[0].region, sets[1].region, part);
 }
 
-Command add_boolean(CommandLine& line, BooleanArguments& arguments, ProcessLimits& limits) {
+Command describe_boolean(CommandLine& line, BooleanArguments& arguments, ProcessLimits& limits) {
   const Words& words = words_of(arguments);
   const Command command = line.add_command(words.name, words.what);
   command.footer("\nFiles as for `minksum sum`; one of them may be \"-\" for standard input.\n");
@@ -94,7 +94,7 @@ void add_boolean(Program& program) {
   for (const auto operation : {kUnion, kIntersection, kDifference, kSymmetricDifference}) {
     BooleanArguments arguments;
     arguments.operation = operation;
-    program.add(add_boolean, run_boolean, arguments);
+    program.add(describe_boolean, run_boolean, arguments);
   }
 }
 

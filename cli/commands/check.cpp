@@ -79,7 +79,7 @@ void write_json(std::ostream& out, const SumCheck& check) {
   out << json.dump(2) << '\n';
 }
 
-Command add_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& limits) {
+Command describe_check(CommandLine& line, CheckArguments& arguments, ProcessLimits& limits) {
   const Command check = line.add_command(
       "check", "Whether a result, of minksum or of any program, is the sum of two geometries");
   check.footer(
@@ -136,6 +136,6 @@ int run_check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(Program& program) { program.add(add_check, run_check); }
+void add_check(Program& program) { program.add(describe_check, run_check); }
 
 }  // namespace minksum::cli

@@ -180,7 +180,7 @@ std::vector<Turn> range_of_turns(const std::string& text, double tolerance) {
   return turns;
 }
 
-Command add_cspace(CommandLine& line, CspaceArguments& arguments, ProcessLimits& limits) {
+Command describe_cspace(CommandLine& line, CspaceArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command(
       "cspace", "Configuration space: where a robot that moves and turns meets obstacles");
   add_robot_options(command, arguments, arguments.setting);
@@ -244,6 +244,6 @@ int run_cspace(const CspaceArguments& arguments) {
 
 }  // namespace
 
-void add_cspace(Program& program) { program.add(add_cspace, run_cspace); }
+void add_cspace(Program& program) { program.add(describe_cspace, run_cspace); }
 
 }  // namespace minksum::cli

@@ -204,6 +204,6 @@ int run_depth(const DepthArguments& arguments) {
 
 }  // namespace
 
-void add_depth(Program& program) { program.add(add_depth, run_depth); }
+void add_depth(Program& program) { program.add(describe_depth, run_depth); }
 
 }  // namespace minksum::cli

@@ -34,7 +34,7 @@ struct DrawArguments : FigureLook {
   io::ReadOptions limits;
 };
 
-constexpr const char* kFooter = R"(
+constexpr const char* kDrawFooter = R"(
 Several files lie on top of each other, the first one lowest, in one frame and to
 one scale. Files as for `minksum sum`; one of them may be "-" for standard input.
 )";
@@ -156,9 +156,9 @@ void add_look_options(const Command& command, DrawArguments& arguments) {
                    "Number vertices as messages do: from 1 in each ring, as read");
 }
 
-Command add_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits) {
+Command describe_draw(CommandLine& line, DrawArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command("draw", "Geometries as a picture: SVG, PNG or PDF");
-  command.footer(kFooter);
+  command.footer(kDrawFooter);
   command.add_option("FILE", arguments.files, "What to draw").required().type_name("FILE");
   command
       .add_option("-o,--output", arguments.output,
@@ -237,6 +237,6 @@ int run_draw(const DrawArguments& arguments) {
 
 }  // namespace
 
-void add_draw(Program& program) { program.add(add_draw, run_draw); }
+void add_draw(Program& program) { program.add(describe_draw, run_draw); }
 
 }  // namespace minksum::cli

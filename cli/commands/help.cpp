@@ -26,7 +26,7 @@ struct HelpArguments {
   std::string folder;  ///< where all files are written; empty = none
 };
 
-constexpr const char* kFooter = R"(
+constexpr const char* kHelpFooter = R"(
 `minksum help COMMAND` prints the same as `minksum COMMAND --help`.
 )";
 
@@ -98,7 +98,7 @@ void add_help(Program& program) {
   const auto arguments = std::make_shared<HelpArguments>();
   const Command command =
       program.line.add_command("help", "Help on a command, as a text or a man page; completions");
-  command.footer(kFooter);
+  command.footer(kHelpFooter);
   command.add_option("COMMAND", arguments->command, "The command; without it, the program")
       .type_name("COMMAND");
   command.add_flag("--man", arguments->man, "As a man page, for man -l -");

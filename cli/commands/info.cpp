@@ -155,7 +155,7 @@ Json info_json(const InfoArguments& arguments, const std::string& file,
   return json;
 }
 
-Command add_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& limits) {
+Command describe_info(CommandLine& line, InfoArguments& arguments, ProcessLimits& limits) {
   const Command info =
       line.add_command("info", "What a geometry is: parts, holes, box, exact area, validity, bits");
   info.footer(
@@ -222,6 +222,6 @@ int run_info(const InfoArguments& arguments) {
 
 }  // namespace
 
-void add_info(Program& program) { program.add(add_info, run_info); }
+void add_info(Program& program) { program.add(describe_info, run_info); }
 
 }  // namespace minksum::cli

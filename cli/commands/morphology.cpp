@@ -45,7 +45,7 @@ void add_morphology(Program& program) {
   for (const auto operation : {kDilate, kErode, kOpen, kClose}) {
     MorphologyArguments arguments;
     arguments.operation = operation;
-    program.add(add_morphology, run_morphology, arguments);
+    program.add(describe_morphology, run_morphology, arguments);
   }
 }
 

@@ -186,7 +186,7 @@ void add_no_fit(Program& program) {
   for (const bool inner_fit : {false, true}) {
     NoFitArguments arguments;
     arguments.inner_fit = inner_fit;
-    program.add(add_no_fit, run_no_fit, arguments);
+    program.add(describe_no_fit, run_no_fit, arguments);
   }
 }
 

@@ -26,6 +26,6 @@ int run_offset(const OffsetArguments& arguments) {
 
 }  // namespace
 
-void add_offset(Program& program) { program.add(add_offset, run_offset); }
+void add_offset(Program& program) { program.add(describe_offset, run_offset); }
 
 }  // namespace minksum::cli

@@ -100,7 +100,7 @@ void write_geojson(std::ostream& out, const Reach& found) {
   fail_about_scene(error, arguments);
 }
 
-Command add_reach(CommandLine& line, ReachArguments& arguments, ProcessLimits& limits) {
+Command describe_reach(CommandLine& line, ReachArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command(
       "reach", "Whether a robot that moves and turns gets from one place to another, and how");
   add_robot_options(command, arguments, arguments.setting);
@@ -184,6 +184,6 @@ void convert(const ReachArguments& arguments) {
   require_picture("--svg", arguments.picture);
 }
 
-void add_reach(Program& program) { program.add(add_reach, run_reach); }
+void add_reach(Program& program) { program.add(describe_reach, run_reach); }
 
 }  // namespace minksum::cli

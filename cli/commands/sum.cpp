@@ -156,6 +156,6 @@ int run_sum(const SumArguments& given) {
 
 }  // namespace
 
-void add_sum(Program& program) { program.add(add_sum, run_sum); }
+void add_sum(Program& program) { program.add(describe_sum, run_sum); }
 
 }  // namespace minksum::cli

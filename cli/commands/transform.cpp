@@ -69,8 +69,8 @@ Geometry rounded_singly(Geometry set, const TransformArguments& arguments, const
   return resolve(near, part) == near ? near : set;
 }
 
-void draw(const TransformArguments& arguments, const Geometry& a, const Geometry&,
-          const Geometry& result, OutputFiles& files) {
+void draw_image(const TransformArguments& arguments, const Geometry& a, const Geometry&,
+                const Geometry& result, OutputFiles& files) {
   const char* const title = words_of(arguments).title;
   const Captions captions{title, "A", nullptr, title};
   write_picture(
@@ -154,7 +154,7 @@ int run_transform(const TransformArguments& arguments) {
   const auto compute = [](const TransformArguments& mine, const Geometry& a, const Geometry&) {
     return image(mine, a);
   };
-  return run_operation(arguments, compute, draw);
+  return run_operation(arguments, compute, draw_image);
 }
 
 }  // namespace
@@ -169,7 +169,8 @@ Geometry image(const TransformArguments& arguments, const Geometry& given) {
   return rounded_singly(resolve(transform(set, arguments.map, part), part), arguments, part);
 }
 
-Command add_transform(CommandLine& line, TransformArguments& arguments, ProcessLimits& limits) {
+Command describe_transform(CommandLine& line, TransformArguments& arguments,
+                           ProcessLimits& limits) {
   const Words& words = words_of(arguments);
   const Command command = line.add_command(words.name, words.what);
   command.footer(
@@ -199,7 +200,7 @@ void add_transform(Program& program) {
   for (const auto operation : {kTransform, kReflect, kConvert}) {
     TransformArguments arguments;
     arguments.operation = operation;
-    program.add(add_transform, run_transform, arguments);
+    program.add(describe_transform, run_transform, arguments);
   }
 }
 

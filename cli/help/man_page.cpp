@@ -41,7 +41,7 @@ std::string title_of(const HelpPage& page) {
   return title;
 }
 
-void add_option(std::string& text, const HelpOption& option) {
+void add_man_option(std::string& text, const HelpOption& option) {
   std::string label;
   for (const std::string& name : option.names) {
     label += (label.empty() ? "" : ", ") + (name.starts_with('-') ? bold(name) : italic(name));
@@ -89,11 +89,11 @@ std::string man_page(const HelpPage& page) {
   text += ".SH NAME\n" + escaped(title_of(page)) + " \\- " + escaped(page.what) + "\n";
   text += ".SH SYNOPSIS\n" + escaped(usage_of(page)) + "\n";
   if (!page.operands.empty()) text += ".SH OPERANDS\n";
-  for (const HelpOption& operand : page.operands) add_option(text, operand);
+  for (const HelpOption& operand : page.operands) add_man_option(text, operand);
   text += ".SH OPTIONS\n";
   for (const HelpSection& section : page.sections) {
     if (section.title != "Options") text += ".SS " + escaped(section.title) + "\n";
-    for (const HelpOption& option : section.options) add_option(text, option);
+    for (const HelpOption& option : section.options) add_man_option(text, option);
   }
   if (!page.commands.empty()) text += ".SH COMMANDS\n";
   for (const HelpPage& command : page.commands) {

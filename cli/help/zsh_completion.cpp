@@ -4,7 +4,7 @@ namespace minksum::cli {
 namespace {
 
 // Returns the text inside single quotes of a specification of _arguments.
-std::string escaped(const std::string& text) {
+std::string in_specification(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '\'') {
@@ -23,20 +23,21 @@ std::string action_of(const HelpOption& option) {
   if (option.choices.empty()) return " ";
   std::string values;
   for (const std::string& choice : option.choices) {
-    values += (values.empty() ? "" : " ") + escaped(choice);
+    values += (values.empty() ? "" : " ") + in_specification(choice);
   }
   return "(" + values + ")";
 }
 
-void add_option(std::string& text, const HelpOption& option) {
+void add_zsh_option(std::string& text, const HelpOption& option) {
   // Names of one option exclude each other, unless it may be given again.
   std::string others;
   for (const std::string& name : option.names) others += (others.empty() ? "" : " ") + name;
   for (const std::string& name : option.names) {
     text += "    '" + (option.repeats ? "*" : "(" + others + ")") + name;
     if (!option.value.empty()) text += name.starts_with("--") ? "=" : "+";
-    text += "[" + escaped(option.what) + "]";
-    if (!option.value.empty()) text += ":" + escaped(option.value) + ":" + action_of(option);
+    text += "[" + in_specification(option.what) + "]";
+    if (!option.value.empty())
+      text += ":" + in_specification(option.value) + ":" + action_of(option);
     text += "'\n";
   }
 }
@@ -45,14 +46,14 @@ void add_operands(std::string& text, const HelpPage& page) {
   for (const HelpOption& operand : page.operands) {
     const bool command = operand.value == "COMMAND";
     text += std::string("    '") + (operand.repeats ? "*" : "") + ":" +
-            escaped(operand.names.front()) + ":" + (command ? "_minksum_commands" : "_files") +
-            "'\n";
+            in_specification(operand.names.front()) + ":" +
+            (command ? "_minksum_commands" : "_files") + "'\n";
   }
 }
 
 void add_page(std::string& text, const HelpPage& page) {
   for (const HelpSection& section : page.sections) {
-    for (const HelpOption& option : section.options) add_option(text, option);
+    for (const HelpOption& option : section.options) add_zsh_option(text, option);
   }
   add_operands(text, page);
 }
@@ -64,7 +65,8 @@ std::string zsh_completion(const HelpPage& program) {
   std::string text = "#compdef minksum\n# Completes command lines of minksum in zsh.\n\n";
   text += "_minksum_commands() {\n  local -a commands=(\n";
   for (const HelpPage& page : program.commands) {
-    text += "    '" + escaped(page.name.substr(prefix)) + ":" + escaped(page.what) + "'\n";
+    text += "    '" + in_specification(page.name.substr(prefix)) + ":" +
+            in_specification(page.what) + "'\n";
   }
   text += "  )\n  _describe command commands\n}\n\n_minksum_options() {\n  local -a options\n";
   text += "  case $1 in\n";

@@ -39,7 +39,7 @@ void add_pair_options(const Command& command, BatchArguments& arguments) {
 
 }  // namespace
 
-Command add_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& limits) {
+Command describe_batch(CommandLine& line, BatchArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command("batch", "Many operations, on all cores");
   command.footer(kFooter);
   command.add_option("JOBS", arguments.jobs, "The jobs, or - for standard input").type_name("FILE");

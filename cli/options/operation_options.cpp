@@ -81,7 +81,8 @@ void add_stats_option(const Command& command, std::string& stats) {
   command.add_option("--stats", stats, "Write sizes and times as JSON").type_name("FILE");
 }
 
-Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits) {
+Command describe_morphology(CommandLine& line, MorphologyArguments& arguments,
+                            ProcessLimits& limits) {
   const Words& words = kWords[static_cast<std::size_t>(arguments.operation)];
   const Command command = line.add_command(words.name, words.what);
   command.footer(kFilesFooter);
@@ -100,7 +101,7 @@ Command add_morphology(CommandLine& line, MorphologyArguments& arguments, Proces
   return command;
 }
 
-Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits) {
+Command describe_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits) {
   const bool inner_fit = arguments.inner_fit;
   const Command command =
       inner_fit ? line.add_command("ifp", "Inner-fit polygon: placements of a part in a bin")
@@ -137,7 +138,7 @@ Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& 
   return command;
 }
 
-Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits) {
+Command describe_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits) {
   const Command command = line.add_command("offset", "A grown or shrunk by a distance");
   OffsetOptions& shape = arguments.shape;
   command.footer(kOffsetFooter);
@@ -191,7 +192,7 @@ Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits&
   return command;
 }
 
-Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits) {
+Command describe_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits) {
   const Command command =
       line.add_command("depth", "Penetration depth or distance, and the time of impact");
   command.footer(kFilesFooter);

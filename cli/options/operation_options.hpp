@@ -24,12 +24,13 @@ void require_one_standard_input(const std::string (&operands)[2], const std::str
 void convert_operation(ResultArguments& result, const OperandArguments& operands);
 
 /// Each function adds the subcommand that its arguments name; parsing fills the arguments.
-Command add_morphology(CommandLine& line, MorphologyArguments& arguments, ProcessLimits& limits);
-Command add_boolean(CommandLine& line, BooleanArguments& arguments, ProcessLimits& limits);
-Command add_transform(CommandLine& line, TransformArguments& arguments, ProcessLimits& limits);
-Command add_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits);
-Command add_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits);
-Command add_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits);
+Command describe_morphology(CommandLine& line, MorphologyArguments& arguments,
+                            ProcessLimits& limits);
+Command describe_boolean(CommandLine& line, BooleanArguments& arguments, ProcessLimits& limits);
+Command describe_transform(CommandLine& line, TransformArguments& arguments, ProcessLimits& limits);
+Command describe_no_fit(CommandLine& line, NoFitArguments& arguments, ProcessLimits& limits);
+Command describe_offset(CommandLine& line, OffsetArguments& arguments, ProcessLimits& limits);
+Command describe_depth(CommandLine& line, DepthArguments& arguments, ProcessLimits& limits);
 
 /// Converts and checks what no option can check alone. Throws a Failure for wrong usage.
 void convert(MorphologyArguments& arguments);

@@ -114,7 +114,7 @@ Option add_fill_option(const Command& command, FillRule& fill) {
   return rule;
 }
 
-Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits) {
+Command describe_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits) {
   const Command sum = line.add_command("sum", "The Minkowski sum of two geometries");
   sum.footer(kSumFooter);
   add_operand(sum, "P", arguments.operands[0], "The first operand");

@@ -9,7 +9,7 @@
 namespace minksum::cli {
 
 /// Adds the subcommand; parsing fills the other two arguments.
-Command add_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits);
+Command describe_sum(CommandLine& line, SumArguments& arguments, ProcessLimits& limits);
 
 /// Adds --regularize.
 Option add_regularize_option(const Command& command, bool& regularize);

@@ -6,10 +6,10 @@
 
 namespace minksum::cli {
 
-Turn turn_by(int k, int rotations) {
+PartialTurn turn_by(int k, int rotations) {
   constexpr double kDegrees = 5e-4;  // less than 10^-5 radians
   const auto nearest = nearest_turn(Rational(std::int64_t{360} * k, rotations), kDegrees);
-  Turn turn{nearest.map(), {}};
+  PartialTurn turn{nearest.map(), {}};
   if (std::int64_t{4} * k % rotations == 0) return turn;
   // Each quarter turn adds 45 degrees to half the angle; the tangent follows by its sum formula.
   Rational half = nearest.tan_half;

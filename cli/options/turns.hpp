@@ -8,7 +8,7 @@
 namespace minksum::cli {
 
 /// A rotation by an angle whose half has a rational tangent.
-struct Turn {
+struct PartialTurn {
   Affine map;
   /// The tangent of half the angle; none for multiples of 90 degrees, whose rotations are exact.
   std::optional<Rational> half;
@@ -16,6 +16,6 @@ struct Turn {
 
 /// Returns a counter-clockwise rotation by about k/R of a full turn, for 0 ≤ k < R. Multiples of 90
 /// degrees are exact. Others are off by less than 10^-5 radians, and `half` gives the exact angle.
-[[nodiscard]] Turn turn_by(int k, int rotations);
+[[nodiscard]] PartialTurn turn_by(int k, int rotations);
 
 }  // namespace minksum::cli

@@ -10,10 +10,7 @@
 namespace minksum::cli {
 namespace {
 
-constexpr double kWidth = 960;
-constexpr double kMaxHeight = 900;
-constexpr double kMargin = 24;
-constexpr double kCaption = 52;
+constexpr double kTraceCaption = 52;
 // Ticks on more segments would only blacken the picture, so they are left out; the caption tells.
 constexpr std::size_t kMaxTicked = 30'000;
 
@@ -70,7 +67,7 @@ class TraceWriter {
       extent_.include(s.from.x, s.from.y);
       extent_.include(s.to.x, s.to.y);
     }
-    scale_ = fitting_scale(extent_, kWidth - 2 * kMargin, kMaxHeight);
+    scale_ = fitting_scale(extent_, kPageWidth - 2 * kPageMargin, kPageHeight);
   }
 
   void write_all() {
@@ -99,12 +96,12 @@ class TraceWriter {
   template <typename Paint>
   void save_picture(const std::string& name, const std::string& title, const std::string& note,
                     Paint paint) const {
-    const double height = 2 * kMargin + kCaption + extent_.height() * scale_;
-    SvgPicture picture(kWidth, height, title);
-    picture.text(kMargin, kMargin + 14, "title", title);
-    picture.text(kMargin, kMargin + 34, "note", note);
+    const double height = 2 * kPageMargin + kTraceCaption + extent_.height() * scale_;
+    SvgPicture picture(kPageWidth, height, title);
+    picture.text(kPageMargin, kPageMargin + 14, "title", title);
+    picture.text(kPageMargin, kPageMargin + 34, "note", note);
     if (!extent_.empty) {
-      paint(picture, PictureTransform(extent_, kMargin, kMargin + kCaption, scale_));
+      paint(picture, PictureTransform(extent_, kPageMargin, kPageMargin + kTraceCaption, scale_));
     }
     save(name + ".svg", std::move(picture).finish());
   }

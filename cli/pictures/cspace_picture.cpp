@@ -10,18 +10,15 @@
 namespace minksum::cli {
 namespace {
 
-constexpr double kWidth = 960;
-constexpr double kMargin = 24;
-constexpr double kGap = 22;
+constexpr double kSliceGap = 22;
 constexpr double kLabel = 22;
-constexpr double kCaption = 48;
-constexpr std::size_t kColumns = 4;
+constexpr double kSpaceCaption = 48;
+constexpr std::size_t kSliceColumns = 4;
 constexpr std::size_t kMostShown = 12;
 constexpr double kOneWidth = 720;
 
 Region as_region(const Box& box) {
-  return Region(
-      Polygon{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
+  return Region(Polygon{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, {}});
 }
 
 std::string label_of(const Turn& turn) {
@@ -37,9 +34,11 @@ std::vector<KeyEntry> key_of(bool free) {
           {"second", "The robot as it is turned"}};
 }
 
-double column_width() { return (kWidth - 2 * kMargin - (kColumns - 1) * kGap) / kColumns; }
+double column_width() {
+  return (kPageWidth - 2 * kPageMargin - (kSliceColumns - 1) * kSliceGap) / kSliceColumns;
+}
 
-std::size_t rows_of(std::size_t shown) { return (shown + kColumns - 1) / kColumns; }
+std::size_t rows_of(std::size_t shown) { return (shown + kSliceColumns - 1) / kSliceColumns; }
 
 }  // namespace
 
@@ -87,10 +86,10 @@ void CspacePicture::draw(SvgPicture& picture, const Slice& slice, double left, d
 
 std::string CspacePicture::one(const Slice& slice) const {
   const double key = kKeyRow * key_rows(key_of(free_), kOneWidth);
-  SvgPicture picture(kOneWidth + 2 * kMargin, height_for(kOneWidth) + key + 2 * kMargin,
+  SvgPicture picture(kOneWidth + 2 * kPageMargin, height_for(kOneWidth) + key + 2 * kPageMargin,
                      "Slice at " + label_of(slice.turn));
-  draw_key(picture, key_of(free_), kMargin, kMargin, kOneWidth);
-  draw(picture, slice, kMargin, kMargin + key, kOneWidth);
+  draw_key(picture, key_of(free_), kPageMargin, kPageMargin, kOneWidth);
+  draw(picture, slice, kPageMargin, kPageMargin + key, kOneWidth);
   return std::move(picture).finish();
 }
 
@@ -98,19 +97,21 @@ Overview::Overview(const CspacePicture& slices, std::size_t count, bool free)
     : slices_(slices),
       count_(count),
       shown_(std::min(count, kMostShown)),
-      picture_(kWidth, top(rows_of(shown_) * kColumns) - kGap + kMargin, "Configuration space") {
-  picture_.text(kMargin, kMargin + 14, "title",
+      picture_(kPageWidth, top(rows_of(shown_) * kSliceColumns) - kSliceGap + kPageMargin,
+               "Configuration space") {
+  picture_.text(kPageMargin, kPageMargin + 14, "title",
                 free ? "Free space" : "Configuration-space obstacles");
-  draw_key(picture_, key_of(free), kMargin, kMargin + 22, kWidth - 2 * kMargin);
+  draw_key(picture_, key_of(free), kPageMargin, kPageMargin + 22, kPageWidth - 2 * kPageMargin);
 }
 
 double Overview::left(std::size_t shown) const {
-  return kMargin + static_cast<double>(shown % kColumns) * (column_width() + kGap);
+  return kPageMargin + static_cast<double>(shown % kSliceColumns) * (column_width() + kSliceGap);
 }
 
 double Overview::top(std::size_t shown) const {
-  return kMargin + kCaption +
-         static_cast<double>(shown / kColumns) * (slices_.height_for(column_width()) + kGap);
+  return kPageMargin + kSpaceCaption +
+         static_cast<double>(shown / kSliceColumns) *
+             (slices_.height_for(column_width()) + kSliceGap);
 }
 
 void Overview::offer(std::size_t index, const Slice& slice) {

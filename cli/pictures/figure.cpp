@@ -7,36 +7,35 @@
 #include "output/faults.hpp"
 #include "pictures/axes.hpp"
 #include "pictures/figure_labels.hpp"
+#include "pictures/picture_key.hpp"
 #include "pictures/text_layout.hpp"
 
 namespace minksum::cli {
 namespace {
 
 constexpr double kMargin = 20;
-constexpr double kPadding = 16;  // between the frame and its content
+constexpr double kPadding = 16;      // between the frame and its content
 constexpr double kTitleHeight = 28;  // height of a title of one line
 constexpr double kTitleRow = 20;     // height of each further line
 constexpr double kLegendRow = 22;
 constexpr double kLegendLine = 17;  // distance between the lines of a caption
-constexpr double kSwatch = 18;
 constexpr double kTickLength = 5;
 constexpr double kTickLabels = 24;  // room below the frame
 constexpr double kFaultRow = 18;
 constexpr double kFaultIndent = 26;  // indent of the text behind a fault's number
-constexpr double kMinHeight = 120;  // least height of the frame, for a mere point
-constexpr double kPointScale = 48;  // scale of a mere point: some numbers fit beside it
+constexpr double kMinHeight = 120;   // least height of the frame, for a mere point
+constexpr double kPointScale = 48;   // scale of a mere point: some numbers fit beside it
 constexpr std::size_t kMaxFaultsListed = 20;
 
-// Fonts are not known here, so widths are about those of the widest usual font.
-constexpr double kCharacter = 7.4;
+// As kCharacterWidth, in larger and smaller letters.
 constexpr double kTitleCharacter = 9.4;
 constexpr double kLabelCharacter = 6.6;
 
-double text_width(std::string_view words, double character = kCharacter) {
+double text_width(std::string_view words, double character = kCharacterWidth) {
   return character * static_cast<double>(character_count(words));
 }
 std::vector<std::string> lines_of(std::string_view words, double width,
-                                  double character = kCharacter) {
+                                  double character = kCharacterWidth) {
   return wrapped(words, static_cast<std::size_t>(std::max(1.0, width / character)));
 }
 double label_width(const std::vector<Tick>& ticks) {

@@ -8,7 +8,7 @@
 namespace minksum::cli {
 namespace {
 
-constexpr double kCharacter = 7;  // about the width of a digit in the widest usual font
+constexpr double kDigitWidth = 7;  // about the width of a digit in the widest usual font
 constexpr double kHeight = 12;
 constexpr double kBaseline = 4;  // from the middle of a text down to its baseline
 constexpr double kMark = 7;      // radius of a fault's mark
@@ -31,7 +31,7 @@ class Labeller {
   void keep_off_lines(const Geometry& geometry);
   void write(PicturePoint anchor, PicturePoint direction, double distance, const char* style,
              const std::string& text) {
-    const double width = kCharacter * static_cast<double>(character_count(text)) + 2;
+    const double width = kDigitWidth * static_cast<double>(character_count(text)) + 2;
     const PicturePoint middle = places_.place(anchor, direction, distance, width, kHeight);
     picture_.text(middle.x, middle.y + kBaseline, style, text);
   }

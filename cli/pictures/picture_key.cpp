@@ -5,16 +5,13 @@
 namespace minksum::cli {
 namespace {
 
-constexpr double kSwatch = 18;
-constexpr double kCharacter = 7.4;  // about the width in the widest usual font
-
 // Calls visit(entry, x, row) for each entry; returns the number of rows.
 int arrange(const std::vector<KeyEntry>& entries, double width, auto visit) {
   double x = 0;
   int row = 0;
   for (const KeyEntry& entry : entries) {
     const double wide =
-        kSwatch + 8 + kCharacter * static_cast<double>(character_count(entry.words)) + 20;
+        kSwatch + 8 + kCharacterWidth * static_cast<double>(character_count(entry.words)) + 20;
     if (x > 0 && x + wide > width) {
       x = 0;
       ++row;

@@ -22,5 +22,7 @@ void draw_key(SvgPicture& picture, const std::vector<KeyEntry>& entries, double 
               double width);
 
 inline constexpr double kKeyRow = 22;
+/// The width of the sample of a colour.
+inline constexpr double kSwatch = 18;
 
 }  // namespace minksum::cli

@@ -12,10 +12,7 @@
 namespace minksum::cli {
 namespace {
 
-constexpr double kWidth = 960;
-constexpr double kMaxHeight = 900;
-constexpr double kMargin = 24;
-constexpr double kCaption = 44;
+constexpr double kPathCaption = 44;
 constexpr double kPoses = 24;  ///< about how many poses are drawn on the way
 
 double length_of(const std::vector<Waypoint>& path) {
@@ -36,13 +33,11 @@ std::vector<Waypoint> poses_on(const std::vector<Waypoint>& path) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Waypoint& a = path[i - 1];
     const Waypoint& b = path[i];
-    const double length =
-        std::hypot((b.at.x - a.at.x).to_double(), (b.at.y - a.at.y).to_double());
+    const double length = std::hypot((b.at.x - a.at.x).to_double(), (b.at.y - a.at.y).to_double());
     const auto parts = step > 0 ? static_cast<int>(std::ceil(length / step)) : 0;
     for (int k = 0; k < parts; ++k) {
       const Rational t(k, parts);
-      poses.push_back(
-          {{a.at.x + (b.at.x - a.at.x) * t, a.at.y + (b.at.y - a.at.y) * t}, a.turn});
+      poses.push_back({{a.at.x + (b.at.x - a.at.x) * t, a.at.y + (b.at.y - a.at.y) * t}, a.turn});
     }
     if (std::abs(std::remainder(b.turn.degrees - last_angle, 360)) >= 36) {
       poses.push_back(b);
@@ -95,20 +90,21 @@ std::string reach_picture(const ReachArguments& arguments, const ReachOptions& s
   for (const Region& end : ends) extent.include({end, {}, {}});
   for (const Region& ghost : ghosts) extent.include({ghost, {}, {}});
 
-  const double scale =
-      fitting_scale(extent, kWidth - 2 * kMargin, kMaxHeight - 2 * kMargin - kCaption);
-  const double width = std::max(extent.width() * scale, 420.0) + 2 * kMargin;
+  const double scale = fitting_scale(extent, kPageWidth - 2 * kPageMargin,
+                                     kPageHeight - 2 * kPageMargin - kPathCaption);
+  const double width = std::max(extent.width() * scale, 420.0) + 2 * kPageMargin;
   std::vector<KeyEntry> key{{"first", "Obstacles"}, {"second", "The robot at start and goal"}};
   if (found.reachable) {
     key.push_back({"edge-second", "on its way", true});
     key.push_back({"thin tight", "Way of its reference point", true});
   }
-  const double above = kCaption + kKeyRow * key_rows(key, width - 2 * kMargin);
-  SvgPicture picture(width, extent.height() * scale + 2 * kMargin + above, "Reach");
-  picture.text(kMargin, kMargin + 14, "title", found.reachable ? "Reachable" : "Not reachable");
-  picture.text(kMargin, kMargin + 32, "note", note_on(found));
-  draw_key(picture, key, kMargin, kMargin + kCaption - 2, width - 2 * kMargin);
-  const PictureTransform placement(extent, kMargin, kMargin + above, scale);
+  const double above = kPathCaption + kKeyRow * key_rows(key, width - 2 * kPageMargin);
+  SvgPicture picture(width, extent.height() * scale + 2 * kPageMargin + above, "Reach");
+  picture.text(kPageMargin, kPageMargin + 14, "title",
+               found.reachable ? "Reachable" : "Not reachable");
+  picture.text(kPageMargin, kPageMargin + 32, "note", note_on(found));
+  draw_key(picture, key, kPageMargin, kPageMargin + kPathCaption - 2, width - 2 * kPageMargin);
+  const PictureTransform placement(extent, kPageMargin, kPageMargin + above, scale);
   if (!workspace.empty()) picture.region(workspace, placement, "pale");
   picture.geometry(obstacles, placement, "first");
   for (const Region& ghost : ghosts) picture.region(ghost, placement, "edge-second");

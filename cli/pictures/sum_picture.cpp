@@ -10,11 +10,8 @@
 namespace minksum::cli {
 namespace {
 
-constexpr double kWidth = 960;
-constexpr double kMaxHeight = 900;
-constexpr double kMargin = 24;
 constexpr double kGap = 40;
-constexpr double kCaption = 44;  // room for two lines of text above each region
+constexpr double kRegionCaption = 44;  // room for two lines of text above each region
 
 // A caption may be wider than a small region below it.
 constexpr double kMinColumn = 190;
@@ -28,8 +25,8 @@ struct Layout {
   [[nodiscard]] double width(int i) const { return extents[i].width() * scale; }
   [[nodiscard]] double height(int i) const { return extents[i].height() * scale; }
   [[nodiscard]] double total_height() const {
-    const double below = has_q ? kGap + kCaption + height(1) : 0;
-    return 2 * kMargin + kCaption + std::max(height(0) + below, height(2));
+    const double below = has_q ? kGap + kRegionCaption + height(1) : 0;
+    return 2 * kPageMargin + kRegionCaption + std::max(height(0) + below, height(2));
   }
 };
 
@@ -47,15 +44,15 @@ Layout lay_out(const Drawing& drawing, const Geometry* sum) {
   if (sum != nullptr && drawing.p_below) layout.extents[2].include(drawing.p);
   const Extent* const e = layout.extents;
   const double left = std::max(e[0].width(), e[1].width());
-  const double room = kWidth - 2 * kMargin;
+  const double room = kPageWidth - 2 * kPageMargin;
   Extent right = e[2];
-  double scale = fitting_scale(right, room - kGap - kMinColumn, kMaxHeight - kCaption);
+  double scale = fitting_scale(right, room - kGap - kMinColumn, kPageHeight - kRegionCaption);
   if (right.empty) scale = std::numeric_limits<double>::infinity();
   if (const double both = left + right.width(); both > 0) {
     scale = std::min(scale, (room - (right.empty ? 0 : kGap)) / both);
   }
   if (const double stacked = e[0].height() + e[1].height(); stacked > 0) {
-    scale = std::min(scale, (kMaxHeight - 2 * kCaption - kGap) / stacked);
+    scale = std::min(scale, (kPageHeight - 2 * kRegionCaption - kGap) / stacked);
   }
   layout.scale = e[0].empty && e[1].empty && right.empty ? 1 : scale;
   layout.left_column = std::max(kMinColumn, left * layout.scale);
@@ -84,7 +81,8 @@ void draw(SvgPicture& picture, const Geometry& geometry, const PictureFrame& pla
   if (tight != nullptr) note += "; tight places: " + (tight->empty() ? "none" : summary(*tight));
   picture.text(place.left, place.top + 32, "note", note);
   if (place.extent.empty) return;
-  const PictureTransform placement(place.extent, place.left, place.top + kCaption, place.scale);
+  const PictureTransform placement(place.extent, place.left, place.top + kRegionCaption,
+                                   place.scale);
   // The smaller one lies on top, because areas hide what is below them.
   const bool covers = below != nullptr && contains(extent_of(geometry), extent_of(*below));
   if (below != nullptr && !covers) picture.geometry(*below, placement, "first");
@@ -101,21 +99,23 @@ void draw(SvgPicture& picture, const Geometry& geometry, const PictureFrame& pla
 std::string picture_of(const Drawing& drawing, const Geometry* sum) {
   const Captions& captions = drawing.captions;
   const Layout layout = lay_out(drawing, sum);
-  SvgPicture picture(kWidth, layout.total_height(), sum != nullptr ? captions.title : "P and Q");
+  SvgPicture picture(kPageWidth, layout.total_height(),
+                     sum != nullptr ? captions.title : "P and Q");
   draw(picture, drawing.p,
-       {layout.extents[0], kMargin, kMargin, layout.scale, captions.p, "first"});
+       {layout.extents[0], kPageMargin, kPageMargin, layout.scale, captions.p, "first"});
   const PictureFrame second{
-      layout.extents[1], kMargin,    kMargin + kCaption + layout.height(0) + kGap,
-      layout.scale,      captions.q, "second"};
+      layout.extents[1], kPageMargin, kPageMargin + kRegionCaption + layout.height(0) + kGap,
+      layout.scale,      captions.q,  "second"};
   if (layout.has_q) draw(picture, drawing.q, second);
   if (drawing.mark) {
     picture.thin_parts(
         {{}, {}, {*drawing.mark}},
-        PictureTransform(second.extent, second.left, second.top + kCaption, second.scale), "mark");
+        PictureTransform(second.extent, second.left, second.top + kRegionCaption, second.scale),
+        "mark");
   }
   if (sum != nullptr) {
     draw(picture, *sum,
-         {layout.extents[2], kMargin + layout.left_column + kGap, kMargin, layout.scale,
+         {layout.extents[2], kPageMargin + layout.left_column + kGap, kPageMargin, layout.scale,
           captions.sum, "sum"},
          drawing.tight, drawing.p_below ? &drawing.p : nullptr);
   }
@@ -126,8 +126,13 @@ std::string picture_of(const Drawing& drawing, const Geometry* sum) {
 
 Drawing drawing_of(const SumRun& run, const Options& options) {
   const Options reading{.fill = options.fill, .regularize = options.regularize};
-  return {resolve(run.operands[0], reading), resolve(run.operands[1], reading), run.exact,
-          run.tight ? &*run.tight : nullptr, {}, false, {}};
+  return {resolve(run.operands[0], reading),
+          resolve(run.operands[1], reading),
+          run.exact,
+          run.tight ? &*run.tight : nullptr,
+          {},
+          false,
+          {}};
 }
 
 std::string sum_picture(const Drawing& drawing) { return picture_of(drawing, &drawing.sum); }

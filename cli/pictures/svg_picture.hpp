@@ -11,6 +11,11 @@
 
 namespace minksum::cli {
 
+/// The size of a page on which several drawings are arranged: it fits on usual screens.
+inline constexpr double kPageWidth = 960;
+inline constexpr double kPageHeight = 900;
+inline constexpr double kPageMargin = 24;
+
 /// A box of the plane in doubles, which grows around given points.
 struct Extent {
   double min_x = 0;

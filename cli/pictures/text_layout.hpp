@@ -9,6 +9,9 @@
 
 namespace minksum::cli {
 
+/// About the width of a character in the widest usual font. Fonts are not known here.
+inline constexpr double kCharacterWidth = 7.4;
+
 /// Returns how many characters a UTF-8 text has.
 [[nodiscard]] std::size_t character_count(std::string_view text);
 
