@@ -7,7 +7,7 @@ namespace minksum::overlay {
 namespace {
 
 /// The change at a point of a line where one segment starts or ends.
-struct Step {
+struct LineEnd {
   PointId at = 0;
   Winding change;
   int belongs = 0;
@@ -17,16 +17,16 @@ struct Step {
 /// Cuts the segments of one line at all of their ends, and adds up those of equal ends. Points of a
 /// line are in order if their numbers are.
 void join(std::span<const Segment> line, Cancellation& cancellation, std::vector<Segment>& joined) {
-  std::vector<Step> steps;
+  std::vector<LineEnd> steps;
   for (const Segment& s : line) {
     steps.push_back({s.ends.low, s.change, s.belongs ? 1 : 0, s.spared});
     steps.push_back({s.ends.high, -s.change, s.belongs ? -1 : 0, -s.spared});
   }
   std::sort(steps.begin(), steps.end(),
-            cancellation.counting([](const Step& a, const Step& b) { return a.at < b.at; }));
-  Step now = steps.front();
+            cancellation.counting([](const LineEnd& a, const LineEnd& b) { return a.at < b.at; }));
+  LineEnd now = steps.front();
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    const Step& step = steps[i];
+    const LineEnd& step = steps[i];
     const Segment part{{now.change, now.belongs > 0, now.spared}, {now.at, step.at}};
     if (step.at != now.at && !part.idle()) joined.push_back(part);
     now = {step.at, now.change + step.change, now.belongs + step.belongs, now.spared + step.spared};

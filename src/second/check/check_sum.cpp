@@ -36,7 +36,7 @@ SumSettings by_second_method(const Options& options) {
 
 /// The set of points at most `within` away from `geometry` in x and in y. By the second method: the
 /// one that is checked must not tell what it may be off.
-Geometry grown(const Geometry& geometry, const Rational& within, const Options& options) {
+Geometry widened(const Geometry& geometry, const Rational& within, const Options& options) {
   return minkowski_sum(geometry, square_around_origin(within), by_second_method(options));
 }
 
@@ -51,7 +51,7 @@ class Witness {
         check_(check) {
     if (within.sign() == 0) return;
     near_result_.emplace(result, square_around_origin(within), cancellation);
-    near_sum_.emplace(p, grown(q, within, cancellation.options()), cancellation);
+    near_sum_.emplace(p, widened(q, within, cancellation.options()), cancellation);
   }
 
   void ask(const Point& x) {
@@ -95,8 +95,8 @@ void ask_thin_parts(const Geometry& geometry, Witness& witness) {
   for (const Polyline& line : geometry.polylines) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       witness.ask(line[i]);
-      witness.ask({(line[i].x + line[i + 1].x) / Rational(2),
-                   (line[i].y + line[i + 1].y) / Rational(2)});
+      witness.ask(
+          {(line[i].x + line[i + 1].x) / Rational(2), (line[i].y + line[i + 1].y) / Rational(2)});
     }
   }
   for (const Point& point : geometry.points) witness.ask(point);
@@ -234,8 +234,8 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q, const C
     return;
   }
   // Thin parts grow to areas as well, so areas decide for them, too.
-  const Geometry wide_sum = grown(sum, how.within, options);
-  const Geometry wide_result = grown(result, how.within, options);
+  const Geometry wide_sum = widened(sum, how.within, options);
+  const Geometry wide_result = widened(result, how.within, options);
   const Geometry both_sums[] = {wide_sum, result};
   const Geometry both_results[] = {wide_result, sum};
   const bool near =
