@@ -15,7 +15,7 @@ namespace {
 
 /// A directed edge of a ring. The winding numbers of rings of one `group` add up; polylines have
 /// the group kThin.
-struct Edge {
+struct GroupedEdge {
   Pt a;
   Pt b;
   int group = 0;
@@ -38,8 +38,8 @@ bool is_on_any(Wall& wall) { return !wall.on.empty(); }
 bool is_on_polyline(Wall& wall) { return wall.on.contains(kThin); }
 
 struct Input {
-  std::vector<Edge> edges;
-  std::vector<Edge> points;  ///< points, and edges that collapse to a point
+  std::vector<GroupedEdge> edges;
+  std::vector<GroupedEdge> points;  ///< points, and edges that collapse to a point
 
   void add_ring(Loop loop, int group, int orientation) {
     if (loop.empty()) return;
@@ -74,7 +74,7 @@ struct Input {
   void add_point(const Point& point) { points.push_back({to_pt(point), to_pt(point), kThin}); }
 };
 
-Pt meeting_point(const Edge& e, const Edge& f) {
+Pt meeting_point(const GroupedEdge& e, const GroupedEdge& f) {
   const Number ex = e.b.x - e.a.x;
   const Number ey = e.b.y - e.a.y;
   const Number fx = f.b.x - f.a.x;
@@ -85,7 +85,7 @@ Pt meeting_point(const Edge& e, const Edge& f) {
 
 /// Returns whether the ray from `from` through `towards` meets the edge. Sets the distance, where 1
 /// means at `towards`.
-bool hit(const Pt& from, const Pt& towards, const Edge& edge, Number& distance) {
+bool hit(const Pt& from, const Pt& towards, const GroupedEdge& edge, Number& distance) {
   const Number dx = towards.x - from.x;
   const Number dy = towards.y - from.y;
   const auto side = [&](const Pt& p) { return dx * (p.y - from.y) - dy * (p.x - from.x); };
@@ -107,9 +107,9 @@ bool hit(const Pt& from, const Pt& towards, const Edge& edge, Number& distance) 
   return distance > 0;
 }
 
-Windings windings_at(const Pt& p, const std::vector<Edge>& edges) {
+Windings windings_at(const Pt& p, const std::vector<GroupedEdge>& edges) {
   Windings result;
-  for (const Edge& e : edges) {
+  for (const GroupedEdge& e : edges) {
     if (e.group == kThin) continue;
     const bool up = e.a.y <= p.y;
     if (up == (e.b.y <= p.y)) continue;  // an edge owns its lower end only
@@ -156,9 +156,9 @@ class Overlay {
   }
 
   void cut() {
-    for (const Edge& e : input_.edges) {
+    for (const GroupedEdge& e : input_.edges) {
       std::set<Pt> stops{e.a, e.b};
-      for (const Edge& f : input_.edges) {
+      for (const GroupedEdge& f : input_.edges) {
         if (on_segment(f.a, e.a, e.b)) stops.insert(f.a);
         if (on_segment(f.b, e.a, e.b)) stops.insert(f.b);
         if (cross_properly(e.a, e.b, f.a, f.b)) stops.insert(meeting_point(e, f));
@@ -180,7 +180,7 @@ class Overlay {
     const Pt aim{middle.x - (nodes_[to].y - nodes_[from].y),
                  middle.y + (nodes_[to].x - nodes_[from].x)};
     Number nearest = 1;
-    for (const Edge& e : input_.edges) {
+    for (const GroupedEdge& e : input_.edges) {
       Number distance;
       if (hit(middle, aim, e, distance)) nearest = std::min(nearest, distance);
     }
@@ -191,7 +191,7 @@ class Overlay {
 
   std::set<int> groups_at(const Pt& p) const {
     std::set<int> groups;
-    for (const Edge& e : input_.edges) {
+    for (const GroupedEdge& e : input_.edges) {
       if (on_segment(p, e.a, e.b)) groups.insert(e.group);
     }
     return groups;
@@ -269,7 +269,7 @@ class Overlay {
 
   void add_points(const std::vector<std::pair<std::size_t, std::size_t>>& thin, Geometry& result) {
     std::set<Pt> alone;
-    for (const Edge& point : input_.points) {
+    for (const GroupedEdge& point : input_.points) {
       Wall wall{{point.group}, faces_around(point.a), true};
       if (keep_wall_(wall)) alone.insert(point.a);
     }

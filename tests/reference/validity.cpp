@@ -11,7 +11,7 @@
 namespace minksum::reference {
 namespace {
 
-struct Edge {
+struct RingEdge {
   Pt a;
   Pt b;
   std::size_t ring;   // number of the ring among those of all polygons
@@ -19,8 +19,8 @@ struct Edge {
   Number min_x, max_x, min_y, max_y;
 };
 
-std::vector<Edge> edges_of(const Loops& rings) {
-  std::vector<Edge> edges;
+std::vector<RingEdge> edges_of(const Loops& rings) {
+  std::vector<RingEdge> edges;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const Loop& ring = rings[r];
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -31,16 +31,16 @@ std::vector<Edge> edges_of(const Loops& rings) {
     }
   }
   std::sort(edges.begin(), edges.end(),
-            [](const Edge& e, const Edge& f) { return e.min_x < f.min_x; });
+            [](const RingEdge& e, const RingEdge& f) { return e.min_x < f.min_x; });
   return edges;
 }
 
-bool neighbours(const Edge& e, const Edge& f, std::size_t count) {
+bool neighbours(const RingEdge& e, const RingEdge& f, std::size_t count) {
   return e.ring == f.ring && ((e.index + 1) % count == f.index || (f.index + 1) % count == e.index);
 }
 
 // Returns whether neighbours share more than one end, which makes a spike.
-bool neighbours_overlap(const Edge& e, const Edge& f) {
+bool neighbours_overlap(const RingEdge& e, const RingEdge& f) {
   const Pt& shared = e.b == f.a ? e.b : e.a;
   const Pt& before = e.b == f.a ? e.a : f.a;
   const Pt& after = e.b == f.a ? f.b : e.b;
@@ -49,14 +49,14 @@ bool neighbours_overlap(const Edge& e, const Edge& f) {
 }
 
 // Returns whether two edges are collinear and share more than a point.
-bool overlap(const Edge& e, const Edge& f) {
+bool overlap(const RingEdge& e, const RingEdge& f) {
   if (turn(e.a, e.b, f.a) != 0 || turn(e.a, e.b, f.b) != 0) return false;
   const Pt low = std::max(std::min(e.a, e.b), std::min(f.a, f.b));
   const Pt high = std::min(std::max(e.a, e.b), std::max(f.a, f.b));
   return low < high;
 }
 
-std::string pair_fault(const Edge& e, const Edge& f, const Loops& rings) {
+std::string pair_fault(const RingEdge& e, const RingEdge& f, const Loops& rings) {
   const std::string where = " (ring " + std::to_string(e.ring) + " edge " +
                             std::to_string(e.index) + ", ring " + std::to_string(f.ring) +
                             " edge " + std::to_string(f.index) + ")";
@@ -71,7 +71,7 @@ std::string pair_fault(const Edge& e, const Edge& f, const Loops& rings) {
 }
 
 std::string edges_fault(const Loops& rings) {
-  const std::vector<Edge> edges = edges_of(rings);
+  const std::vector<RingEdge> edges = edges_of(rings);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size() && edges[j].min_x <= edges[i].max_x; ++j) {
       if (edges[j].max_y < edges[i].min_y || edges[i].max_y < edges[j].min_y) continue;

@@ -6,16 +6,13 @@
 
 #include "minksum/boolean.hpp"
 #include "reference/exact.hpp"
+#include "support/polygon_kinds.hpp"
 
 namespace minksum::test {
 namespace {
 
 using reference::Pt;
 using reference::to_pt;
-
-Vertex random_vertex(Random& random, int size) {
-  return {random.between(0, size), random.between(0, size)};
-}
 
 // Returns whether a path may go on from its last vertex to `next`. It must not go straight on, and
 // must not touch itself except where it closes.

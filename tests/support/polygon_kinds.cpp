@@ -17,11 +17,6 @@ std::int64_t cross(const Vertex& o, const Vertex& a, const Vertex& b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-Vertex random_vertex(Random& random, int size) {
-  const int x = random.between(0, size);
-  return {x, random.between(0, size)};
-}
-
 Outline random_vertices(Random& random, int count, int size) {
   Outline points;
   while (static_cast<int>(points.size()) < count) {
@@ -44,6 +39,11 @@ Region until_valid(Random& random, int size, Make&& make) {
 }
 
 }  // namespace
+
+Vertex random_vertex(Random& random, int size) {
+  const int x = random.between(0, size);
+  return {x, random.between(0, size)};
+}
 
 Region random_triangle(Random& random, int size) {
   for (;;) {

@@ -7,6 +7,8 @@
 
 namespace minksum::test {
 
+/// Returns a vertex of the grid 0..size.
+[[nodiscard]] Vertex random_vertex(Random& random, int size);
 /// Returns a triangle on the grid 0..size.
 [[nodiscard]] Region random_triangle(Random& random, int size);
 /// Returns a polygon of up to `count` grid points, in angular order around an inner point.
