@@ -83,7 +83,7 @@ template <class Number>
   const double* const dy = o[SmallOperand::kDy] + first;
   const auto between = [&](const auto& cross, std::size_t e) __attribute__((always_inline)) {
     const Vec<double> edge{dx[e], dy[e]};
-    return (cross(in, edge) >= 0) & (cross(edge, out) > 0) ? kBitOf[e] : 0;
+    return ((cross(in, edge) >= 0) & (cross(edge, out) > 0)) ? kBitOf[e] : 0;
   };
   return test_lanes<Number>(count / kLanes * kLanes, between);
 }
