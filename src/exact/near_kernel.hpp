@@ -34,8 +34,8 @@ struct Scaled {
   friend Scaled operator+(const Scaled& a, const Scaled& b) {
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
-    const int exponent = std::max(a.exponent, b.exponent);
-    return {a.at(exponent) + b.at(exponent), exponent};
+    const int larger = std::max(a.exponent, b.exponent);
+    return {a.at(larger) + b.at(larger), larger};
   }
   friend Scaled operator-(const Scaled& a, const Scaled& b) {
     return a + Scaled{{-b.bounded.value, b.bounded.error}, b.exponent};
