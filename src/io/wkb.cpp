@@ -17,14 +17,16 @@ namespace minksum::io {
 namespace {
 
 // The kinds of shapes by their codes. Codes from 8 to 17 are curves and surfaces.
-enum Kind : std::uint32_t {
-  kPoint = 1,
-  kLineString,
-  kPolygon,
-  kMultiPoint,
-  kMultiLineString,
-  kMultiPolygon,
-  kCollection,
+struct WkbKind {
+  enum Code : std::uint32_t {
+    kPoint = 1,
+    kLineString,
+    kPolygon,
+    kMultiPoint,
+    kMultiLineString,
+    kMultiPolygon,
+    kCollection,
+  };
 };
 constexpr std::array<const char*, 18> kNames = {"",
                                                 "POINT",
@@ -116,9 +118,9 @@ class WkbReader {
     if ((code.has_z || code.has_m) && !options_.drop_z) {
       fail_here(name + ' ' + (code.has_z ? "Z" : "") + (code.has_m ? "M" : "") + more_than_two());
     }
-    if (code.kind > kCollection) fail_here(name + " is not supported");
-    if (builder_.rules() == Rules::kRegion && code.kind != kPolygon && code.kind != kMultiPolygon &&
-        code.kind != kCollection) {
+    if (code.kind > WkbKind::kCollection) fail_here(name + " is not supported");
+    if (builder_.rules() == Rules::kRegion && code.kind != WkbKind::kPolygon &&
+        code.kind != WkbKind::kMultiPolygon && code.kind != WkbKind::kCollection) {
       fail_here("a region needs polygons: " + name + " has no area");
     }
     if (code.has_srid) {
@@ -132,11 +134,11 @@ class WkbReader {
 
   void content(std::uint32_t kind) {
     switch (kind) {
-      case kPoint:
+      case WkbKind::kPoint:
         return point();
-      case kLineString:
+      case WkbKind::kLineString:
         return line();
-      case kPolygon:
+      case WkbKind::kPolygon:
         return polygon();
       default:
         break;
@@ -150,7 +152,8 @@ class WkbReader {
                         static_cast<std::uint64_t>(options_.max_depth)});
     }
     ++depth_;
-    const std::uint32_t member = kind == kCollection ? 0 : kind - kMultiPoint + kPoint;
+    const std::uint32_t member =
+        kind == WkbKind::kCollection ? 0 : kind - WkbKind::kMultiPoint + WkbKind::kPoint;
     const bool little = little_;  // each member has its own
     for (auto left = take_count("geometries", kHeader); left > 0; --left) geometry(member);
     little_ = little;
@@ -262,22 +265,22 @@ class WkbWriter {
   void write(const GeometryView& geometry) {
     const Region& region = geometry.region;
     if (geometry.kinds() > 1) {
-      begin(kCollection);
+      begin(WkbKind::kCollection);
       put(static_cast<std::uint32_t>(geometry.kinds()));
     }
     if (!region.empty() || geometry.kinds() == 0) {
       const IndexRange polygons = region.empty() ? IndexRange(0, 0) : region.polygons();
-      kind(kPolygon, polygons, [&](std::size_t polygon) {
+      kind(WkbKind::kPolygon, polygons, [&](std::size_t polygon) {
         const IndexRange rings = region.rings_of(polygon);
         put_count(rings.size());
         for (const std::size_t r : rings) ring(region, region.vertices_of(r));
       });
     }
-    kind_if_any(kLineString, geometry.polylines, [&](const Polyline& line) {
+    kind_if_any(WkbKind::kLineString, geometry.polylines, [&](const Polyline& line) {
       put_count(line.size());
       for (const Point& at : line) point(at);
     });
-    kind_if_any(kPoint, geometry.points, [&](const Point& at) { point(at); });
+    kind_if_any(WkbKind::kPoint, geometry.points, [&](const Point& at) { point(at); });
     flush();
   }
 
@@ -285,18 +288,18 @@ class WkbWriter {
   static constexpr std::size_t kChunk = std::size_t{1} << 16;
 
   template <class Items, class Write>
-  void kind_if_any(Kind one, const Items& items, Write write) {
+  void kind_if_any(WkbKind::Code one, const Items& items, Write write) {
     if (!items.empty()) kind(one, items, write);
   }
   /// Writes a single item of a kind as such, and several as a collection of that kind.
   template <class Items, class Write>
-  void kind(Kind one, const Items& items, Write write) {
+  void kind(WkbKind::Code one, const Items& items, Write write) {
     if (items.empty()) {
       begin(one);
       return put_count(0);
     }
     if (items.size() > 1) {
-      begin(static_cast<Kind>(one - kPoint + kMultiPoint));
+      begin(static_cast<WkbKind::Code>(one - WkbKind::kPoint + WkbKind::kMultiPoint));
       put_count(items.size());
     }
     for (const auto& item : items) {
@@ -323,7 +326,7 @@ class WkbWriter {
     check_finite(value);
     put(std::bit_cast<std::uint64_t>(value));
   }
-  void begin(Kind kind) {
+  void begin(WkbKind::Code kind) {
     buffer_ += '\1';                             // little-endian
     const auto srid = std::exchange(srid_, {});  // which only the first header has
     put(static_cast<std::uint32_t>(kind) | (srid ? Code::kHasSrid : 0U));
