@@ -20,10 +20,11 @@ struct Words {
 };
 
 /// By Operation.
-constexpr Words kWords[] = {{"dilate", "Dilation: A grown by B", "dilation"},
-                            {"erode", "Erosion: where B fits into A", "erosion"},
-                            {"open", "Opening: what B covers while it stays in A", "opening"},
-                            {"close", "Closing: dilation, then erosion, by B", "closing"}};
+constexpr Words kOperationWords[] = {
+    {"dilate", "Dilation: A grown by B", "dilation"},
+    {"erode", "Erosion: where B fits into A", "erosion"},
+    {"open", "Opening: what B covers while it stays in A", "opening"},
+    {"close", "Closing: dilation, then erosion, by B", "closing"}};
 
 constexpr const char* kOffsetFooter = R"(
 Files as for `minksum sum`; FILE may be "-" for standard input. Numbers as 1.5, 1e-3 or 2/3.
@@ -83,7 +84,7 @@ void add_stats_option(const Command& command, std::string& stats) {
 
 Command describe_morphology(CommandLine& line, MorphologyArguments& arguments,
                             ProcessLimits& limits) {
-  const Words& words = kWords[static_cast<std::size_t>(arguments.operation)];
+  const Words& words = kOperationWords[static_cast<std::size_t>(arguments.operation)];
   const Command command = line.add_command(words.name, words.what);
   command.footer(kFilesFooter);
   add_operand(command, "A", arguments.operands[0], "The set");
