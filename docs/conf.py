@@ -14,13 +14,13 @@ version = release = re.search(r'MINKSUM_VERSION "(.*)"',
 copyright = ""
 root_doc = "README"
 extensions = ["myst_parser", "reference"]  # reference.py beside this file
-include_patterns = ["*.md", "docs/*.md", "include/**/*.hpp", "include/*.h"]
+include_patterns = ["*.md", "docs/*.md", "js/README.md", "include/**/*.hpp", "include/*.h"]
 exclude_patterns = ["include/minksum/detail", "build*"]
 source_suffix = {".md": "markdown", ".hpp": "restructuredtext", ".h": "restructuredtext"}
 reference_xml = str(OUT / "xml")
 
 myst_heading_anchors = 6
-nitpick_ignore_regex = [("c:identifier", r"u?int64_t|size_t"),
+nitpick_ignore_regex = [("c:identifier", r"u?int(32|64)_t|size_t"),
                         ("cpp:identifier", r"GEOS\w+|detail.*|minksum")]
 
 smartquotes = False  # "1/3" in prose is what a program prints
@@ -40,7 +40,7 @@ def add_contents(app, docname, source):
         return
     below = re.findall(r"^\| \[[^]]*\]\(([^)#]+)\.\w+\)", source[0], re.M)
     if docname == root_doc:
-        below += ["CONTRIBUTING", "CHANGELOG"]
+        below += ["js/README", "CONTRIBUTING", "CHANGELOG"]
     source[0] += "\n".join(["", "```{toctree}", ":hidden:", "", *below, "```", ""])
 
 

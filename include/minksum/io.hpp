@@ -165,7 +165,9 @@ class MINKSUM_API FeatureReader {
   [[nodiscard]] static FeatureReader from_file(const std::string& path,
                                                const ReadOptions& options = {});
   ~FeatureReader();
+  /// Takes over what the other one reads, which may then only be assigned to or destroyed.
   FeatureReader(FeatureReader&& other) noexcept;
+  /// Does the same.
   FeatureReader& operator=(FeatureReader&& other) noexcept;
 
   /// Returns the next feature, or nothing at the end and after an error. Throws as read_geometry
