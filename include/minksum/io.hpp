@@ -167,7 +167,7 @@ class MINKSUM_API FeatureReader {
   ~FeatureReader();
   /// Takes over what the other one reads, which may then only be assigned to or destroyed.
   FeatureReader(FeatureReader&& other) noexcept;
-  /// Does the same.
+  /// Takes over what the other one reads, and gives up what this one read.
   FeatureReader& operator=(FeatureReader&& other) noexcept;
 
   /// Returns the next feature, or nothing at the end and after an error. Throws as read_geometry
