@@ -39,12 +39,6 @@ std::vector<std::size_t> indices(const std::vector<std::size_t>& whole,
   return result;
 }
 
-ShapeOperation on_geometries(const BinaryOperation& operation) {
-  return [operation](const Shape& a, const Shape& b, const Options& options) {
-    return operation(a.geometry, b.geometry, options);
-  };
-}
-
 }  // namespace
 
 Pairs::Pairs(const Operands& a, const Operands& b) {
@@ -107,7 +101,9 @@ nb::object apply(Call& call, nb::handle a, const UnaryOperation& operation) {
 }
 
 nb::object apply(Call& call, nb::handle a, nb::handle b, const BinaryOperation& operation) {
-  return apply_shapes(call, a, b, on_geometries(operation));
+  return apply_shapes(call, a, b, [&](const Shape& x, const Shape& y, const Options& options) {
+    return operation(x.geometry, y.geometry, options);
+  });
 }
 
 nb::object apply_shapes(Call& call, nb::handle a, nb::handle b, const ShapeOperation& operation) {
@@ -164,7 +160,9 @@ void def_operator(nb::module_& m, const char* name, const ShapeOperation& operat
 }
 
 void def_operator(nb::module_& m, const char* name, const BinaryOperation& operation) {
-  def_operator(m, name, on_geometries(operation));
+  def_operator(m, name, [operation](const Shape& a, const Shape& b, const Options& options) {
+    return operation(a.geometry, b.geometry, options);
+  });
 }
 
 nb::object nested(const std::vector<nb::object>& values, const std::vector<std::size_t>& shape,
