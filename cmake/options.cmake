@@ -37,7 +37,8 @@ function(minksum_join_files target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
     # GCC inlines less where a file has more than 10,000 of its instructions, as eight files have.
-    # Sums would take up to twice the time. With this they take as long as from single files.
+    # Sums would take up to twice as many instructions. With this they take as many as from single
+    # files.
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:--param=large-unit-insns=1000000>)
   endif()

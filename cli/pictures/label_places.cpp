@@ -30,7 +30,7 @@ void LabelPlaces::take_line(PicturePoint from, PicturePoint to) {
   constexpr double kStep = 3;  // a line becomes boxes that are as wide as a thick line
   const double x = to.x - from.x;
   const double y = to.y - from.y;
-  // A zoom leaves most of a line outside. Nobody walks along that. No picture is as high as this.
+  // A zoom leaves most of a line outside, which takes no place. No picture is as high as this.
   constexpr double kHigh = 4;
   double begin = 0;
   double end = 1;

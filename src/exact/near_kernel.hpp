@@ -58,7 +58,7 @@ struct Scaled {
 class NearKernel {
  public:
   /// Sets the sites. Those before `split` are the first operand's. Each operand's sites are rounded
-  /// relative to its origin.
+  /// relative to its origin. `work` is that of one site (see Cancellation).
   void load(std::span<const Vec<Fraction>> sites, SiteId split,
             const std::array<Vec<Fraction>, 2>& origins, std::uint64_t work,
             Cancellation& cancellation);
