@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "machine/scramble.hpp"
+
 namespace minksum {
 
 using SlotId = std::uint32_t;
@@ -113,9 +115,7 @@ class SweepStatus {
     }
     slots_.emplace_back();
     const auto slot = static_cast<SlotId>(slots_.size() - 1);
-    std::uint64_t hash = slot * 0x9E3779B97F4A7C15U;
-    hash = (hash ^ (hash >> 29U)) * 0xBF58476D1CE4E5B9U;
-    slots_[slot].priority = static_cast<std::uint32_t>(hash >> 32U);
+    slots_[slot].priority = scramble(slot);
     return slot;
   }
   void replace_child(SlotId parent, SlotId child, SlotId by) {

@@ -6,6 +6,7 @@
 
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
+#include "machine/scramble.hpp"
 
 namespace minksum {
 namespace {
@@ -97,15 +98,11 @@ class Lister {
   }
 
  private:
-  /// Returns a pseudo-random number, which is always the same for the same `i` and step.
-  [[nodiscard]] std::uint64_t scramble(std::uint64_t i) const {
-    const std::uint64_t h = (i ^ (c_.step << 32)) * 0x9E3779B97F4A7C15U;
-    return (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9U >> 32;
-  }
+  [[nodiscard]] std::uint64_t random(std::uint64_t i) const { return scramble(i ^ c_.step << 32); }
   /// Picks one of the i-th `step` segments. Its position varies with i, because shapes can repeat
   /// themselves with the period of the step.
   [[nodiscard]] std::uint64_t sampled(std::uint64_t i) const {
-    return i * c_.step + (scramble(i) & (c_.step - 1));
+    return i * c_.step + (random(i) & (c_.step - 1));
   }
   void thin_out() {
     c_.step = std::max<std::uint64_t>(std::bit_floor(c_.size / kSample), 2);
@@ -119,7 +116,7 @@ class Lister {
       c_.segments.push_back({edges[next - c_.size], v});
       if (c_.segments.size() < 2 * kSample) continue;
       for (std::size_t i = 0; i < kSample; ++i) {
-        c_.segments[i] = c_.segments[2 * i + (scramble(i) & 1)];
+        c_.segments[i] = c_.segments[2 * i + (random(i) & 1)];
       }
       c_.segments.resize(kSample);
       c_.step *= 2;

@@ -133,7 +133,8 @@ struct Sample {
   /// were horizontal, half vertical, all short, and anywhere in each of 32 by 32 cells.
   [[nodiscard]] double expected_crossings(const Operands& operands) const;
 };
-/// Takes one of every few segments, so that an estimate takes a small share of the time of a sum.
+/// Takes one of every few segments, so that an estimate takes a small share of the time of a sum:
+/// one of 16, but at least `kFewestSampled` and at most `kSample`.
 [[nodiscard]] Sample take_sample(const Convolution& convolution, CoverScratch& scratch);
 /// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
 /// segments, so that crossings are found even if few segments are visible.

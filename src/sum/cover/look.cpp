@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "machine/scramble.hpp"
 #include "sum/cover/cover.hpp"
 
 namespace minksum {
@@ -70,17 +71,17 @@ std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover,
 }  // namespace
 
 Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
+  // Where the convolution is not listed, its segments are a sample already.
   const std::size_t listed = convolution.segments.size();
-  const std::size_t count = std::min(std::clamp(listed / 16, kFewestSampled, kSample), listed);
+  const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(
+      std::clamp<std::uint64_t>(convolution.size / 16, kFewestSampled, kSample), listed));
   auto& sample = scratch.sample;
   sample.clear();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t first = i * listed / count;
     const std::size_t end = (i + 1) * listed / count;
     // Positions vary, because shapes can repeat themselves with the period of the sample.
-    const std::uint64_t random = (i + 1) * 0x9E3779B97F4A7C15U >> 32;
-    sample.push_back(
-        convolution.segments[first + random * (end - first) / (std::uint64_t{1} << 32)]);
+    sample.push_back(convolution.segments[first + (scramble(i) * (end - first) >> 32)]);
   }
   return {sample, static_cast<double>(convolution.size) / static_cast<double>(count)};
 }

@@ -229,6 +229,22 @@ TEST(Cover, CrossingsAreEstimated) {
   }
 }
 
+/// Crossings are rare. They are missed if few segments are compared.
+TEST(Cover, SampleOfManySegmentsIsLarge) {
+  Random random(6);
+  Covered c(test::spiky_star(random, 100, 1000), test::spiky_star(random, 100, 1000), 1);
+  ConvolutionScratch scratch;
+  Convolution counted;
+  reduced_convolution_or_sample(c.operands, {}, 1000, c.never, scratch, counted);
+  ASSERT_FALSE(counted.listed());
+  ASSERT_GT(counted.size, 16 * kSample);
+  for (const Convolution* convolution : {&c.convolution, &counted}) {
+    const Sample sample = take_sample(*convolution, c.scratch);
+    EXPECT_EQ(sample.segments.size(), kSample);
+    EXPECT_EQ(sample.step * kSample, static_cast<double>(convolution->size));
+  }
+}
+
 TEST(Cover, UncoveredCountsTellCoveredBoxes) {
   Random random(6);
   Cover cover;
