@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "machine/scramble.hpp"
 #include "sum/cover/cover.hpp"
 
 namespace minksum {
@@ -81,7 +80,9 @@ Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
     const std::size_t first = i * listed / count;
     const std::size_t end = (i + 1) * listed / count;
     // Positions vary, because shapes can repeat themselves with the period of the sample.
-    sample.push_back(convolution.segments[first + (scramble(i) * (end - first) >> 32)]);
+    const std::uint64_t random = (i + 1) * 0x9E3779B97F4A7C15U >> 32;
+    sample.push_back(
+        convolution.segments[first + random * (end - first) / (std::uint64_t{1} << 32)]);
   }
   return {sample, static_cast<double>(convolution.size) / static_cast<double>(count)};
 }
