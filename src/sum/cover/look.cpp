@@ -70,10 +70,10 @@ std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover,
 }  // namespace
 
 Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
-  // Where the convolution is not listed, its segments are a sample already.
+  // The number follows from the size of the convolution, because its list may be a sample already.
+  const auto wanted = std::clamp<std::uint64_t>(convolution.size / 16, kFewestSampled, kSample);
   const std::size_t listed = convolution.segments.size();
-  const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(
-      std::clamp<std::uint64_t>(convolution.size / 16, kFewestSampled, kSample), listed));
+  const std::size_t count = std::min(static_cast<std::size_t>(wanted), listed);
   auto& sample = scratch.sample;
   sample.clear();
   for (std::size_t i = 0; i < count; ++i) {
