@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -55,27 +56,32 @@ class BoxPairs {
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
+  /// The most pairs for each box that `for_each` takes.
+  struct Most {
+    double in_x = HUGE_VAL;      ///< pairs that overlap in x
+    double overlaps = HUGE_VAL;  ///< pairs that overlap, as far as a sample tells
+  };
+
   /// Calls visit(a, b) once for each pair of boxes that overlap, and for some that nearly do. With
   /// `neighbours_touch`, a pair of boxes that were added one right after the other may be left out.
-  /// If more than `most` pairs overlap in x, visits no pair and returns false.
+  /// If there are too many pairs, visits none and returns false.
   template <class Visit>
-  bool for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch = false,
-                std::size_t most = std::numeric_limits<std::size_t>::max()) {
+  bool for_each(Visit visit, Cancellation& cancellation, const Most& most, bool neighbours_touch) {
     if (scratch_.boxes.size() <= kFew) {
       for_each_of_few(visit, neighbours_touch ? 2 : 1);
       return true;
     }
     sort();
     cancellation.check(4 * scratch_.boxes.size());
-    if (most != std::numeric_limits<std::size_t>::max() && count_in_columns() > most) return false;
+    if (are_too_many(most)) return false;
     const std::size_t count = scratch_.boxes.size();
     const auto visit_pairs_of = [&](std::size_t i) {
       const BoxPairScratch::Box box = scratch_.in_order[i];
       const std::size_t end = scratch_.column_end[column(box.right)];
       std::size_t j = i + 1;
       for (; j < end; j += kLanes) {
-        const Lanes apart = (lanes(&scratch_.bottoms[j]) > box.top) |
-                            (lanes(&scratch_.tops[j]) < box.bottom);
+        const Lanes apart =
+            (lanes(&scratch_.bottoms[j]) > box.top) | (lanes(&scratch_.tops[j]) < box.bottom);
         for_each_clear(apart, [&](std::size_t lane) {
           const std::size_t k = j + lane;
           const BoxPairScratch::Box& other = scratch_.in_order[k];
@@ -171,6 +177,30 @@ class BoxPairs {
       pairs += scratch_.column_end[column(scratch_.in_order[i].right)] - i - 1;
     }
     return pairs;
+  }
+
+  [[nodiscard]] bool are_too_many(const Most& most) const {
+    if (most.in_x == HUGE_VAL && most.overlaps == HUGE_VAL) return false;
+    const double in_x =
+        static_cast<double>(count_in_columns()) / static_cast<double>(scratch_.boxes.size());
+    return in_x > most.in_x || (in_x > most.overlaps && estimate_overlaps() > most.overlaps);
+  }
+  /// Estimates from a sample with how many boxes after it a box overlaps, on average.
+  [[nodiscard]] double estimate_overlaps() const {
+    constexpr std::size_t kSampled = 32;
+    const std::size_t count = scratch_.in_order.size();
+    std::size_t overlaps = 0;
+    for (std::size_t s = 0; s < kSampled; ++s) {
+      const std::size_t i = s * count / kSampled;
+      const BoxPairScratch::Box& box = scratch_.in_order[i];
+      const std::size_t end = scratch_.column_end[column(box.right)];
+      for (std::size_t k = i + 1; k < end; ++k) {
+        const BoxPairScratch::Box& other = scratch_.in_order[k];
+        overlaps += static_cast<std::size_t>((other.left <= box.right) & (box.left <= other.right) &
+                                             (other.bottom <= box.top) & (box.bottom <= other.top));
+      }
+    }
+    return static_cast<double>(overlaps) / kSampled;
   }
 
   void sort() {

@@ -87,7 +87,7 @@ class ContactFinder {
         [&](SiteId e, SiteId f) {
           if (!list_.full()) contact(std::min(e, f), std::max(e, f));
         },
-        cancellation_, true, most * o_.size());
+        cancellation_, {.in_x = static_cast<double>(most)}, true);
   }
   /// Tests the suspect edges with all edges, cell by cell.
   void compare_in_cells(const Vec<double>& extent) {

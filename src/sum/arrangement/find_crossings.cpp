@@ -29,21 +29,19 @@ class CrossingFinder {
   /// Meets all segments, where nothing is covered.
   void solve_all() {
     const std::span lines(kept_.data(), scratch_.line_count);
-    if (!boxes_are_small(lines)) {
-      for (KeptId s = 0; s < lines.size(); ++s) crowds_.add(s, {});
-      return crowds_.solve({});
-    }
-    meeter_.enter({});
     BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
     visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
       pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
                 std::max(s.a.y, s.b.y));
     });
+    meeter_.enter({});
     const double doubt = 4 * meeter_.doubt();  // places are off by one doubt, and rounded
     const auto meet = [&](KeptId s, KeptId t) {
       if (!are_apart(kept_[s], kept_[t], doubt)) meeter_.meet(std::min(s, t), std::max(s, t));
     };
-    pairs.for_each(meet, cancellation_);
+    if (pairs.for_each(meet, cancellation_, kMostPairs, false)) return;
+    for (KeptId s = 0; s < lines.size(); ++s) crowds_.add(s, {});
+    crowds_.solve({});
   }
   /// Meets the segments of the cells [begin, end) of those that have items.
   void solve_cells(std::size_t begin, std::size_t end) {
@@ -66,22 +64,9 @@ class CrossingFinder {
   // Meeting so many pairs for each segment costs as much as dividing: some 200 steps a segment, and
   // 50 a pair.
   static constexpr std::size_t kPairsPerSegment = 4;
-
-  /// Tells whether a segment's box overlaps few others, and few boxes lie above each other. That is
-  /// estimated as if boxes lay anywhere.
-  [[nodiscard]] bool boxes_are_small(std::span<const KeptSegment> segments) const {
-    constexpr double kMostOverlaps = 8;
-    constexpr double kMostInColumn = 400;
-    double across = 0;
-    double up = 0;
-    visit_in_pieces(segments, cancellation_, [&](const KeptSegment& s) {
-      across += std::abs(s.d.x);
-      up += std::abs(s.d.y);
-    });
-    const auto& [width, height] = scratch_.extent;
-    return across <= kMostInColumn * width &&
-           2 * across * up <= kMostOverlaps * static_cast<double>(segments.size()) * width * height;
-  }
+  // With 24 overlaps for each segment, comparing all boxes took as long as dividing them; with 7 it
+  // took half as long, and with 75 twice as long.
+  static constexpr BoxPairs::Most kMostPairs{.in_x = 400, .overlaps = 24};
 
   /// Tells whether the boxes of two segments are farther apart than `doubt`. Those of BoxPairs are
   /// coarse where segments are short beside the sum.

@@ -49,7 +49,8 @@ void expect_pairs(const std::vector<Box>& boxes, const Plane& plane, const Plane
   for (const Box& box : boxes) pairs.add(box.x0, box.y0, box.x1, box.y1);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> found;
   Cancellation never;
-  pairs.for_each([&](std::uint32_t a, std::uint32_t b) { ++found[std::minmax(a, b)]; }, never);
+  pairs.for_each([&](std::uint32_t a, std::uint32_t b) { ++found[std::minmax(a, b)]; }, never, {},
+                 false);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
       const double apart = gap(boxes[i], boxes[j], resolved);
@@ -112,8 +113,37 @@ TEST(BoxPairs, RoundsOutwardsByMoreThanTheDoubt) {
   for (const Box& box : boxes) pairs.add(box.x0, box.y0, box.x1, box.y1);
   int found = 0;
   Cancellation never;
-  pairs.for_each([&](std::uint32_t, std::uint32_t) { ++found; }, never);
+  pairs.for_each([&](std::uint32_t, std::uint32_t) { ++found; }, never, {}, false);
   EXPECT_EQ(found, 1);
+}
+
+/// Counts the pairs that are visited where each box may overlap so many in x, and so many at all.
+std::size_t count_pairs(const std::vector<Box>& boxes, const BoxPairs::Most& most) {
+  BoxPairScratch scratch;
+  BoxPairs pairs(1, 1, 0, scratch);
+  for (const Box& box : boxes) pairs.add(box.x0, box.y0, box.x1, box.y1);
+  std::size_t found = 0;
+  Cancellation never;
+  const bool done =
+      pairs.for_each([&](std::uint32_t, std::uint32_t) { ++found; }, never, most, false);
+  EXPECT_TRUE(done || found == 0);
+  return found;
+}
+
+TEST(BoxPairs, VisitsNoneWhereThereAreTooMany) {
+  // Boxes above one another, which do not overlap.
+  std::vector<Box> boxes;
+  for (int i = 0; i < 100; ++i) boxes.push_back({0, i / 100.0, 1, (i + 0.5) / 100.0});
+  boxes.push_back({0, 0, 1, 1});
+  EXPECT_EQ(count_pairs(boxes, {}), 100U);
+  EXPECT_EQ(count_pairs(boxes, {.in_x = 51}), 100U);
+  EXPECT_EQ(count_pairs(boxes, {.in_x = 49}), 0U);
+  EXPECT_EQ(count_pairs(boxes, {.overlaps = 2}), 100U);
+  // Boxes that are small beside the plane, and all lie in one place.
+  std::vector<Box> crowd;
+  for (int i = 0; i < 100; ++i) crowd.push_back({i * 1e-9, 0, (i + 0.5) * 1e-9, 1e-9});
+  EXPECT_EQ(count_pairs(crowd, {.overlaps = 51}), 100U * 99 / 2);
+  EXPECT_EQ(count_pairs(crowd, {.overlaps = 40}), 0U);
 }
 
 }  // namespace
