@@ -29,14 +29,17 @@ struct ExactCross {
   }
 };
 
-/// Cross products of integers in doubles that round them. Rounding keeps the order of two products,
-/// so the sign of a value that is not zero is exact. Zero is sure if the products are not rounded.
+/// Cross products of integers up to 2^49 in doubles that round them. Rounding keeps the order of
+/// two products, so the sign of a value that is not zero is exact. Zero is sure if the products are
+/// not rounded. It is also sure if x of both vectors is the same but for the sign, as where one
+/// segment starts at the end of the other: a product that changes with y changes by x at least, and
+/// rounding changes it by less than x / 8.
 struct RoundedCross {
   bool& unsure;
   [[gnu::always_inline]] double operator()(const Vec<double>& a, const Vec<double>& b) const {
     const double above = a.x * b.y;
     const double value = above - a.y * b.x;
-    unsure |= (value == 0) & (std::abs(above) >= 0x1p53);
+    unsure |= (value == 0) & (std::abs(above) >= 0x1p53) & (std::abs(a.x) != std::abs(b.x));
     return value;
   }
 };

@@ -8,6 +8,7 @@
 
 #include "minksum/testing.hpp"
 #include "minksum/transform.hpp"
+#include "sum/small/sides.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 
@@ -152,6 +153,27 @@ bool sum(const Region& p, const Region& q, Region& result) {
   EXPECT_TRUE(read_small(p, SmallHoles::kSome, small_p));
   EXPECT_TRUE(read_small(q, SmallHoles::kSome, small_q));
   return sum_small(small_p, small_q, scratch, result);
+}
+
+TEST(RoundedCross, IsUnsureOnlyWhereRoundingMayHideASign) {
+  const auto is_unsure = [](const Vec<double>& a, const Vec<double>& b) {
+    bool unsure = false;
+    const double value = RoundedCross{unsure}(a, b);
+    if (!unsure) {
+      const Int128 exact = ExactCross<Int128>{}(a, b);
+      EXPECT_EQ(value > 0, exact > 0);
+      EXPECT_EQ(value < 0, exact < 0);
+    }
+    return unsure;
+  };
+  const double far = 0x1p49;
+  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {far - 1, far - 3}));
+  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {1 - far, 3 - far}));
+  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {far - 1, far - 2}));
+  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {1 - far, 2 - far}));
+  EXPECT_FALSE(is_unsure({5, 0}, {far, 0}));
+  EXPECT_TRUE(is_unsure({far - 1, far - 2}, {far - 2, far - 3}));  // the exact value is -1
+  EXPECT_TRUE(is_unsure({0x1p30 + 1, 0x1p30 + 3}, {3 * (0x1p30 + 1), 3 * (0x1p30 + 3)}));
 }
 
 TEST(SmallSum, IsMadeWhereThereIsNoHole) {
