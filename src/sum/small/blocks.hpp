@@ -54,6 +54,12 @@ struct SmallBlocks {
     }
     return bits & first_bits(size - first);
   }
+  /// Returns those of the 64 blocks from `first` on (a multiple of 8) that are near `block`, itself
+  /// included, and not before it.
+  [[nodiscard, gnu::always_inline]] LaneBits near_from(std::size_t block, std::size_t first) const {
+    const LaneBits all = near(box_of(block), first);
+    return first < block ? all & ~first_bits(block - first) : all;
+  }
 };
 
 }  // namespace minksum

@@ -95,8 +95,7 @@ class SmallMeetings {
 /// are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetings& m) {
-  SmallSegments::Blocks blocks;
-  blocks.set(s.x.data(), s.y.data(), s.dx.data(), s.dy.data(), s.size);
+  const SmallSegments::Blocks& blocks = s.blocks;
   m.clear(s.size);
   const std::size_t last = blocks.size - 1;
   constexpr LaneBits kEachRow = 0x0101010101010101;
@@ -105,11 +104,8 @@ template <class Number>
   // Each look takes about a tenth of the time that the stages take for a segment.
   std::size_t looks_left = 8 * std::size_t{s.size} + 64;
   for (std::size_t i = 0; i < blocks.size; ++i) {
-    const SmallSegments::Blocks::Box box = blocks.box_of(i);
     for (std::size_t word = i / kLanes * kLanes; word < blocks.size; word += 64) {
-      LaneBits near = blocks.near(box, word);
-      if (word < i) near &= ~first_bits(i - word);
-      for (; near != 0; near &= near - 1) {
+      for (LaneBits near = blocks.near_from(i, word); near != 0; near &= near - 1) {
         const std::size_t j = word + static_cast<std::size_t>(std::countr_zero(near));
         const LaneBits rows = j == i ? s.lanes_of(i) : segments_near(s, i, blocks.box_of(j));
         const auto looks = static_cast<std::size_t>(std::popcount(rows));

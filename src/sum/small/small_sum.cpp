@@ -174,16 +174,19 @@ bool walk(const SmallOperand& p, const SmallOperand& q, const SmallSegments& seg
 template <class Number>
 bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScratch::State& scratch,
           Region& result) {
+  SmallSegments& segments = scratch.segments;
+  bool out_of_order = false;
   const auto list = [&]() __attribute__((always_inline)) {
-    return list_segments<Number>(p, q, scratch.segments);
+    const bool done = list_segments<Number>(p, q, segments);
+    out_of_order = done && segments.is_out_of_order();
+    return done;
   };
   if (!with_vectors(widest_vectors(), list)) return false;
-  // With so few segments, most pairs of blocks are near one another anyway.
-  constexpr std::uint32_t kMostInRingOrder = 300;
-  if (scratch.segments.size <= kMostInRingOrder) {
-    return walk<Number>(p, q, scratch.segments, scratch, result);
-  }
-  scratch.order.apply(scratch.segments, width, scratch.ordered);
+  if (!out_of_order) return walk<Number>(p, q, segments, scratch, result);
+  const auto order = [&]() __attribute__((always_inline)) {
+    scratch.order.apply(segments, width, scratch.ordered);
+  };
+  with_vectors(widest_vectors(), order);
   return walk<Number>(p, q, scratch.ordered, scratch, result);
 }
 

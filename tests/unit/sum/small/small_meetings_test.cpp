@@ -33,7 +33,7 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
       s->dy[i] = random.between(-4, 4);
     } while (s->dx[i] == 0 && s->dy[i] == 0);
   }
-  s->fill_up();
+  s->finish();
   return s;
 }
 
@@ -123,6 +123,7 @@ void shear(SmallSegments& s) {
     s.dx[i] += kSteep * s.dy[i];
     s.dy[i] += kSteep * s.dx[i];
   }
+  s.finish();
 }
 
 TEST(SmallMeetings, AreTheSameWhereDoublesRound) {
