@@ -77,26 +77,25 @@ bool run_small(const CallerOperand& p, const CallerOperand& q, const SumRequest&
   const std::array<const CallerOperand*, 2> given{&p, &q};
   // A prepared operand that is not small has been looked at before.
   const auto fits = [](const CallerOperand* o) {
-    return o->small != nullptr ||
-           (o->operand == nullptr && has_small_size(o->region, SmallHoles::kNone));
+    return o->small != nullptr || (o->operand == nullptr && has_small_size(o->region));
   };
   if (!std::all_of(given.begin(), given.end(), fits)) return false;
   Cancellation(options).look();
-  std::array<SmallOperand, 2> memory;
+  std::array<SmallOperand, 2>& memory = scratch.operands();
   std::array<const SmallOperand*, 2> small{p.small, q.small};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (small[i] != nullptr) continue;
-    if (!load_small(given[i]->region, SmallHoles::kNone, memory[i])) return false;
+    if (!load_small(given[i]->region, memory[i])) return false;
     small[i] = &memory[i];
   }
-  if (!bring_to_one_grid(small, memory) ||
-      numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) {
-    return false;
-  }
+  if (numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) return false;
+  // On its own grid, an operand has shorter numbers.
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (given[i]->small == nullptr && !is_clearly_valid(given[i]->region, memory[i])) return false;
   }
-  if (!sum_small(*small[0], *small[1], scratch, result)) return false;
+  if (!bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
+    return false;
+  }
   if (options.statistics != nullptr) {
     options.statistics->small = true;
     options.statistics->convolution_segments = scratch.segments();
@@ -166,7 +165,7 @@ class Sums final : public PartialSums {
     is_small_[i] = false;
     if (region.empty()) return true;
     cancellation_.look();
-    is_small_[i] = may_be_small(quiet_) && read_small(region, SmallHoles::kNone, small_[i]);
+    is_small_[i] = may_be_small(quiet_) && read_small(region, small_[i]);
     if (is_small_[i]) return true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
@@ -299,7 +298,7 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
     prepare_operand(state->region, SumSettings{}, 1, cancellation, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
-    if (read_small(state->region, SmallHoles::kSome, *small)) state->small = std::move(small);
+    if (read_small(state->region, *small)) state->small = std::move(small);
   }
   state_ = std::move(state);
 }

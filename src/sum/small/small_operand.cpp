@@ -15,7 +15,19 @@ namespace {
 /// The largest offset and coordinate: sums of two offsets and two coordinates fit in 64 bits.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 60;
 
-bool fits(const Int128& offset) { return -kFarthest <= offset && offset <= kFarthest; }
+constexpr int kMostTwos = 60;
+constexpr auto kPowersOfTen = [] {
+  std::array<std::int64_t, 19> powers{1};
+  for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
+  return powers;
+}();
+/// Multiplies by 10^tens · 2^twos. Returns false if the product is too large for an offset.
+inline bool scale(int tens, int twos, std::int64_t& value) {
+  if (tens >= static_cast<int>(kPowersOfTen.size()) || twos > kMostTwos) return value == 0;
+  return !__builtin_mul_overflow(value, kPowersOfTen[static_cast<std::size_t>(tens)], &value) &&
+         !__builtin_mul_overflow(value, std::int64_t{1} << twos, &value) && -kFarthest <= value &&
+         value <= kFarthest;
+}
 
 /// Sets the exponents to the smallest in use. Returns false if all coordinates are zero.
 bool find_grid(const Region& region, SmallOperand& s) {
@@ -53,43 +65,55 @@ bool find_longest(SmallOperand& s) {
   return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumberType::kNone;
 }
 
+/// The vertices of a ring as integers, and their box.
+struct RingPlaces {
+  std::array<Vec<std::int64_t>, SmallOperand::kMaxVertices> at;
+  Vec<std::int64_t> low{kFarthest, kFarthest};
+  Vec<std::int64_t> high{-kFarthest, -kFarthest};
+
+  [[nodiscard]] Vec<double> extent() const {
+    return {static_cast<double>(high.x - low.x), static_cast<double>(high.y - low.y)};
+  }
+};
+
+/// Returns false if the vertices are no short integers on the operand's grid.
+bool place_vertices(const Region& region, const IndexRange& ring, const SmallOperand& s,
+                    RingPlaces& places) {
+  bool fit = true;
+  const auto integer = [&](const StoredCoordinate& c) {
+    std::int64_t value = c.payload;
+    // The exponents of zero are of no matter.
+    fit = fit && (value == 0 || scale(c.exp10 - s.exp10, c.exp2 - s.exp2, value));
+    return value;
+  };
+  for (std::size_t v = 0; v < ring.size(); ++v) {
+    const Vec<std::int64_t> at{integer(RegionAccess::x(region, ring.front() + v)),
+                               integer(RegionAccess::y(region, ring.front() + v))};
+    if (!fit) return false;
+    places.at[v] = at;
+    places.low = {std::min(places.low.x, at.x), std::min(places.low.y, at.y)};
+    places.high = {std::max(places.high.x, at.x), std::max(places.high.y, at.y)};
+  }
+  return true;
+}
+
 /// Loads the vertices of a ring as they are given, on a grid that is set. Returns false if they are
 /// no short integers there. The origin is the box's lower left corner, unless `origin` is given.
 bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
           SmallOperand& s) {
   const std::size_t n = ring.size();
-  if (n < 3 || n > SmallOperand::kMaxVertices) return false;
-  std::array<Vec<std::int64_t>, SmallOperand::kMaxVertices> at;
-  bool fit = true;
-  const auto integer = [&](const StoredCoordinate& c) -> std::int64_t {
-    if (c.payload == 0) return 0;
-    Int128 value = c.payload;
-    if (c.exp10 == s.exp10 && c.exp2 == s.exp2 && fits(value)) return c.payload;
-    for (int k = s.exp10; k < c.exp10 && fits(value); ++k) value *= 10;
-    for (int k = s.exp2; k < c.exp2 && fits(value); ++k) value *= 2;
-    fit = fit && fits(value);
-    return static_cast<std::int64_t>(value);
-  };
-  Vec<std::int64_t> low{kFarthest, kFarthest};
-  Vec<std::int64_t> high{-kFarthest, -kFarthest};
-  for (std::size_t v = 0; v < n; ++v) {
-    at[v] = {integer(RegionAccess::x(region, ring.front() + v)),
-             integer(RegionAccess::y(region, ring.front() + v))};
-    low = {std::min(low.x, at[v].x), std::min(low.y, at[v].y)};
-    high = {std::max(high.x, at[v].x), std::max(high.y, at[v].y)};
-  }
-  if (!fit) return false;
-  s.extent = {static_cast<double>(high.x - low.x), static_cast<double>(high.y - low.y)};
-  const double width = std::max(s.extent.x, s.extent.y);
-  if (width > SmallOperand::kWidest) return false;
+  RingPlaces places;
+  if (n < 3 || !place_vertices(region, ring, s, places)) return false;
+  s.extent = places.extent();
+  if (std::max(s.extent.x, s.extent.y) > SmallOperand::kWidest) return false;
   s.size = static_cast<std::uint32_t>(n);
-  if (origin != nullptr) low = *origin;
+  const Vec<std::int64_t> low = origin != nullptr ? *origin : places.low;
   s.offset = low;
-  s.first = at[0];
+  s.first = places.at[0];
   s.make_rows(n);
   for (std::uint32_t v = 0; v < n; ++v) {
-    s[SmallOperand::kX][v] = static_cast<double>(at[v].x - low.x);
-    s[SmallOperand::kY][v] = static_cast<double>(at[v].y - low.y);
+    s[SmallOperand::kX][v] = static_cast<double>(places.at[v].x - low.x);
+    s[SmallOperand::kY][v] = static_cast<double>(places.at[v].y - low.y);
     s[SmallOperand::kVertexSource][v] = v;
     s[SmallOperand::kEdgeSource][v] = v;
   }
@@ -180,16 +204,20 @@ void set_edges(SmallOperand& s) {
   }
 }
 
+/// Returns in which eighth of the circle a vector lies, counter-clockwise from the positive x axis.
+int eighth_of(const Vec<double>& d) {
+  const bool lower = d.y < 0 || (d.y == 0 && d.x < 0);
+  const Vec<double> upper{lower ? -d.x : d.x, lower ? -d.y : d.y};
+  const int eighth = upper.x > 0 ? (upper.y >= upper.x ? 1 : 0) : (-upper.x >= upper.y ? 3 : 2);
+  return eighth + (lower ? 4 : 0);
+}
+
 double mean_turning(const SmallOperand& s) {
-  constexpr std::array<Vec<double>, 8> kDirections{
-      {{1, 0}, {2, 1}, {1, 2}, {0, 1}, {-1, 0}, {-2, -1}, {-1, -2}, {0, -1}}};
   int meetings = 0;
   for (std::uint32_t v = 0; v < s.size; ++v) {
     const Vec<double> in{s[SmallOperand::kInX][v], s[SmallOperand::kInY][v]};
     const Vec<double> out{s[SmallOperand::kOutX][v], s[SmallOperand::kOutY][v]};
-    for (const Vec<double>& d : kDirections) {
-      meetings += (cross(in, d) > 0) && (cross(d, out) >= 0) ? 1 : 0;
-    }
+    meetings += (eighth_of(out) - eighth_of(in)) & 7;
   }
   return meetings / 8.0;
 }
@@ -219,14 +247,11 @@ bool is_clear_hole(const SmallOperand& hole, const SmallOperand& outer,
   return true;
 }
 
-/// Reads the sizes of the holes. Returns false if they are many or not clearly valid, or if two
-/// rings touch.
-bool read_holes(const Region& region, SmallOperand& s) {
-  const std::size_t count = region.ring_count() - 1;
-  if (count > SmallOperand::kMaxHoles) return false;
-  std::vector<SmallOperand> holes(count);
+/// Returns false if a hole is not clearly valid, or if two rings touch.
+bool are_holes_clearly_valid(const Region& region, const SmallOperand& s) {
+  std::vector<SmallOperand> holes(s.holes.size());
   std::vector<BoxOf<double>> boxes;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < holes.size(); ++k) {
     SmallOperand& hole = holes[k];
     hole.exp2 = s.exp2;
     hole.exp10 = s.exp10;
@@ -241,39 +266,45 @@ bool read_holes(const Region& region, SmallOperand& s) {
       return is_clear_hole<Number>(hole, s, std::span(holes).first(k), boxes);
     };
     if (numbers == SmallNumberType::kNone || !with_numbers(numbers, is_clear)) return false;
-    s.holes.push_back(hole.extent);
   }
   return true;
 }
 
 }  // namespace
 
-bool has_small_size(const Region& region, SmallHoles may_have) {
-  return region.polygon_count() == 1 &&
-         (may_have == SmallHoles::kSome || region.ring_count() == 1) &&
+bool has_small_size(const Region& region) {
+  return region.polygon_count() == 1 && region.ring_count() <= 1 + SmallOperand::kMaxHoles &&
          region.vertex_count() <= SmallOperand::kMaxVertices && RegionAccess::limbs(region).empty();
 }
 
-bool load_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
-  if (!has_small_size(region, may_have) || !find_grid(region, s) ||
+bool load_small(const Region& region, SmallOperand& s) {
+  if (!has_small_size(region) || !find_grid(region, s) ||
       !load(region, region.vertices_of(0), nullptr, s) || !drop_straight(s)) {
     return false;
   }
   s.holes.clear();
+  for (std::size_t ring = 1; ring < region.ring_count(); ++ring) {
+    RingPlaces places;
+    if (!place_vertices(region, region.vertices_of(ring), s, places)) return false;
+    s.holes.push_back(places.extent());
+  }
   orient(s);
   set_edges(s);
-  s.turning = s.convex ? 1 : mean_turning(s);
+  s.turning = mean_turning(s);
   return true;
 }
 
-bool is_clearly_valid(const Region& region, SmallOperand& s) {
+bool is_clearly_valid(const Region& region, const SmallOperand& s) {
   const auto numbers = small_numbers(s.longest, std::max(s.extent.x, s.extent.y));
-  return with_numbers(numbers, [&]<class Number>() { return is_simple_ring<Number>(s); }) &&
-         read_holes(region, s);
+  const auto is_simple = [&]<class Number>() { return is_simple_ring<Number>(s); };
+  // A ring that turns left everywhere, and goes round once, is simple.
+  const bool goes_round_once = s.convex && s.turning == 1;
+  return (goes_round_once || with_numbers(numbers, is_simple)) &&
+         are_holes_clearly_valid(region, s);
 }
 
-bool read_small(const Region& region, SmallHoles may_have, SmallOperand& s) {
-  return load_small(region, may_have, s) && is_clearly_valid(region, s);
+bool read_small(const Region& region, SmallOperand& small) {
+  return load_small(region, small) && is_clearly_valid(region, small);
 }
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
@@ -307,22 +338,26 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   set_edges(to);
 }
 
-bool refine(int exp2, int exp10, SmallOperand& s) {
-  constexpr auto kMost = static_cast<Int128>(SmallOperand::kWidest);
-  Int128 factor = 1;
-  for (int k = exp10; k < s.exp10 && factor <= kMost; ++k) factor *= 10;
-  for (int k = exp2; k < s.exp2 && factor <= kMost; ++k) factor *= 2;
-  const auto extent = static_cast<Int128>(std::max(s.extent.x, s.extent.y));
-  if (factor > kMost || extent * factor > kMost || !fits(s.offset.x * factor) ||
-      !fits(s.offset.y * factor)) {
-    return false;
-  }
+double refinement(int exp2, int exp10, const SmallOperand& s) {
+  const int tens = s.exp10 - exp10;
+  const int twos = s.exp2 - exp2;
+  std::int64_t factor = 1;
+  Vec<std::int64_t> offset = s.offset;
+  const bool fine =
+      scale(tens, twos, factor) && scale(tens, twos, offset.x) && scale(tens, twos, offset.y);
   const auto times = static_cast<double>(factor);
+  const double width = times * std::max(s.extent.x, s.extent.y);
+  return fine && width <= SmallOperand::kWidest ? times : 0;
+}
+
+bool refine(int exp2, int exp10, SmallOperand& s) {
+  const double times = refinement(exp2, exp10, s);
+  if (times == 0) return false;
   for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
     for (std::uint32_t i = 0; i < s.size; ++i) values[i] *= times;
   }
-  const auto by = static_cast<std::int64_t>(factor);
+  const auto by = static_cast<std::int64_t>(times);
   s.extent = {s.extent.x * times, s.extent.y * times};
   for (Vec<double>& hole : s.holes) hole = {hole.x * times, hole.y * times};
   s.longest *= times;

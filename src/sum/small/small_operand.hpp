@@ -42,7 +42,8 @@ class SmallOperand {
   std::uint32_t size = 0;
   std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
   bool convex = false;
-  /// The number of convex vertices that meet an edge, on average over eight directions.
+  /// The number of convex vertices that meet an edge, on average over eight directions. If all
+  /// vertices are convex, this is how often the ring goes round.
   double turning = 1;
   Vec<double> extent{};            ///< extent of the box, whose lower left corner is (0, 0)
   std::vector<Vec<double>> holes;  ///< extents of the holes' boxes
@@ -99,22 +100,21 @@ auto with_numbers(SmallNumberType type, Work work) {
                                            : work.template operator()<Int128>();
 }
 
-/// Whether a small operand may have holes. Reading them takes about as long as a sum by the stages.
-/// That pays only for operands that are used again.
-enum class SmallHoles : std::uint8_t { kNone, kSome };
-
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant.
-bool read_small(const Region& region, SmallHoles may_have, SmallOperand& small);
+bool read_small(const Region& region, SmallOperand& small);
 /// The two steps of that, for a caller who can tell in between that no small sum will follow.
-bool load_small(const Region& region, SmallHoles may_have, SmallOperand& small);
-bool is_clearly_valid(const Region& region, SmallOperand& small);
+bool load_small(const Region& region, SmallOperand& small);
+bool is_clearly_valid(const Region& region, const SmallOperand& small);
 /// Tells in constant time whether `load_small` is worth while.
-[[nodiscard]] bool has_small_size(const Region& region, SmallHoles may_have);
+[[nodiscard]] bool has_small_size(const Region& region);
 
 /// Turns an operand counter-clockwise by `quarters` times 90 degrees about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);
 
+/// Returns how many steps of the finer grid of these exponents one of the operand's steps has, or 0
+/// if the operand does not fit on that grid.
+[[nodiscard]] double refinement(int exp2, int exp10, const SmallOperand& operand);
 /// Brings an operand to the finer grid of these exponents. Returns false if it does not fit there.
 bool refine(int exp2, int exp10, SmallOperand& operand);
 

@@ -38,34 +38,28 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline bool is_simple(const SmallOperand& s) {
   const std::uint32_t n = s.size;
-  const bool few = n <= 64;
+  const SmallRows rows(s);
+  // Two blocks are compared in less time than their boxes take.
+  const bool few = n <= 2 * kLanes;
   SmallBlocks<SmallOperand::kMaxVertices / kLanes> blocks;
-  if (!few) {
-    blocks.set(s[SmallOperand::kX], s[SmallOperand::kY], s[SmallOperand::kDx], s[SmallOperand::kDy],
-               n);
+  if (!few) blocks.set(rows.x, rows.y, rows.dx, rows.dy, n);
+  LaneBits met = 0;
+  for (std::uint32_t i = 0; i < n && met == 0; ++i) {
+    // Each edge is compared with those of its own block and of later ones.
+    const LaneBits near =
+        few ? first_bits(filled_up(n) / kLanes)
+            : blocks.near(blocks.box(rows.x[i], rows.y[i], rows.dx[i], rows.dy[i]), 0);
+    for_each_bit(
+        near & ~first_bits(i / kLanes), [&](std::uint32_t block) __attribute__((always_inline)) {
+          const std::uint32_t first = block * kLanes;
+          const auto bit = [first](std::uint32_t edge) {
+            return edge - first < kLanes ? kBitOf[edge - first] : LaneBits{0};
+          };
+          met |= edges_meeting<Number>(s, i, s, first, kLanes) & first_bits(n - first) &
+                 ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
+        });
   }
-  bool simple = true;
-  const auto count_beyond = [&](std::uint32_t i, std::size_t first, LaneBits met) {
-    const auto bit = [&](std::uint32_t edge) {
-      return edge - first < 64 ? kBitOf[edge - first] : LaneBits{0};
-    };
-    met &= first_bits(n - first);
-    met &= ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
-    simple &= met == 0;
-  };
-  for (std::uint32_t i = 0; i < n && simple; ++i) {
-    if (few) {
-      count_beyond(i, 0, edges_meeting<Number>(s, i, s, 0, filled_up(n)));
-      continue;
-    }
-    const LaneBits near = blocks.near(blocks.box(s[SmallOperand::kX][i], s[SmallOperand::kY][i],
-                                                 s[SmallOperand::kDx][i], s[SmallOperand::kDy][i]),
-                                      0);
-    for_each_bit(near, [&](std::uint32_t block) {
-      count_beyond(i, block * kLanes, edges_meeting<Number>(s, i, s, block * kLanes, kLanes));
-    });
-  }
-  return simple;
+  return met == 0;
 }
 
 /// Whether two rings have a point of their boundaries in common.

@@ -107,10 +107,12 @@ class SmallWriter {
 };
 
 /// Whether the other operand fits into none of the holes, because its box does not. A hole is open,
-/// so a box of equal width is too wide.
-bool are_filled(const std::vector<Vec<double>>& holes, const SmallOperand& other) {
-  return std::ranges::all_of(holes, [&](const Vec<double>& hole) {
-    return other.extent.x >= hole.x || other.extent.y >= hole.y;
+/// so a box of equal width is too wide. The factors bring both to one grid.
+bool are_filled(const SmallOperand& operand, double factor, const SmallOperand& other,
+                double other_factor) {
+  const Vec<double> box{other.extent.x * other_factor, other.extent.y * other_factor};
+  return std::ranges::all_of(operand.holes, [&](const Vec<double>& hole) {
+    return box.x >= hole.x * factor || box.y >= hole.y * factor;
   });
 }
 
@@ -226,9 +228,17 @@ SmallNumberType numbers_of_sum(const SmallOperand& p, const SmallOperand& q) {
   constexpr double kMostSegments = 1400;
   const bool many =
       !(p.convex && q.convex) && p.size * q.turning + q.size * p.turning > kMostSegments;
-  if (many || !are_filled(p.holes, q) || !are_filled(q.holes, p)) return SmallNumberType::kNone;
-  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
-  return small_numbers(std::max(p.longest, q.longest), width);
+  const int exp2 = std::min(p.exp2, q.exp2);
+  const int exp10 = std::min(p.exp10, q.exp10);
+  const double of_p = refinement(exp2, exp10, p);
+  const double of_q = refinement(exp2, exp10, q);
+  if (many || of_p == 0 || of_q == 0 || !are_filled(p, of_p, q, of_q) ||
+      !are_filled(q, of_q, p, of_p)) {
+    return SmallNumberType::kNone;
+  }
+  const double width =
+      std::max(p.extent.x * of_p + q.extent.x * of_q, p.extent.y * of_p + q.extent.y * of_q);
+  return small_numbers(std::max(p.longest * of_p, q.longest * of_q), width);
 }
 
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,

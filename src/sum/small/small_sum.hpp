@@ -18,12 +18,15 @@ class SmallScratch {
   SmallScratch& operator=(SmallScratch&&) noexcept;
   struct State;
   [[nodiscard]] State& state();
+  /// For operands that are not prepared.
+  [[nodiscard]] std::array<SmallOperand, 2>& operands() { return operands_; }
   /// Of the last sum's reduced convolution.
   [[nodiscard]] std::uint64_t segments() const { return segments_; }
   void count(std::uint64_t segments) { segments_ = segments; }
 
  private:
   std::unique_ptr<State> state_;
+  std::array<SmallOperand, 2> operands_;
   std::uint64_t segments_ = 0;
 };
 
@@ -44,8 +47,8 @@ bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scrat
 bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
                        std::array<SmallOperand, 2>& memory);
 
-/// Returns the number type for a sum of two operands on one grid, or kNone if `sum_small` would
-/// return false before it does any work. The operands need not be known to be valid.
+/// Returns the number type for a sum of two operands on their common grid, or kNone if `sum_small`
+/// would return false before it does any work. The operands need not be known to be valid.
 [[nodiscard]] SmallNumberType numbers_of_sum(const SmallOperand& p, const SmallOperand& q);
 
 /// Whether no sum of small operands could go beyond these limits.
