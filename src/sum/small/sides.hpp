@@ -24,6 +24,7 @@ template <class Number>
 /// Cross products of integers, in a type that holds their values and sums of two values.
 template <class Number>
 struct ExactCross {
+  static constexpr bool kHoldsSums = true;
   [[gnu::always_inline]] Number operator()(const Vec<double>& a, const Vec<double>& b) const {
     return cross(whole_numbers<Number>(a), whole_numbers<Number>(b));
   }
@@ -31,16 +32,30 @@ struct ExactCross {
 
 /// Cross products of integers up to 2^49 in doubles that round them. Rounding keeps the order of
 /// two products, so the sign of a value that is not zero is exact. Zero is sure if the products are
-/// not rounded. It is also sure if x of both vectors is the same but for the sign, as where one
-/// segment starts at the end of the other: a product that changes with y changes by x at least, and
+/// zero. It is also sure if x of both vectors is the same but for the sign, as where one segment
+/// starts at the end of the other: a product that changes with y changes by x at least, and
 /// rounding changes it by less than x / 8.
 struct RoundedCross {
+  static constexpr bool kHoldsSums = false;
   bool& unsure;
   [[gnu::always_inline]] double operator()(const Vec<double>& a, const Vec<double>& b) const {
     const double above = a.x * b.y;
     const double value = above - a.y * b.x;
-    unsure |= (value == 0) & (std::abs(above) >= 0x1p53) & (std::abs(a.x) != std::abs(b.x));
+    unsure |= (value == 0) & (above != 0) & (std::abs(a.x) != std::abs(b.x));
     return value;
+  }
+};
+
+/// The same, with the exact sign: other zeros are decided by a number type that holds the products.
+template <class Number>
+struct SureCross {
+  static constexpr bool kHoldsSums = false;
+  [[gnu::always_inline]] double operator()(const Vec<double>& a, const Vec<double>& b) const {
+    bool unsure = false;
+    const double value = RoundedCross{unsure}(a, b);
+    if (!unsure) return value;
+    const Number exact = ExactCross<Number>{}(a, b);
+    return exact > 0 ? 1 : exact < 0 ? -1 : 0;
   }
 };
 
@@ -61,7 +76,7 @@ template <class Number, LaneBits kLaneBits = 1, class Test>
     unsure |= is_unsure ? kBitOf[t] : 0;
   }
   for_each_bit(unsure, [&](std::uint32_t t) {
-    bits = (bits & ~(kLaneBits << t)) | test(ExactCross<Number>{}, t);
+    bits = (bits & ~(kLaneBits << t)) | test(SureCross<Number>{}, t);
   });
   return bits;
 }
@@ -81,7 +96,7 @@ template <class Cross>
   using Number = decltype(cross(r, t));
   const Number start = cross(r, a);
   const Number along = cross(a, t);
-  if constexpr (std::is_same_v<Cross, RoundedCross>) {
+  if constexpr (!Cross::kHoldsSums) {
     return Sides<Number>{start, cross(r, {a.x + t.x, a.y + t.y}), along,
                          cross({r.x - a.x, r.y - a.y}, t)};
   } else {
