@@ -18,6 +18,7 @@ namespace minksum {
 /// The results and scratch memory of all stages, and the scratch memory of small sums.
 struct Workspace::State {
   SmallScratch small_scratch;
+  std::array<SmallOperand, 2> small_areas;  ///< of geometries, which are summed part by part
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
   std::array<Region, 2> walks;          ///< from `walk_there_and_back`
@@ -41,7 +42,7 @@ struct Workspace::State {
 
 struct PreparedRegion::State {
   Region region;
-  PreparedOperand operand;  ///< made of `region`, unless that is empty
+  PreparedOperand operand;                    ///< made of `region`, unless that is empty
   std::unique_ptr<const SmallOperand> small;  ///< null if `region` is not small
 };
 

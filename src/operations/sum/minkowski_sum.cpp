@@ -91,7 +91,10 @@ bool run_small(const CallerOperand& p, const CallerOperand& q, const SumRequest&
   if (numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) return false;
   // On its own grid, an operand has shorter numbers.
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-    if (given[i]->small == nullptr && !is_clearly_valid(given[i]->region, memory[i])) return false;
+    if (given[i]->small == nullptr &&
+        !is_clearly_valid(given[i]->region, memory[i], scratch.holes())) {
+      return false;
+    }
   }
   if (!bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
     return false;
@@ -165,7 +168,8 @@ class Sums final : public PartialSums {
     is_small_[i] = false;
     if (region.empty()) return true;
     cancellation_.look();
-    is_small_[i] = may_be_small(quiet_) && read_small(region, small_[i]);
+    is_small_[i] = may_be_small(quiet_) &&
+                   read_small(region, state_.small_scratch.holes(), state_.small_areas[i]);
     if (is_small_[i]) return true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
@@ -212,7 +216,7 @@ class Sums final : public PartialSums {
   }
   /// Small operands are prepared only for sums with operands that are not small.
   [[nodiscard]] CallerOperand taken(std::size_t i) const {
-    if (is_small_[i]) return {*regions_[i], nullptr, &small_[i]};
+    if (is_small_[i]) return {*regions_[i], nullptr, &state_.small_areas[i]};
     return {*regions_[i], &state_.prepared[i]};
   }
   CallerOperand walk(std::size_t i, std::span<const Polyline> polylines) {
@@ -230,7 +234,6 @@ class Sums final : public PartialSums {
   Clock::duration preparing_{};
   std::array<const Region*, 2> regions_{};
   std::array<bool, 2> is_small_{};
-  std::array<SmallOperand, 2> small_;
 };
 
 void run(const Geometry& p, const Geometry& q, const SumRequest& options, Workspace::State& state,
@@ -298,7 +301,8 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
     prepare_operand(state->region, SumSettings{}, 1, cancellation, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
-    if (read_small(state->region, *small)) state->small = std::move(small);
+    SmallHoles holes;
+    if (read_small(state->region, holes, *small)) state->small = std::move(small);
   }
   state_ = std::move(state);
 }

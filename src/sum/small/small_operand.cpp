@@ -248,22 +248,23 @@ bool is_clear_hole(const SmallOperand& hole, const SmallOperand& outer,
 }
 
 /// Returns false if a hole is not clearly valid, or if two rings touch.
-bool are_holes_clearly_valid(const Region& region, const SmallOperand& s) {
-  std::vector<SmallOperand> holes(s.holes.size());
-  std::vector<BoxOf<double>> boxes;
-  for (std::size_t k = 0; k < holes.size(); ++k) {
-    SmallOperand& hole = holes[k];
+bool are_holes_clearly_valid(const Region& region, const SmallOperand& s, SmallHoles& holes) {
+  const std::size_t count = s.holes.size();
+  if (holes.rings.size() < count) holes.rings.resize(count);
+  holes.boxes.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    SmallOperand& hole = holes.rings[k];
     hole.exp2 = s.exp2;
     hole.exp10 = s.exp10;
     if (!load(region, region.vertices_of(k + 1), &s.offset, hole) || !drop_straight(hole)) {
       return false;
     }
     set_edges(hole);
-    boxes.push_back(box_of(hole));
+    holes.boxes.push_back(box_of(hole));
     const SmallNumberType numbers =
         small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
     const auto is_clear = [&]<class Number>() {
-      return is_clear_hole<Number>(hole, s, std::span(holes).first(k), boxes);
+      return is_clear_hole<Number>(hole, s, std::span(holes.rings).first(k), holes.boxes);
     };
     if (numbers == SmallNumberType::kNone || !with_numbers(numbers, is_clear)) return false;
   }
@@ -294,17 +295,17 @@ bool load_small(const Region& region, SmallOperand& s) {
   return true;
 }
 
-bool is_clearly_valid(const Region& region, const SmallOperand& s) {
+bool is_clearly_valid(const Region& region, const SmallOperand& s, SmallHoles& holes) {
   const auto numbers = small_numbers(s.longest, std::max(s.extent.x, s.extent.y));
   const auto is_simple = [&]<class Number>() { return is_simple_ring<Number>(s); };
   // A ring that turns left everywhere, and goes round once, is simple.
   const bool goes_round_once = s.convex && s.turning == 1;
   return (goes_round_once || with_numbers(numbers, is_simple)) &&
-         are_holes_clearly_valid(region, s);
+         are_holes_clearly_valid(region, s, holes);
 }
 
-bool read_small(const Region& region, SmallOperand& small) {
-  return load_small(region, small) && is_clearly_valid(region, small);
+bool read_small(const Region& region, SmallHoles& holes, SmallOperand& small) {
+  return load_small(region, small) && is_clearly_valid(region, small, holes);
 }
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {

@@ -8,6 +8,7 @@
 #include "exact/formulas.hpp"
 #include "exact/wide_int.hpp"
 #include "minksum/region.hpp"
+#include "spatial/box.hpp"
 #include "sum/small/lanes.hpp"
 
 namespace minksum {
@@ -100,12 +101,18 @@ auto with_numbers(SmallNumberType type, Work work) {
                                            : work.template operator()<Int128>();
 }
 
+/// The holes of an operand while it is validated. The memory is kept from operand to operand.
+struct SmallHoles {
+  std::vector<SmallOperand> rings;
+  std::vector<BoxOf<double>> boxes;
+};
+
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant.
-bool read_small(const Region& region, SmallOperand& small);
+bool read_small(const Region& region, SmallHoles& holes, SmallOperand& small);
 /// The two steps of that, for a caller who can tell in between that no small sum will follow.
 bool load_small(const Region& region, SmallOperand& small);
-bool is_clearly_valid(const Region& region, const SmallOperand& small);
+bool is_clearly_valid(const Region& region, const SmallOperand& small, SmallHoles& holes);
 /// Tells in constant time whether `load_small` is worth while.
 [[nodiscard]] bool has_small_size(const Region& region);
 

@@ -20,6 +20,7 @@ class SmallScratch {
   [[nodiscard]] State& state();
   /// For operands that are not prepared.
   [[nodiscard]] std::array<SmallOperand, 2>& operands() { return operands_; }
+  [[nodiscard]] SmallHoles& holes() { return holes_; }
   /// Of the last sum's reduced convolution.
   [[nodiscard]] std::uint64_t segments() const { return segments_; }
   void count(std::uint64_t segments) { segments_ = segments; }
@@ -27,6 +28,7 @@ class SmallScratch {
  private:
   std::unique_ptr<State> state_;
   std::array<SmallOperand, 2> operands_;
+  SmallHoles holes_;
   std::uint64_t segments_ = 0;
 };
 

@@ -163,6 +163,7 @@ TEST(Stopping, ProgressIsToldTheStagesInOrderAndMayStopAtEach) {
   const Region p = ragged_frame(80, 400000, 7);
   std::vector<Stage> stages;
   SumSettings options;
+  options.small = false;
   options.progress = [&](const Progress& progress) {
     const Stage stage = progress.stage;
     if (stages.empty() || stages.back() != stage) stages.push_back(stage);

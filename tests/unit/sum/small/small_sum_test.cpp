@@ -18,9 +18,13 @@ namespace {
 using test::make_polygon;
 using test::rectangle;
 
+bool read(const Region& region, SmallOperand& small) {
+  SmallHoles holes;
+  return read_small(region, holes, small);
+}
 bool is_small(const Region& region) {
   SmallOperand small;
-  return read_small(region, small);
+  return read(region, small);
 }
 
 TEST(SmallOperand, IsOneSimplePolygon) {
@@ -104,7 +108,7 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
   // The ring is clockwise, with a vertex in the middle of an edge.
   const Region region = make_polygon({{5, 7}, {5, 9}, {8, 9}, {8, 7}, {6, 7}});
   SmallOperand small;
-  ASSERT_TRUE(read_small(region, small));
+  ASSERT_TRUE(read(region, small));
   ASSERT_EQ(small.size, 4U);
   EXPECT_TRUE(small.convex);
   EXPECT_EQ(small.first.x, 5);
@@ -122,12 +126,12 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
 TEST(SmallOperand, TurnsAsItsRegionDoes) {
   const Region region = make_polygon({{1, 2}, {9, 3}, {4, 4}, {5, 9}, {0, 7}});
   SmallOperand given;
-  ASSERT_TRUE(read_small(region, given));
+  ASSERT_TRUE(read(region, given));
   for (int quarters = 0; quarters < 4; ++quarters) {
     SmallOperand turned;
     turn(given, quarters, turned);
     SmallOperand expected;
-    ASSERT_TRUE(read_small(transform(region, Affine::quarter_turns(quarters)), expected));
+    ASSERT_TRUE(read(transform(region, Affine::quarter_turns(quarters)), expected));
     EXPECT_EQ(turned.size, expected.size);
     EXPECT_EQ(turned.smallest, expected.smallest);
     EXPECT_EQ(turned.offset.x, expected.offset.x);
@@ -149,30 +153,31 @@ bool sum(const Region& p, const Region& q, Region& result) {
   SmallOperand small_p;
   SmallOperand small_q;
   SmallScratch scratch;
-  EXPECT_TRUE(read_small(p, small_p));
-  EXPECT_TRUE(read_small(q, small_q));
+  EXPECT_TRUE(read(p, small_p));
+  EXPECT_TRUE(read(q, small_q));
   return sum_small(small_p, small_q, scratch, result);
 }
 
-TEST(RoundedCross, IsUnsureOnlyWhereRoundingMayHideASign) {
-  const auto is_unsure = [](const Vec<double>& a, const Vec<double>& b) {
-    bool unsure = false;
-    const double value = RoundedCross{unsure}(a, b);
-    if (!unsure) {
-      const Int128 exact = ExactCross<Int128>{}(a, b);
-      EXPECT_EQ(value > 0, exact > 0);
-      EXPECT_EQ(value < 0, exact < 0);
-    }
-    return unsure;
-  };
+TEST(SureCross, HasTheExactSign) {
+  const auto sign = [](auto value) { return (value > 0) - (value < 0); };
   const double far = 0x1p49;
-  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {far - 1, far - 3}));
-  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {1 - far, 3 - far}));
-  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {far - 1, far - 2}));
-  EXPECT_FALSE(is_unsure({far - 1, far - 3}, {1 - far, 2 - far}));
-  EXPECT_FALSE(is_unsure({5, 0}, {far, 0}));
-  EXPECT_TRUE(is_unsure({far - 1, far - 2}, {far - 2, far - 3}));  // the exact value is -1
-  EXPECT_TRUE(is_unsure({0x1p30 + 1, 0x1p30 + 3}, {3 * (0x1p30 + 1), 3 * (0x1p30 + 3)}));
+  const std::array<std::pair<Vec<double>, Vec<double>>, 8> pairs{{
+      {{far - 1, far - 3}, {far - 1, far - 3}},
+      {{far - 1, far - 3}, {1 - far, 3 - far}},
+      {{far - 1, far - 3}, {far - 1, far - 2}},
+      {{far - 1, far - 3}, {1 - far, 2 - far}},
+      {{5, 0}, {far, 0}},
+      {{far - 1, far - 2}, {far - 2, far - 3}},  // -1, and doubles say 0
+      {{far - 2, far - 3}, {far - 1, far - 2}},
+      {{0x1p30 + 1, 0x1p30 + 3}, {3 * (0x1p30 + 1), 3 * (0x1p30 + 3)}},
+  }};
+  for (const auto& [a, b] : pairs) {
+    const int exact = sign(ExactCross<Int128>{}(a, b));
+    EXPECT_EQ(sign(SureCross<Int128>{}(a, b)), exact) << a.x << " " << b.x;
+    bool unsure = false;
+    const double rounded = RoundedCross{unsure}(a, b);
+    EXPECT_TRUE(unsure || sign(rounded) == exact) << a.x << " " << b.x;
+  }
 }
 
 TEST(SmallSum, IsMadeWhereThereIsNoHole) {
@@ -223,10 +228,10 @@ TEST(SmallSum, FillsHolesThatNothingFitsInto) {
   const Region turned = transform(p, Affine::quarter_turns(1));
   SmallOperand small;
   SmallOperand small_turned;
-  ASSERT_TRUE(read_small(p, small));
+  ASSERT_TRUE(read(p, small));
   turn(small, 1, small_turned);
   SmallOperand bar;
-  ASSERT_TRUE(read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
+  ASSERT_TRUE(read(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
   SmallScratch scratch;
   EXPECT_FALSE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
   EXPECT_TRUE(sum_small(small, bar, scratch, result));          // but not into 3 and 2
