@@ -100,7 +100,7 @@ void compare(std::uint64_t seed) {
   }
   const Region sum = minkowski_sum(p, q);
   EXPECT_EQ(to_text(sum), to_text(sum_by_stages(p, q))) << note(seed, p, q);
-  // For prepared operands, the way of small sums fills holes.
+  // Prepared operands are validated on their own, and brought to one grid as copies.
   const Region of_prepared = minkowski_sum(PreparedRegion(p), PreparedRegion(q));
   EXPECT_EQ(to_text(of_prepared), to_text(sum)) << note(seed, p, q);
   if (seed % 8 == 0) {
