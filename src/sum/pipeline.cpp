@@ -37,8 +37,10 @@ void prepare(const CallerOperand& p, const CallerOperand& q, const SumRequest& o
   std::array<const PreparedOperand*, 2> ready{p.operand, q.operand};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (ready[i] != nullptr) continue;
+    const CallerOperand& given = i == 0 ? p : q;
+    const std::size_t faults_wanted = given.small == nullptr ? 1 : 0;
     std::vector<Fault> faults;
-    prepare_operand(i == 0 ? p.region : q.region, options, 1, cancellation, w.operand_scratch,
+    prepare_operand(given.region, options, faults_wanted, cancellation, w.operand_scratch,
                     w.prepared[i], faults);
     if (!faults.empty()) reject(faults[0], static_cast<int>(i));
     ready[i] = &w.prepared[i];

@@ -50,7 +50,7 @@ struct PreparedRegion::State {
 struct CallerOperand {
   const Region& region;
   const PreparedOperand* operand = nullptr;  ///< null if `region` is not prepared yet
-  const SmallOperand* small = nullptr;       ///< null if `region` is not known to be small
+  const SmallOperand* small = nullptr;  ///< null if `region` is not known to be small and valid
 };
 
 /// Computes the sum of two operands that are not empty, by Method::kReduced or kFull.

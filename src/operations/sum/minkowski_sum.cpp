@@ -71,32 +71,35 @@ bool may_be_small(const SumRequest& r) {
          r.tight_places == nullptr && allow_small(r.limits);
 }
 
-bool run_small(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
+/// Computes the sum if it is small. Otherwise tells which operands are small and valid, so that
+/// these need not be validated again.
+bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
                SmallScratch& scratch, Region& result) {
   if (!may_be_small(options)) return false;
-  const std::array<const CallerOperand*, 2> given{&p, &q};
   // A prepared operand that is not small has been looked at before.
-  const auto fits = [](const CallerOperand* o) {
-    return o->small != nullptr || (o->operand == nullptr && has_small_size(o->region));
+  const auto fits = [](const CallerOperand& o) {
+    return o.small != nullptr || (o.operand == nullptr && has_small_size(o.region));
   };
-  if (!std::all_of(given.begin(), given.end(), fits)) return false;
+  if (!std::ranges::all_of(given, fits)) return false;
   Cancellation(options).look();
   std::array<SmallOperand, 2>& memory = scratch.operands();
-  std::array<const SmallOperand*, 2> small{p.small, q.small};
+  std::array<const SmallOperand*, 2> small{given[0].small, given[1].small};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (small[i] != nullptr) continue;
-    if (!load_small(given[i]->region, memory[i])) return false;
+    if (!load_small(given[i].region, memory[i])) return false;
     small[i] = &memory[i];
   }
-  if (numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) return false;
   // On its own grid, an operand has shorter numbers.
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-    if (given[i]->small == nullptr &&
-        !is_clearly_valid(given[i]->region, memory[i], scratch.holes())) {
-      return false;
+    if (given[i].small == nullptr &&
+        is_clearly_valid(given[i].region, *small[i], scratch.holes())) {
+      given[i].small = small[i];
     }
   }
-  if (!bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
+  const auto is_valid = [](const CallerOperand& o) { return o.small != nullptr; };
+  if (!std::ranges::all_of(given, is_valid) ||
+      numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone ||
+      !bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
     return false;
   }
   if (options.statistics != nullptr) {
@@ -123,8 +126,11 @@ void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& optio
     Statistics unwanted;
     Statistics& statistics = options.statistics != nullptr ? *options.statistics : unwanted;
     signed_convolution_sum(p.region, q.region, options, statistics, result);
-  } else if (!run_small(p, q, options, state.small_scratch, result)) {
-    run_pipeline(p, q, options, state, result);
+  } else {
+    std::array<CallerOperand, 2> given{p, q};
+    if (!run_small(given, options, state.small_scratch, result)) {
+      run_pipeline(given[0], given[1], options, state, result);
+    }
   }
   if (begin) {
     options.statistics->seconds = std::chrono::duration<double>(Clock::now() - *begin).count();

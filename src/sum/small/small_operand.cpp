@@ -227,6 +227,11 @@ bool is_simple_ring(const SmallOperand& s) {
   return with_vectors(
       widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
 }
+template <class Number>
+bool do_rings_meet(const SmallOperand& a, const SmallOperand& b) {
+  return with_vectors(
+      widest_vectors(), [&]() __attribute__((always_inline)) { return do_meet<Number>(a, b); });
+}
 
 /// Whether a hole is simple and lies inside the outer ring, apart from the holes before it.
 template <class Number>
@@ -235,11 +240,11 @@ bool is_clear_hole(const SmallOperand& hole, const SmallOperand& outer,
   const BoxOf<double>& box = boxes[before.size()];
   if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y ||
       !is_simple_ring<Number>(hole) || !holds<Number>(outer, hole) ||
-      do_meet<Number>(hole, outer)) {
+      do_rings_meet<Number>(hole, outer)) {
     return false;
   }
   for (std::size_t l = 0; l < before.size(); ++l) {
-    if (box.meets(boxes[l]) && (do_meet<Number>(hole, before[l]) ||
+    if (box.meets(boxes[l]) && (do_rings_meet<Number>(hole, before[l]) ||
                                 holds<Number>(hole, before[l]) || holds<Number>(before[l], hole))) {
       return false;
     }

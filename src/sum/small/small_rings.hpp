@@ -64,13 +64,20 @@ template <class Number>
 
 /// Whether two rings have a point of their boundaries in common.
 template <class Number>
-[[nodiscard]] inline bool do_meet(const SmallOperand& a, const SmallOperand& b) {
+[[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallOperand& a,
+                                                      const SmallOperand& b) {
+  const SmallRows edges(a);
+  const SmallRows others(b);
+  SmallBlocks<SmallOperand::kMaxVertices / kLanes> blocks;
+  blocks.set(others.x, others.y, others.dx, others.dy, b.size);
   LaneBits met = 0;
-  for (std::uint32_t i = 0; i < a.size; ++i) {
-    for (std::size_t first = 0; first < b.size; first += 64) {
-      const std::size_t count = std::min<std::size_t>(filled_up(b.size) - first, 64);
-      met |= edges_meeting<Number>(a, i, b, first, count) & first_bits(b.size - first);
-    }
+  for (std::uint32_t i = 0; i < a.size && met == 0; ++i) {
+    const auto box = blocks.box(edges.x[i], edges.y[i], edges.dx[i], edges.dy[i]);
+    for_each_bit(
+        blocks.near(box, 0), [&](std::uint32_t block) __attribute__((always_inline)) {
+          const std::uint32_t first = block * kLanes;
+          met |= edges_meeting<Number>(a, i, b, first, kLanes) & first_bits(b.size - first);
+        });
   }
   return met != 0;
 }
@@ -87,6 +94,7 @@ template <class Number>
     // This counts edges that pass the height of the point, on its right.
     const bool up = to.y >= 0 && to.y < d.y;
     const bool down = to.y < 0 && to.y >= d.y;
+    if (!up && !down) continue;
     const Number side = cross(whole_numbers<Number>(d), whole_numbers<Number>(to));
     if ((up && side > 0) || (down && side < 0)) inside = !inside;
   }
