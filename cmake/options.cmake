@@ -9,12 +9,6 @@ function(minksum_own_options target)
     # Offsets have 32 bits there, and all that is stored has as many or more.
     $<$<BOOL:${EMSCRIPTEN}>:-Wno-sign-conversion -Wno-shorten-64-to-32>
     $<$<BOOL:${MINKSUM_STRICT}>:-Werror>)
-  # With -O3, GCC 12 takes lengths of string literals for negative ones, and warns in three ways.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    foreach(warning stringop-overflow array-bounds restrict)
-      target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Wno-${warning}>)
-    endforeach()
-  endif()
   # Comparisons are joined without branches to become vector instructions; Clang would warn of that.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14)
     target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
