@@ -15,7 +15,7 @@ namespace {
 /// The largest offset and coordinate: sums of two offsets and two coordinates fit in 64 bits.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 60;
 
-constexpr int kMostTwos = 60;
+constexpr int kMostTwos = 60;  // a higher power of two is beyond the largest offset, too
 constexpr auto kPowersOfTen = [] {
   std::array<std::int64_t, 19> powers{1};
   for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
