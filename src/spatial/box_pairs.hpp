@@ -187,7 +187,7 @@ class BoxPairs {
   }
   /// Estimates from a sample with how many boxes after it a box overlaps, on average.
   [[nodiscard]] double estimate_overlaps() const {
-    constexpr std::size_t kSampled = 32;
+    constexpr std::size_t kSampled = 32;  // a sample of 64 took up to 7 % of small sums
     const std::size_t count = scratch_.in_order.size();
     std::size_t overlaps = 0;
     for (std::size_t s = 0; s < kSampled; ++s) {
