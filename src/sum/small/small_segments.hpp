@@ -174,7 +174,7 @@ class SmallOrder {
   }
 
  private:
-  /// With 32, sums took up to 6 % longer, and hardly fewer blocks were near one another.
+  /// With 32, sums took up to 6 % more instructions, and hardly fewer blocks were near one another.
   static constexpr std::uint32_t kSide = 16;
   /// By row and column: a square's place on the curve.
   static constexpr auto kCurve = [] {
