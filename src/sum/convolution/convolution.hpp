@@ -58,8 +58,9 @@ void reduced_convolution(const Operands& operands, const Limits& limits, Cancell
 void reduced_convolution_or_sample(const Operands& operands, const Limits& limits,
                                    std::uint64_t many, Cancellation& cancellation,
                                    ConvolutionScratch& scratch, Convolution& convolution);
-/// Twice as many take up to 2 % of a sum more, and hardly change what is bought.
-inline constexpr std::size_t kSample = 1024;
+/// So many are looked at only where few of them are visible. With 1,024, of which 70 to 160 were
+/// visible, no crossing was seen where there were 10,000.
+inline constexpr std::size_t kSample = 4096;
 inline constexpr std::size_t kFewestSampled = 64;  ///< of a listed convolution, if it has enough
 
 /// Returns the directions of the edges that are compatible with a convex vertex.

@@ -13,13 +13,13 @@ namespace {
 constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-// Prices are in words moved; moving a word takes about 0.3 ns, or 2.3 instructions. A visible
-// segment takes some 75 ns to arrange, and a crossing 350 ns. In each row of cells that a visible
-// segment passes, it takes 60 instructions, and in each uncovered cell as long again or longer.
-constexpr double kSegment = 250;
-constexpr double kCrossing = 1200;
-constexpr double kRowOfSegment = 26;
-constexpr double kSegmentInCell = 60;
+// Prices are in words moved; moving a word takes about 0.3 ns, or 2.3 instructions. The first four,
+// and that of a cell, were fitted to what 114 pairs of shapes took without a cover and with seven
+// grids each. Four of five such sums took 0.6 to 2.3 times what the prices say.
+constexpr double kSegment = 38;   ///< a visible segment, for each binary digit of their number
+constexpr double kNearPair = 50;  ///< two whose boxes overlap
+constexpr double kCrossing = 1000;
+constexpr double kRowOfSegment = 90;  ///< a row of cells that a visible segment passes
 // Where sums are not exact in doubles, filters decide most questions about segments, but crossings
 // take twice as long. Rationals take far longer, even for what no cover saves.
 constexpr double kInexactCrossing = 2;
@@ -29,18 +29,20 @@ constexpr double kRational = 4;
 constexpr double kLookAtSegment = 170;
 // Rasters: 184 instructions for an edge, 162 for each row of cells that it passes, 19 for each
 // column, and 96 for a word of a bitmap. Covers add half as much to the last one. A cell has a
-// number in the arrangement, and a count if many rows are passed, 1.2 ns together. A row of a
-// parallelogram takes 8 ns.
+// number in the arrangement, and a count if many rows are passed: 0.5 ns by the fit above. A row of
+// a parallelogram takes 8 ns.
 constexpr double kEdge = 80;
 constexpr double kRowOfEdge = 70;
 constexpr double kColumnOfEdge = 8;
 constexpr double kWordOfBitmap = 60;
-constexpr double kCell = 4;
+constexpr double kCell = 1.7;
 constexpr double kRowOfParallelogram = 27;
-/// All that is bought may cost this share of what is left. So a cover that is bought in vain costs
-/// no more. The next grid leaves half as many segments at best, so a grid that is not bought would
-/// not have saved more either.
+/// All grids together may cost this share of what the best one so far leaves. So grids that are
+/// bought in vain cost no more. Parallelograms are bought apart, by this share of the meetings.
 constexpr double kMostOfWhatIsLeft = 0.25;
+/// After a grid that left more than `kWorthIt` of the price before it, few grids help. More are
+/// bought only while all grids together cost at most this share.
+constexpr double kMostInVain = 0.05;
 constexpr double kWorthIt = 0.8;
 
 /// Chooses the cells along the longer side of the first grid. `GridBuyer` doubles them. Moving
@@ -79,10 +81,10 @@ void inherit(const Bitmap& coarse, Bitmap& fine) {
 ///
 /// Narrow shapes have no cells inside until cells are small, so finer grids are bought as long as
 /// they are cheap beside what is left to the arrangement. A grid's price is known before it is
-/// paid, once both operands are rasterised. Prices grow about eight times from grid to grid, so all
-/// grids together cost little more than the last one. Where many thin translates cover the sum,
-/// segments crowd on every grid. There parallelograms are bought, until they do not help. What is
-/// covered stays covered on the next grid.
+/// paid, once both operands are rasterised. Prices grow two to eight times from grid to grid, so
+/// all grids together cost at most about twice the last one. Where many thin translates cover the
+/// sum, segments crowd on every grid. There parallelograms are bought, until they do not help. What
+/// is covered stays covered on the next grid.
 class GridBuyer {
  public:
   GridBuyer(const Operands& operands, const Convolution& convolution, Cancellation& cancellation,
@@ -106,8 +108,9 @@ class GridBuyer {
   void buy_from(int side) {
     if (is_sparse()) return;
     measure_edges();
-    left_ = {1, sample_.expected_crossings(operands_), 0, 0};
-    const double look = kLookAtSegment * static_cast<double>(sample_.segments.size());
+    left_ = {.share = 1, .crossings = sample_.expected_crossings(operands_)};
+    const double look = kLookAtSegment * std::min(static_cast<double>(sample_.segments.size()),
+                                                  lines_compared(segments_));
     if (look + price_of_rasters(grid_of(operands_, side)) > kMostOfWhatIsLeft * price_of(left_)) {
       return;
     }
@@ -116,10 +119,11 @@ class GridBuyer {
     UniformGrid best_grid = grid_of(operands_, 1);
     bool best_is_active = false;
     bool best_by_translates = true;
+    bool helped = true;
     double spent = 0;
     double least_price = 0;  // rasters have four times as many words, and are moved no less often
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
-      const double affordable = kMostOfWhatIsLeft * price_of(best);
+      const double affordable = (helped ? kMostOfWhatIsLeft : kMostInVain) * price_of(best);
       const UniformGrid grid = grid_of(operands_, side);
       spent += look + price_of_rasters(grid);
       if (spent + least_price > affordable) break;
@@ -142,7 +146,7 @@ class GridBuyer {
         best_by_translates = cover_.by_translates;
       }
       // A cover that hides nothing yet may hide much on the next grid.
-      if (before.share < 0.9 && left > kWorthIt * price_of(before)) break;
+      helped = before.share >= 0.9 || left <= kWorthIt * price_of(before);
     }
     std::swap(cover_.covered, scratch_.best);
     cover_.grid = best_grid;
@@ -151,8 +155,8 @@ class GridBuyer {
   }
 
  private:
-  /// Whether a cover has nothing to save, because edges have a segment or two each, which hardly
-  /// meet others. One operand is then small beside the other's features.
+  /// Whether a cover has nothing to save: there are at most four segments for each edge, and they
+  /// hardly meet others. One operand is then small beside the other's features.
   [[nodiscard]] bool is_sparse() const {
     constexpr double kFewCrossings = 0.1;
     return segments_ <= 4.0 * static_cast<double>(operands_.size()) &&
@@ -170,10 +174,10 @@ class GridBuyer {
   [[nodiscard]] double price_of(const Visibility& left) const {
     const double rational = operands_.kernel->rung() == Arithmetic::kArbitrary ? kRational : 1;
     const double inexact = operands_.bounds.difference == 0 ? 1 : kInexactCrossing;
-    return rational * kSegment * left.share * segments_ +
-           std::max(rational, inexact) * kCrossing * left.crossings + kSegmentInCell * left.cells +
-           std::min(kRowOfSegment * left.rows,
-                    kRowOfSegment / 2 * static_cast<double>(cover_.grid.size()));
+    const double visible = left.share * segments_;
+    return rational * kSegment * visible * std::log2(visible + 2) + kNearPair * left.near_pairs +
+           std::max(rational, inexact) * kCrossing * left.crossings +
+           kRowOfSegment * std::min(left.rows, static_cast<double>(cover_.grid.size()) / 2);
   }
   /// What rasterising both operands takes.
   [[nodiscard]] double price_of_rasters(const UniformGrid& grid) const {
@@ -193,7 +197,8 @@ class GridBuyer {
   void buy_parallelograms() {
     if (!parallelograms_help_) return;
     const double rows = choose_long_edges(operands_, cover_.grid, scratch_);
-    if (kRowOfParallelogram * rows > kMostOfWhatIsLeft * price_of({0, left_.crossings})) return;
+    const Visibility meetings{.near_pairs = left_.near_pairs, .crossings = left_.crossings};
+    if (kRowOfParallelogram * rows > kMostOfWhatIsLeft * price_of(meetings)) return;
     const double before = price_of(left_);
     cover_by_parallelograms(cancellation_, scratch_, cover_);
     cover_.by_translates = false;

@@ -23,8 +23,8 @@ namespace minksum {
 /// sum. Nothing is known of other cells.
 struct Cover {
   UniformGrid grid;
-  bool active = false;  ///< whether cells may be covered; if false, none is
-  Bitmap covered;       ///< of the grid's size if active
+  bool active = false;        ///< whether cells may be covered; if false, none is
+  Bitmap covered;             ///< of the grid's size if active
   bool by_translates = true;  ///< whether only translates have marked cells
 
   [[nodiscard]] std::uint64_t covered_count() const;
@@ -78,10 +78,11 @@ struct OperandRaster {
 
 /// An estimate of what a cover leaves of the segments.
 struct Visibility {
-  double share = 0;      ///< share of segments that touch an uncovered cell
-  double crossings = 0;  ///< number of crossings in uncovered cells
-  double rows = 0;       ///< number of rows of cells that visible segments pass
-  double cells = 0;      ///< number of uncovered cells, counted for each segment that touches them
+  double share = 0;       ///< share of segments that touch an uncovered cell
+  double near_pairs = 0;  ///< number of pairs of these whose boxes overlap, with the middle of the
+                          ///< overlap in an uncovered cell
+  double crossings = 0;   ///< number of crossings in uncovered cells
+  double rows = 0;        ///< number of rows of cells that visible segments pass
 };
 
 /// A segment in doubles.
@@ -101,17 +102,17 @@ struct SpreadScratch {
 struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< for inner loops; the result does not depend on it
   OperandRaster raster[2];
-  Bitmap boundary;     ///< cells that an operand's boundary may touch
+  Bitmap boundary;                     ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
   std::vector<SpreadScratch> helpers;  ///< by thread but the calling one
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;
-  std::vector<Line> visible;  ///< the lines of the sample's visible segments
+  std::vector<Line> visible;         ///< the lines of the sample's visible segments
   std::vector<BoxOf<double>> boxes;  ///< of some of these lines
-  Bitmap known;               ///< cells that were covered on the grid before
-  Bitmap best;                ///< cells that are covered on the best grid so far
+  Bitmap known;                      ///< cells that were covered on the grid before
+  Bitmap best;                       ///< cells that are covered on the best grid so far
 };
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells inside the sum.
@@ -136,13 +137,15 @@ struct Sample {
 /// Takes one of every few segments, so that an estimate takes a small share of the time of a sum:
 /// one of 16, but at least `kFewestSampled` and at most `kSample`.
 [[nodiscard]] Sample take_sample(const Convolution& convolution, CoverScratch& scratch);
+/// Returns how many lines `look` compares if so many segments are visible.
+[[nodiscard]] double lines_compared(double visible);
 /// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
 /// segments, so that crossings are found even if few segments are visible.
 [[nodiscard]] Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
                               Cancellation& cancellation, CoverScratch& scratch);
 
-/// Returns the words of a row of each raster, and of a cover of so many columns. An operand's raster
-/// may have one column more, but all rows must be equally long.
+/// Returns the words of a row of each raster, and of a cover of so many columns. An operand's
+/// raster may have one column more, but all rows must be equally long.
 [[nodiscard]] std::size_t words_per_row(std::int32_t columns);
 /// Rasterises both operands on cells of the grid's size. Returns how many words `spread_rasters`
 /// will move: that is known before it is paid. O(cells + n + m).

@@ -24,31 +24,32 @@ bool is_visible(const Line& line, const Cover& cover) {
   return visible;
 }
 
-/// Estimates how many uncovered cells a visible line touches, from some points of it.
-double count_cells(const Line& line, const Cover& cover) {
-  constexpr int kPoints = 8;
-  const Vec<double> d{line.end.x - line.start.x, line.end.y - line.start.y};
-  int uncovered = 0;
-  for (int k = 0; k < kPoints; ++k) {
-    const double t = (k + 0.5) / kPoints;
-    const std::int32_t column = cover.grid.column(line.start.x + t * d.x);
-    if (!cover.is_covered(column, cover.grid.row(line.start.y + t * d.y))) ++uncovered;
-  }
-  return 1 + (std::abs(d.x) + std::abs(d.y)) * cover.grid.inverse * uncovered / kPoints;
-}
+struct MeetingsSeen {
+  std::uint64_t near_pairs = 0;
+  std::uint64_t crossings = 0;
+};
 
-/// Counts the crossings of a few lines in uncovered cells, but not those at ends.
-std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover,
-                              CoverScratch& scratch) {
+/// Counts the pairs of lines whose boxes overlap, if the middle of the overlap is in an uncovered
+/// cell. Counts crossings in uncovered cells as well, but not those at ends.
+MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
+                            CoverScratch& scratch) {
   constexpr double kEnd = 0x1p-20;
-  std::uint64_t count = 0;
+  MeetingsSeen count;
   auto& boxes = scratch.boxes;
   boxes.clear();
+  const auto is_uncovered = [&](double x, double y) {
+    return !cover.is_covered(cover.grid.column(x), cover.grid.row(y));
+  };
   for (const auto& [a, b] : lines) {
     const BoxOf<double> box{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x),
                             std::max(a.y, b.y)};
     for (std::size_t j = 0; j < boxes.size(); ++j) {
       if (!box.meets(boxes[j])) continue;
+      const BoxOf<double>& other = boxes[j];
+      if (is_uncovered((std::max(box.x0, other.x0) + std::min(box.x1, other.x1)) / 2,
+                       (std::max(box.y0, other.y0) + std::min(box.y1, other.y1)) / 2)) {
+        ++count.near_pairs;
+      }
       const auto& [c, d] = lines[j];
       const Vec<double> u{b.x - a.x, b.y - a.y};
       const Vec<double> v{d.x - c.x, d.y - c.y};
@@ -58,9 +59,7 @@ std::uint64_t count_crossings(std::span<const Line> lines, const Cover& cover,
       const double at_v = cross(w, u) / area;
       // The tests fail if the area is zero.
       if (!(at_u > kEnd && at_u < 1 - kEnd && at_v > kEnd && at_v < 1 - kEnd)) continue;
-      const double x = a.x + at_u * u.x;
-      const double y = a.y + at_u * u.y;
-      if (!cover.is_covered(cover.grid.column(x), cover.grid.row(y))) ++count;
+      if (is_uncovered(a.x + at_u * u.x, a.y + at_u * u.y)) ++count.crossings;
     }
     boxes.push_back(box);
   }
@@ -107,10 +106,17 @@ double Sample::expected_crossings(const Operands& operands) const {
     const std::int32_t row = cell(y[e] + y[v] + dy[e] / 2, extent.y);
     pairs += in_cell[static_cast<std::size_t>(row * kSide + column)]++;
   }
-  // Of segments that are evenly spread, one of so many pairs would lie in one cell.
+  // If segments were evenly spread, one of kSide * kSide pairs would lie in one cell.
   const auto count = static_cast<double>(segments.size());
   const double unevenness = 2 * static_cast<double>(pairs) * kSide * kSide / (count * count);
   return std::max(1.0, unevenness) * step * across * step * up / area;
+}
+
+double lines_compared(double visible) {
+  // A pair takes some 1.3 ns, and a segment that is left takes 150 ns to arrange. So many lines are
+  // compared that all their pairs take a fiftieth of what arranging the visible segments takes.
+  constexpr double kPairsForEach = 0.02 * 150 / 1.3;
+  return std::sqrt(2 * kPairsForEach * visible);
 }
 
 Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
@@ -119,34 +125,42 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   auto& visible = scratch.visible;
   visible.clear();
   double rows = 0;
-  double cells = 0;
-  for (const auto& [e, v] : sample.segments) {
+  const auto look_at = [&](const Segment& segment) {
     cancellation.check(static_cast<std::uint64_t>(cover.grid.rows));
-    const Vec<double> a = at(e);
-    const Vec<double> b = at(operands.sites.next[e]);
-    const Vec<double> q = at(v);
+    const Vec<double> a = at(segment.edge);
+    const Vec<double> b = at(operands.sites.next[segment.edge]);
+    const Vec<double> q = at(segment.vertex);
     const Line line{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}};
-    if (!is_visible(line, cover)) continue;
+    if (!is_visible(line, cover)) return;
     visible.push_back(line);
-    if (!cover.active) continue;
-    rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
-    cells += count_cells(line, cover);
+    if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
+  };
+  // The sample is looked at by eighths, until enough visible lines are found to compare.
+  constexpr std::size_t kParts = 8;
+  std::size_t looked_at = 0;
+  double each = 0;  // how many segments each that was looked at stands for
+  double left = 0;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    for (std::size_t i = part; i < sample.segments.size(); i += kParts) {
+      look_at(sample.segments[i]);
+      ++looked_at;
+    }
+    each =
+        sample.step * static_cast<double>(sample.segments.size()) / static_cast<double>(looked_at);
+    left = each * static_cast<double>(visible.size());
+    if (static_cast<double>(visible.size()) > lines_compared(left)) break;
   }
-  const double share =
-      static_cast<double>(visible.size()) / static_cast<double>(sample.segments.size());
-  // A pair takes some 1.3 ns, and a segment that is left takes 150 ns to arrange. So many lines are
-  // compared that all their pairs take a fiftieth of what arranging the visible segments takes.
-  constexpr double kPairsForEach = 0.02 * 150 / 1.3;
-  const double left = sample.step * static_cast<double>(visible.size());
+  Visibility seen{.share = static_cast<double>(visible.size()) / static_cast<double>(looked_at),
+                  .rows = each * rows};
   const std::size_t count =
-      std::min(visible.size(), static_cast<std::size_t>(std::sqrt(2 * kPairsForEach * left)));
-  if (count < 2) return {share, 0, sample.step * rows, sample.step * cells};
-  const double each =
-      sample.step * static_cast<double>(visible.size()) / static_cast<double>(count);
+      std::min(visible.size(), static_cast<std::size_t>(lines_compared(left)));
+  if (count < 2) return seen;
   for (std::size_t i = 0; i < count; ++i) visible[i] = visible[i * visible.size() / count];
-  const std::uint64_t crossings = count_crossings({visible.data(), count}, cover, scratch);
-  return {share, static_cast<double>(crossings) * each * each, sample.step * rows,
-          sample.step * cells};
+  const MeetingsSeen meetings = count_meetings({visible.data(), count}, cover, scratch);
+  const double all = left / static_cast<double>(count);
+  seen.near_pairs = static_cast<double>(meetings.near_pairs) * all * all;
+  seen.crossings = static_cast<double>(meetings.crossings) * all * all;
+  return seen;
 }
 
 }  // namespace minksum

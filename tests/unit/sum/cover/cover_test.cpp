@@ -76,8 +76,8 @@ std::vector<NamedPair> pairs() {
   list.push_back({"star and polygon", star(30), test::random_two_opt(random, 30, 300)});
   list.push_back({"combs", test::comb(12, 3, 100), test::turned(test::comb(9, 4, 90))});
   list.push_back({"spirals", test::spiral(7), test::scaled(test::spiral(5), Rational(2))});
-  list.push_back({"polygons", test::random_two_opt(random, 50, 1000),
-                  test::random_two_opt(random, 40, 800)});
+  list.push_back(
+      {"polygons", test::random_two_opt(random, 50, 1000), test::random_two_opt(random, 40, 800)});
   list.push_back({"stars of few directions", test::random_star_shaped(random, 50, 24),
                   test::random_star_shaped(random, 50, 24)});
   return list;
@@ -232,10 +232,10 @@ TEST(Cover, CrossingsAreEstimated) {
 /// Crossings are rare. They are missed if few segments are compared.
 TEST(Cover, SampleOfManySegmentsIsLarge) {
   Random random(6);
-  Covered c(test::spiky_star(random, 100, 1000), test::spiky_star(random, 100, 1000), 1);
+  Covered c(test::spiky_star(random, 200, 1000), test::spiky_star(random, 200, 1000), 1);
   ConvolutionScratch scratch;
   Convolution counted;
-  reduced_convolution_or_sample(c.operands, {}, 1000, c.never, scratch, counted);
+  reduced_convolution_or_sample(c.operands, {}, 5000, c.never, scratch, counted);
   ASSERT_FALSE(counted.listed());
   ASSERT_GT(counted.size, 16 * kSample);
   for (const Convolution* convolution : {&c.convolution, &counted}) {
