@@ -309,7 +309,8 @@ to their end. This page and its picture are written by that test's script:
 {table}
 
 Beside the house lie `include/minksum`, the public headers, which every room may include; `tests`,
-whose `unit` folder has the same rooms; `bench`; and `examples`.
+whose `unit` folder has the same rooms; `bench`; `examples`; `js`, the package for JavaScript, which
+calls the C interface as WebAssembly; and `web`, a page that uses it.
 
 ## Rules beside the floors
 
@@ -318,6 +319,8 @@ whose `unit` folder has the same rooms; `bench`; and `examples`.
 How a sum passes through `src/sum` is in [pipeline.md](pipeline.md).
 [CONTRIBUTING.md](../CONTRIBUTING.md) tells how to add a format, a subcommand or an operation, and
 which places depend on the machine.
+[install.md](install.md#how-do-i-use-it-from-c-or-from-another-language) tells how another language
+calls the library.
 """
 
 
