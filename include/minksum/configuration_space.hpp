@@ -57,7 +57,9 @@ struct Slice {
   /// The closure of all (x, y) at which the robot's interior meets an obstacle or leaves the
   /// workspace. Outside of it the robot is free, and on its boundary the robot touches.
   Geometry obstacles;
-  Geometry free;  ///< the space's boundary without the obstacles; only if asked for
+  /// The part of the box `ConfigurationSpace::boundary()` outside `obstacles`. It has tight places
+  /// if `Options::tight` is set. It is empty unless free space was asked for.
+  Geometry free;
   double seconds = 0;  ///< the time to make it, in seconds
 };
 

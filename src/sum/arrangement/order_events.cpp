@@ -37,8 +37,9 @@ class EventOrder {
   }
 
   /// Orders the events on each segment. Threads order those that doubles tell apart, on most
-  /// segments. What is known to be equal decides about the others, and which decisions are taken.
-  /// It depends on the segments before, so the calling thread orders these, one by one.
+  /// segments. The order of the others, and the decisions that it takes, depend on which points are
+  /// known to be equal. That grows from segment to segment, so the calling thread orders these, one
+  /// by one.
   void order() {
     constexpr std::uint64_t kUnitsOfEvent = 8;
     const std::size_t lines = scratch_.line_count;
