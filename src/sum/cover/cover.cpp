@@ -187,7 +187,8 @@ class GridBuyer {
     const double rational = operands_.kernel->rung() == Arithmetic::kArbitrary ? kRational : 1;
     const double inexact = operands_.bounds.difference == 0 ? 1 : kInexactCrossing;
     const double visible = left.share * segments_;
-    return rational * kSegment * visible * std::log2(visible + 2) + kNearPair * left.near_pairs +
+    const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(visible)));
+    return rational * kSegment * visible * digits + kNearPair * left.near_pairs +
            std::max(rational, inexact) * kCrossing * left.crossings +
            kRowOfSegment * std::min(left.rows, static_cast<double>(cover_.grid.size()) / 2);
   }
