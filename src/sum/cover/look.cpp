@@ -141,7 +141,7 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   // as many lines as are left take a twentieth of the time that arranging these takes.
   constexpr std::size_t kParts = 8;
   std::size_t looked_at = 0;
-  double each = 0;  // how many segments each that was looked at stands for
+  double each = 0;  // how many segments one of those that were looked at stands for
   double left = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
     for (std::size_t i = part; i < sample.segments.size(); i += kParts) {
