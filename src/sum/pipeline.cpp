@@ -32,22 +32,6 @@ void count(const Workspace::State& w, const Predicates& predicates, Statistics& 
                                                    : statistics.by_fixed_width) = counts.by_kernel;
 }
 
-void prepare(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
-             Cancellation& cancellation, Workspace::State& w) {
-  std::array<const PreparedOperand*, 2> ready{p.operand, q.operand};
-  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-    if (ready[i] != nullptr) continue;
-    const CallerOperand& given = i == 0 ? p : q;
-    const std::size_t faults_wanted = given.small == nullptr ? 1 : 0;
-    std::vector<Fault> faults;
-    prepare_operand(given.region, options, faults_wanted, cancellation, w.operand_scratch,
-                    w.prepared[i], faults);
-    if (!faults.empty()) reject(faults[0], static_cast<int>(i));
-    ready[i] = &w.prepared[i];
-  }
-  combine_operands(*ready[0], *ready[1], options, NarrowHoles::kFill, cancellation, w.operands);
-}
-
 void report_tight_places(const SumRequest& options, Predicates& predicates, Workspace::State& w) {
   find_tight_places(w.operands, w.arrangement, w.loops, w.filtered, predicates, w.trees,
                     w.tight_scratch, w.tight);
@@ -56,6 +40,18 @@ void report_tight_places(const SumRequest& options, Predicates& predicates, Work
 }
 
 }  // namespace
+
+const PreparedOperand& prepare(const CallerOperand& given, std::size_t operand,
+                               const SumRequest& options, Cancellation& cancellation,
+                               Workspace::State& w) {
+  if (given.operand != nullptr) return *given.operand;
+  const std::size_t faults_wanted = given.small == nullptr ? 1 : 0;
+  std::vector<Fault> faults;
+  prepare_operand(given.region, options, faults_wanted, cancellation, w.operand_scratch,
+                  w.prepared[operand], faults);
+  if (!faults.empty()) reject(faults[0], static_cast<int>(operand));
+  return w.prepared[operand];
+}
 
 void convolve(Workspace::State& w, const SumSettings& options, Cancellation& cancellation) {
   const Operands& o = w.operands;
@@ -152,7 +148,12 @@ void run_stages(const SumRequest& options, const SharedRaster* shared, StageRunn
 void run_pipeline(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
                   Workspace::State& w, Region& result) {
   StageRunner runner(options);
-  runner.run(Stage::kOperands, [&] { prepare(p, q, options, runner.cancellation(), w); });
+  runner.run(Stage::kOperands, [&] {
+    Cancellation& cancellation = runner.cancellation();
+    const PreparedOperand& first = prepare(p, 0, options, cancellation, w);
+    const PreparedOperand& second = prepare(q, 1, options, cancellation, w);
+    combine_operands(first, second, options, NarrowHoles::kFill, cancellation, w.operands);
+  });
   run_stages(options, nullptr, runner, w, result);
 }
 

@@ -58,6 +58,11 @@ void run_pipeline(const CallerOperand& p, const CallerOperand& q, const SumReque
                   Workspace::State& w, Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
+/// Returns the prepared form of an operand, first or second (0 or 1). Prepares it in the workspace
+/// if it is not prepared yet. Throws the error for its first fault, unless it is known to be valid.
+[[nodiscard]] const PreparedOperand& prepare(const CallerOperand& given, std::size_t operand,
+                                             const SumRequest& options, Cancellation& cancellation,
+                                             Workspace::State& w);
 /// Combines a prepared operand with a region that is known to be valid.
 void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
                    const SumRequest& options, Cancellation& cancellation, Workspace::State& w);

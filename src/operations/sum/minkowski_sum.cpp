@@ -71,10 +71,26 @@ bool may_be_small(const SumRequest& r) {
          r.tight_places == nullptr && allow_small(r.limits);
 }
 
-/// Computes the sum if it is small. Otherwise tells which operands are small and valid, so that
+/// Prepares the operands that are not known to be valid, by which these are validated. Rings of a
+/// valid operand may touch.
+void validate_others(std::array<CallerOperand, 2>& given,
+                     const std::array<const SmallOperand*, 2>& small, const SumRequest& options,
+                     Workspace::State& state) {
+  if (given[0].small != nullptr && given[1].small != nullptr) return;
+  StageRunner runner(options);
+  runner.run(Stage::kOperands, [&] {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      if (given[i].small != nullptr) continue;
+      given[i].operand = &prepare(given[i], i, options, runner.cancellation(), state);
+      given[i].small = small[i];
+    }
+  });
+}
+
+/// Computes the sum if it is small. Otherwise tells which operands are known to be valid, so that
 /// these need not be validated again.
 bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
-               SmallScratch& scratch, Region& result) {
+               Workspace::State& state, Region& result) {
   if (!may_be_small(options)) return false;
   // A prepared operand that is not small has been looked at before.
   const auto fits = [](const CallerOperand& o) {
@@ -82,6 +98,7 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
   };
   if (!std::ranges::all_of(given, fits)) return false;
   Cancellation(options).look();
+  SmallScratch& scratch = state.small_scratch;
   std::array<SmallOperand, 2>& memory = scratch.operands();
   std::array<const SmallOperand*, 2> small{given[0].small, given[1].small};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
@@ -96,10 +113,9 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
       given[i].small = small[i];
     }
   }
-  const auto is_valid = [](const CallerOperand& o) { return o.small != nullptr; };
-  if (!std::ranges::all_of(given, is_valid) ||
-      numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone ||
-      !bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
+  if (numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) return false;
+  validate_others(given, small, options, state);
+  if (!bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
     return false;
   }
   if (options.statistics != nullptr) {
@@ -128,7 +144,7 @@ void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& optio
     signed_convolution_sum(p.region, q.region, options, statistics, result);
   } else {
     std::array<CallerOperand, 2> given{p, q};
-    if (!run_small(given, options, state.small_scratch, result)) {
+    if (!run_small(given, options, state, result)) {
       run_pipeline(given[0], given[1], options, state, result);
     }
   }
@@ -172,11 +188,13 @@ class Sums final : public PartialSums {
     const auto i = static_cast<std::size_t>(operand);
     regions_[i] = &region;
     is_small_[i] = false;
+    is_prepared_[i] = false;
     if (region.empty()) return true;
     cancellation_.look();
-    is_small_[i] = may_be_small(quiet_) &&
-                   read_small(region, state_.small_scratch.holes(), state_.small_areas[i]);
-    if (is_small_[i]) return true;
+    SmallOperand& small = state_.small_areas[i];
+    is_small_[i] = may_be_small(quiet_) && load_small(region, small);
+    if (is_small_[i] && is_clearly_valid(region, small, state_.small_scratch.holes())) return true;
+    is_prepared_[i] = true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
     prepare_operand(region, options_, 1, cancellation_, state_.operand_scratch, state_.prepared[i],
@@ -220,10 +238,9 @@ class Sums final : public PartialSums {
   static double seconds(Clock::duration time) {
     return std::chrono::duration<double>(time).count();
   }
-  /// Small operands are prepared only for sums with operands that are not small.
   [[nodiscard]] CallerOperand taken(std::size_t i) const {
-    if (is_small_[i]) return {*regions_[i], nullptr, &state_.small_areas[i]};
-    return {*regions_[i], &state_.prepared[i]};
+    return {*regions_[i], is_prepared_[i] ? &state_.prepared[i] : nullptr,
+            is_small_[i] ? &state_.small_areas[i] : nullptr};
   }
   CallerOperand walk(std::size_t i, std::span<const Polyline> polylines) {
     walk_there_and_back(polylines, cancellation_, state_.walks[i]);
@@ -240,6 +257,8 @@ class Sums final : public PartialSums {
   Clock::duration preparing_{};
   std::array<const Region*, 2> regions_{};
   std::array<bool, 2> is_small_{};
+  /// Operands that are small and clearly valid are prepared only for sums that are not small.
+  std::array<bool, 2> is_prepared_{};
 };
 
 void run(const Geometry& p, const Geometry& q, const SumRequest& options, Workspace::State& state,
@@ -307,8 +326,7 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
     prepare_operand(state->region, SumSettings{}, 1, cancellation, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
-    SmallHoles holes;
-    if (read_small(state->region, holes, *small)) state->small = std::move(small);
+    if (load_small(state->region, *small)) state->small = std::move(small);
   }
   state_ = std::move(state);
 }

@@ -97,8 +97,9 @@ bool place_vertices(const Region& region, const IndexRange& ring, const SmallOpe
   return true;
 }
 
-/// Loads the vertices of a ring as they are given, on a grid that is set. Returns false if they are
-/// no short integers there. The origin is the box's lower left corner, unless `origin` is given.
+/// Loads the vertices of a ring as they are given, on a grid that is set. Drops repeated ones.
+/// Returns false if they are no short integers there, or fewer than three. The origin is the box's
+/// lower left corner, unless `origin` is given.
 bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
           SmallOperand& s) {
   const std::size_t n = ring.size();
@@ -106,22 +107,27 @@ bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>*
   if (n < 3 || !place_vertices(region, ring, s, places)) return false;
   s.extent = places.extent();
   if (std::max(s.extent.x, s.extent.y) > SmallOperand::kWidest) return false;
-  s.size = static_cast<std::uint32_t>(n);
   const Vec<std::int64_t> low = origin != nullptr ? *origin : places.low;
   s.offset = low;
   s.first = places.at[0];
   s.make_rows(n);
+  s.size = 0;
   for (std::uint32_t v = 0; v < n; ++v) {
-    s[SmallOperand::kX][v] = static_cast<double>(places.at[v].x - low.x);
-    s[SmallOperand::kY][v] = static_cast<double>(places.at[v].y - low.y);
-    s[SmallOperand::kVertexSource][v] = v;
-    s[SmallOperand::kEdgeSource][v] = v;
+    const Vec<std::int64_t>& at = places.at[v];
+    // The last of equal vertices stays, because the edge to the next vertex has its index.
+    if (v != 0 && at.x == places.at[v - 1].x && at.y == places.at[v - 1].y) --s.size;
+    s[SmallOperand::kX][s.size] = static_cast<double>(at.x - low.x);
+    s[SmallOperand::kY][s.size] = static_cast<double>(at.y - low.y);
+    s[SmallOperand::kVertexSource][s.size] = v;
+    s[SmallOperand::kEdgeSource][s.size] = v;
+    ++s.size;
   }
-  return find_longest(s);
+  while (s.size > 1 && step(s, s.size - 1, 0).x == 0 && step(s, s.size - 1, 0).y == 0) --s.size;
+  return s.size >= 3 && find_longest(s);
 }
 
-/// Drops vertices in the middle of straight edges. Returns false if a vertex is repeated or is the
-/// tip of a spike.
+/// Drops vertices in the middle of straight edges. Returns false if a vertex is the tip of a spike.
+/// No vertex may be repeated.
 bool drop_straight(SmallOperand& s) {
   std::array<bool, SmallOperand::kMaxVertices> stays;
   bool all = true;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "minksum/prepared_region.hpp"
 #include "minksum/testing.hpp"
 #include "minksum/transform.hpp"
 #include "sum/small/sides.hpp"
@@ -43,7 +44,7 @@ TEST(SmallOperand, LeavesFaultsToTheStages) {
   // A star that turns left everywhere and goes round twice.
   EXPECT_FALSE(is_small(make_polygon({{0, 10}, {-6, -8}, {9, 3}, {-9, 3}, {6, -8}})));
   EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}})));  // spike
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {4, 0}, {4, 4}})));          // repeated
+  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {4, 0}, {0, 0}})));  // no area
   EXPECT_FALSE(is_small(make_polygon({{0, 0}, {1, 0}, {2, 0}})));                  // flat
   EXPECT_FALSE(
       is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}, {4, 0}})));  // overlaps
@@ -120,6 +121,21 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
     // In the reversed ring, the edge to the next vertex is the one that ends here.
     const std::uint32_t next = small.source(SmallOperand::kVertexSource, (v + 1) % 4);
     EXPECT_EQ(small.source(SmallOperand::kEdgeSource, v), next);
+  }
+}
+
+TEST(SmallOperand, DropsRepeatedVertices) {
+  // The last of equal vertices stays, and of those at the ring's end, the one at its start.
+  const Region region =
+      make_polygon({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
+  SmallOperand small;
+  ASSERT_TRUE(read(region, small));
+  ASSERT_EQ(small.size, 4U);
+  for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
+    EXPECT_EQ(small.source(row, 0), 1U);
+    EXPECT_EQ(small.source(row, 1), 2U);
+    EXPECT_EQ(small.source(row, 2), 5U);
+    EXPECT_EQ(small.source(row, 3), 6U);
   }
 }
 
@@ -236,6 +252,30 @@ TEST(SmallSum, FillsHolesThatNothingFitsInto) {
   EXPECT_FALSE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
   EXPECT_TRUE(sum_small(small, bar, scratch, result));          // but not into 3 and 2
   EXPECT_EQ(result, transform(rectangle(0, 0, 50, 57), Affine::scaling(Rational(1, 5))));
+}
+
+TEST(SmallSum, TakesHolesThatTouch) {
+  const Region p = with_holes({{{0, 3}, {3, 2}, {3, 3}}, {{3, 3}, {4, 3}, {4, 4}}});
+  ASSERT_FALSE(is_small(p));  // before it is validated
+  const Region q = rectangle(0, 0, 4, 4);
+  EXPECT_TRUE(detailed_sum(p, q).statistics.small);
+  EXPECT_EQ(minkowski_sum(p, q), rectangle(0, 0, 13, 13));
+  SumSettings settings;
+  Workspace workspace;
+  Region result;
+  EXPECT_TRUE(
+      minkowski_sum(PreparedRegion(q), PreparedRegion(p), settings, workspace, result).ok());
+  EXPECT_EQ(result, rectangle(0, 0, 13, 13));
+  // This square fits into one of the holes.
+  const DetailedSum open = detailed_sum(p, transform(q, Affine::scaling(Rational(1, 8))));
+  EXPECT_FALSE(open.statistics.small);
+  EXPECT_EQ(open.sum.region.hole_count(), 1U);
+  // A hole that crosses the ring is a fault, as before.
+  const Outcome outcome =
+      minkowski_sum(make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{8, 3}, {11, 3}, {8, 5}}}), q,
+                    settings, workspace, result);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
 }
 
 TEST(SmallSum, IsMadeOfManySegments) {
