@@ -42,7 +42,8 @@ constexpr double kRowOfParallelogram = 27;
 /// From grid to grid, 6 to 14 times as many words were moved for ten pairs of shapes, mostly 8.
 constexpr double kGrowthOfWords = 8;
 /// All grids together may cost this share of what the best one so far leaves. So grids that are
-/// bought in vain cost no more. Parallelograms are bought apart, by this share of the meetings.
+/// bought in vain cost no more. Parallelograms may cost this share of the meetings besides. What
+/// they cost counts when the next grid is bought.
 constexpr double kMostOfWhatIsLeft = 0.25;
 /// After a grid that left more than `kWorthIt` of the price before it, few grids help. More are
 /// bought only while all grids together cost at most this share. When none was bought, one sum of
@@ -127,16 +128,15 @@ class GridBuyer {
     bool best_is_active = false;
     bool best_by_translates = true;
     bool helped = true;
-    double spent = 0;
     double next_words = 0;
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
       const double affordable = (helped ? kMostOfWhatIsLeft : kMostInVain) * price_of(best);
       const UniformGrid grid = grid_of(operands_, side);
-      spent += look + price_of_rasters(grid);
-      if (spent + next_words > affordable) break;
+      spent_ += look + price_of_rasters(grid);
+      if (spent_ + next_words > affordable) break;
       const auto words = static_cast<double>(rasterise(operands_, grid, cancellation_, scratch_));
-      spent += words;
-      if (spent > affordable) break;
+      spent_ += words;
+      if (spent_ > affordable) break;
       next_words = kGrowthOfWords * words;
       mark(side, first);
       Visibility before = std::exchange(left_, see());
@@ -216,6 +216,7 @@ class GridBuyer {
     const Visibility meetings{.near_pairs = left_.near_pairs, .crossings = left_.crossings};
     if (kRowOfParallelogram * rows > kMostOfWhatIsLeft * price_of(meetings)) return;
     const double before = price_of(left_);
+    spent_ += kRowOfParallelogram * rows;
     cover_by_parallelograms(cancellation_, scratch_, cover_);
     cover_.by_translates = false;
     left_ = see();
@@ -231,6 +232,7 @@ class GridBuyer {
   CoverScratch& scratch_;
   Cover& cover_;
   Visibility left_;
+  double spent_ = 0;  ///< for all grids and parallelograms so far
   bool parallelograms_help_ = true;
 };
 
