@@ -71,8 +71,7 @@ bool may_be_small(const SumRequest& r) {
          r.tight_places == nullptr && allow_small(r.limits);
 }
 
-/// Prepares the operands that are not known to be valid, by which these are validated. Rings of a
-/// valid operand may touch.
+/// Validates operands that are not known to be valid, by preparing them: their rings may touch.
 void validate_others(std::array<CallerOperand, 2>& given,
                      const std::array<const SmallOperand*, 2>& small, const SumRequest& options,
                      Workspace::State& state) {
@@ -80,9 +79,9 @@ void validate_others(std::array<CallerOperand, 2>& given,
   StageRunner runner(options);
   runner.run(Stage::kOperands, [&] {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-      if (given[i].small != nullptr) continue;
-      given[i].operand = &prepare(given[i], i, options, runner.cancellation(), state);
-      given[i].small = small[i];
+      CallerOperand& o = given[i];
+      if (o.small == nullptr) o.operand = &prepare(o, i, options, runner.cancellation(), state);
+      o.small = small[i];
     }
   });
 }
@@ -187,8 +186,7 @@ class Sums final : public PartialSums {
   bool take(int operand, const Region& region) override {
     const auto i = static_cast<std::size_t>(operand);
     regions_[i] = &region;
-    is_small_[i] = false;
-    is_prepared_[i] = false;
+    is_small_[i] = is_prepared_[i] = false;
     if (region.empty()) return true;
     cancellation_.look();
     SmallOperand& small = state_.small_areas[i];
@@ -257,8 +255,7 @@ class Sums final : public PartialSums {
   Clock::duration preparing_{};
   std::array<const Region*, 2> regions_{};
   std::array<bool, 2> is_small_{};
-  /// Operands that are small and clearly valid are prepared only for sums that are not small.
-  std::array<bool, 2> is_prepared_{};
+  std::array<bool, 2> is_prepared_{};  ///< false for one that is small and clearly valid
 };
 
 void run(const Geometry& p, const Geometry& q, const SumRequest& options, Workspace::State& state,
