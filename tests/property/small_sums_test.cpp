@@ -9,6 +9,7 @@
 #include "property/provenance.hpp"
 #include "property/sums.hpp"
 #include "support/polygon_kinds.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 
@@ -88,26 +89,6 @@ Affine random_shear(Random& random) {
   return Affine{1, 0, 0, steep(), 1, 0}.after(Affine{1, steep(), 0, 0, 1, 0});
 }
 
-/// Returns a region with vertices repeated at random.
-Region with_repeated(const Region& region, Random& random) {
-  Region repeated;
-  for (const std::size_t polygon : region.polygons()) {
-    repeated.begin_polygon();
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      repeated.begin_ring();
-      for (const std::size_t v : region.vertices_of(ring)) {
-        const Point point = region.point(v);
-        for (int times = random.one_in(4) ? 3 : 1; times > 0; --times) {
-          repeated.add_vertex(point.x, point.y);
-        }
-      }
-      const Point first = region.point(region.vertices_of(ring).front());
-      if (random.one_in(4)) repeated.add_vertex(first.x, first.y);
-    }
-  }
-  return repeated;
-}
-
 void compare(std::uint64_t seed) {
   Random random(seed);
   Region p = transform(random_shape(random), random_map(random));
@@ -118,7 +99,7 @@ void compare(std::uint64_t seed) {
     p = transform(p, shear);
     q = transform(q, shear);
   }
-  if (random.one_in(4)) p = with_repeated(p, random);
+  if (random.one_in(4)) p = scrambled(p, random);
   const Region sum = minkowski_sum(p, q);
   EXPECT_EQ(to_text(sum), to_text(sum_by_stages(p, q))) << note(seed, p, q);
   // Prepared operands are validated on their own, and brought to one grid as copies.
