@@ -23,6 +23,7 @@ constexpr auto kPowersOfTen = [] {
 }();
 /// Multiplies by 10^tens · 2^twos. Returns false if the product is too large for an offset.
 inline bool scale(int tens, int twos, std::int64_t& value) {
+  if ((tens | twos) == 0) return -kFarthest <= value && value <= kFarthest;
   if (tens >= static_cast<int>(kPowersOfTen.size()) || twos > kMostTwos) return value == 0;
   return !__builtin_mul_overflow(value, kPowersOfTen[static_cast<std::size_t>(tens)], &value) &&
          !__builtin_mul_overflow(value, std::int64_t{1} << twos, &value) && -kFarthest <= value &&
@@ -353,6 +354,7 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
 double refinement(int exp2, int exp10, const SmallOperand& s) {
   const int tens = s.exp10 - exp10;
   const int twos = s.exp2 - exp2;
+  if ((tens | twos) == 0) return 1;
   std::int64_t factor = 1;
   Vec<std::int64_t> offset = s.offset;
   const bool fine =
@@ -362,20 +364,31 @@ double refinement(int exp2, int exp10, const SmallOperand& s) {
   return fine && width <= SmallOperand::kWidest ? times : 0;
 }
 
-bool refine(int exp2, int exp10, SmallOperand& s) {
-  const double times = refinement(exp2, exp10, s);
+bool refine(int exp2, int exp10, const SmallOperand& from, SmallOperand& to) {
+  const double times = refinement(exp2, exp10, from);
   if (times == 0) return false;
-  for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
-    double* const values = s[static_cast<SmallOperand::Row>(row)];
-    for (std::uint32_t i = 0; i < s.size; ++i) values[i] *= times;
-  }
   const auto by = static_cast<std::int64_t>(times);
-  s.extent = {s.extent.x * times, s.extent.y * times};
-  for (Vec<double>& hole : s.holes) hole = {hole.x * times, hole.y * times};
-  s.longest *= times;
-  s.offset = {s.offset.x * by, s.offset.y * by};
-  s.exp2 = exp2;
-  s.exp10 = exp10;
+  to.size = from.size;
+  to.smallest = from.smallest;
+  to.convex = from.convex;
+  to.turning = from.turning;
+  to.extent = {from.extent.x * times, from.extent.y * times};
+  to.holes.resize(from.holes.size());
+  for (std::size_t k = 0; k < from.holes.size(); ++k) {
+    to.holes[k] = {from.holes[k].x * times, from.holes[k].y * times};
+  }
+  to.longest = from.longest * times;
+  to.offset = {from.offset.x * by, from.offset.y * by};
+  to.first = from.first;
+  to.exp2 = exp2;
+  to.exp10 = exp10;
+  if (&to != &from) to.make_rows(from.size);
+  for (int row = 0; row < SmallOperand::kRows; ++row) {
+    const double* const values = from[static_cast<SmallOperand::Row>(row)];
+    double* const scaled = to[static_cast<SmallOperand::Row>(row)];
+    const double factor = row < SmallOperand::kVertexSource ? times : 1;
+    for (std::size_t i = 0; i < filled_up(from.size); ++i) scaled[i] = values[i] * factor;
+  }
   return true;
 }
 

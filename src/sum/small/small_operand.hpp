@@ -122,7 +122,8 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to);
 /// Returns how many steps of the finer grid of these exponents one of the operand's steps has, or 0
 /// if the operand does not fit on that grid.
 [[nodiscard]] double refinement(int exp2, int exp10, const SmallOperand& operand);
-/// Brings an operand to the finer grid of these exponents. Returns false if it does not fit there.
-bool refine(int exp2, int exp10, SmallOperand& operand);
+/// Copies an operand to the finer grid of these exponents. Returns false if it does not fit there.
+/// Both may be the same.
+bool refine(int exp2, int exp10, const SmallOperand& from, SmallOperand& to);
 
 }  // namespace minksum

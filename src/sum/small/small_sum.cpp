@@ -216,9 +216,9 @@ bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
   const int exp2 = std::min(p->exp2, q->exp2);
   const int exp10 = std::min(p->exp10, q->exp10);
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-    if (operands[i] != &memory[i]) memory[i] = *operands[i];
+    if (operands[i]->exp2 == exp2 && operands[i]->exp10 == exp10) continue;
+    if (!refine(exp2, exp10, *operands[i], memory[i])) return false;
     operands[i] = &memory[i];
-    if (!refine(exp2, exp10, memory[i])) return false;
   }
   return true;
 }
