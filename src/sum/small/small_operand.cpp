@@ -44,28 +44,6 @@ bool find_grid(const Region& region, SmallOperand& s) {
   return known;
 }
 
-Vec<std::int64_t> step(const SmallOperand& s, std::uint32_t from, std::uint32_t to) {
-  return {static_cast<std::int64_t>(s[SmallOperand::kX][to] - s[SmallOperand::kX][from]),
-          static_cast<std::int64_t>(s[SmallOperand::kY][to] - s[SmallOperand::kY][from])};
-}
-
-Int128 exact_turn(const Vec<std::int64_t>& in, const Vec<std::int64_t>& out) {
-  return Int128{in.x} * out.y - Int128{in.y} * out.x;
-}
-
-/// Sets the longest extent of an edge. Returns false if that is too long for any number type.
-bool find_longest(SmallOperand& s) {
-  const double* const x = s[SmallOperand::kX];
-  const double* const y = s[SmallOperand::kY];
-  s.longest = 0;
-  std::uint32_t before = s.size - 1;
-  for (std::uint32_t i = 0; i < s.size; ++i) {
-    s.longest = std::max({s.longest, std::abs(x[i] - x[before]), std::abs(y[i] - y[before])});
-    before = i;
-  }
-  return small_numbers(s.longest, std::max(s.extent.x, s.extent.y)) != SmallNumberType::kNone;
-}
-
 /// The vertices of a ring as integers, and their box.
 struct RingPlaces {
   std::array<Vec<std::int64_t>, SmallOperand::kMaxVertices> at;
@@ -123,39 +101,10 @@ bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>*
     s[SmallOperand::kEdgeSource][s.size] = v;
     ++s.size;
   }
-  while (s.size > 1 && step(s, s.size - 1, 0).x == 0 && step(s, s.size - 1, 0).y == 0) --s.size;
-  return s.size >= 3 && find_longest(s);
-}
-
-/// Drops vertices in the middle of straight edges. Returns false if a vertex is the tip of a spike.
-/// No vertex may be repeated.
-bool drop_straight(SmallOperand& s) {
-  std::array<bool, SmallOperand::kMaxVertices> stays;
-  bool all = true;
-  std::uint32_t before = s.size - 1;
-  for (std::uint32_t i = 0; i < s.size; ++i) {
-    const Vec<std::int64_t> in = step(s, before, i);
-    const Vec<std::int64_t> out = step(s, i, i + 1 == s.size ? 0 : i + 1);
-    stays[i] = exact_turn(in, out) != 0;
-    all = all && stays[i];
-    if (!stays[i] && !(Int128{in.x} * out.x + Int128{in.y} * out.y > 0)) return false;
-    before = i;
-  }
-  if (all) return true;
-  double* const x = s[SmallOperand::kX];
-  double* const y = s[SmallOperand::kY];
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < s.size; ++i) {
-    if (!stays[i]) continue;
-    x[kept] = x[i];
-    y[kept] = y[i];
-    for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
-      s[row][kept] = s[row][i];
-    }
-    ++kept;
-  }
-  s.size = kept;
-  return kept >= 3 && find_longest(s);
+  const double* const x = s[SmallOperand::kX];
+  const double* const y = s[SmallOperand::kY];
+  while (s.size > 1 && x[s.size - 1] == x[0] && y[s.size - 1] == y[0]) --s.size;
+  return s.size >= 3;
 }
 
 void find_smallest(SmallOperand& s) {
@@ -168,47 +117,107 @@ void find_smallest(SmallOperand& s) {
   }
 }
 
-/// Makes the ring counter-clockwise, and keeps the sources of edges right.
-void orient(SmallOperand& s) {
-  find_smallest(s);
-  const std::uint32_t n = s.size;
-  const std::uint32_t i = s.smallest;
-  if (exact_turn(step(s, i == 0 ? n - 1 : i - 1, i), step(s, i, i + 1 == n ? 0 : i + 1)) > 0)
-    return;
-  std::reverse(s[SmallOperand::kX], s[SmallOperand::kX] + n);
-  std::reverse(s[SmallOperand::kY], s[SmallOperand::kY] + n);
-  double* const vertex_source = s[SmallOperand::kVertexSource];
-  std::reverse(vertex_source, vertex_source + n);
-  s.smallest = n - 1 - i;
-  // The edge that starts here is the one that started at the next vertex.
-  std::rotate_copy(vertex_source, vertex_source + 1, vertex_source + n,
-                   s[SmallOperand::kEdgeSource]);
+Vec<double> edge(const SmallOperand& s, std::uint32_t i) {
+  return {s[SmallOperand::kDx][i], s[SmallOperand::kDy][i]};
 }
 
-/// Sets edges and convexity, which follow from the places.
-void set_edges(SmallOperand& s) {
+/// The ways from and to the vertices of a ring, and to which side the ring turns there.
+struct RingBends {
+  std::array<double, SmallOperand::kMaxVertices> at;
+
+  /// Sets the edges, too. Returns whether the ring turns at each vertex.
+  bool set(SmallOperand& s) {
+    const double* const x = s[SmallOperand::kX];
+    const double* const y = s[SmallOperand::kY];
+    double* const dx = s[SmallOperand::kDx];
+    double* const dy = s[SmallOperand::kDy];
+    const std::uint32_t last = s.size - 1;
+    for (std::uint32_t i = 0; i < last; ++i) {
+      dx[i] = x[i + 1] - x[i];
+      dy[i] = y[i + 1] - y[i];
+    }
+    dx[last] = x[0] - x[last];
+    dy[last] = y[0] - y[last];
+    bool all = true;
+    Vec<double> in{dx[last], dy[last]};
+    for (std::uint32_t i = 0; i < s.size; ++i) {
+      const Vec<double> out{dx[i], dy[i]};
+      at[i] = SureCross<Int128>{}(in, out);
+      all &= at[i] != 0;
+      in = out;
+    }
+    return all;
+  }
+};
+
+/// Drops vertices in the middle of straight edges. Returns false if a vertex is the tip of a spike.
+bool drop_straight(SmallOperand& s, const RingBends& bends) {
+  const double* const dx = s[SmallOperand::kDx];
+  const double* const dy = s[SmallOperand::kDy];
+  std::uint32_t kept = 0;
+  std::uint32_t before = s.size - 1;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    if (bends.at[i] != 0) {
+      for (const auto row : {SmallOperand::kX, SmallOperand::kY, SmallOperand::kVertexSource,
+                             SmallOperand::kEdgeSource}) {
+        s[row][kept] = s[row][i];
+      }
+      ++kept;
+    } else if (dx[before] * dx[i] + dy[before] * dy[i] < 0) {
+      return false;
+    }
+    before = i;
+  }
+  s.size = kept;
+  return kept >= 3;
+}
+
+/// Sets edges and convexity, which follow from the places. Drops vertices in the middle of straight
+/// edges. Returns false if a vertex is the tip of a spike. No vertex may be repeated.
+bool set_edges(SmallOperand& s) {
+  RingBends bends;
+  if (!bends.set(s) && (!drop_straight(s, bends) || !bends.set(s))) return false;
   const std::uint32_t n = s.size;
-  double* const dx = s[SmallOperand::kDx];
-  double* const dy = s[SmallOperand::kDy];
+  const double* const dx = s[SmallOperand::kDx];
+  const double* const dy = s[SmallOperand::kDy];
   s.convex = true;
-  Vec<std::int64_t> in = step(s, n - 1, 0);
+  s.longest = 0;
+  std::uint32_t before = n - 1;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Vec<std::int64_t> out = step(s, i, i + 1 == n ? 0 : i + 1);
-    const bool convex = exact_turn(in, out) > 0;
-    const auto value = [&](std::int64_t d) { return convex ? static_cast<double>(d) : 0.0; };
+    const bool convex = bends.at[i] > 0;
     s.convex &= convex;
-    dx[i] = static_cast<double>(out.x);
-    dy[i] = static_cast<double>(out.y);
-    s[SmallOperand::kInX][i] = value(in.x);
-    s[SmallOperand::kInY][i] = value(in.y);
-    s[SmallOperand::kOutX][i] = value(out.x);
-    s[SmallOperand::kOutY][i] = value(out.y);
-    in = out;
+    s.longest = std::max({s.longest, std::abs(dx[i]), std::abs(dy[i])});
+    s[SmallOperand::kInX][i] = convex ? dx[before] : 0;
+    s[SmallOperand::kInY][i] = convex ? dy[before] : 0;
+    s[SmallOperand::kOutX][i] = convex ? dx[i] : 0;
+    s[SmallOperand::kOutY][i] = convex ? dy[i] : 0;
+    before = i;
   }
   for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
     std::fill(values + n, values + filled_up(n), 0.0);
   }
+  return true;
+}
+
+/// Makes the ring counter-clockwise, and keeps the sources of edges right.
+void orient(SmallOperand& s) {
+  find_smallest(s);
+  const std::uint32_t n = s.size;
+  const std::uint32_t i = s.smallest;
+  const Vec<double> in = edge(s, i == 0 ? n - 1 : i - 1);
+  if (SureCross<Int128>{}(in, edge(s, i)) > 0) return;
+  double* const x = s[SmallOperand::kX];
+  double* const y = s[SmallOperand::kY];
+  std::reverse(x, x + n);
+  std::reverse(y, y + n);
+  double* const vertex_source = s[SmallOperand::kVertexSource];
+  std::reverse(vertex_source, vertex_source + n);
+  // The edge that starts here is the one that started at the next vertex.
+  std::rotate_copy(vertex_source, vertex_source + 1, vertex_source + n,
+                   s[SmallOperand::kEdgeSource]);
+  s.smallest = n - 1 - i;
+  static_cast<void>(set_edges(s));
 }
 
 /// Returns in which eighth of the circle a vector lies, counter-clockwise from the positive x axis.
@@ -220,11 +229,14 @@ int eighth_of(const Vec<double>& d) {
 }
 
 double mean_turning(const SmallOperand& s) {
+  const SmallRows rows(s);
   int meetings = 0;
+  int in = eighth_of({rows.dx[s.size - 1], rows.dy[s.size - 1]});
   for (std::uint32_t v = 0; v < s.size; ++v) {
-    const Vec<double> in{s[SmallOperand::kInX][v], s[SmallOperand::kInY][v]};
-    const Vec<double> out{s[SmallOperand::kOutX][v], s[SmallOperand::kOutY][v]};
-    meetings += (eighth_of(out) - eighth_of(in)) & 7;
+    const int out = eighth_of({rows.dx[v], rows.dy[v]});
+    const bool convex = s[SmallOperand::kInX][v] != 0 || s[SmallOperand::kInY][v] != 0;
+    meetings += convex ? (out - in) & 7 : 0;
+    in = out;
   }
   return meetings / 8.0;
 }
@@ -268,10 +280,9 @@ bool are_holes_clearly_valid(const Region& region, const SmallOperand& s, SmallH
     SmallOperand& hole = holes.rings[k];
     hole.exp2 = s.exp2;
     hole.exp10 = s.exp10;
-    if (!load(region, region.vertices_of(k + 1), &s.offset, hole) || !drop_straight(hole)) {
+    if (!load(region, region.vertices_of(k + 1), &s.offset, hole) || !set_edges(hole)) {
       return false;
     }
-    set_edges(hole);
     holes.boxes.push_back(box_of(hole));
     const SmallNumberType numbers =
         small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
@@ -292,7 +303,7 @@ bool has_small_size(const Region& region) {
 
 bool load_small(const Region& region, SmallOperand& s) {
   if (!has_small_size(region) || !find_grid(region, s) ||
-      !load(region, region.vertices_of(0), nullptr, s) || !drop_straight(s)) {
+      !load(region, region.vertices_of(0), nullptr, s) || !set_edges(s)) {
     return false;
   }
   s.holes.clear();
@@ -302,7 +313,6 @@ bool load_small(const Region& region, SmallOperand& s) {
     s.holes.push_back(places.extent());
   }
   orient(s);
-  set_edges(s);
   s.turning = mean_turning(s);
   return true;
 }
@@ -327,7 +337,6 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   to.turning = from.turning;
   to.extent = from.extent;
   to.holes = from.holes;
-  to.longest = from.longest;
   to.offset = from.offset;
   to.exp2 = from.exp2;
   to.exp10 = from.exp10;
@@ -348,7 +357,7 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
     for (Vec<double>& hole : to.holes) std::swap(hole.x, hole.y);
   }
   find_smallest(to);
-  set_edges(to);
+  static_cast<void>(set_edges(to));
 }
 
 double refinement(int exp2, int exp10, const SmallOperand& s) {
