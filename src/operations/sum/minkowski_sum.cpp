@@ -107,16 +107,16 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
   }
   // On its own grid, an operand has shorter numbers.
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-    if (given[i].small == nullptr &&
-        is_clearly_valid(given[i].region, *small[i], scratch.holes())) {
-      given[i].small = small[i];
-    }
+    CallerOperand& o = given[i];
+    if (o.small != nullptr) continue;
+    if (is_clearly_valid(o.region, scratch.holes(), memory[i])) o.small = small[i];
   }
-  if (numbers_of_sum(*small[0], *small[1]) == SmallNumberType::kNone) return false;
+  const SmallPlan plan = plan_sum(*small[0], *small[1]);
+  if (plan.numbers == SmallNumberType::kNone) return false;
   validate_others(given, small, options, state);
-  if (!bring_to_one_grid(small, memory) || !sum_small(*small[0], *small[1], scratch, result)) {
-    return false;
-  }
+  const bool done =
+      bring_to_one_grid(plan, small, memory) && sum_small(*small[0], *small[1], scratch, result);
+  if (!done) return false;
   if (options.statistics != nullptr) {
     options.statistics->small = true;
     options.statistics->convolution_segments = scratch.segments();
@@ -191,7 +191,7 @@ class Sums final : public PartialSums {
     cancellation_.look();
     SmallOperand& small = state_.small_areas[i];
     is_small_[i] = may_be_small(quiet_) && load_small(region, small);
-    if (is_small_[i] && is_clearly_valid(region, small, state_.small_scratch.holes())) return true;
+    if (is_small_[i] && is_clearly_valid(region, state_.small_scratch.holes(), small)) return true;
     is_prepared_[i] = true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
@@ -323,7 +323,7 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
     prepare_operand(state->region, SumSettings{}, 1, cancellation, scratch, state->operand, faults);
     if (!faults.empty()) reject(faults[0], -1);
     auto small = std::make_unique<SmallOperand>();
-    if (load_small(state->region, *small)) state->small = std::move(small);
+    if (load_valid(state->region, *small)) state->small = std::move(small);
   }
   state_ = std::move(state);
 }

@@ -6,6 +6,7 @@
 
 #include "exact/wide_int.hpp"
 #include "sum/small/small_meetings.hpp"
+#include "sum/small/small_placement.hpp"
 
 namespace minksum {
 
@@ -19,6 +20,9 @@ struct SmallCorner {
 
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
+  static constexpr std::size_t kMaxRings = 128;
+  std::uint32_t rings;                          ///< the outer ring and holes
+  std::array<std::uint32_t, kMaxRings> end_of;  ///< the ends of their corners
   std::uint32_t size;
   std::uint32_t between;  ///< number of corners that are not the start of a segment
   std::array<SmallCorner, kMax> corners;
@@ -33,13 +37,14 @@ struct RightMeetings {
   std::array<WalkStep, SmallMeetings::kMax> of;
 };
 
-/// Walks along the boundary of the unbounded face, with the sum on the left. May be used once.
+/// Walks along the boundary of the unbounded face, with the sum on the left, and along those of
+/// holes. May be used once.
 template <class Number>
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings, RightMeetings& turns,
-            SmallBoundary& boundary)
-      : s_(segments), m_(meetings), turns_(turns), boundary_(boundary) {
+  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings,
+            const SmallPlacement& placement, RightMeetings& turns, SmallBoundary& boundary)
+      : s_(segments), m_(meetings), placement_(placement), turns_(turns), boundary_(boundary) {
     std::fill_n(turns_.of.begin(), m_.size(), RightMeetings::WalkStep{0, 0});
   }
 
@@ -67,7 +72,9 @@ class OuterWalk {
       if (boundary_.size == SmallBoundary::kMax) return false;
     } while (place.passed.above != 0 || s_.x[place.segment] != start_x ||
              s_.y[place.segment] != start_y);
-    return taken + 3 > m_.right_count || no_holes(taken);
+    boundary_.rings = 1;
+    boundary_.end_of[0] = boundary_.size;
+    return taken + 3 > m_.right_count || find_holes(taken);
   }
 
  private:
@@ -191,23 +198,23 @@ class OuterWalk {
     return {t, {whole_number<Integer>(sense * along), whole_number<Integer>(sense * whole)}};
   }
 
-  /// Whether the sum certainly has no hole. A walk around a hole has the sum on its left, too, and
-  /// turns right at three corners. None of these is a corner of the outer boundary. If a walk from
-  /// a possible corner of this kind ends, it is no hole's.
-  [[nodiscard]] bool no_holes(std::uint32_t taken) {
+  /// Finds all holes. Returns false if there may be others. A walk around a hole has the sum on its
+  /// left, too, and turns right at three corners. None of these is a corner of the outer boundary.
+  /// If a walk from a possible corner of this kind ends, it is no hole's.
+  [[nodiscard]] bool find_holes(std::uint32_t taken) {
     looks_ = 0;
     std::uint16_t walk = 1;
-    bool none = true;
-    for (std::uint32_t from = 0; from < s_.size && none && taken + 3 <= m_.right_count; ++from) {
+    bool sure = true;
+    for (std::uint32_t from = 0; from < s_.size && sure && taken + 3 <= m_.right_count; ++from) {
       m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
-        if (turns_.of[meeting].walk == 0) none = none && ends(from, to, meeting, ++walk, taken);
+        if (turns_.of[meeting].walk == 0) sure = sure && look(from, to, meeting, ++walk, taken);
       });
     }
-    return none;
+    return sure;
   }
-  /// Whether no hole is on the walk from this corner. Then the walk ends, leads to a corner of an
-  /// earlier walk, or goes round with too few right turns.
-  bool ends(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint16_t walk,
+  /// Walks from this corner. No hole is there if the walk ends, leads to a corner of an earlier
+  /// walk, or goes round with too few right turns. Returns false if there may be one or not.
+  bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint16_t walk,
             std::uint32_t& taken) {
     std::uint16_t count = 0;
     turns_.of[meeting] = {walk, count++};
@@ -215,11 +222,14 @@ class OuterWalk {
     WalkLocation place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
       if (++looks_ > 6 * s_.size + 400) return false;  // the stages are faster then
-      const Next next = next_after(place);
+      const Next next = next_of_ring(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
         RightMeetings::WalkStep& turn = turns_.of[next.meeting];
-        if (turn.walk != 0) return turn.walk != walk || count - turn.number < 3;
+        if (turn.walk != 0) {
+          return turn.walk != walk || count - turn.number < 3 ||
+                 add_if_hole(next.meeting, next.place);
+        }
         turn = {walk, count++};
         ++taken;
         lefts = 0;
@@ -231,8 +241,57 @@ class OuterWalk {
     return true;
   }
 
+  /// Walks around from a corner, to which the walk comes back, and keeps the ring if it is a
+  /// hole's: if a point just on its right is outside the sum. Returns false if that is not known.
+  [[nodiscard, gnu::noinline]] bool add_if_hole(std::size_t meeting, WalkLocation place) {
+    if (boundary_.rings == SmallBoundary::kMaxRings) return false;
+    const std::uint32_t between_before = boundary_.between;
+    Piece longest;
+    Next next;
+    do {
+      if (boundary_.size == SmallBoundary::kMax) return false;
+      corner(place);
+      do {
+        next = next_of_ring(place);
+        const Piece piece = piece_between(place, next);
+        if (piece.to - piece.from > longest.to - longest.from) longest = piece;
+        place = next.place;
+      } while (next.turn == 0);
+    } while (next.turn > 0 || next.meeting != meeting);
+    using Result = SmallPlacement::Result;
+    const Result result = placement_.test(s_, longest.segment, longest.from, longest.to);
+    if (result == Result::kOutside) {
+      boundary_.end_of[boundary_.rings++] = boundary_.size;
+    } else {
+      boundary_.size = boundary_.end_of[boundary_.rings - 1];
+      boundary_.between = between_before;
+    }
+    return result != Result::kUnknown;
+  }
+  /// The same as next_after, out of line: rings are few.
+  [[nodiscard, gnu::noinline]] Next next_of_ring(const WalkLocation& place) {
+    return next_after(place);
+  }
+  /// A part of a segment, between two rounded fractions of its way.
+  struct Piece {
+    std::uint32_t segment = kNone;
+    double from = 0;
+    double to = 0;
+  };
+  [[nodiscard]] Piece piece_between(const WalkLocation& place, const Next& next) const {
+    const auto quotient = [](const auto& above, const auto& below) {
+      return static_cast<double>(above) / static_cast<double>(below);
+    };
+    const std::uint32_t at = place.segment;
+    const std::uint32_t t = next.place.segment;
+    const double from = quotient(place.passed.above, place.passed.below);
+    if (next.turn >= 0) return {at, from, 1};
+    return {at, from, quotient(cross(between(at, t), way(t)), turn(at, t))};
+  }
+
   const SmallSegments& s_;
   const SmallMeetings& m_;
+  SmallPlacement placement_;
   RightMeetings& turns_;
   SmallBoundary& boundary_;
   std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "machine/vectors.hpp"
+#include "exact/sign.hpp"
 #include "region/region_access.hpp"
 #include "sum/small/small_rings.hpp"
 
@@ -80,7 +80,7 @@ bool place_vertices(const Region& region, const IndexRange& ring, const SmallOpe
 /// Returns false if they are no short integers there, or fewer than three. The origin is the box's
 /// lower left corner, unless `origin` is given.
 bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
-          SmallOperand& s) {
+          std::size_t room, SmallOperand& s) {
   const std::size_t n = ring.size();
   RingPlaces places;
   if (n < 3 || !place_vertices(region, ring, s, places)) return false;
@@ -89,16 +89,19 @@ bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>*
   const Vec<std::int64_t> low = origin != nullptr ? *origin : places.low;
   s.offset = low;
   s.first = places.at[0];
-  s.make_rows(n);
+  s.make_rows(std::max(n, room));
   s.size = 0;
+  s.holes.clear();
+  s.turning_of_holes = 0;
   for (std::uint32_t v = 0; v < n; ++v) {
     const Vec<std::int64_t>& at = places.at[v];
     // The last of equal vertices stays, because the edge to the next vertex has its index.
     if (v != 0 && at.x == places.at[v - 1].x && at.y == places.at[v - 1].y) --s.size;
     s[SmallOperand::kX][s.size] = static_cast<double>(at.x - low.x);
     s[SmallOperand::kY][s.size] = static_cast<double>(at.y - low.y);
-    s[SmallOperand::kVertexSource][s.size] = v;
-    s[SmallOperand::kEdgeSource][s.size] = v;
+    const auto source = static_cast<double>(ring.front() + v);
+    s[SmallOperand::kVertexSource][s.size] = source;
+    s[SmallOperand::kEdgeSource][s.size] = source;
     ++s.size;
   }
   const double* const x = s[SmallOperand::kX];
@@ -195,18 +198,20 @@ bool set_edges(SmallOperand& s) {
   }
   for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
-    std::fill(values + n, values + filled_up(n), 0.0);
+    const bool is_place = row == SmallOperand::kX || row == SmallOperand::kY;
+    std::fill(values + n, values + filled_up(n), is_place ? values[0] : 0.0);
   }
   return true;
 }
 
-/// Makes the ring counter-clockwise, and keeps the sources of edges right.
-void orient(SmallOperand& s) {
+/// Turns the ring so that it runs counter-clockwise (positive) or clockwise, and keeps the sources
+/// of edges right.
+void orient(Sign way, SmallOperand& s) {
   find_smallest(s);
   const std::uint32_t n = s.size;
   const std::uint32_t i = s.smallest;
   const Vec<double> in = edge(s, i == 0 ? n - 1 : i - 1);
-  if (SureCross<Int128>{}(in, edge(s, i)) > 0) return;
+  if (sign_of(SureCross<Int128>{}(in, edge(s, i))) == way) return;
   double* const x = s[SmallOperand::kX];
   double* const y = s[SmallOperand::kY];
   std::reverse(x, x + n);
@@ -241,60 +246,34 @@ double mean_turning(const SmallOperand& s) {
   return meetings / 8.0;
 }
 
-template <class Number>
-bool is_simple_ring(const SmallOperand& s) {
-  return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple<Number>(s); });
-}
-template <class Number>
-bool do_rings_meet(const SmallOperand& a, const SmallOperand& b) {
-  return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) { return do_meet<Number>(a, b); });
-}
-
-/// Whether a hole is simple and lies inside the outer ring, apart from the holes before it.
-template <class Number>
-bool is_clear_hole(const SmallOperand& hole, const SmallOperand& outer,
-                   std::span<const SmallOperand> before, std::span<const BoxOf<double>> boxes) {
-  const BoxOf<double>& box = boxes[before.size()];
-  if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y ||
-      !is_simple_ring<Number>(hole) || !holds<Number>(outer, hole) ||
-      do_rings_meet<Number>(hole, outer)) {
-    return false;
+/// Returns how many entries the rows of an operand need.
+std::size_t room_of(const Region& region) {
+  std::size_t room = 0;
+  for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
+    room += filled_up(region.vertices_of(ring).size());
   }
-  for (std::size_t l = 0; l < before.size(); ++l) {
-    if (box.meets(boxes[l]) && (do_rings_meet<Number>(hole, before[l]) ||
-                                holds<Number>(hole, before[l]) || holds<Number>(before[l], hole))) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Returns false if a hole is not clearly valid, or if two rings touch.
-bool are_holes_clearly_valid(const Region& region, const SmallOperand& s, SmallHoles& holes) {
-  const std::size_t count = s.holes.size();
-  if (holes.rings.size() < count) holes.rings.resize(count);
-  holes.boxes.clear();
-  for (std::size_t k = 0; k < count; ++k) {
-    SmallOperand& hole = holes.rings[k];
-    hole.exp2 = s.exp2;
-    hole.exp10 = s.exp10;
-    if (!load(region, region.vertices_of(k + 1), &s.offset, hole) || !set_edges(hole)) {
-      return false;
-    }
-    holes.boxes.push_back(box_of(hole));
-    const SmallNumberType numbers =
-        small_numbers(std::max(s.longest, hole.longest), std::max(s.extent.x, s.extent.y));
-    const auto is_clear = [&]<class Number>() {
-      return is_clear_hole<Number>(hole, s, std::span(holes.rings).first(k), holes.boxes);
-    };
-    if (numbers == SmallNumberType::kNone || !with_numbers(numbers, is_clear)) return false;
-  }
-  return true;
+  return room;
 }
 
 }  // namespace
+
+bool load_hole(const Region& region, std::size_t ring, const SmallOperand& s, SmallOperand& hole) {
+  hole.exp2 = s.exp2;
+  hole.exp10 = s.exp10;
+  return load(region, region.vertices_of(ring), &s.offset, 0, hole) && set_edges(hole);
+}
+
+void add_hole(SmallOperand& hole, SmallOperand& s) {
+  orient(kNegative, hole);
+  const auto begin = static_cast<std::uint32_t>(filled_up(s.entries));
+  for (int row = 0; row < SmallOperand::kRows; ++row) {
+    const auto at = static_cast<SmallOperand::Row>(row);
+    std::copy_n(hole[at], filled_up(hole.size), s[at] + begin);
+  }
+  s.entries = begin + hole.size;
+  s.longest = std::max(s.longest, hole.longest);
+  s.turning_of_holes += mean_turning(hole);
+}
 
 bool has_small_size(const Region& region) {
   return region.polygon_count() == 1 && region.ring_count() <= 1 + SmallOperand::kMaxHoles &&
@@ -303,61 +282,53 @@ bool has_small_size(const Region& region) {
 
 bool load_small(const Region& region, SmallOperand& s) {
   if (!has_small_size(region) || !find_grid(region, s) ||
-      !load(region, region.vertices_of(0), nullptr, s) || !set_edges(s)) {
+      !load(region, region.vertices_of(0), nullptr, room_of(region), s) || !set_edges(s)) {
     return false;
   }
-  s.holes.clear();
+  orient(kPositive, s);
+  s.turning = mean_turning(s);
+  s.entries = s.size;
   for (std::size_t ring = 1; ring < region.ring_count(); ++ring) {
     RingPlaces places;
     if (!place_vertices(region, region.vertices_of(ring), s, places)) return false;
     s.holes.push_back(places.extent());
   }
-  orient(s);
-  s.turning = mean_turning(s);
   return true;
 }
 
-bool is_clearly_valid(const Region& region, const SmallOperand& s, SmallHoles& holes) {
-  const auto numbers = small_numbers(s.longest, std::max(s.extent.x, s.extent.y));
-  const auto is_simple = [&]<class Number>() { return is_simple_ring<Number>(s); };
-  // A ring that turns left everywhere, and goes round once, is simple.
-  const bool goes_round_once = s.convex && s.turning == 1;
-  return (goes_round_once || with_numbers(numbers, is_simple)) &&
-         are_holes_clearly_valid(region, s, holes);
-}
-
-bool read_small(const Region& region, SmallHoles& holes, SmallOperand& small) {
-  return load_small(region, small) && is_clearly_valid(region, small, holes);
+bool load_valid(const Region& region, SmallOperand& s) {
+  if (!load_small(region, s)) return false;
+  SmallOperand hole;
+  for (std::size_t ring = 1; ring < region.ring_count(); ++ring) {
+    if (!load_hole(region, ring, s, hole)) return false;
+    add_hole(hole, s);
+  }
+  return true;
 }
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   const int turns = ((quarters % 4) + 4) % 4;
-  const std::uint32_t n = from.size;
-  to.size = n;
-  to.turning = from.turning;
-  to.extent = from.extent;
-  to.holes = from.holes;
-  to.offset = from.offset;
-  to.exp2 = from.exp2;
-  to.exp10 = from.exp10;
-  to.make_rows(n);
-  double* const x = to[SmallOperand::kX];
-  double* const y = to[SmallOperand::kY];
-  for (const auto row : {SmallOperand::kX, SmallOperand::kY, SmallOperand::kVertexSource,
-                         SmallOperand::kEdgeSource}) {
-    std::copy_n(from[row], n, to[row]);
-  }
+  to = from;
+  const std::size_t entries = filled_up(to.entries);
+  using Rows = std::pair<SmallOperand::Row, SmallOperand::Row>;
   for (int k = 0; k < turns; ++k) {
-    for (std::uint32_t i = 0; i < n; ++i) x[i] = std::exchange(y[i], x[i]);
+    for (const auto& [row_x, row_y] :
+         {Rows{SmallOperand::kX, SmallOperand::kY}, Rows{SmallOperand::kDx, SmallOperand::kDy},
+          Rows{SmallOperand::kInX, SmallOperand::kInY},
+          Rows{SmallOperand::kOutX, SmallOperand::kOutY}}) {
+      const double width = row_x == SmallOperand::kX ? to.extent.y : 0;
+      double* const x = to[row_x];
+      double* const y = to[row_y];
+      for (std::size_t i = 0; i < entries; ++i) {
+        const double before = std::exchange(y[i], x[i]);
+        x[i] = width - before;
+      }
+    }
     std::swap(to.extent.x, to.extent.y);
-    for (std::uint32_t i = 0; i < n; ++i) x[i] = to.extent.x - x[i];
+    for (Vec<double>& hole : to.holes) std::swap(hole.x, hole.y);
     to.offset = {-(to.offset.y + static_cast<std::int64_t>(to.extent.x)), to.offset.x};
   }
-  if (turns % 2 != 0) {
-    for (Vec<double>& hole : to.holes) std::swap(hole.x, hole.y);
-  }
   find_smallest(to);
-  static_cast<void>(set_edges(to));
 }
 
 double refinement(int exp2, int exp10, const SmallOperand& s) {
@@ -373,7 +344,8 @@ double refinement(int exp2, int exp10, const SmallOperand& s) {
   return fine && width <= SmallOperand::kWidest ? times : 0;
 }
 
-bool refine(int exp2, int exp10, const SmallOperand& from, SmallOperand& to) {
+bool refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from,
+            SmallOperand& to) {
   const double times = refinement(exp2, exp10, from);
   if (times == 0) return false;
   const auto by = static_cast<std::int64_t>(times);
@@ -382,21 +354,22 @@ bool refine(int exp2, int exp10, const SmallOperand& from, SmallOperand& to) {
   to.convex = from.convex;
   to.turning = from.turning;
   to.extent = {from.extent.x * times, from.extent.y * times};
-  to.holes.resize(from.holes.size());
-  for (std::size_t k = 0; k < from.holes.size(); ++k) {
-    to.holes[k] = {from.holes[k].x * times, from.holes[k].y * times};
-  }
+  to.turning_of_holes = from.turning_of_holes;
+  to.entries = entries;
+  to.holes = from.holes;
+  for (Vec<double>& hole : to.holes) hole = {hole.x * times, hole.y * times};
   to.longest = from.longest * times;
   to.offset = {from.offset.x * by, from.offset.y * by};
   to.first = from.first;
   to.exp2 = exp2;
   to.exp10 = exp10;
-  if (&to != &from) to.make_rows(from.size);
+  const std::size_t room = filled_up(entries);
+  if (&to != &from) to.make_rows(room);
   for (int row = 0; row < SmallOperand::kRows; ++row) {
     const double* const values = from[static_cast<SmallOperand::Row>(row)];
     double* const scaled = to[static_cast<SmallOperand::Row>(row)];
     const double factor = row < SmallOperand::kVertexSource ? times : 1;
-    for (std::size_t i = 0; i < filled_up(from.size); ++i) scaled[i] = values[i] * factor;
+    for (std::size_t i = 0; i < room; ++i) scaled[i] = values[i] * factor;
   }
   return true;
 }

@@ -14,12 +14,16 @@
 namespace minksum {
 
 /// An operand of one polygon with few vertices, whose coordinates are short integers. Arrays hold
-/// its outer ring, counter-clockwise, so that vectors can be loaded from them. Only the sizes of
-/// holes are kept. Edge i starts at vertex i.
+/// its outer ring, counter-clockwise, so that vectors can be loaded from them. The rings of holes
+/// follow, clockwise, each from a multiple of eight on. Edge i starts at vertex i. Entries between
+/// rings are edges of length zero.
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = 256;
   static constexpr std::size_t kMaxHoles = 32;
+  /// Up to seven entries lie between two rings.
+  static constexpr std::size_t kMaxEntries = 512;
+  static_assert(kMaxVertices + 7 * (kMaxHoles + 1) <= kMaxEntries);
   /// The largest extent of a box. Doubles hold twice the sum of two points of it.
   static constexpr double kWidest = 0x1p49;
 
@@ -40,12 +44,15 @@ class SmallOperand {
     kRows
   };
 
-  std::uint32_t size = 0;
+  std::uint32_t size = 0;      ///< of the outer ring
   std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
   bool convex = false;
   /// The number of convex vertices that meet an edge, on average over eight directions. If all
   /// vertices are convex, this is how often the ring goes round.
   double turning = 1;
+  double turning_of_holes = 0;
+  /// The number of entries that all rings take; `size` if those of the holes are not loaded.
+  std::uint32_t entries = 0;
   Vec<double> extent{};            ///< extent of the box, whose lower left corner is (0, 0)
   std::vector<Vec<double>> holes;  ///< extents of the holes' boxes
   double longest = 0;              ///< longest extent of an edge along an axis
@@ -71,17 +78,17 @@ class SmallOperand {
   std::vector<double> rows_;
 };
 
-/// The vertices and edges of a small operand.
+/// The vertices and edges of a small operand, or of one of its rings.
 struct SmallRows {
   const double* x;
   const double* y;
   const double* dx;
   const double* dy;
-  explicit SmallRows(const SmallOperand& o)
-      : x(o[SmallOperand::kX]),
-        y(o[SmallOperand::kY]),
-        dx(o[SmallOperand::kDx]),
-        dy(o[SmallOperand::kDy]) {}
+  explicit SmallRows(const SmallOperand& o, std::uint32_t begin = 0)
+      : x(o[SmallOperand::kX] + begin),
+        y(o[SmallOperand::kY] + begin),
+        dx(o[SmallOperand::kDx] + begin),
+        dy(o[SmallOperand::kDy] + begin) {}
 };
 
 /// How the cross products of edges with each other, and with differences of points of a box, are
@@ -110,11 +117,21 @@ struct SmallHoles {
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant.
 bool read_small(const Region& region, SmallHoles& holes, SmallOperand& small);
-/// The two steps of that, for a caller who can tell in between that no small sum will follow.
+/// The two steps of that, for a caller who can tell in between that no small sum will follow. The
+/// first one loads the outer ring alone, and the second one adds the holes'.
 bool load_small(const Region& region, SmallOperand& small);
-bool is_clearly_valid(const Region& region, const SmallOperand& small, SmallHoles& holes);
+bool is_clearly_valid(const Region& region, SmallHoles& holes, SmallOperand& small);
+/// Loads all rings of a region that is known to be valid.
+bool load_valid(const Region& region, SmallOperand& small);
 /// Tells in constant time whether `load_small` is worth while.
 [[nodiscard]] bool has_small_size(const Region& region);
+
+/// Loads the ring of a hole. Returns false if it is not clearly one: if it has a spike, or
+/// coordinates that are too long.
+bool load_hole(const Region& region, std::size_t ring, const SmallOperand& small,
+               SmallOperand& hole);
+/// Turns the ring of a hole clockwise, and adds it to its operand.
+void add_hole(SmallOperand& hole, SmallOperand& small);
 
 /// Turns an operand counter-clockwise by `quarters` times 90 degrees about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);
@@ -122,8 +139,8 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to);
 /// Returns how many steps of the finer grid of these exponents one of the operand's steps has, or 0
 /// if the operand does not fit on that grid.
 [[nodiscard]] double refinement(int exp2, int exp10, const SmallOperand& operand);
-/// Copies an operand to the finer grid of these exponents. Returns false if it does not fit there.
-/// Both may be the same.
-bool refine(int exp2, int exp10, const SmallOperand& from, SmallOperand& to);
+/// Copies the first entries of an operand, all or those of the outer ring, to the finer grid of
+/// these exponents. Returns false if it does not fit there. Both may be the same.
+bool refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from, SmallOperand& to);
 
 }  // namespace minksum

@@ -10,15 +10,13 @@
 
 namespace minksum {
 
-/// Returns those of up to 64 edges of `s`, from `first` on, that edge i of `ring` meets.
+/// Returns those of up to 64 edges of a ring, from `first` on, that edge i of another one meets.
 template <class Number>
-[[gnu::always_inline]] inline LaneBits edges_meeting(const SmallOperand& ring, std::uint32_t i,
-                                                     const SmallOperand& s, std::size_t first,
+[[gnu::always_inline]] inline LaneBits edges_meeting(const SmallRows& ring, std::uint32_t i,
+                                                     const SmallRows& others, std::size_t first,
                                                      std::size_t count) {
-  const SmallRows rings(ring);
-  const SmallRows others(s);
-  const Vec<double> at{rings.x[i], rings.y[i]};
-  const Vec<double> way{rings.dx[i], rings.dy[i]};
+  const Vec<double> at{ring.x[i], ring.y[i]};
+  const Vec<double> way{ring.dx[i], ring.dy[i]};
   const auto meets = [&](const auto& cross, std::size_t lane) __attribute__((always_inline)) {
     const std::size_t e = first + lane;
     const Vec<double> a{others.x[e] - at.x, others.y[e] - at.y};
@@ -55,31 +53,46 @@ template <class Number>
           const auto bit = [first](std::uint32_t edge) {
             return edge - first < kLanes ? kBitOf[edge - first] : LaneBits{0};
           };
-          met |= edges_meeting<Number>(s, i, s, first, kLanes) & first_bits(n - first) &
+          met |= edges_meeting<Number>(rows, i, rows, first, kLanes) & first_bits(n - first) &
                  ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
         });
   }
   return met == 0;
 }
 
-/// Whether two rings have a point of their boundaries in common.
-template <class Number>
-[[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallOperand& a,
-                                                      const SmallOperand& b) {
+/// Calls visit(i, j) for the edges i of one operand and j of another one that have a point in
+/// common, as long as it returns true. The edges are the first `of_a` and `of_b` entries.
+template <class Number, class Visit>
+[[gnu::always_inline]] inline void for_each_meeting(const SmallOperand& a, std::uint32_t of_a,
+                                                    const SmallOperand& b, std::uint32_t of_b,
+                                                    Visit visit) {
   const SmallRows edges(a);
   const SmallRows others(b);
-  SmallBlocks<SmallOperand::kMaxVertices / kLanes> blocks;
-  blocks.set(others.x, others.y, others.dx, others.dy, b.size);
-  LaneBits met = 0;
-  for (std::uint32_t i = 0; i < a.size && met == 0; ++i) {
+  SmallBlocks<SmallOperand::kMaxEntries / kLanes> blocks;
+  blocks.set(others.x, others.y, others.dx, others.dy, of_b);
+  bool goes_on = true;
+  for (std::uint32_t i = 0; i < of_a && goes_on; ++i) {
     const auto box = blocks.box(edges.x[i], edges.y[i], edges.dx[i], edges.dy[i]);
     for_each_bit(
         blocks.near(box, 0), [&](std::uint32_t block) __attribute__((always_inline)) {
           const std::uint32_t first = block * kLanes;
-          met |= edges_meeting<Number>(a, i, b, first, kLanes) & first_bits(b.size - first);
+          const LaneBits met =
+              edges_meeting<Number>(edges, i, others, first, kLanes) & first_bits(of_b - first);
+          for_each_bit(met,
+                       [&](std::uint32_t lane) { goes_on = goes_on && visit(i, first + lane); });
         });
   }
-  return met != 0;
+}
+/// Whether two rings have a point of their boundaries in common.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallOperand& a,
+                                                      const SmallOperand& b) {
+  bool meet = false;
+  for_each_meeting<Number>(a, a.size, b, b.size, [&](std::uint32_t, std::uint32_t) {
+    meet = true;
+    return false;
+  });
+  return meet;
 }
 
 /// Whether a ring of any orientation holds the first vertex of another one. The rings must not

@@ -106,12 +106,15 @@ template <class Number>
   return test_lanes<Number>(count / kLanes * kLanes, between);
 }
 
-/// Lists the reduced convolution in the order of the first operand's ring. So segments that are
-/// near in the plane are mostly near in the list. Returns false if there are too many.
+/// Lists the reduced convolution in the order of the first operand's rings. So segments that are
+/// near in the plane are mostly near in the list. The holes of others than those `with_holes` are
+/// filled. Returns false if there are too many segments.
 template <class Number>
 [[gnu::always_inline]] inline bool list_segments(const SmallOperand& p, const SmallOperand& q,
+                                                 const std::array<bool, 2>& with_holes,
                                                  SmallSegments& s) {
-  const std::size_t n = filled_up(q.size);
+  const std::uint32_t m = with_holes[0] ? p.entries : p.size;
+  const std::size_t n = filled_up(with_holes[1] ? q.entries : q.size);
   std::uint32_t size = 0;
   const SmallRows of_p(p);
   const SmallRows of_q(q);
@@ -127,7 +130,7 @@ template <class Number>
   const auto fit = [&](LaneBits bits) {
     return size + static_cast<std::uint32_t>(std::popcount(bits)) <= SmallSegments::kMax;
   };
-  for (std::uint32_t i = 0; i < p.size; ++i) {
+  for (std::uint32_t i = 0; i < m; ++i) {
     const Vec<double> in{p[SmallOperand::kInX][i], p[SmallOperand::kInY][i]};
     const Vec<double> out{p[SmallOperand::kOutX][i], p[SmallOperand::kOutY][i]};
     const Vec<double> edge{of_p.dx[i], of_p.dy[i]};

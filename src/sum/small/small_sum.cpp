@@ -10,6 +10,14 @@
 
 namespace minksum {
 
+/// A vertex of a result.
+struct SmallVertex {
+  Vec<double> rounded;  ///< its place without the offset
+  StoredCoordinate x;
+  StoredCoordinate y;
+  EdgeOrigin origin;
+};
+
 struct SmallScratch::State {
   SmallSegments segments;
   SmallSegments ordered;
@@ -17,6 +25,8 @@ struct SmallScratch::State {
   SmallMeetings meetings;
   RightMeetings turns;
   SmallBoundary boundary;
+  std::array<SmallOperand, 2> placed;
+  std::vector<std::vector<SmallVertex>> holes;
 };
 
 namespace {
@@ -38,16 +48,16 @@ class SmallWriter {
     constexpr std::size_t kLimbs = 4;  // most numerators and denominators take one limb
     RegionAccess::make_ring(region, {corners, corners, 1, 1, kLimbs * between});
   }
-  void add(double x, double y, const SmallSegments::Origin& origin) {
-    set(compact(static_cast<std::int64_t>(x) + offset_.x),
-        compact(static_cast<std::int64_t>(y) + offset_.y), origin);
-  }
-  void add(const SmallSegments& s, const SmallCorner& corner) {
+  void add(double x, double y, const SmallSegments::Origin& origin) { set(vertex(x, y, origin)); }
+  void add(const SmallSegments& s, const SmallCorner& corner) { set(vertex(s, corner)); }
+  [[nodiscard]] SmallVertex vertex(const SmallSegments& s, const SmallCorner& corner) {
     const std::uint32_t i = corner.segment;
-    if (corner.along == 0) return add(s.x[i], s.y[i], s.origin[i]);
+    if (corner.along == 0) return vertex(s.x[i], s.y[i], s.origin[i]);
+    const double passed = static_cast<double>(corner.along) / static_cast<double>(corner.whole);
     const StoredCoordinate x = store(s.x[i], s.dx[i], corner, offset_.x);
     const StoredCoordinate y = store(s.y[i], s.dy[i], corner, offset_.y);
-    set(x, y, s.origin[i]);
+    const Vec<double> rounded{s.x[i] + s.dx[i] * passed, s.y[i] + s.dy[i] * passed};
+    return {rounded, x, y, origin_of(s.origin[i])};
   }
   /// Must be called after the last corner, if there may be fewer than there is room for.
   void finish() { RegionAccess::keep_vertices(region_, size_); }
@@ -86,15 +96,22 @@ class SmallWriter {
     if (above.negative()) count |= kNegativeLimbs;
     return {place, exp2_, exp10_, count, append(as_limbs(whole))};
   }
-  void set(const StoredCoordinate& x, const StoredCoordinate& y,
-           const SmallSegments::Origin& origin) {
+  [[nodiscard]] SmallVertex vertex(double x, double y, const SmallSegments::Origin& origin) const {
+    return {{x, y},
+            compact(static_cast<std::int64_t>(x) + offset_.x),
+            compact(static_cast<std::int64_t>(y) + offset_.y),
+            origin_of(origin)};
+  }
+  [[nodiscard]] EdgeOrigin origin_of(const SmallSegments::Origin& origin) const {
     const SmallOperand& edges = origin.of_first ? p_ : q_;
     const SmallOperand& vertices = origin.of_first ? q_ : p_;
-    RegionAccess::set_vertex(region_, size_, x, y);
-    RegionAccess::set_origin(region_, size_++,
-                             {origin.of_first ? Operand::kFirst : Operand::kSecond,
-                              edges.source(SmallOperand::kEdgeSource, origin.edge),
-                              vertices.source(SmallOperand::kVertexSource, origin.vertex)});
+    return {origin.of_first ? Operand::kFirst : Operand::kSecond,
+            edges.source(SmallOperand::kEdgeSource, origin.edge),
+            vertices.source(SmallOperand::kVertexSource, origin.vertex)};
+  }
+  void set(const SmallVertex& vertex) {
+    RegionAccess::set_vertex(region_, size_, vertex.x, vertex.y);
+    RegionAccess::set_origin(region_, size_++, vertex.origin);
   }
 
   const SmallOperand& p_;
@@ -106,13 +123,13 @@ class SmallWriter {
   std::size_t size_ = 0;
 };
 
-/// Whether the other operand fits into none of the holes, because its box does not. A hole is open,
-/// so a box of equal width is too wide. The factors bring both to one grid.
-bool are_filled(const SmallOperand& operand, double factor, const SmallOperand& other,
-                double other_factor) {
+/// Whether the other operand may fit into a hole, because its box does. A hole is open, so a box of
+/// equal width is too wide. The factors bring both to one grid.
+bool may_fit(const SmallOperand& operand, double factor, const SmallOperand& other,
+             double other_factor) {
   const Vec<double> box{other.extent.x * other_factor, other.extent.y * other_factor};
-  return std::ranges::all_of(operand.holes, [&](const Vec<double>& hole) {
-    return box.x >= hole.x * factor || box.y >= hole.y * factor;
+  return std::ranges::any_of(operand.holes, [&](const Vec<double>& hole) {
+    return box.x < hole.x * factor && box.y < hole.y * factor;
   });
 }
 
@@ -124,6 +141,11 @@ bool on_one_grid(const SmallOperand& p, const SmallOperand& q) {
 Vec<double> smallest_point(const SmallOperand& p, const SmallOperand& q) {
   return {p[SmallOperand::kX][p.smallest] + q[SmallOperand::kX][q.smallest],
           p[SmallOperand::kY][p.smallest] + q[SmallOperand::kY][q.smallest]};
+}
+
+/// Returns the larger extent of the sum.
+double width_of(const SmallOperand& p, const SmallOperand& q) {
+  return std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
 }
 
 /// Merges both operands' edges in order of direction. These are all of the sum's boundary.
@@ -159,37 +181,79 @@ void merge_convex(const SmallOperand& p, const SmallOperand& q, Region& result) 
   writer.finish();
 }
 
+/// Appends the holes in canonical order. Each ring starts at its smallest vertex.
+void add_holes(const SmallSegments& segments, const SmallBoundary& boundary, double width,
+               SmallWriter& writer, std::vector<std::vector<SmallVertex>>& holes, Region& region) {
+  const auto compare = [&](double a, double b, const StoredCoordinate& x,
+                           const StoredCoordinate& y) {
+    // Rounded places are off by less than 2^-50 of the sum's width.
+    if (std::abs(a - b) > 0x1p-48 * width) return a < b ? -1 : 1;
+    const auto order = RegionAccess::compare(region, x, y);
+    return order < 0 ? -1 : order > 0 ? 1 : 0;
+  };
+  const auto less = [&](const SmallVertex& a, const SmallVertex& b) {
+    const int by_x = compare(a.rounded.x, b.rounded.x, a.x, b.x);
+    return by_x != 0 ? by_x < 0 : compare(a.rounded.y, b.rounded.y, a.y, b.y) < 0;
+  };
+  holes.resize(boundary.rings - 1);
+  for (std::uint32_t ring = 1; ring < boundary.rings; ++ring) {
+    std::vector<SmallVertex>& hole = holes[ring - 1];
+    hole.clear();
+    for (std::uint32_t k = boundary.end_of[ring - 1]; k < boundary.end_of[ring]; ++k) {
+      hole.push_back(writer.vertex(segments, boundary.corners[k]));
+    }
+    std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), less), hole.end());
+  }
+  // Holes that start at the same vertex differ in the second one. They are few, so each is put
+  // among those before it.
+  const auto is_before = [&](const auto& a, const auto& b) {
+    return less(a[0], b[0]) || (!less(b[0], a[0]) && less(a[1], b[1]));
+  };
+  for (auto hole = holes.begin(); hole != holes.end(); ++hole) {
+    std::rotate(std::upper_bound(holes.begin(), hole, *hole, is_before), hole, hole + 1);
+  }
+  for (const std::vector<SmallVertex>& hole : holes) {
+    region.begin_ring();
+    for (const SmallVertex& v : hole) RegionAccess::add_vertex(region, v.x, v.y, v.origin);
+  }
+}
+
 template <class Number>
-bool walk(const SmallOperand& p, const SmallOperand& q, const SmallSegments& segments,
-          SmallScratch::State& scratch, Region& result) {
+bool walk(const SmallOperand& p, const SmallOperand& q, const SmallPlan& plan,
+          const SmallSegments& segments, SmallScratch::State& scratch, Region& result) {
   if (!find_meetings_by<Number>(widest_vectors(), segments, scratch.meetings)) return false;
   const Vec<double> start = smallest_point(p, q);
-  OuterWalk<Number> walk(segments, scratch.meetings, scratch.turns, scratch.boundary);
+  SmallBoundary& boundary = scratch.boundary;
+  OuterWalk<Number> walk(segments, scratch.meetings, {p, q, plan.with_holes, scratch.placed},
+                         scratch.turns, boundary);
   if (!walk.run(start.x, start.y)) return false;
-  SmallWriter writer(p, q, scratch.boundary.size, scratch.boundary.between, result);
-  for (std::uint32_t k = 0; k < scratch.boundary.size; ++k) {
-    writer.add(segments, scratch.boundary.corners[k]);
+  SmallWriter writer(p, q, boundary.end_of[0], boundary.between, result);
+  for (std::uint32_t k = 0; k < boundary.end_of[0]; ++k) {
+    writer.add(segments, boundary.corners[k]);
   }
+  if (boundary.rings == 1) return true;
+  add_holes(segments, boundary, width_of(p, q), writer, scratch.holes, result);
   return true;
 }
 
 template <class Number>
-bool walk(const SmallOperand& p, const SmallOperand& q, double width, SmallScratch::State& scratch,
-          Region& result) {
+bool walk(const SmallOperand& p, const SmallOperand& q, const SmallPlan& plan,
+          SmallScratch::State& scratch, Region& result) {
   SmallSegments& segments = scratch.segments;
   bool out_of_order = false;
   const auto list = [&]() __attribute__((always_inline)) {
-    const bool done = list_segments<Number>(p, q, segments);
+    const bool done = list_segments<Number>(p, q, plan.with_holes, segments);
     out_of_order = done && segments.is_out_of_order();
     return done;
   };
   if (!with_vectors(widest_vectors(), list)) return false;
-  if (!out_of_order) return walk<Number>(p, q, segments, scratch, result);
+  if (!out_of_order) return walk<Number>(p, q, plan, segments, scratch, result);
+  const double width = width_of(p, q);
   const auto order = [&]() __attribute__((always_inline)) {
     scratch.order.apply(segments, width, scratch.ordered);
   };
   with_vectors(widest_vectors(), order);
-  return walk<Number>(p, q, scratch.ordered, scratch, result);
+  return walk<Number>(p, q, plan, scratch.ordered, scratch, result);
 }
 
 }  // namespace
@@ -209,7 +273,7 @@ bool allow_small(const Limits& limits) {
   return limits.max_segments >= kMost && limits.max_crossings >= kMost * kMost;
 }
 
-bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
+bool bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
                        std::array<SmallOperand, 2>& memory) {
   const auto& [p, q] = operands;
   if (on_one_grid(*p, *q)) return true;
@@ -217,48 +281,60 @@ bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
   const int exp10 = std::min(p->exp10, q->exp10);
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     if (operands[i]->exp2 == exp2 && operands[i]->exp10 == exp10) continue;
-    if (!refine(exp2, exp10, *operands[i], memory[i])) return false;
+    const std::uint32_t entries = plan.with_holes[i] ? operands[i]->entries : operands[i]->size;
+    if (!refine(exp2, exp10, entries, *operands[i], memory[i])) return false;
     operands[i] = &memory[i];
   }
   return true;
 }
 
-SmallNumberType numbers_of_sum(const SmallOperand& p, const SmallOperand& q) {
-  // With more segments, looking at each pair of blocks takes longer than the stages.
-  constexpr double kMostSegments = 1400;
-  const bool many =
-      !(p.convex && q.convex) && p.size * q.turning + q.size * p.turning > kMostSegments;
+SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   const int exp2 = std::min(p.exp2, q.exp2);
   const int exp10 = std::min(p.exp10, q.exp10);
   const double of_p = refinement(exp2, exp10, p);
   const double of_q = refinement(exp2, exp10, q);
-  if (many || of_p == 0 || of_q == 0 || !are_filled(p, of_p, q, of_q) ||
-      !are_filled(q, of_q, p, of_p)) {
-    return SmallNumberType::kNone;
-  }
+  if (of_p == 0 || of_q == 0) return {};
+  SmallPlan plan;
+  plan.with_holes = {may_fit(p, of_p, q, of_q), may_fit(q, of_q, p, of_p)};
+  const auto lacks = [](const SmallOperand& o, bool with_holes) {
+    return with_holes && o.entries == o.size;
+  };
+  if (lacks(p, plan.with_holes[0]) || lacks(q, plan.with_holes[1])) return {};
+  plan.convex = p.convex && q.convex && !plan.with_holes[0] && !plan.with_holes[1];
+  // With more segments, looking at each pair of blocks takes longer than the stages.
+  constexpr double kMostSegments = 1400;
+  const auto size = [](const SmallOperand& o, bool with_holes) {
+    return with_holes ? o.entries : o.size;
+  };
+  const auto turning = [](const SmallOperand& o, bool with_holes) {
+    return o.turning + (with_holes ? o.turning_of_holes : 0);
+  };
+  const double segments = size(p, plan.with_holes[0]) * turning(q, plan.with_holes[1]) +
+                          size(q, plan.with_holes[1]) * turning(p, plan.with_holes[0]);
+  if (!plan.convex && segments > kMostSegments) return {};
   const double width =
       std::max(p.extent.x * of_p + q.extent.x * of_q, p.extent.y * of_p + q.extent.y * of_q);
-  return small_numbers(std::max(p.longest * of_p, q.longest * of_q), width);
+  plan.numbers = small_numbers(std::max(p.longest * of_p, q.longest * of_q), width);
+  return plan;
 }
 
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,
                Region& result) {
+  const SmallPlan plan = plan_sum(p, q);
+  if (plan.numbers == SmallNumberType::kNone) return false;
   if (!on_one_grid(p, q)) {
     std::array<const SmallOperand*, 2> fine{&p, &q};
     std::array<SmallOperand, 2> memory;
-    return bring_to_one_grid(fine, memory) && sum_small(*fine[0], *fine[1], scratch, result);
+    return bring_to_one_grid(plan, fine, memory) && sum_small(*fine[0], *fine[1], scratch, result);
   }
-  const SmallNumberType numbers = numbers_of_sum(p, q);
-  if (numbers == SmallNumberType::kNone) return false;
-  if (p.convex && q.convex) {
+  if (plan.convex) {
     scratch.count(p.size + q.size);
-    with_numbers(numbers, [&]<class Number>() { merge_convex<Number>(p, q, result); });
+    with_numbers(plan.numbers, [&]<class Number>() { merge_convex<Number>(p, q, result); });
     return true;
   }
-  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
   SmallScratch::State& state = scratch.state();
   const bool done = with_numbers(
-      numbers, [&]<class Number>() { return walk<Number>(p, q, width, state, result); });
+      plan.numbers, [&]<class Number>() { return walk<Number>(p, q, plan, state, result); });
   scratch.count(state.segments.size);
   return done;
 }

@@ -1,4 +1,4 @@
-// Computes the sum of two operands of few vertices by one walk along its outer boundary.
+// Computes the sum of two operands of few vertices by walks along its boundary.
 #pragma once
 
 #include <array>
@@ -33,25 +33,33 @@ class SmallScratch {
 };
 
 /// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false
-/// if the stages are needed, and leaves `result` as it was. The stages are needed if the sum may
-/// have a hole, or if an operand may fit into a hole of the other. They are also needed if there
-/// are more segments than pay, or if coordinates are too long.
+/// if the stages are needed, and leaves `result` as it was. The stages are needed if there are more
+/// segments than pay, or if coordinates are too long.
 ///
 /// The reduced convolution is listed. The walk starts at the smallest point and turns into the
-/// first segment on its right, again and again. It is all of the sum's boundary if fewer than three
-/// corners are left where one segment could turn right into another: a hole has three of them. See
-/// docs/pipeline.md, "How is a small sum computed?". O(s²) for s segments, eight at a time. The
-/// edges of two convex operands are merged in order of direction instead.
+/// first segment on its right, again and again. Corners are left where one segment could turn right
+/// into another. A hole has three of them, and the same walk goes round it from there. See
+/// docs/pipeline.md, "How is a small sum computed?". O(s²) for s segments, eight at a time, and as
+/// much as all pairs of edges for each ring that may be a hole's. The edges of two convex operands
+/// are merged in order of direction instead.
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch, Region& result);
+
+/// How a sum of two operands is computed.
+struct SmallPlan {
+  SmallNumberType numbers = SmallNumberType::kNone;  ///< on their common grid
+  /// Of which operands the holes stay. The other one fits into no hole of the others, so that these
+  /// are filled.
+  std::array<bool, 2> with_holes{};
+  bool convex = false;  ///< whether both are, apart from holes that are filled
+};
+/// Plans a sum in constant time and that of the holes. If the numbers are kNone, `sum_small` would
+/// return false before it does any work. The operands need not be known to be valid.
+[[nodiscard]] SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q);
 
 /// Brings two operands to their common grid. Those that must change are copied to `memory`, if they
 /// are not there already. Returns false if that grid is too fine for one.
-bool bring_to_one_grid(std::array<const SmallOperand*, 2>& operands,
+bool bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
                        std::array<SmallOperand, 2>& memory);
-
-/// Returns the number type for a sum of two operands on their common grid, or kNone if `sum_small`
-/// would return false before it does any work. The operands need not be known to be valid.
-[[nodiscard]] SmallNumberType numbers_of_sum(const SmallOperand& p, const SmallOperand& q);
 
 /// Whether no sum of small operands could go beyond these limits.
 [[nodiscard]] bool allow_small(const Limits& limits);

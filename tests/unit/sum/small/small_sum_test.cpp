@@ -207,7 +207,7 @@ TEST(SmallSum, IsMadeWhereThereIsNoHole) {
   EXPECT_EQ(result.vertex_count(), 12U);  // no edges are parallel
 }
 
-TEST(SmallSum, IsLeftToTheStagesWhereThereMayBeAHole) {
+TEST(SmallSum, HasHoles) {
   const Region c = make_polygon({{0, 0},
                                  {9, 0},
                                  {9, 3},
@@ -220,15 +220,32 @@ TEST(SmallSum, IsLeftToTheStagesWhereThereMayBeAHole) {
                                  {9, 5},
                                  {9, 9},
                                  {0, 9}});
-  const Region before = rectangle(0, 0, 1, 1);
-  Region result = before;
-  EXPECT_FALSE(sum(c, rectangle(0, 0, 2, 2), result));
-  EXPECT_EQ(result, before);
+  Region result;
+  ASSERT_TRUE(sum(c, rectangle(0, 0, 2, 2), result));
+  EXPECT_EQ(result,
+            make_polygon({{0, 0}, {11, 0}, {11, 11}, {0, 11}}, {{{4, 4}, {4, 7}, {7, 7}, {7, 4}}}));
+  EXPECT_EQ(result.origin(4).edge_operand, Operand::kFirst);
+  EXPECT_EQ(result.origin(4).edge, 5U);
   ASSERT_TRUE(sum(c, rectangle(0, 0, 2, 1), result));  // leaves the opening open
   EXPECT_EQ(result.hole_count(), 0U);
 }
 
-TEST(SmallSum, FillsHolesThatNothingFitsInto) {
+TEST(SmallSum, HasHolesInOrder) {
+  // Most corners of the sum's holes are no integers.
+  const test::Outline left{{1, 2}, {2, 6}, {4, 4}};
+  const test::Outline right{{1, 1}, {4, 2}, {8, 1}};
+  const Region p = with_holes({right, left, {{5, 5}, {8, 6}, {6, 8}}});
+  const Region q =
+      transform(make_polygon({{0, 0}, {2, 1}, {1, 3}}), Affine::scaling(Rational(1, 8)));
+  const DetailedSum detailed = detailed_sum(p, q);
+  EXPECT_TRUE(detailed.statistics.small);
+  EXPECT_EQ(detailed.sum.region.hole_count(), 3U);
+  SumSettings settings;
+  settings.small = false;
+  EXPECT_EQ(detailed.sum.region, minkowski_sum(p, q, settings));
+}
+
+TEST(SmallSum, KeepsHolesIntoWhichTheOtherOperandFits) {
   const Region p = with_holes({{{1, 1}, {4, 1}, {4, 3}, {1, 3}}, {{5, 5}, {6, 5}, {6, 6}}});
   Region result;
   ASSERT_TRUE(sum(p, rectangle(0, 0, 3, 1), result));  // as wide as the hole
@@ -236,8 +253,12 @@ TEST(SmallSum, FillsHolesThatNothingFitsInto) {
   EXPECT_EQ(result.origin(1).edge_operand, Operand::kFirst);
   ASSERT_TRUE(sum(rectangle(0, 0, 1, 2), p, result));  // as high
   EXPECT_EQ(result, rectangle(0, 0, 10, 11));
-  EXPECT_FALSE(sum(p, rectangle(0, 0, 2, 1), result));
-  EXPECT_FALSE(sum(rectangle(0, 0, 2, 1), p, result));
+  ASSERT_TRUE(sum(p, rectangle(0, 0, 2, 1), result));  // fits
+  EXPECT_EQ(result,
+            make_polygon({{0, 0}, {11, 0}, {11, 10}, {0, 10}}, {{{3, 2}, {3, 3}, {4, 3}, {4, 2}}}));
+  Region exchanged;
+  ASSERT_TRUE(sum(rectangle(0, 0, 2, 1), p, exchanged));
+  EXPECT_EQ(exchanged, result);
   ASSERT_TRUE(sum(p, p, result));
   EXPECT_EQ(result, rectangle(0, 0, 18, 18));
   // The frame is turned and on another grid.
@@ -249,8 +270,9 @@ TEST(SmallSum, FillsHolesThatNothingFitsInto) {
   SmallOperand bar;
   ASSERT_TRUE(read(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
   SmallScratch scratch;
-  EXPECT_FALSE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
-  EXPECT_TRUE(sum_small(small, bar, scratch, result));          // but not into 3 and 2
+  ASSERT_TRUE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
+  EXPECT_EQ(result.hole_count(), 1U);
+  ASSERT_TRUE(sum_small(small, bar, scratch, result));  // but not into 3 and 2
   EXPECT_EQ(result, transform(rectangle(0, 0, 50, 57), Affine::scaling(Rational(1, 5))));
 }
 
