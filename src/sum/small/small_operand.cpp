@@ -78,7 +78,8 @@ bool place_vertices(const Region& region, const IndexRange& ring, const SmallOpe
 
 /// Loads the vertices of a ring as they are given, on a grid that is set. Drops repeated ones.
 /// Returns false if they are no short integers there, or fewer than three. The origin is the box's
-/// lower left corner, unless `origin` is given. The rows get `room` entries or as many as they need.
+/// lower left corner, unless `origin` is given. The rows get `room` entries or as many as they
+/// need.
 bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
           std::size_t room, SmallOperand& s) {
   const std::size_t n = ring.size();
