@@ -20,6 +20,7 @@ struct SmallCorner {
 
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
+  /// A sum with more rings is left to the stages. It is four times what an operand may have.
   static constexpr std::size_t kMaxRings = 128;
   std::uint32_t rings;                          ///< the outer ring and holes
   std::array<std::uint32_t, kMaxRings> end_of;  ///< the ends of their corners

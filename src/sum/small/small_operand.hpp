@@ -27,7 +27,8 @@ class SmallOperand {
   /// The largest extent of a box. Doubles hold twice the sum of two points of it.
   static constexpr double kWidest = 0x1p49;
 
-  /// The properties of each vertex. Each property has an array, filled up with zeros.
+  /// The properties of each vertex. Each property has an array. Entries behind a ring are its first
+  /// vertex again, with zeros for all edges.
   enum Row : std::uint8_t {
     kX,
     kY,
