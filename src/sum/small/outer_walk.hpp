@@ -223,7 +223,7 @@ class OuterWalk {
     WalkLocation place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
       if (++looks_ > 6 * s_.size + 400) return false;  // the stages are faster then
-      const Next next = next_of_ring(place);
+      const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
         RightMeetings::WalkStep& turn = turns_.of[next.meeting];
