@@ -13,26 +13,26 @@ namespace {
 constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-// Prices are in words moved; moving a word takes about 0.3 ns, or 2.3 instructions. The first four,
-// and that of a cell, were fitted to what 114 pairs of shapes took without a cover and with seven
-// grids each. Of crossings and near pairs the fit alone says 450 and 82, because most sums have few
-// crossings. Then sums with many took 1.8 times their price, which made buying end too early.
-// With these prices, four of five sums took 0.6 to 2.3 times as much.
-constexpr double kSegment = 38;   ///< a visible segment, for each binary digit of their number
-constexpr double kNearPair = 50;  ///< two whose boxes overlap
-constexpr double kCrossing = 1000;
-constexpr double kRowOfSegment = 90;  ///< a row of cells that a visible segment passes
-// Where sums are not exact in doubles, filters decide most questions about segments, but crossings
-// take twice as long. Rationals take far longer, even for what no cover saves.
-constexpr double kInexactCrossing = 2;
+// Prices are in words moved; moving a word takes some 0.14 ns. The first six were fitted to what
+// 410 pairs of shapes took, in memory that was in use before, and compared with others on 368
+// further pairs. Four of five of the first sums took 0.67 to 2.3 times their price without cells,
+// and 0.87 to 3.2 times in cells.
+constexpr double kSegment = 38;    ///< a segment, for each binary digit of their number
+constexpr double kNearPair = 100;  ///< two whose boxes overlap
+constexpr double kCrossing = 800;
+// In cells all of that takes longer. To that is added a price for each row of cells that a segment
+// passes, and one for what every sum in cells takes.
+constexpr double kInCells = 1.15;
+constexpr double kRowOfSegment = 110;
+constexpr double kLeastInCells = 10000;
+/// Rationals take far longer, even for what no cover saves.
 constexpr double kRational = 4;
 /// Looking takes 400 instructions for each segment of the sample: it is placed, walked along its
 /// rows, and tried at some points.
 constexpr double kLookAtSegment = 170;
 // Rasters: 184 instructions for an edge, 162 for each row of cells that it passes, 19 for each
 // column, and 96 for a word of a bitmap. Covers add half as much to the last one. A cell has a
-// number in the arrangement, and a count if many rows are passed: 0.5 ns by the fit above. A row of
-// a parallelogram takes 8 ns.
+// number in the arrangement, and a count if many rows are passed.
 constexpr double kEdge = 80;
 constexpr double kRowOfEdge = 70;
 constexpr double kColumnOfEdge = 8;
@@ -41,15 +41,12 @@ constexpr double kCell = 1.7;
 constexpr double kRowOfParallelogram = 27;
 /// From grid to grid, 6 to 14 times as many words were moved for ten pairs of shapes, mostly 8.
 constexpr double kGrowthOfWords = 8;
-/// All grids together may cost this share of what the best one so far leaves. So grids that are
-/// bought in vain cost no more. Parallelograms may cost this share of the meetings besides. What
-/// they cost counts when the next grid is bought.
+/// All that is bought may cost this share of what the best grid so far leaves. So grids that are
+/// bought in vain cost no more.
 constexpr double kMostOfWhatIsLeft = 0.25;
 /// After a grid that left more than `kWorthIt` of the price before it, few grids help. More are
-/// bought only while all grids together cost at most this share. When none was bought, one sum of
+/// bought only while all that was bought costs at most this share. When none was bought, one sum of
 /// 136,052 segments took six times the time of the best grid, and grids cost under 0.1 % of that.
-/// The same holds for parallelograms: one sum of 80,334 segments took four times the time when none
-/// were tried again on finer grids.
 constexpr double kMostInVain = 0.05;
 constexpr double kWorthIt = 0.8;
 
@@ -190,12 +187,13 @@ class GridBuyer {
   }
   [[nodiscard]] double price_of(const Visibility& left) const {
     const double rational = operands_.kernel->rung() == Arithmetic::kArbitrary ? kRational : 1;
-    const double inexact = operands_.bounds.difference == 0 ? 1 : kInexactCrossing;
     const double visible = left.share * segments_;
     const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(visible)));
-    return rational * kSegment * visible * digits + kNearPair * left.near_pairs +
-           std::max(rational, inexact) * kCrossing * left.crossings +
-           kRowOfSegment * std::min(left.rows, static_cast<double>(cover_.grid.size()) / 2);
+    const double price = rational * (kSegment * visible * digits + kCrossing * left.crossings) +
+                         kNearPair * left.near_pairs;
+    if (left.rows == 0) return price;
+    const double rows = std::min(left.rows, static_cast<double>(cover_.grid.size()) / 2);
+    return kInCells * price + kRowOfSegment * rows + kLeastInCells;
   }
   /// What rasterising both operands takes.
   [[nodiscard]] double price_of_rasters(const UniformGrid& grid) const {
@@ -216,14 +214,11 @@ class GridBuyer {
     const double rows = choose_long_edges(operands_, cover_.grid, scratch_);
     const Visibility meetings{.near_pairs = left_.near_pairs, .crossings = left_.crossings};
     const double price = kRowOfParallelogram * rows;
-    if (price > kMostOfWhatIsLeft * price_of(meetings)) return;
-    if (!parallelograms_help_ && spent_ + price > kMostInVain * price_of(meetings)) return;
-    const double before = price_of(left_);
+    if (spent_ + price > kMostOfWhatIsLeft * price_of(meetings)) return;
     spent_ += price;
     cover_by_parallelograms(cancellation_, scratch_, cover_);
     cover_.by_translates = false;
     left_ = see();
-    parallelograms_help_ = price_of(left_) <= kWorthIt * before;
   }
 
   const Operands& operands_;
@@ -236,7 +231,6 @@ class GridBuyer {
   Cover& cover_;
   Visibility left_;
   double spent_ = 0;  ///< for all grids and parallelograms so far
-  bool parallelograms_help_ = true;
 };
 
 }  // namespace
