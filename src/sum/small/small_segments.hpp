@@ -71,9 +71,10 @@ struct SmallSegments {
 };
 
 /// Returns the most meetings on the right that so many segments may have. If they have more, most
-/// corners lie inside, and the stages are faster.
+/// corners lie inside, and the stages are faster. With twice as many as segments, nine sums took
+/// 1.04 times as long on the geometric mean.
 [[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
-  return 2 * segments + 16;
+  return segments + segments / 2 + 16;
 }
 
 /// Returns those of up to 64 vertices that meet an edge of this direction: it is in (in, out].
