@@ -13,15 +13,15 @@ namespace {
 constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-// Prices are in words moved; moving a word takes some 0.14 ns. The first six were fitted to what
-// 410 pairs of shapes took, in memory that was in use before, and compared with others on 368
-// further pairs. Four of five of the first sums took 0.67 to 2.3 times their price without cells,
-// and 0.87 to 3.2 times in cells.
+// Prices are in words moved; moving a word takes some 0.14 ns. The first six were chosen among some
+// twenty sets of prices, by what 220 pairs of shapes took, and compared with the prices before on
+// 368 other pairs. Four of five of 410 sums took 0.67 to 2.3 times their price without cells, and
+// four of five of 253 took 0.87 to 3.2 times their price in cells.
 constexpr double kSegment = 38;    ///< a segment, for each binary digit of their number
 constexpr double kNearPair = 100;  ///< two whose boxes overlap
 constexpr double kCrossing = 800;
-// In cells all of that takes longer. To that is added a price for each row of cells that a segment
-// passes, and one for what every sum in cells takes.
+// In cells these three take longer. Each row of cells that a segment passes has a price as well,
+// and so has every sum in cells.
 constexpr double kInCells = 1.15;
 constexpr double kRowOfSegment = 110;
 constexpr double kLeastInCells = 10000;

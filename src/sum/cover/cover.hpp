@@ -82,7 +82,7 @@ struct Visibility {
   double near_pairs = 0;  ///< number of pairs of these whose boxes overlap, with the middle of the
                           ///< overlap in an uncovered cell
   double crossings = 0;   ///< number of crossings in uncovered cells
-  double rows = 0;        ///< number of rows of cells that visible segments pass
+  double rows = 0;        ///< number of rows of cells that visible segments pass; 0 without cells
 };
 
 /// A segment in doubles.

@@ -222,7 +222,7 @@ class OuterWalk {
     ++taken;
     WalkLocation place{to, fraction(start_of(to, from), -turn(from, to))};
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
-      // Then the stages are faster. With 6 looks for each segment, 6 of 95 sums gave up too early.
+      // With more looks the stages are faster. With 6 a segment, 6 of 95 sums gave up too early.
       if (++looks_ > 14 * s_.size + 1000) return false;
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
