@@ -33,8 +33,8 @@ struct BoostInteger {
     ::new (static_cast<void*>(value.storage_)) Number(std::forward<Arguments>(arguments)...);
   }
   static BigInteger made(Number number) {
-    BigInteger value;
-    of(value) = std::move(number);
+    BigInteger value{BigInteger::NotMade{}};
+    make(value, std::move(number));
     return value;
   }
 };

@@ -66,6 +66,8 @@ class BigInteger {
 
  private:
   friend struct BoostInteger;
+  struct NotMade {};
+  explicit BigInteger(NotMade /*unused*/) {}
   // Holds Boost's integer, of which big_integer.cpp checks size and alignment.
   alignas(16) std::byte storage_[32];
 };

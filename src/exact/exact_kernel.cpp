@@ -1,5 +1,6 @@
 #include "exact/exact_kernel.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -134,23 +135,25 @@ class GridKernel final : public KernelOf<Rung> {
   GridUnit unit_;
 };
 
-/// Decides with rational coordinates, in the operands' own units.
+/// Decides with rational coordinates.
 class RationalKernel final : public KernelOf<ArbitraryRung> {
  public:
-  void load(std::vector<Vec<Fraction>> sites, SiteId split, const Vec<Fraction>& first,
-            const Vec<Fraction>& second, std::size_t bits, int exponent,
-            Cancellation& cancellation) {
+  void load(std::vector<Vec<Fraction>> sites, SiteId split,
+            const std::array<Vec<Fraction>, 2>& origins, const GridUnit& unit, std::size_t bits,
+            int exponent, Cancellation& cancellation) {
     sites_ = std::move(sites);
     next_.clear();
-    split_ = split;
-    origin_ = {first, second};
+    unit_ = unit;
+    integers_ = std::all_of(sites_.begin(), sites_.end(), [](const Vec<Fraction>& site) {
+      return site.x.is_integer() && site.y.is_integer();
+    });
     work_ = work_of_decision(bits);
     exponent_ = exponent;
-    if (has_sums()) near_.load(sites_, split, origin_, work_, cancellation);
+    near_.load(sites_, split, origins, work_, cancellation);
   }
   void connect(std::span<const SiteId> next) override {
     KernelOf::connect(next);
-    if (has_sums()) near_.connect(next);
+    near_.connect(next);
   }
 
   using KernelOf::compare;
@@ -177,17 +180,17 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   std::uint64_t work() const override { return work_; }
   void coordinates(const NodePoint& node, Vec<ExactCoordinate>& out) const override {
     const Vec<Fraction> at = exact_point(node);
-    set(at.x.reduced(), out.x);
-    set(at.y.reduced(), out.y);
+    set(at.x, out.x);
+    set(at.y, out.y);
   }
   bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
-  int exp2() const override { return 0; }
-  int exp10() const override { return 0; }
+  int exp2() const override { return unit_.exp2; }
+  int exp10() const override { return unit_.exp10; }
   void approximate_sites(std::span<double> x, std::span<double> y,
                          Cancellation& cancellation) const override {
+    cancellation.check(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
-      cancellation.check(work_);
-      const Vec<double> at = scaled(minus(sites_[i], origin_[i < split_ ? 0 : 1]));
+      const Vec<double> at = near_.position(static_cast<SiteId>(i), exponent_);
       x[i] = at.x;
       y[i] = at.y;
     }
@@ -196,29 +199,31 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
                          Cancellation& cancellation) const override {
     for (std::size_t i = 0; i < dx.size(); ++i) {
       cancellation.check(work_);
-      const Vec<double> d = scaled(direction(static_cast<SiteId>(i)));
-      dx[i] = d.x;
-      dy[i] = d.y;
+      const Vec<Fraction> d = direction(static_cast<SiteId>(i));
+      dx[i] = scaled(d.x);
+      dy[i] = scaled(d.y);
     }
   }
 
  private:
-  /// One operand alone has no sums.
-  [[nodiscard]] bool has_sums() const { return split_ < sites_.size(); }
   template <class Answer, class Exact>
   static Answer or_exactly(const std::optional<Answer>& near, Exact exact) {
     return near ? *near : exact();
   }
-  static void set(const Fraction& value, ExactCoordinate& out) {
-    out.negative = value.numerator() < 0;
+  void set(const Fraction& at, ExactCoordinate& out) const {
+    Fraction value = unit_.divisor == 1 ? at : at / Fraction(BigInteger(unit_.divisor));
+    if (!integers_) value = value.reduced();
+    out.negative = value.numerator().sign() < 0;
     set_limbs(value.numerator(), out.numerator);
     set_limbs(value.denominator(), out.denominator);
   }
-  [[nodiscard]] Vec<double> scaled(const Vec<Fraction>& v) const {
-    return {to_double(v.x, exponent_), to_double(v.y, exponent_)};
+  [[nodiscard]] double scaled(const Fraction& value) const {
+    const double nearest = to_double(value, exponent_);
+    if (nearest != 0) return nearest;
+    return static_cast<double>(sign_of(value)) * std::numeric_limits<double>::denorm_min();
   }
-  SiteId split_ = 0;
-  std::array<Vec<Fraction>, 2> origin_;
+  GridUnit unit_;
+  bool integers_ = false;  ///< whether all sites are integers
   std::uint64_t work_ = 0;
   int exponent_ = 0;
   NearKernel near_;
@@ -245,11 +250,11 @@ void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const Gr
 }
 
 void make_rational_kernel(std::vector<Vec<Fraction>> sites, SiteId split,
-                          const Vec<Fraction>& origin_first, const Vec<Fraction>& origin_second,
+                          const std::array<Vec<Fraction>, 2>& origins, const GridUnit& unit,
                           std::size_t bits, int exponent, Cancellation& cancellation,
                           std::unique_ptr<ExactKernel>& old) {
-  reuse_or_make<RationalKernel>(old).load(std::move(sites), split, origin_first, origin_second,
-                                          bits, exponent, cancellation);
+  reuse_or_make<RationalKernel>(old).load(std::move(sites), split, origins, unit, bits, exponent,
+                                          cancellation);
 }
 
 }  // namespace minksum

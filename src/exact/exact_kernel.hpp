@@ -1,6 +1,7 @@
 // Declares the kernel, which answers every question of the pipeline about the operands' geometry.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -92,7 +93,8 @@ class ExactKernel {
   /// rung, scaled.
   virtual void approximate_sites(std::span<double> x, std::span<double> y,
                                  Cancellation& cancellation) const = 0;
-  /// Does the same for all edge vectors; the sites must be connected.
+  /// Does the same for all edge vectors; the sites must be connected. No component that is not 0
+  /// becomes 0.
   virtual void approximate_edges(std::span<double> dx, std::span<double> dy,
                                  Cancellation& cancellation) const = 0;
 
@@ -145,11 +147,11 @@ struct GridPart {
 /// rung.
 void make_grid_kernel(Arithmetic rung, std::span<const GridPart> parts, const GridUnit& unit,
                       std::unique_ptr<ExactKernel>& old);
-/// Makes a kernel for any rational coordinates, none longer than `bits`. The other arguments say
-/// how coordinates are approximated: as (coordinate − origin of its operand) · 2^exponent. Sites
-/// below `split` belong to the first operand.
+/// Makes a kernel for any rational coordinates in a unit, none longer than `bits`. The other
+/// arguments say how coordinates are approximated: as (coordinate − origin of its operand) ·
+/// 2^exponent. Sites below `split` belong to the first operand.
 void make_rational_kernel(std::vector<Vec<Fraction>> sites, SiteId split,
-                          const Vec<Fraction>& origin_first, const Vec<Fraction>& origin_second,
+                          const std::array<Vec<Fraction>, 2>& origins, const GridUnit& unit,
                           std::size_t bits, int exponent, Cancellation& cancellation,
                           std::unique_ptr<ExactKernel>& old);
 

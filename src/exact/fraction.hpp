@@ -22,6 +22,10 @@ class Fraction {
   [[nodiscard]] const BigInteger& denominator() const { return denominator_; }
   /// Returns the same number in lowest terms.
   [[nodiscard]] Fraction reduced() const;
+  /// Whether the denominator is 1. It may be another one even if the value is an integer.
+  [[nodiscard]] bool is_integer() const {
+    return denominator_.limb_count() == 1 && denominator_.limb(0) == 1;
+  }
 
   friend Fraction operator+(const Fraction& a, const Fraction& b);
   friend Fraction operator-(const Fraction& a, const Fraction& b);

@@ -121,8 +121,12 @@ class KernelOf : public ExactKernel {
 
  protected:
   template <class To, class From>
-  static Vec<To> as(const Vec<From>& v) {
-    return {To(v.x), To(v.y)};
+  static decltype(auto) as(const Vec<From>& v) {
+    if constexpr (std::is_same_v<To, From>) {
+      return (v);
+    } else {
+      return Vec<To>{To(v.x), To(v.y)};
+    }
   }
   template <class Number>
   static const Number& along(const Vec<Number>& v, Axis axis) {
@@ -184,8 +188,10 @@ class KernelOf : public ExactKernel {
     const Vec<Fraction> d = big(direction(node.first.edge));
     const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
                                                big(direction(node.second.edge)));
-    // The quotient is reduced, because its terms have the same denominators many times over.
-    const Fraction lambda = (t.numerator / t.denominator).reduced();
+    Fraction lambda = t.numerator / t.denominator;
+    // Otherwise the terms have the same denominators many times over.
+    const bool integers = t.numerator.is_integer() && t.denominator.is_integer();
+    if (!integers) lambda = lambda.reduced();
     return {at.x + d.x * lambda, at.y + d.y * lambda};
   }
   [[nodiscard]] Vec<Fraction> exact_probe_offset(const Probe& probe, const SumVertex& v) const {

@@ -33,6 +33,13 @@ void NearKernel::load(std::span<const Vec<Fraction>> sites, SiteId split,
   }
 }
 
+Vec<double> NearKernel::position(SiteId site, int exponent) const {
+  const auto at = [exponent](const Scaled& s) {
+    return std::ldexp(s.bounded.value, s.exponent + exponent);
+  };
+  return {at(sites_[site].x), at(sites_[site].y)};
+}
+
 Vec<Scaled> NearKernel::edge(SiteId start) const { return sites_[next_[start]] - sites_[start]; }
 
 Vec<Scaled> NearKernel::between(const SumVertex& from, const SumVertex& to) const {

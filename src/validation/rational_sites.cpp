@@ -19,24 +19,8 @@ Fraction as_rational(const Region& region, const StoredCoordinate& c) {
   return scaled(std::move(value.numerator), std::move(value.denominator), c.exp2, c.exp10);
 }
 
-Fraction grid_coordinate(Int128 integer, Int128 offset, const GridCoordinates& grid) {
-  return scaled(BigInteger(integer) + offset, grid.unit.divisor, grid.unit.exp2, grid.unit.exp10);
-}
-
-}  // namespace
-
-void load_rationals(const Region& region, Cancellation& cancellation,
-                    RationalCoordinates& rationals) {
-  rationals.sites.clear();
-  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-    cancellation.check(work_of_decision(RegionAccess::bits(region, v)));
-    rationals.sites.push_back({as_rational(region, RegionAccess::x(region, v)),
-                               as_rational(region, RegionAccess::y(region, v))});
-  }
-  measure_rationals(cancellation, rationals);
-}
-
-void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals) {
+/// Sets the box and the bits.
+void measure(Cancellation& cancellation, RationalCoordinates& rationals) {
   rationals.bits = 0;
   if (rationals.sites.empty()) return;
   Vec<Fraction> low = rationals.sites[0];
@@ -56,25 +40,55 @@ void measure_rationals(Cancellation& cancellation, RationalCoordinates& rational
   rationals.extent = {(high.x - low.x).reduced(), (high.y - low.y).reduced()};
 }
 
-RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const SiteId> sites,
-                                 Cancellation& cancellation) {
-  RationalCoordinates result;
-  const GridCoordinates& grid = operand.grid;
-  const std::uint64_t work =
-      work_of_product(operand.rational ? operand.rationals.bits : std::size_t{256});
-  for (const SiteId site : sites) {
-    cancellation.check(work);
-    if (operand.rational) {
-      result.sites.push_back(operand.rationals.sites[site]);
-      continue;
-    }
-    const Vec<Int128> at = grid.small
-                               ? Vec<Int128>{grid.small_sites[site].x, grid.small_sites[site].y}
-                               : grid.large_sites[site];
-    result.sites.push_back({grid_coordinate(at.x, grid.offset.x, grid),
-                            grid_coordinate(at.y, grid.offset.y, grid)});
+}  // namespace
+
+void load_rationals(const Region& region, Cancellation& cancellation,
+                    RationalCoordinates& rationals) {
+  rationals.sites.clear();
+  for (std::size_t v = 0; v < region.vertex_count(); ++v) {
+    cancellation.check(work_of_decision(RegionAccess::bits(region, v)));
+    rationals.sites.push_back({as_rational(region, RegionAccess::x(region, v)),
+                               as_rational(region, RegionAccess::y(region, v))});
   }
-  measure_rationals(cancellation, result);
+  measure(cancellation, rationals);
+}
+
+RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const SiteId> sites,
+                                 const GridUnit& unit, Cancellation& cancellation) {
+  RationalCoordinates result;
+  result.sites.reserve(sites.size());
+  if (operand.rational) {
+    const RationalCoordinates& all = operand.rationals;
+    for (const SiteId site : sites) {
+      cancellation.check(work_of_product(all.bits));
+      result.sites.push_back(all.sites[site]);
+    }
+    result.low = all.low;
+    result.extent = all.extent;
+    result.bits = all.bits;
+    return result;
+  }
+  const GridCoordinates& grid = operand.grid;
+  const Fraction factor = scaled(unit.divisor, grid.unit.divisor, grid.unit.exp2 - unit.exp2,
+                                 grid.unit.exp10 - unit.exp10);
+  const auto in_unit = [&](const BigInteger& on_grid) { return Fraction(on_grid) * factor; };
+  const auto point = [&](const auto& at) {
+    return Vec<Fraction>{in_unit(BigInteger(at.x) + grid.offset.x),
+                         in_unit(BigInteger(at.y) + grid.offset.y)};
+  };
+  result.low = point(Vec<Int128>{});
+  result.extent = {in_unit(grid.extent.x), in_unit(grid.extent.y)};
+  result.bits = bit_length(factor.denominator());
+  for (const Vec<Fraction>& corner : {result.low, point(grid.extent)}) {
+    result.bits =
+        std::max({result.bits, bit_length(corner.x.numerator()), bit_length(corner.y.numerator())});
+  }
+  for (const SiteId site : sites) {
+    cancellation.check(work_of_product(result.bits));
+    const Vec<Fraction> at =
+        grid.small ? point(grid.small_sites[site]) : point(grid.large_sites[site]);
+    result.sites.push_back({at.x.reduced(), at.y.reduced()});
+  }
   return result;
 }
 

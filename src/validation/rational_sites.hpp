@@ -14,11 +14,10 @@ inline constexpr int kRationalExtentBits = 60;
 /// Loads the coordinates of all vertices as given.
 void load_rationals(const Region& region, Cancellation& cancellation,
                     RationalCoordinates& rationals);
-/// Sets the box and the bits.
-void measure_rationals(Cancellation& cancellation, RationalCoordinates& rationals);
-/// Returns an operand's coordinates of these sites, as rationals in any case.
+/// Returns an operand's coordinates of these sites in a unit, as rationals in any case. A rational
+/// operand has 1 as unit.
 [[nodiscard]] RationalCoordinates rationals_of(const PreparedOperand& operand,
-                                               std::span<const SiteId> sites,
+                                               std::span<const SiteId> sites, const GridUnit& unit,
                                                Cancellation& cancellation);
 /// Returns the exponent of two that scales the larger of the extents to kRationalExtentBits bits.
 [[nodiscard]] int rational_exponent(std::span<const Vec<Fraction>> extents);

@@ -212,7 +212,7 @@ void approximate_sites(std::size_t count, const SumSettings& options, Cancellati
   if (operand.rational) {
     const RationalCoordinates& r = operand.rationals;
     const int exponent = rational_exponent({&r.extent, 1});
-    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), r.low, r.low, r.bits,
+    make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), {r.low, r.low}, {}, r.bits,
                          exponent, cancellation, operand.kernel);
     operand.unit = {-exponent, 0, 1};
     operand.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);

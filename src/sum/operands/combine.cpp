@@ -19,6 +19,7 @@ Int128 power(int exp2, int exp10) {
 
 /// The grid that both operands share, and the factors that bring their coordinates to it.
 struct CommonGrid {
+  bool exists = false;
   bool fits = false;  ///< whether fixed-width arithmetic holds the coordinates
   GridUnit unit;
   std::array<Int128, 2> factor{1, 1};
@@ -28,13 +29,15 @@ struct CommonGrid {
 CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q,
                        const SumSettings& options) {
   CommonGrid common;
-  if (p.rational || q.rational || options.arithmetic == Arithmetic::kArbitrary) return common;
+  if (p.rational || q.rational) return common;
   const std::int64_t common_part = std::gcd(p.grid.unit.divisor, q.grid.unit.divisor);
   const Int128 divisor = Int128{p.grid.unit.divisor} * (q.grid.unit.divisor / common_part);
   if (bit_width(divisor) > GridUnit::kDivisorBits) return common;
   common.unit = {std::min(p.grid.unit.exp2, q.grid.unit.exp2),
                  std::min(p.grid.unit.exp10, q.grid.unit.exp10),
                  static_cast<std::int64_t>(divisor)};
+  common.exists = true;
+  if (options.arithmetic == Arithmetic::kArbitrary) return common;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const GridCoordinates& grid = i == 0 ? p.grid : q.grid;
     const int up2 = grid.unit.exp2 - common.unit.exp2;
@@ -74,19 +77,24 @@ void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const Comm
                     origin(p.grid.offset.y, q.grid.offset.y)};
 }
 
-void join_rationals(const PreparedOperand& p, const PreparedOperand& q, Cancellation& cancellation,
-                    Operands& o) {
-  RationalCoordinates first = rationals_of(p, o.scratch.kept[0], cancellation);
-  RationalCoordinates second = rationals_of(q, o.scratch.kept[1], cancellation);
+void join_rationals(const PreparedOperand& p, const PreparedOperand& q, const GridUnit& unit,
+                    Cancellation& cancellation, Operands& o) {
+  RationalCoordinates first = rationals_of(p, o.scratch.kept[0], unit, cancellation);
+  RationalCoordinates second = rationals_of(q, o.scratch.kept[1], unit, cancellation);
   const Vec<Fraction> extents[2] = {first.extent, second.extent};
   const int exponent = rational_exponent(extents);
   std::move(second.sites.begin(), second.sites.end(), std::back_inserter(first.sites));
   o.bits = std::max(first.bits, second.bits);
-  make_rational_kernel(std::move(first.sites), o.split, first.low, second.low, o.bits, exponent,
-                       cancellation, o.kernel);
+  make_rational_kernel(std::move(first.sites), o.split, {first.low, second.low}, unit, o.bits,
+                       exponent, cancellation, o.kernel);
   o.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
-  o.trace_unit = std::ldexp(1.0, -exponent);
-  o.trace_origin = {to_double(first.low.x + second.low.x), to_double(first.low.y + second.low.y)};
+  BigInteger step = 1;
+  BigInteger divisor = unit.divisor;
+  scale(step, divisor, unit.exp2, unit.exp10);
+  const Fraction in_own_units(std::move(step), std::move(divisor));
+  o.trace_unit = to_double(in_own_units, -exponent);
+  o.trace_origin = {to_double((first.low.x + second.low.x) * in_own_units),
+                    to_double((first.low.y + second.low.y) * in_own_units)};
 }
 
 void measure_extent(Operands& o) {
@@ -214,7 +222,7 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSet
   if (common.fits) {
     join_on_grid(p, q, common, options, o);
   } else {
-    join_rationals(p, q, cancellation, o);
+    join_rationals(p, q, common.exists ? common.unit : GridUnit{}, cancellation, o);
   }
   if (!options.filter) o.bounds = RoundingBounds::distrustful(o.bounds.magnitude);
   const std::size_t n = o.scratch.kept[0].size() + o.scratch.kept[1].size();
