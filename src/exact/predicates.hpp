@@ -11,7 +11,8 @@
 
 namespace minksum {
 
-/// The sites' coordinates and edge vectors, each rounded once to the nearest double.
+/// The sites' coordinates and edge vectors, each rounded once to the nearest double. No component
+/// of an edge vector becomes 0 by rounding.
 struct ApproximateSites {
   std::vector<double> x;
   std::vector<double> y;
@@ -24,26 +25,38 @@ struct ApproximateSites {
 ///
 /// Let M bound every coordinate. A stored coordinate is off by at most M·2^-53. A difference of two
 /// sums has four coordinates and three roundings of numbers up to 4M, so it is off by at most
-/// M·2^-49. A component of an edge vector is rounded once and is off by at most M·2^-53. These
-/// errors are all 0 where B ≤ 52 bits.
+/// M·2^-49. A component of an edge vector is rounded once, so it is off by at most 2^-53 of itself,
+/// and a product of two of them by 2^-52 of itself and next to nothing more. These errors are all 0
+/// where B ≤ 52 bits.
 ///
 /// A product is off by its size times 2^-53, and a difference of two products by half an ulp more.
 /// In all that is m·2^-51, where m is the sum of both magnitudes. This error is 0 where B ≤ 25
 /// bits.
+///
+/// Numbers do not underflow on a grid, where they are integers. Where they are rationals, M is at
+/// most 2^62. An edge vector that is rounded to a multiple of 2^-1074 makes a product with a
+/// difference of sums, of at most 4M, wrong by less than 2^-1008.
 struct RoundingBounds {
-  double magnitude = 0;    ///< M
-  double difference = 0;   ///< of two sum vertices, per component
-  double direction = 0;    ///< of an edge vector, per component
-  double product = 0;      ///< relative, of a cross product
-  double position = 0;     ///< of a point a + λd computed in doubles, beyond λ's own error
+  double magnitude = 0;   ///< M
+  double difference = 0;  ///< of two sum vertices, per component
+  double direction = 0;   ///< relative, of a product of components of two edge vectors
+  double product = 0;     ///< relative, of a cross product
+  double underflow = 0;   ///< of a cross product
+  double position = 0;    ///< of a point a + λd computed in doubles, beyond λ's own error
 
   static RoundingBounds of(double magnitude, bool sums_exact, bool products_exact) {
     RoundingBounds bounds;
     bounds.magnitude = magnitude;
     bounds.difference = sums_exact ? 0 : magnitude * 0x1p-49;
-    bounds.direction = sums_exact ? 0 : magnitude * 0x1p-53;
+    bounds.direction = sums_exact ? 0 : 0x1p-52;
     bounds.product = products_exact ? 0 : 0x1p-51;
     bounds.position = magnitude * 0x1p-48;
+    return bounds;
+  }
+  /// Returns the bounds of rationals.
+  static RoundingBounds of_rationals(double magnitude) {
+    RoundingBounds bounds = of(magnitude, false, false);
+    bounds.underflow = 0x1p-1000;
     return bounds;
   }
   /// Returns bounds that trust no number, so that the exact kernel decides everything.
@@ -111,7 +124,7 @@ class Predicates {
   /// vertices. The result of `exact` is returned where the filter cannot tell.
   template <class Exact>
   Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, Exact exact) {
-    return filtered_cross(d, v, bounds_.direction, bounds_.difference, exact);
+    return filtered_cross(d, v, bounds_.difference, exact);
   }
   Sign orientation(const Segment& s, const SumVertex& v) {
     const Vec<double> a = start(s);
@@ -120,19 +133,18 @@ class Predicates {
                           [&] { return kernel_->orientation(s, v); });
   }
   Sign cross(SiteId edge, SiteId other) {
-    return filtered_cross(direction(edge), direction(other),
+    return filtered_edges(direction(edge), direction(other),
                           [&] { return kernel_->cross(edge, other); });
   }
   Sign dot(SiteId edge, SiteId other) {
-    const Vec<double> d = direction(edge);
     const Vec<double> e = direction(other);
     // d · e is d × e', where e' is e turned by a right angle.
-    return filtered_cross(d, {-e.y, e.x}, [&] { return kernel_->dot(edge, other); });
+    return filtered_edges(direction(edge), {-e.y, e.x}, [&] { return kernel_->dot(edge, other); });
   }
   /// Returns the sign of a component of an edge vector.
   Sign component(SiteId edge, Axis axis) {
     const double value = axis == Axis::kX ? sites_->dx[edge] : sites_->dy[edge];
-    return filtered_difference(value, bounds_.direction,
+    return filtered_difference(value, std::abs(value) * bounds_.direction,
                                [&] { return kernel_->compare(sites_->next[edge], edge, axis); });
   }
   Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) {
@@ -144,10 +156,16 @@ class Predicates {
   /// Returns the orientation of three sites of one operand.
   Sign orientation(SiteId a, SiteId b, SiteId c) {
     const auto& [x, y, dx, dy, next] = *sites_;
-    // Here both factors are differences of coordinates; the bound for sums covers that.
+    const Vec<double> d{x[b] - x[a], y[b] - y[a]};
+    const Vec<double> v{x[c] - x[a], y[c] - y[a]};
+    const double left = d.x * v.y;
+    const double right = d.y * v.x;
+    // Both factors are differences of coordinates; the bound for sums covers that. The last term is
+    // the product of both errors.
     const double e = bounds_.difference;
-    return filtered_cross({x[b] - x[a], y[b] - y[a]}, {x[c] - x[a], y[c] - y[a]}, e, e,
-                          [&] { return kernel_->orientation(a, b, c); });
+    const double by_d = e == 0 ? 0 : (std::abs(v.x) + std::abs(v.y)) * e + 2 * e * e;
+    return filtered_difference(left - right, cross_bound(d, left, right, e) + by_d * kInflate,
+                               [&] { return kernel_->orientation(a, b, c); });
   }
   Sign compare(SiteId a, SiteId b, Axis axis) {
     const auto& coordinate = axis == Axis::kX ? sites_->x : sites_->y;
@@ -182,8 +200,8 @@ class Predicates {
   template <class Exact>
   Sign side(SiteId edge, const SumVertex& v, const Vec<double>& at, double error, Exact exact) {
     const Vec<double> p = position(v);
-    return filtered_cross(direction(edge), {at.x - p.x, at.y - p.y}, bounds_.direction,
-                          bounds_.difference + error, exact);
+    return filtered_cross(direction(edge), {at.x - p.x, at.y - p.y}, bounds_.difference + error,
+                          exact);
   }
   /// Returns the sign of a point minus v along an axis.
   template <class Exact>
@@ -223,20 +241,13 @@ class Predicates {
     });
   }
 
-  /// Bounds the error of the cross product of two vectors whose components are known within
-  /// `d_error` and `v_error`.
-  [[nodiscard]] double cross_bound(const Vec<double>& d, const Vec<double>& v, double left,
-                                   double right, double d_error, double v_error) const {
-    // The last term is the product of both errors; the factor covers the rounding of this sum.
+  /// Bounds the error of left − right, the cross product of an edge vector d and a vector whose
+  /// components are known within `v_error`.
+  [[nodiscard]] double cross_bound(const Vec<double>& d, double left, double right,
+                                   double v_error) const {
     const double by_v = v_error == 0 ? 0 : (std::abs(d.x) + std::abs(d.y)) * v_error;
-    const double by_d =
-        d_error == 0 ? 0 : (std::abs(v.x) + std::abs(v.y)) * d_error + 2 * d_error * v_error;
-    return ((std::abs(left) + std::abs(right)) * bounds_.product + by_v + by_d) * (1 + 0x1p-48);
-  }
-  /// Does the same for an edge vector.
-  [[nodiscard]] double cross_bound(const Vec<double>& d, const Vec<double>& v, double left,
-                                   double right, double v_error) const {
-    return cross_bound(d, v, left, right, bounds_.direction, v_error);
+    const double relative = bounds_.product + bounds_.direction;
+    return ((std::abs(left) + std::abs(right)) * relative + by_v) * kInflate + bounds_.underflow;
   }
   void count_filtered(std::uint64_t n) { counts_.by_filter += n; }
   /// Counts a decision that the kernel is about to take, and its work.
@@ -246,6 +257,9 @@ class Predicates {
   }
 
  private:
+  /// Covers the rounding of a bound, and products of two relative errors.
+  static constexpr double kInflate = 1 + 0x1p-48;
+
   Sign count_filter(Sign sign) {
     ++counts_.by_filter;
     return sign;
@@ -259,12 +273,19 @@ class Predicates {
     return exact();
   }
   template <class Exact>
-  Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, double d_error, double v_error,
-                      Exact exact) {
+  Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, double v_error, Exact exact) {
     const double left = d.x * v.y;
     const double right = d.y * v.x;
-    return filtered_difference(left - right, cross_bound(d, v, left, right, d_error, v_error),
-                               exact);
+    return filtered_difference(left - right, cross_bound(d, left, right, v_error), exact);
+  }
+  /// Does the same for two edge vectors.
+  template <class Exact>
+  Sign filtered_edges(const Vec<double>& d, const Vec<double>& e, Exact exact) {
+    // Underflow takes nothing from a product with 0.
+    if (bounds_.underflow != 0 && ((d.x == 0 && e.x == 0) || (d.y == 0 && e.y == 0))) {
+      return count_filter(kZero);
+    }
+    return filtered_cross(d, e, 0, exact);
   }
 
   const ApproximateSites* sites_;

@@ -215,7 +215,7 @@ void approximate_sites(std::size_t count, const SumSettings& options, Cancellati
     make_rational_kernel(r.sites, static_cast<SiteId>(r.sites.size()), {r.low, r.low}, {}, r.bits,
                          exponent, cancellation, operand.kernel);
     operand.unit = {-exponent, 0, 1};
-    operand.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
+    operand.bounds = RoundingBounds::of_rationals(std::ldexp(1.0, kRationalExtentBits + 2));
   } else {
     const GridCoordinates& grid = operand.grid;
     const GridPart part{&grid, 1, all};

@@ -98,7 +98,7 @@ Sign SegmentMeeter::side(KeptId s, std::uint32_t point, double& value, double& g
   const double left = ks.d.x * v.y;
   const double right = ks.d.y * v.x;
   value = left - right;
-  const double bound = predicates_.cross_bound(ks.d, v, left, right, bounds_.difference);
+  const double bound = predicates_.cross_bound(ks.d, left, right, bounds_.difference);
   greatest_bound = std::max(greatest_bound, bound);
   if (value > bound || value < -bound || bound == 0) {
     predicates_.count_filtered(1);
@@ -131,7 +131,7 @@ bool SegmentMeeter::clearly_apart(KeptId s, KeptId t) const {
   const Vec<double> v{kept_[t].a.x - ks.a.x, kept_[t].a.y - ks.a.y};
   const double left = ks.d.x * v.y;
   const double right = ks.d.y * v.x;
-  const double bound = predicates_.cross_bound(ks.d, v, left, right, bounds_.difference);
+  const double bound = predicates_.cross_bound(ks.d, left, right, bounds_.difference);
   return std::abs(left - right) > bound;
 }
 
@@ -140,12 +140,14 @@ bool SegmentMeeter::clearly_apart(KeptId s, KeptId t) const {
 ///
 /// An offset is a cross product divided by a length. Its roundings, and the error of the segment's
 /// place, are off by as much wherever the segment is. An error of the direction grows with the
-/// distance from (0, 0), and the shorter the segment, the more.
+/// distance from (0, 0).
 SegmentMeeter::LineOffset SegmentMeeter::offset_of(KeptId segment) const {
   const KeptSegment& s = kept_[segment];
   const double length = std::sqrt(s.d.x * s.d.x + s.d.y * s.d.y);
   const bool goes_left = s.d.x != 0 ? s.d.x < 0 : s.d.y < 0;
-  const double error = extent_ * (0x1p-49 + 4 * bounds_.direction / length);
+  // Squares may have underflowed.
+  if (length < 0x1p-400) return {0, HUGE_VAL};
+  const double error = extent_ * (0x1p-49 + 4 * bounds_.direction);
   return {cross(s.d, s.a) / (goes_left ? -length : length), error + 2 * bounds_.difference};
 }
 
@@ -153,7 +155,6 @@ void SegmentMeeter::meet_parallel(KeptId s, KeptId t) {
   if (clearly_apart(s, t)) return;
   const LineOffset of_s = offset_of(s);
   const LineOffset of_t = offset_of(t);
-  // If the vector of a segment is 0 in doubles, its offset is not a number, and says nothing.
   if (std::abs(of_s.value - of_t.value) > of_s.error + of_t.error) return;
   double value = 0;
   double bound = 0;
@@ -226,7 +227,7 @@ void SegmentMeeter::add_vertex_event(KeptId s, std::uint32_t point) {
   const bool by_x = std::abs(ks.d.x) >= std::abs(ks.d.y);
   const double length = by_x ? ks.d.x : ks.d.y;
   Parameter on_s{(by_x ? p.x - ks.a.x : p.y - ks.a.y) / length, 0};
-  on_s.error = (bounds_.difference + 2 * bounds_.direction) / std::abs(length) + 0x1p-50;
+  on_s.error = bounds_.difference / std::abs(length) + 2 * bounds_.direction + 0x1p-50;
   if (!(on_s.error * reach(ks) < slack_ / 4)) on_s = from_kernel(s, {false, {}, vertex(point)});
   meetings_.events.push_back({on_s.lambda, doubted(on_s.error), s, point});
 }

@@ -82,7 +82,7 @@ Probe probe_on(const Arrangement& arrangement, const Piece& piece, const Predica
   };
   const double length = std::abs(by_x ? d.x : d.y);
   const RoundingBounds& bounds = predicates.bounds();
-  const double doubt = (bounds.position + 4 * bounds.direction) / length + 0x1p-50;
+  const double doubt = bounds.position / length + 4 * bounds.direction + 0x1p-50;
   const double low = std::max(0.0, lambda(from.at)) + from.error / length + doubt;
   const double high = std::min(1.0, lambda(to.at)) - to.error / length - doubt;
   // These are the fewest bits that put a point well between both nodes.

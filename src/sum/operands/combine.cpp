@@ -87,7 +87,7 @@ void join_rationals(const PreparedOperand& p, const PreparedOperand& q, const Gr
   o.bits = std::max(first.bits, second.bits);
   make_rational_kernel(std::move(first.sites), o.split, {first.low, second.low}, unit, o.bits,
                        exponent, cancellation, o.kernel);
-  o.bounds = RoundingBounds::of(std::ldexp(1.0, kRationalExtentBits + 2), false, false);
+  o.bounds = RoundingBounds::of_rationals(std::ldexp(1.0, kRationalExtentBits + 2));
   BigInteger step = 1;
   BigInteger divisor = unit.divisor;
   scale(step, divisor, unit.exp2, unit.exp10);

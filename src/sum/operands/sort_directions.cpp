@@ -24,9 +24,6 @@ bool keys_are_safe(const PreparedOperand& o) {
     const double dx = std::abs(o.sites.dx[e]);
     const double dy = std::abs(o.sites.dy[e]);
     if (std::max(dx, dy) < 0x1p-900 || (dy != 0 && dy < 0x1p-900)) return false;
-    // Where a height vanishes in doubles, its sign is lost. That sign tells one end of the circle
-    // from the other.
-    if (dy == 0 && o.kernel->compare(o.sites.next[e], e, Axis::kY) != kZero) return false;
   }
   return true;
 }

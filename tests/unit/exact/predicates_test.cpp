@@ -7,6 +7,7 @@
 #include "exact/kernel_of.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/testing.hpp"
+#include "minksum/transform.hpp"
 #include "sum/operands/operands.hpp"
 #include "support/shapes.hpp"
 #include "unit/sum/prepare_operands.hpp"
@@ -210,6 +211,43 @@ TEST_F(Rungs, ProbesAreInGeneralPosition) {
     }
     // The probe is on the right of its own segment.
     ASSERT_EQ(ladder.orientation(0, sum_vertex(0, o->split), probe, at), kNegative);
+  }
+}
+
+/// Expects that the filter tells the sign of each component, and whether two edges lead along one
+/// axis, and that the ladder agrees with the kernel on the rest.
+void expect_exact_zeros(const Region& p, const Region& q, Arithmetic rung) {
+  Operands o;
+  prepare_operands(p, q, {}, o);
+  ASSERT_EQ(o.kernel->rung(), rung);
+  Cancellation never;
+  Predicates ladder(o.sites, *o.kernel, o.bounds, never);
+  for (SiteId e = 0; e < o.size(); ++e) {
+    for (const Axis axis : {Axis::kX, Axis::kY}) {
+      ASSERT_EQ(ladder.component(e, axis), o.kernel->compare(o.sites.next[e], e, axis));
+      for (SiteId f = 0; f < o.size(); ++f) {
+        const std::uint64_t before = ladder.counts().by_kernel;
+        ASSERT_EQ(ladder.cross(e, f), o.kernel->cross(e, f));
+        const bool along_one =
+            ladder.component(e, axis) == kZero && ladder.component(f, axis) == kZero;
+        if (along_one) { ASSERT_EQ(ladder.counts().by_kernel, before); }
+        ASSERT_EQ(ladder.dot(e, f), o.kernel->dot(e, f));
+      }
+    }
+  }
+}
+
+TEST_F(Rungs, ZerosOfEdgeVectorsAreExact) {
+  const auto scaled = [](const Region& region, const char* by) {
+    return transform(region, Affine::scaling(*Rational::parse(by)));
+  };
+  const Region wide = scaled(p_, "1180591620717411303425");  // 2^70 + 1, which no double holds
+  expect_exact_zeros(wide, q_, Arithmetic::kWide);
+  expect_exact_zeros(wide, rectangle(0, 0, 3, 4), Arithmetic::kWide);
+  // Products of two of the smaller operand's edges underflow. At 10^-330 the edges do themselves.
+  for (const char* const by : {"1e-290", "1e-330"}) {
+    expect_exact_zeros(scaled(wide, "1e10"), scaled(q_, by), Arithmetic::kArbitrary);
+    expect_exact_zeros(wide, scaled(rectangle(0, 0, 3, 4), by), Arithmetic::kArbitrary);
   }
 }
 
