@@ -182,9 +182,10 @@ struct BinScratch {
 /// then come the crossings. Equal points are united in a forest. The smallest point of a tree is
 /// its root.
 struct ArrangementScratch {
-  UniformGrid grid;     ///< the grid of the cells below
-  bool covered = false;  ///< whether anything is covered; if nothing is, there are no cells
-  Vec<double> extent{};  ///< the size of the sum's box, which starts at (0, 0)
+  UniformGrid grid;       ///< the grid of the cells below
+  bool covered = false;   ///< whether anything is covered
+  bool by_cells = false;  ///< whether there are cells; there are none if nothing is covered
+  Vec<double> extent{};   ///< the size of the sum's box, which starts at (0, 0)
   BoxPairScratch pairs;
   VisibleScratch visible;
   BinScratch bin;
@@ -244,13 +245,13 @@ void arrange_convex(const Operands& operands, Cancellation& cancellation, Arrang
 /// 2^(2B+2), which are exact for B ≤ 25, and bounded as others are beyond.
 void join_lines(const Operands& operands, bool wanted, Cancellation& cancellation,
                 JoinScratch& scratch, std::vector<KeptSegment>& kept);
-/// Fills `kept` and the lists of the cover's cells. If nothing is covered, no cells are needed.
+/// Fills `kept`, and the lists of the cover's cells if crossings are to be looked for there.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
                   Arrangement& arrangement);
 /// Fills crossings and events, and unites points that pairs of segments share.
-void find_crossings(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
-                    Arrangement& arrangement);
+void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, and makes nodes and pieces. O(c log c) for
 /// c incidences.
 ///

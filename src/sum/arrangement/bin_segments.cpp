@@ -45,11 +45,12 @@ class Binner {
     join_lines(o_, joins, cancellation_, scratch_.join, kept_);
     grid_ = cover_.grid;
     scratch_.covered = covers_any_;
+    scratch_.by_cells = covers_any_ && cover_.by_cells;
     scratch_.extent = o_.sum_extent();
-    if (covers_any_) list_all_cells();
+    if (covers_any_) keep_visible();
     scratch_.line_count = static_cast<KeptId>(kept_.size());
     append_members();
-    if (covers_any_) sort_by_cells();
+    if (scratch_.by_cells) sort_by_cells();
   }
 
  private:
@@ -76,9 +77,10 @@ class Binner {
     return ordered;
   }
 
-  void list_all_cells() {
+  /// Keeps the segments that touch an uncovered cell, and lists these cells if they are wanted.
+  void keep_visible() {
     std::optional<UncoveredCounts> uncovered;
-    if (rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
+    if (scratch_.by_cells && rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
       uncovered.emplace(cover_, cancellation_, scratch_.visible.uncovered);
     }
     constexpr std::uint64_t kUnitsOfSegment = 32;  // it passes some cells, in 300 ns
@@ -92,9 +94,10 @@ class Binner {
       part.items.clear();
       KeptId count = 0;
       for (std::size_t i = begin; i < end; ++i) {
-        if (list_cells(uncovered, kept_[i], count, own, part.items)) {
-          kept_[begin + count++] = kept_[i];
-        }
+        const bool visible = scratch_.by_cells
+                                 ? list_cells(uncovered, kept_[i], count, own, part.items)
+                                 : is_visible(kept_[i], own);
+        if (visible) kept_[begin + count++] = kept_[i];
       }
       part.kept = count;
     });
@@ -173,6 +176,27 @@ class Binner {
     }
   }
 
+  template <class Visit>
+  void visit_words(const UniformGrid::RowSpan& span, Visit visit) const {
+    cover_.covered.visit_words(span.row, span.left, span.right, visit);
+  }
+  /// Returns whether a segment is near an uncovered cell. Notes whether it is near a covered one.
+  bool is_visible(KeptSegment& s, Cancellation& cancellation) const {
+    std::uint64_t any_covered = 0;
+    std::uint64_t any_uncovered = 0;
+    std::uint64_t rows = 0;
+    grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
+      visit_words(span, [&](std::int32_t, std::uint64_t covered, std::uint64_t wanted) {
+        any_covered |= covered & wanted;
+        any_uncovered |= wanted & ~covered;
+      });
+      ++rows;
+      return any_covered == 0 || any_uncovered == 0;
+    });
+    s.meets_cover = any_covered != 0;
+    cancellation.check(1 + rows);
+    return any_uncovered != 0;
+  }
   /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
   bool list_cells(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s, KeptId id,
                   Cancellation& cancellation, std::vector<CellItem>& items) const {
@@ -181,15 +205,12 @@ class Binner {
     const CellLine line(s, grid_.inverse);
     const auto visit = [&](const UniformGrid::RowSpan& span) {
       std::uint64_t any_covered = 0;
-      for (std::int32_t first = span.left; first <= span.right; first = (first | 63) + 1) {
-        const std::int32_t last = std::min(span.right, first | 63);
-        const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - first)) << (first & 63);
-        const std::uint64_t covered = cover_.covered.row(span.row)[first >> 6];
+      visit_words(span, [&](std::int32_t word, std::uint64_t covered, std::uint64_t wanted) {
         any_covered |= covered & wanted;
         for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
-          append(items, item(id, line, span, (first & ~63) + std::countr_zero(bits)), cancellation);
+          append(items, item(id, line, span, 64 * word + std::countr_zero(bits)), cancellation);
         }
-      }
+      });
       ++rows;
       s.meets_cover = s.meets_cover || any_covered != 0;
       return true;

@@ -26,8 +26,8 @@ class CrossingFinder {
         crowds_(std::max(scratch.extent.x, scratch.extent.y), kept, meeter_, memory.crowds,
                 cancellation_) {}
 
-  /// Meets all segments, where nothing is covered.
-  void solve_all() {
+  /// Meets all segments, and leaves out what they share in covered cells.
+  void solve_all(const Cover* cover) {
     const std::span lines(kept_.data(), scratch_.line_count);
     BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
     visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
@@ -35,6 +35,7 @@ class CrossingFinder {
                 std::max(s.a.y, s.b.y));
     });
     meeter_.enter({});
+    meeter_.hide(cover);
     const double doubt = 4 * meeter_.doubt();  // places are off by one doubt, and rounded
     const auto meet = [&](KeptId s, KeptId t) {
       if (!are_apart(kept_[s], kept_[t], doubt)) meeter_.meet(std::min(s, t), std::max(s, t));
@@ -177,8 +178,8 @@ void join_crossings(std::uint64_t most, Cancellation& cancellation, ArrangementS
 
 }  // namespace
 
-void find_crossings(const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
-                    Arrangement& arrangement) {
+void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
+                    ArrangementScratch& scratch, Arrangement& arrangement) {
   constexpr std::uint64_t kUnitsOfItem = 16;  // an item meets some others, in 150 ns
   Cancellation& cancellation = predicates.cancellation();
   const auto& kept = arrangement.kept;
@@ -187,7 +188,7 @@ void find_crossings(const SumSettings& options, Predicates& predicates, Arrangem
   start_forest(scratch.parent, 2 * kept.size(), cancellation);
   start_forest(scratch.line_parent, kept.size(), cancellation);
   const std::size_t tasks =
-      scratch.covered ? tasks_for(kUnitsOfItem * scratch.in_cells.size(), cancellation) : 1;
+      scratch.by_cells ? tasks_for(kUnitsOfItem * scratch.in_cells.size(), cancellation) : 1;
   scratch.meetings.resize(tasks);
   for (Meetings& part : scratch.meetings) {
     part.crossings.clear();
@@ -198,10 +199,10 @@ void find_crossings(const SumSettings& options, Predicates& predicates, Arrangem
   share_decisions(tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
     CrossingFinder finder(options, decide, scratch.meeting[member], scratch, kept,
                           scratch.meetings[task], tasks == 1);
-    if (scratch.covered) {
+    if (scratch.by_cells) {
       finder.solve_cells(first_cell(scratch, task, tasks), first_cell(scratch, task + 1, tasks));
     } else {
-      finder.solve_all();
+      finder.solve_all(scratch.covered ? &cover : nullptr);
     }
   });
   join_crossings(most_crossings(options.limits), cancellation, scratch);

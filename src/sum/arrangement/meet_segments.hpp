@@ -40,6 +40,8 @@ class SegmentMeeter {
 
   /// Sets the part in which points are wanted from now on.
   void enter(const PlanePart& part) { part_ = part; }
+  /// Sets a cover, in whose cells no points are wanted; null if nothing is covered.
+  void hide(const Cover* cover) { cover_ = cover; }
   /// Unites ends of s and t that coincide, and adds crossings and events. s must be less than t.
   /// O(1): at most four orientations.
   void meet(KeptId s, KeptId t);
@@ -97,7 +99,10 @@ class SegmentMeeter {
   [[nodiscard]] Parameter crossing_parameter(KeptId s, const Sides& of_s, KeptId t);
   [[nodiscard]] Parameter from_kernel(KeptId s, const PointOnSegment& point);
   [[nodiscard]] bool mine(const Vec<double>& p, double error) const {
-    return !(error < slack_ / 2) || part_.contains(p);
+    return !(error < slack_ / 2) || (part_.contains(p) && (cover_ == nullptr || !is_hidden(p)));
+  }
+  [[nodiscard]] bool is_hidden(const Vec<double>& p) const {
+    return cover_->is_covered(cover_->grid.column(p.x), cover_->grid.row(p.y));
   }
   /// Returns an infinite error if doubles are not trusted. Then the kernel decides every order.
   [[nodiscard]] double doubted(double error) const { return trust_ ? error : HUGE_VAL; }
@@ -119,6 +124,7 @@ class SegmentMeeter {
   bool exact_;  ///< whether cross products have no rounding
   bool trust_;
   PlanePart part_;
+  const Cover* cover_ = nullptr;
 };
 
 }  // namespace minksum

@@ -37,6 +37,16 @@ class Bitmap {
   [[nodiscard]] bool get(std::int32_t i, std::int32_t j) const {
     return ((row(j)[i >> 6] >> (i & 63)) & 1) != 0;
   }
+  /// Calls visit(word, bits) for the words of row j that hold the columns from `left` to `right`,
+  /// with the bits of these columns.
+  template <class Visit>
+  void visit_words(std::int32_t j, std::int32_t left, std::int32_t right, Visit visit) const {
+    for (std::int32_t first = left; first <= right; first = (first | 63) + 1) {
+      const std::int32_t last = std::min(right, first | 63);
+      visit(first >> 6, row(j)[first >> 6],
+            ~std::uint64_t{0} >> (63 - (last - first)) << (first & 63));
+    }
+  }
   void set(std::int32_t i, std::int32_t j) { row(j)[i >> 6] |= std::uint64_t{1} << (i & 63); }
 
  private:

@@ -20,8 +20,11 @@ static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 constexpr double kSegment = 38;    ///< a segment, for each binary digit of their number
 constexpr double kNearPair = 100;  ///< two whose boxes overlap
 constexpr double kCrossing = 800;
-// In cells these three take longer. Each row of cells that a segment passes has a price as well,
-// and so has every sum in cells.
+/// The same if the pair may be hidden: then all pairs are met, and points in covered cells left
+/// out. With 150 to 300, sums took as long.
+constexpr double kNearPairUnderCover = 200;
+// In cells the first three take longer. Each row of cells that a segment passes has a price as
+// well, and so has every sum in cells.
 constexpr double kInCells = 1.15;
 constexpr double kRowOfSegment = 110;
 constexpr double kLeastInCells = 10000;
@@ -86,6 +89,25 @@ void inherit(const Bitmap& coarse, Bitmap& fine) {
   }
 }
 
+/// What it takes to arrange what a cover leaves, if crossings are looked for cell by cell, or among
+/// all pairs of segments.
+struct ArrangementPrice {
+  double by_cells;
+  double by_pairs;
+};
+ArrangementPrice price_of_arrangement(const Operands& operands, double segments,
+                                      const UniformGrid& grid, const Visibility& left) {
+  const double rational = operands.kernel->rung() == Arithmetic::kArbitrary ? kRational : 1;
+  const double visible = left.share * segments;
+  const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(visible)));
+  const double lines = rational * (kSegment * visible * digits + kCrossing * left.crossings);
+  const double near = lines + kNearPair * left.near_in_uncovered;
+  if (left.rows == 0) return {.by_cells = HUGE_VAL, .by_pairs = near};
+  const double rows = std::min(left.rows, static_cast<double>(grid.size()) / 2);
+  return {.by_cells = kInCells * near + kRowOfSegment * rows + kLeastInCells,
+          .by_pairs = lines + kNearPairUnderCover * left.near_pairs};
+}
+
 /// Buys grids, each twice as fine as the one before, and marks the cells that translates cover.
 ///
 /// Narrow shapes have no cells inside until cells are small, so finer grids are bought as long as
@@ -111,6 +133,7 @@ class GridBuyer {
     mark(side, true);
     left_ = see();
     buy_parallelograms();
+    cover_.by_cells = pays_by_cells(operands_, segments_, cover_.grid, left_);
   }
   /// Buys grids from one of `side` cells along the longer side on, as long as that pays. Keeps the
   /// one that leaves least, or none.
@@ -162,6 +185,7 @@ class GridBuyer {
     cover_.grid = best_grid;
     cover_.active = best_is_active;
     cover_.by_translates = best_by_translates;
+    cover_.by_cells = pays_by_cells(operands_, segments_, best_grid, best);
   }
 
  private:
@@ -190,14 +214,8 @@ class GridBuyer {
     return look(operands_, sample_, cover_, cancellation_, scratch_);
   }
   [[nodiscard]] double price_of(const Visibility& left) const {
-    const double rational = operands_.kernel->rung() == Arithmetic::kArbitrary ? kRational : 1;
-    const double visible = left.share * segments_;
-    const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(visible)));
-    const double price = rational * (kSegment * visible * digits + kCrossing * left.crossings) +
-                         kNearPair * left.near_pairs;
-    if (left.rows == 0) return price;
-    const double rows = std::min(left.rows, static_cast<double>(cover_.grid.size()) / 2);
-    return kInCells * price + kRowOfSegment * rows + kLeastInCells;
+    const ArrangementPrice price = price_of_arrangement(operands_, segments_, cover_.grid, left);
+    return std::min(price.by_cells, price.by_pairs);
   }
   /// What rasterising both operands takes.
   [[nodiscard]] double price_of_rasters(const UniformGrid& grid) const {
@@ -216,7 +234,8 @@ class GridBuyer {
   }
   void buy_parallelograms() {
     const double rows = choose_long_edges(operands_, cover_.grid, scratch_);
-    const Visibility meetings{.near_pairs = left_.near_pairs, .crossings = left_.crossings};
+    const Visibility meetings{.near_in_uncovered = left_.near_in_uncovered,
+                              .crossings = left_.crossings};
     const double price = kRowOfParallelogram * rows;
     if (price > kMostOfWhatIsLeft * price_of(meetings)) return;
     if (!parallelograms_help_ && spent_ + price > kMostInVain * price_of(meetings)) return;
@@ -242,6 +261,12 @@ class GridBuyer {
 };
 
 }  // namespace
+
+bool pays_by_cells(const Operands& operands, double segments, const UniformGrid& grid,
+                   const Visibility& left) {
+  const ArrangementPrice price = price_of_arrangement(operands, segments, grid, left);
+  return price.by_cells < price.by_pairs;
+}
 
 void cover_interior(const Operands& operands, const SumSettings& options,
                     Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,

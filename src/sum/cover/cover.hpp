@@ -26,6 +26,7 @@ struct Cover {
   bool active = false;        ///< whether cells may be covered; if false, none is
   Bitmap covered;             ///< of the grid's size if active
   bool by_translates = true;  ///< whether only translates have marked cells
+  bool by_cells = true;       ///< whether crossings are to be looked for cell by cell
 
   [[nodiscard]] std::uint64_t covered_count() const;
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
@@ -78,11 +79,11 @@ struct OperandRaster {
 
 /// An estimate of what a cover leaves of the segments.
 struct Visibility {
-  double share = 0;       ///< share of segments that touch an uncovered cell
-  double near_pairs = 0;  ///< number of pairs of these whose boxes overlap, with the middle of the
-                          ///< overlap in an uncovered cell
-  double crossings = 0;   ///< number of crossings in uncovered cells
-  double rows = 0;        ///< number of rows of cells that visible segments pass; 0 without cells
+  double share = 0;              ///< share of segments that touch an uncovered cell
+  double near_pairs = 0;         ///< number of pairs of these whose boxes overlap
+  double near_in_uncovered = 0;  ///< of these, with the middle of the overlap in an uncovered cell
+  double crossings = 0;          ///< number of crossings in uncovered cells
+  double rows = 0;  ///< number of rows of cells that visible segments pass; 0 without cells
 };
 
 /// A segment in doubles.
@@ -141,6 +142,10 @@ struct Sample {
 [[nodiscard]] double lines_compared(double visible);
 /// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
 /// segments, so that crossings are found even if few segments are visible.
+/// Tells whether the crossings of what a cover leaves of so many segments are found sooner cell by
+/// cell than among all pairs.
+[[nodiscard]] bool pays_by_cells(const Operands& operands, double segments, const UniformGrid& grid,
+                                 const Visibility& left);
 [[nodiscard]] Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
                               Cancellation& cancellation, CoverScratch& scratch);
 

@@ -14,11 +14,10 @@ bool is_visible(const Line& line, const Cover& cover) {
   if (!cover.active) return true;
   bool visible = false;
   cover.grid.walk_rows(line.start, line.end, UniformGrid::kMargin, [&](const auto& span) {
-    for (std::int32_t i = span.left; i <= span.right && !visible; i = (i | 63) + 1) {
-      const std::int32_t last = std::min(span.right, i | 63);
-      const std::uint64_t wanted = ~std::uint64_t{0} >> (63 - (last - i)) << (i & 63);
-      visible = (wanted & ~cover.covered.row(span.row)[i >> 6]) != 0;
-    }
+    cover.covered.visit_words(span.row, span.left, span.right,
+                              [&](std::int32_t, std::uint64_t covered, std::uint64_t wanted) {
+                                visible = visible || (wanted & ~covered) != 0;
+                              });
     return !visible;
   });
   return visible;
@@ -26,11 +25,12 @@ bool is_visible(const Line& line, const Cover& cover) {
 
 struct MeetingsSeen {
   std::uint64_t near_pairs = 0;
+  std::uint64_t near_in_uncovered = 0;
   std::uint64_t crossings = 0;
 };
 
-/// Counts the pairs of lines whose boxes overlap, if the middle of the overlap is in an uncovered
-/// cell. Counts crossings in uncovered cells as well, but not those at ends.
+/// Counts the pairs of lines whose boxes overlap, also those with the middle of the overlap in an
+/// uncovered cell, and crossings in uncovered cells, but not those at ends.
 MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
                             CoverScratch& scratch) {
   constexpr double kEnd = 0x1p-20;
@@ -45,10 +45,11 @@ MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
                             std::max(a.y, b.y)};
     for (std::size_t j = 0; j < boxes.size(); ++j) {
       if (!box.meets(boxes[j])) continue;
+      ++count.near_pairs;
       const BoxOf<double>& other = boxes[j];
       if (is_uncovered((std::max(box.x0, other.x0) + std::min(box.x1, other.x1)) / 2,
                        (std::max(box.y0, other.y0) + std::min(box.y1, other.y1)) / 2)) {
-        ++count.near_pairs;
+        ++count.near_in_uncovered;
       }
       const auto& [c, d] = lines[j];
       const Vec<double> u{b.x - a.x, b.y - a.y};
@@ -163,6 +164,7 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   const MeetingsSeen meetings = count_meetings({visible.data(), count}, cover, scratch);
   const double all = left / static_cast<double>(count);
   seen.near_pairs = static_cast<double>(meetings.near_pairs) * all * all;
+  seen.near_in_uncovered = static_cast<double>(meetings.near_in_uncovered) * all * all;
   seen.crossings = static_cast<double>(meetings.crossings) * all * all;
   return seen;
 }

@@ -64,6 +64,7 @@ void cover_interior(const Operands& operands, const SharedRaster& shared,
   const auto size = static_cast<double>(convolution.size);
   const Visibility seen =
       look(operands, take_sample(convolution, scratch), cover, cancellation, scratch);
+  cover.by_cells = pays_by_cells(operands, size, cover.grid, seen);
   if (!cover.covered.has_any() || seen.share * size > 1.5 * shared.visible + 0.1 * size ||
       seen.crossings > 2 * shared.crossings + 0.5 * size) {
     cover_without();
