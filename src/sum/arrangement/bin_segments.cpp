@@ -176,26 +176,12 @@ class Binner {
     }
   }
 
-  template <class Visit>
-  void visit_words(const UniformGrid::RowSpan& span, Visit visit) const {
-    cover_.covered.visit_words(span.row, span.left, span.right, visit);
-  }
   /// Returns whether a segment is near an uncovered cell. Notes whether it is near a covered one.
   bool is_visible(KeptSegment& s, Cancellation& cancellation) const {
-    std::uint64_t any_covered = 0;
-    std::uint64_t any_uncovered = 0;
-    std::uint64_t rows = 0;
-    grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, [&](const UniformGrid::RowSpan& span) {
-      visit_words(span, [&](std::int32_t, std::uint64_t covered, std::uint64_t wanted) {
-        any_covered |= covered & wanted;
-        any_uncovered |= wanted & ~covered;
-      });
-      ++rows;
-      return any_covered == 0 || any_uncovered == 0;
-    });
-    s.meets_cover = any_covered != 0;
-    cancellation.check(1 + rows);
-    return any_uncovered != 0;
+    const CellsNear near = cells_near(cover_, {s.a, s.b}, Until::kBoth);
+    s.meets_cover = near.covered;
+    cancellation.check(1 + std::uint64_t{near.rows});
+    return near.uncovered;
   }
   /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
   bool list_cells(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s, KeptId id,
@@ -205,12 +191,14 @@ class Binner {
     const CellLine line(s, grid_.inverse);
     const auto visit = [&](const UniformGrid::RowSpan& span) {
       std::uint64_t any_covered = 0;
-      visit_words(span, [&](std::int32_t word, std::uint64_t covered, std::uint64_t wanted) {
-        any_covered |= covered & wanted;
-        for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
-          append(items, item(id, line, span, 64 * word + std::countr_zero(bits)), cancellation);
-        }
-      });
+      cover_.covered.visit_words(
+          span.row, span.left, span.right,
+          [&](std::int32_t word, std::uint64_t covered, std::uint64_t wanted) {
+            any_covered |= covered & wanted;
+            for (std::uint64_t bits = wanted & ~covered; bits != 0; bits &= bits - 1) {
+              append(items, item(id, line, span, 64 * word + std::countr_zero(bits)), cancellation);
+            }
+          });
       ++rows;
       s.meets_cover = s.meets_cover || any_covered != 0;
       return true;

@@ -215,17 +215,12 @@ class Splitter {
   [[nodiscard]] bool is_covered(const Vec<double>& a, const Vec<double>& b,
                                 Cancellation& cancellation) const {
     if (!cover_.active) return false;
-    bool covered = false;
-    cancellation.check(1 + static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) *
-                                                      cover_.grid.inverse));
-    // The walk takes cells within kMargin of the piece, and covered cells have three times that
-    // margin inside the sum. So a walk that meets a covered cell has met a point of the piece
-    // inside the sum (up to rounding, which is far less).
-    cover_.grid.walk(a, b, 0, [&](std::int32_t i, std::int32_t j) {
-      covered = cover_.is_covered(i, j);
-      return !covered;
-    });
-    return covered;
+    // Cells near the piece are within twice kMargin of it, and covered cells have three times that
+    // margin inside the sum. So if one is covered, a point of the piece is inside the sum (up to
+    // rounding, which is far less).
+    const CellsNear near = cells_near(cover_, {a, b}, Until::kCovered);
+    cancellation.check(1 + std::uint64_t{near.rows});
+    return near.covered;
   }
 
   /// Adds a piece. One of several equal pieces is kept, and none of opposite ones.

@@ -142,6 +142,15 @@ struct Sample {
 [[nodiscard]] double lines_compared(double visible);
 /// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
 /// segments, so that crossings are found even if few segments are visible.
+/// What cells a line is near, as far as it was followed.
+struct CellsNear {
+  bool covered = false;
+  bool uncovered = false;
+  std::uint32_t rows = 0;  ///< that were looked at
+};
+enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
+/// Follows a line until a covered cell is found, an uncovered one, or both.
+[[nodiscard]] CellsNear cells_near(const Cover& cover, const Line& line, Until until);
 /// Tells whether the crossings of what a cover leaves of so many segments are found sooner cell by
 /// cell than among all pairs.
 [[nodiscard]] bool pays_by_cells(const Operands& operands, double segments, const UniformGrid& grid,

@@ -9,20 +9,6 @@
 namespace minksum {
 namespace {
 
-/// Whether a line touches an uncovered cell.
-bool is_visible(const Line& line, const Cover& cover) {
-  if (!cover.active) return true;
-  bool visible = false;
-  cover.grid.walk_rows(line.start, line.end, UniformGrid::kMargin, [&](const auto& span) {
-    cover.covered.visit_words(span.row, span.left, span.right,
-                              [&](std::int32_t, std::uint64_t covered, std::uint64_t wanted) {
-                                visible = visible || (wanted & ~covered) != 0;
-                              });
-    return !visible;
-  });
-  return visible;
-}
-
 struct MeetingsSeen {
   std::uint64_t near_pairs = 0;
   std::uint64_t near_in_uncovered = 0;
@@ -68,6 +54,21 @@ MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
 }
 
 }  // namespace
+
+CellsNear cells_near(const Cover& cover, const Line& line, Until until) {
+  CellsNear near;
+  cover.grid.walk_rows(line.start, line.end, UniformGrid::kMargin, [&](const auto& span) {
+    cover.covered.visit_words(span.row, span.left, span.right,
+                              [&](std::int32_t, std::uint64_t covered, std::uint64_t wanted) {
+                                near.covered |= (covered & wanted) != 0;
+                                near.uncovered |= (wanted & ~covered) != 0;
+                              });
+    ++near.rows;
+    return (until != Until::kCovered && !near.uncovered) ||
+           (until != Until::kUncovered && !near.covered);
+  });
+  return near;
+}
 
 Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
   // The number follows from the size of the convolution, because its list may be a sample already.
@@ -134,7 +135,7 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
     const Vec<double> b = at(operands.sites.next[segment.edge]);
     const Vec<double> q = at(segment.vertex);
     const Line line{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}};
-    if (!is_visible(line, cover)) return;
+    if (cover.active && !cells_near(cover, line, Until::kUncovered).uncovered) return;
     visible.push_back(line);
     if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
   };
