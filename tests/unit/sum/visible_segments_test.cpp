@@ -1,4 +1,5 @@
-// Tests that few listed segments with many hidden ones give the same sum as all segments.
+// Tests that few listed segments with many hidden ones give the same sum as all segments, and that
+// crossings are the same cell by cell and among all pairs.
 #include "sum/arrangement/visible_segments.hpp"
 
 #include <gtest/gtest.h>
@@ -45,14 +46,15 @@ struct Covered {
   }
 };
 
-/// Runs the pipeline after the cover.
-Region sum_of(const Covered& c, const Convolution& convolution) {
+/// Runs the pipeline after the cover. Crossings are looked for cell by cell, or among all pairs.
+Region sum_of(const Covered& c, const Convolution& convolution, bool by_cells) {
   Cancellation never;
   Predicates predicates(c.operands.sites, *c.operands.kernel, c.operands.bounds, never);
   ArrangementScratch arrangement_scratch;
   Arrangement arrangement;
-  arrange(c.operands, convolution, c.cover, c.options, predicates, arrangement_scratch,
-          arrangement);
+  Cover cover = c.cover;
+  cover.by_cells = by_cells;
+  arrange(c.operands, convolution, cover, c.options, predicates, arrangement_scratch, arrangement);
   LoopScratch loop_scratch;
   Loops loops;
   find_loops(c.operands, arrangement, never, loop_scratch, loops);
@@ -107,12 +109,15 @@ std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) 
 /// Compares for a cover that has cells and for which only a sample was listed.
 bool compare(const Covered& c, const std::string& what, std::size_t& hidden) {
   EXPECT_EQ(check(c.sample, c.operands, false), std::nullopt) << what;
+  const Region sum = sum_of(c, c.all, true);
+  EXPECT_TRUE(sum_of(c, c.all, false) == sum) << what;
   if (c.sample.listed()) {
     EXPECT_EQ(c.sample.segments, c.all.segments) << what;
     return false;
   }
   hidden += expect_others_are_hidden(c, what);
-  EXPECT_TRUE(sum_of(c, c.sample) == sum_of(c, c.all)) << what;
+  EXPECT_TRUE(sum_of(c, c.sample, true) == sum) << what;
+  EXPECT_TRUE(sum_of(c, c.sample, false) == sum) << what;
   return true;
 }
 
