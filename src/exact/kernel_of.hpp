@@ -120,6 +120,7 @@ class KernelOf : public ExactKernel {
   void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
 
  protected:
+  /// Returns a copy with numbers of another type, or a reference if the type is the same.
   template <class To, class From>
   static decltype(auto) as(const Vec<From>& v) {
     if constexpr (std::is_same_v<To, From>) {
@@ -189,7 +190,7 @@ class KernelOf : public ExactKernel {
     const auto t = minksum::crossing_parameter(d, big(minus(start(node.second), start(node.first))),
                                                big(direction(node.second.edge)));
     Fraction lambda = t.numerator / t.denominator;
-    // Otherwise the terms have the same denominators many times over.
+    // Terms that are not integers have the same denominators many times over.
     const bool integers = t.numerator.is_integer() && t.denominator.is_integer();
     if (!integers) lambda = lambda.reduced();
     return {at.x + d.x * lambda, at.y + d.y * lambda};

@@ -54,7 +54,8 @@ struct Scaled {
 
  private:
   static constexpr int kMostAtOnce = 1022;
-  /// Returns 2^-exponent, or 2^-1022 if that is less. It takes a tenth of the time of std::ldexp.
+  /// Returns 2^-exponent, or 2^-1022 if that is less. Before, std::ldexp took 15 % of a sum with an
+  /// operand of size 10^150.
   static double power_of_half(int exponent) {
     const int biased = 1023 - std::min(exponent, kMostAtOnce);
     return std::bit_cast<double>(static_cast<std::uint64_t>(biased) << 52);

@@ -145,7 +145,8 @@ SegmentMeeter::LineOffset SegmentMeeter::offset_of(KeptId segment) const {
   const KeptSegment& s = kept_[segment];
   const double length = std::sqrt(s.d.x * s.d.x + s.d.y * s.d.y);
   const bool goes_left = s.d.x != 0 ? s.d.x < 0 : s.d.y < 0;
-  // Squares may have underflowed.
+  // The squares of a shorter vector may have lost digits to underflow. Then its offset says
+  // nothing.
   if (length < 0x1p-400) return {0, HUGE_VAL};
   const double error = extent_ * (0x1p-49 + 4 * bounds_.direction);
   return {cross(s.d, s.a) / (goes_left ? -length : length), error + 2 * bounds_.difference};

@@ -13,15 +13,16 @@ namespace {
 constexpr int kMaxSide = 4096;
 static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
-// Prices are in words moved; moving a word takes some 0.14 ns. The first six were chosen among some
-// twenty sets of prices, by what 220 pairs of shapes took, and compared with the prices before on
-// 368 other pairs. Four of five of 410 sums took 0.67 to 2.3 times their price without cells, and
-// four of five of 253 took 0.87 to 3.2 times their price in cells.
+// Prices are in words moved; moving a word takes some 0.14 ns. The prices from `kSegment` to
+// `kLeastInCells`, without `kNearPairUnderCover`, were chosen among some twenty sets, by what 220
+// pairs of shapes took, and compared with the prices before on 368 other pairs. Four of five of 410
+// sums took 0.67 to 2.3 times their price without cells, and four of five of 253 took 0.87 to 3.2
+// times their price in cells.
 constexpr double kSegment = 38;    ///< a segment, for each binary digit of their number
 constexpr double kNearPair = 100;  ///< two whose boxes overlap
 constexpr double kCrossing = 800;
-/// The same if the pair may be hidden: then all pairs are met, and points in covered cells left
-/// out. With 150 to 300, sums took as long.
+/// Two whose boxes overlap, if all pairs are met and points in covered cells are left out. It was
+/// chosen later. With 150 to 250, 220 sums took as long.
 constexpr double kNearPairUnderCover = 200;
 // In cells the first three take longer. Each row of cells that a segment passes has a price as
 // well, and so has every sum in cells.

@@ -19,9 +19,8 @@ Int128 power(int exp2, int exp10) {
 
 /// The grid that both operands share, and the factors that bring their coordinates to it.
 struct CommonGrid {
-  bool exists = false;
   bool fits = false;  ///< whether fixed-width arithmetic holds the coordinates
-  GridUnit unit;
+  GridUnit unit;      ///< 1 if there is no common grid
   std::array<Int128, 2> factor{1, 1};
   int bits = 0;
 };
@@ -36,7 +35,6 @@ CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q,
   common.unit = {std::min(p.grid.unit.exp2, q.grid.unit.exp2),
                  std::min(p.grid.unit.exp10, q.grid.unit.exp10),
                  static_cast<std::int64_t>(divisor)};
-  common.exists = true;
   if (options.arithmetic == Arithmetic::kArbitrary) return common;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const GridCoordinates& grid = i == 0 ? p.grid : q.grid;
@@ -222,7 +220,7 @@ void join_sites(const PreparedOperand& p, const PreparedOperand& q, const SumSet
   if (common.fits) {
     join_on_grid(p, q, common, options, o);
   } else {
-    join_rationals(p, q, common.exists ? common.unit : GridUnit{}, cancellation, o);
+    join_rationals(p, q, common.unit, cancellation, o);
   }
   if (!options.filter) o.bounds = RoundingBounds::distrustful(o.bounds.magnitude);
   const std::size_t n = o.scratch.kept[0].size() + o.scratch.kept[1].size();
