@@ -10,6 +10,8 @@ set(CMAKE_CXX_FLAGS_RELEASE "-Oz -finline-functions -DNDEBUG" CACHE STRING "" FO
 set(CMAKE_C_FLAGS_INIT "-fwasm-exceptions")
 set(CMAKE_CXX_FLAGS_INIT
   "-fwasm-exceptions -msimd128 -include ${CMAKE_CURRENT_LIST_DIR}/wasm/standard.hpp")
+# Boost's errors name source files. The module must not depend on the folder that it is built in.
+string(APPEND CMAKE_CXX_FLAGS_INIT " -fmacro-prefix-map=${CMAKE_BINARY_DIR}/=")
 # GoogleTest asks for less by itself, which that header cannot complete.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_EXE_LINKER_FLAGS_INIT
