@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "machine/threads.hpp"
-
 namespace minksum {
 namespace {
 

@@ -6,7 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "machine/cancellation.hpp"
+#include "machine/make_room.hpp"
+#include "machine/threads.hpp"
 
 namespace minksum {
 
@@ -45,11 +46,11 @@ class Team {
 /// Returns into how many tasks to divide so many units of work (see Cancellation); 1 if one thread
 /// does it all. No result may depend on this number.
 [[nodiscard]] inline std::size_t tasks_for(std::uint64_t units, const Cancellation& cancellation) {
-  return cancellation.team() == nullptr ? 1 : cancellation.team()->tasks_for(units);
+  return !kHasThreads || cancellation.team() == nullptr ? 1 : cancellation.team()->tasks_for(units);
 }
 /// Returns how many members `share` has: each `member` is less.
 [[nodiscard]] inline std::size_t members_of(const Cancellation& cancellation) {
-  return cancellation.team() == nullptr ? 1 : cancellation.team()->size();
+  return !kHasThreads || cancellation.team() == nullptr ? 1 : cancellation.team()->size();
 }
 /// Returns where the task begins if `size` elements are divided into so many tasks.
 [[nodiscard]] constexpr std::size_t begin_of(std::size_t task, std::size_t tasks,
@@ -66,7 +67,7 @@ class Team {
 /// the tasks that were begun end, and the error of the first of these tasks is passed on.
 template <class Work>
 void share(std::size_t tasks, Cancellation& cancellation, Work work) {
-  if (tasks <= 1 || cancellation.team() == nullptr) {
+  if (!kHasThreads || tasks <= 1 || cancellation.team() == nullptr) {
     for (std::size_t task = 0; task < tasks; ++task) work(task, std::size_t{0}, cancellation);
   } else {
     cancellation.team()->run(tasks, cancellation, std::ref(work));

@@ -13,6 +13,14 @@
 
 namespace minksum {
 
+/// Whether threads can start. Without them, what only they need is left out of the module for
+/// WebAssembly.
+#if defined(__wasm__) && !defined(_REENTRANT)
+inline constexpr bool kHasThreads = false;
+#else
+inline constexpr bool kHasThreads = true;
+#endif
+
 /// Blocks all signals in this thread. Signals from outside are for the threads of the library's
 /// user.
 inline void block_signals_in_this_thread() {
@@ -25,6 +33,7 @@ inline void block_signals_in_this_thread() {
 
 /// Returns how many threads `threads` means: 0 means one for each core.
 [[nodiscard]] inline std::size_t thread_count(int threads) {
+  if constexpr (!kHasThreads) return 1;
   return threads > 0 ? static_cast<std::size_t>(threads)
                      : std::max(1U, std::thread::hardware_concurrency());
 }
