@@ -74,4 +74,18 @@ void share(std::size_t tasks, Cancellation& cancellation, Work work) {
   }
 }
 
+/// Calls visit(i, cancellation) for all i < size, some at a time on different threads if that pays.
+/// Each takes `units` of work that nobody counts.
+template <class Visit>
+void share_each(std::size_t size, std::uint64_t units, Cancellation& cancellation, Visit visit) {
+  const std::size_t tasks = tasks_for(units * size, cancellation);
+  share(tasks, cancellation, [&](std::size_t task, std::size_t, Cancellation& own) {
+    const std::size_t first = begin_of(task, tasks, size);
+    in_pieces(begin_of(task + 1, tasks, size) - first, own,
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = first + begin; i < first + end; ++i) visit(i, own);
+              });
+  });
+}
+
 }  // namespace minksum

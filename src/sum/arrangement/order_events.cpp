@@ -43,21 +43,17 @@ class EventOrder {
   void order() {
     constexpr std::uint64_t kUnitsOfEvent = 8;
     const std::size_t lines = scratch_.line_count;
-    const std::size_t tasks =
-        tasks_for(kUnitsOfEvent * scratch_.sorted_events.size(), cancellation_);
+    const std::uint64_t units = kUnitsOfEvent * scratch_.sorted_events.size();
     auto& done = scratch_.ordered;
-    if (tasks == 1) {
+    if (tasks_for(units, cancellation_) == 1) {
       in_pieces(lines, cancellation_, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) order(static_cast<KeptId>(s), Ordered::kNot);
       });
       return;
     }
     resize_in_pieces(done, lines, cancellation_);
-    share(tasks, cancellation_, [&](std::size_t task, std::size_t, Cancellation& own) {
-      const std::size_t end = begin_of(task + 1, tasks, lines);
-      for (std::size_t s = begin_of(task, tasks, lines); s < end; ++s) {
-        done[s] = order_if_clear(static_cast<KeptId>(s), own);
-      }
+    share_each(lines, units / lines + 1, cancellation_, [&](std::size_t s, Cancellation& own) {
+      done[s] = order_if_clear(static_cast<KeptId>(s), own);
     });
     in_pieces(lines, cancellation_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {

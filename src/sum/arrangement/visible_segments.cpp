@@ -42,8 +42,7 @@ class CoveredBlocks {
     const auto i1 = static_cast<std::int32_t>(edge.box.x1 + vertex.x);
     const auto j1 = static_cast<std::int32_t>(edge.box.y1 + vertex.y);
     const auto spread = static_cast<std::uint32_t>((i1 - i0) | (j1 - j0));
-    const auto level =
-        std::min(static_cast<std::size_t>(std::bit_width(spread)), bits_.size() - 1);
+    const auto level = std::min(static_cast<std::size_t>(std::bit_width(spread)), bits_.size() - 1);
     // Rows have room for a column more than the grid has.
     const auto word = static_cast<std::size_t>(std::min(j0, last_row_)) * words_ +
                       static_cast<std::size_t>(i0 >> 6);
@@ -309,18 +308,18 @@ void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& 
     visit_in_pieces(search.found, cancellation,
                     [&](const Segment& s) { ordered[place[s.vertex]++] = s; });
   }
-  for (std::size_t i = 0; i < ordered.size();) {
-    const SiteId v = ordered[i].vertex;
-    const std::size_t end = place[v];
+  // Now place[v] is where the segments of v end.
+  constexpr std::uint64_t kUnitsOfSegment = 16;  // it is compared with some others
+  const std::uint64_t units = kUnitsOfSegment * count / o.size();
+  share_each(o.size(), units, cancellation, [&](std::size_t v, Cancellation& own) {
     const auto before = [&](const Segment& a, const Segment& b) {
       const DirectionRank way_a = circle.way(scratch.ranges[v].from, o.rank[a.edge]);
       const DirectionRank way_b = circle.way(scratch.ranges[v].from, o.rank[b.edge]);
       return way_a != way_b ? way_a < way_b : a.edge < b.edge;
     };
-    sort_in_pieces(ordered.begin() + static_cast<std::ptrdiff_t>(i),
-                   ordered.begin() + static_cast<std::ptrdiff_t>(end), cancellation, before);
-    i = end;
-  }
+    sort_in_pieces(ordered.begin() + (v == 0 ? 0 : place[v - 1]), ordered.begin() + place[v], own,
+                   before);
+  });
 }
 
 std::span<const Segment> list_visible(std::span<const Segment> segments, const Cover& cover,
