@@ -138,7 +138,6 @@ struct LinePosition {
   double line;
   double from;
   double to;
-  DirectionRank rank;
   KeptId id;
 };
 
@@ -162,13 +161,19 @@ struct alignas(64) MeetingScratch {
   CrowdScratch crowds;
 };
 
-/// Memory for joining.
-struct JoinScratch {
-  std::vector<SiteId> edge_of_rank;
-  std::vector<LinePosition> places;
-  std::vector<KeptSegment> members;
+/// What was joined in some of the directions.
+struct alignas(64) JoinedPart {  // threads fill neighbours: each needs cache lines of its own
   std::vector<KeptSegment> result;
+  std::vector<KeptSegment> members;
   std::vector<JoinedSegments> joined;
+};
+
+/// What was joined in all directions, and memory for joining.
+struct JoinScratch : JoinedPart {
+  std::vector<SiteId> edge_of_rank;
+  std::vector<LinePosition> places;          ///< direction by direction, and then along lines
+  std::vector<std::uint32_t> begin_of_rank;  ///< in `places`
+  std::vector<JoinedPart> parts;             ///< of all tasks but the first
 };
 
 /// Memory for binning.
