@@ -13,7 +13,8 @@ namespace minksum {
 /// counted by themselves, and then added: their number does not depend on the threads.
 template <class Work>
 void share_decisions(std::size_t tasks, Predicates& predicates, Work work) {
-  if (tasks <= 1) return work(std::size_t{0}, std::size_t{0}, predicates);
+  if (tasks == 0) return;
+  if (tasks == 1) return work(std::size_t{0}, std::size_t{0}, predicates);
   std::vector<LadderCounts> counts(tasks);
   share(tasks, predicates.cancellation(),
         [&](std::size_t task, std::size_t member, Cancellation& own) {

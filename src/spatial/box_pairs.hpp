@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "machine/cancellation.hpp"
+#include "machine/team.hpp"
 
 namespace minksum {
 
@@ -56,25 +56,35 @@ class BoxPairs {
                               units(x1 * scale_x_ + 1.5), units(y1 * scale_y_ + 1.5)});
   }
 
-  /// The most pairs for each box that `for_each` takes.
+  /// The most pairs for each box that may be visited.
   struct Most {
     double in_x = HUGE_VAL;      ///< pairs that overlap in x
     double overlaps = HUGE_VAL;  ///< pairs that overlap, as far as a sample tells
   };
 
+  /// Prepares visits, once all boxes are added. Returns false if there are too many pairs. Then
+  /// none may be visited.
+  [[nodiscard]] bool sort(Cancellation& cancellation, const Most& most) {
+    if (are_few()) return true;
+    sort_by_columns();
+    pairs_in_columns_ = count_in_columns();
+    cancellation.check(4 * scratch_.boxes.size());
+    return !are_too_many(most);
+  }
+  /// Returns how many units of work visiting all pairs is about (see Cancellation).
+  [[nodiscard]] std::size_t units_of_visits() const {
+    return scratch_.boxes.size() + pairs_in_columns_ / 2;
+  }
   /// Calls visit(a, b) once for each pair of boxes that overlap, and for some that nearly do. With
   /// `neighbours_touch`, a pair of boxes that were added one right after the other may be left out.
-  /// If there are too many pairs, visits none and returns false.
+  /// Of so many tasks, which may run at the same time, this one visits its share of the pairs.
   template <class Visit>
-  bool for_each(Visit visit, Cancellation& cancellation, const Most& most, bool neighbours_touch) {
-    if (scratch_.boxes.size() <= kFew) {
-      for_each_of_few(visit, neighbours_touch ? 2 : 1);
-      return true;
+  void for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch,
+                std::size_t task = 0, std::size_t tasks = 1) const {
+    if (are_few()) {
+      if (task == 0) for_each_of_few(visit, neighbours_touch ? 2 : 1);
+      return;
     }
-    sort();
-    cancellation.check(4 * scratch_.boxes.size());
-    if (are_too_many(most)) return false;
-    const std::size_t count = scratch_.boxes.size();
     const auto visit_pairs_of = [&](std::size_t i) {
       const BoxPairScratch::Box box = scratch_.in_order[i];
       const std::size_t end = scratch_.column_end[column(box.right)];
@@ -92,14 +102,14 @@ class BoxPairs {
       }
       return j - i;
     };
-    for (std::size_t i = 0; i < count;) {
-      const std::size_t end = std::min(i + kCountedAtOnce, count);
+    const std::size_t last = begin_of(task + 1, tasks, scratch_.boxes.size());
+    for (std::size_t i = begin_of(task, tasks, scratch_.boxes.size()); i < last;) {
+      const std::size_t end = std::min(i + kCountedAtOnce, last);
       std::size_t passed = 0;
       for (; i < end; ++i) passed += visit_pairs_of(i);
       // Some of the boxes that are passed overlap, and visiting them takes longer.
       cancellation.check(kCountedAtOnce + passed / 2);
     }
-    return true;
   }
 
  private:
@@ -117,12 +127,13 @@ class BoxPairs {
   static double least_extent(double width, double height, double doubt) {
     return std::max({width * 0x1p-24, height * 0x1p-24, doubt * 0x1p18, 0x1p-900});
   }
+  [[nodiscard]] bool are_few() const { return scratch_.boxes.size() <= kFew; }
   static std::int16_t units(double value) {
     return static_cast<std::int16_t>(
         std::clamp(static_cast<std::int32_t>(value), 0, static_cast<std::int32_t>(kUnits) + 2));
   }
   template <class Visit>
-  void for_each_of_few(Visit visit, std::size_t first_step) {
+  void for_each_of_few(Visit visit, std::size_t first_step) const {
     const auto& boxes = scratch_.boxes;
     const std::size_t count = boxes.size();
     std::array<std::array<std::int16_t, kFew + kLanes>, 4> sides;
@@ -180,9 +191,8 @@ class BoxPairs {
   }
 
   [[nodiscard]] bool are_too_many(const Most& most) const {
-    if (most.in_x == HUGE_VAL && most.overlaps == HUGE_VAL) return false;
     const double in_x =
-        static_cast<double>(count_in_columns()) / static_cast<double>(scratch_.boxes.size());
+        static_cast<double>(pairs_in_columns_) / static_cast<double>(scratch_.boxes.size());
     return in_x > most.in_x || (in_x > most.overlaps && estimate_overlaps() > most.overlaps);
   }
   /// Estimates from a sample with how many boxes after it a box overlaps, on average.
@@ -203,7 +213,7 @@ class BoxPairs {
     return static_cast<double>(overlaps) / kSampled;
   }
 
-  void sort() {
+  void sort_by_columns() {
     const auto& boxes = scratch_.boxes;
     const std::size_t count = boxes.size();
     const std::size_t columns = std::clamp<std::size_t>(std::bit_ceil(count), 16, 4096);
@@ -231,6 +241,7 @@ class BoxPairs {
   double scale_y_;
   BoxPairScratch& scratch_;
   int shift_ = 0;
+  std::size_t pairs_in_columns_ = 0;
 };
 
 }  // namespace minksum

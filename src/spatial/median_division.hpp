@@ -42,6 +42,13 @@ bool cut_segment(const Vec<double>& a, const Vec<double>& b, double at, double s
   return true;
 }
 
+/// A part of the plane that is still to be divided, with its items.
+struct UndividedPart {
+  BoxOf<double> part;
+  int poor;  ///< how many poor divisions are still allowed
+  std::vector<BoxedSegment> items;
+};
+
 /// Divides a crowd of segments at medians, along x or y, until few are left in each part, or
 /// dividing does not pay. Boxes are cut to each part.
 ///
@@ -68,6 +75,21 @@ class MedianDivision {
 
   /// Divides all items. Afterwards, only their order has changed.
   void divide(const BoxOf<double>& part) { divide(0, items_.size(), part, kMaxPoor); }
+  /// Does the same, but lists crowds, and parts with at most so many items, in the order in which
+  /// they would be handled. Nothing is handled.
+  void split(const BoxOf<double>& part, std::size_t most, std::vector<UndividedPart>& undivided) {
+    most_undivided_ = std::max(most, kFew);
+    undivided_ = &undivided;
+    divide(part);
+    undivided_ = nullptr;
+    most_undivided_ = 0;
+  }
+  /// Divides what `split` has left.
+  void divide(UndividedPart& undivided) {
+    items_.swap(undivided.items);
+    divide(0, items_.size(), undivided.part, undivided.poor);
+    items_.clear();
+  }
 
   /// Cuts an item's box to a part. Returns false if nothing of the segment is within the slack.
   [[nodiscard]] bool cut_to(const BoxOf<double>& part, BoxedSegment& item) const {
@@ -150,14 +172,17 @@ class MedianDivision {
   void divide(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
     const std::size_t count = end - begin;
     if (count < 2 || !user_.enter(begin, end, part)) return;
+    if (count <= most_undivided_) return put_off(begin, end, part, poor);
     if (count <= kFew) return user_.meet_few(begin, end);
     const BoxOf<double> box = bounds_of(begin, end);
+    const auto meet_or_put_off = [&] {
+      if (undivided_ != nullptr) return put_off(begin, end, part, poor);
+      user_.meet_crowd(begin, end, box);
+    };
     const Axis longer = box.longer();
     // Within a few slacks, each half would hold nearly all.
     constexpr double kLeastSlacks = 64;
-    if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) {
-      return user_.meet_crowd(begin, end, box);
-    }
+    if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) return meet_or_put_off();
     Division best = division(begin, end, longer);
     const bool is_good = best.in_both < count / 6;
     if (!is_good) {
@@ -168,7 +193,7 @@ class MedianDivision {
     const bool is_useless = best.in_less < count / 16 || best.in_both > count * 3 / 4;
     const bool is_poor = best.in_both > count * 2 / 5;
     if (is_useless || (is_poor && (poor == 0 || user_.is_sorted_soon(begin, end, box)))) {
-      return user_.meet_crowd(begin, end, box);
+      return meet_or_put_off();
     }
     const int left = std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0));
     for (const bool low : {true, false}) {
@@ -182,6 +207,13 @@ class MedianDivision {
       divide(end, items_.size(), half, left);
       items_.resize(end);
     }
+  }
+  /// Lists a part, whose handling then begins again.
+  void put_off(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
+    undivided_->push_back({part, poor, {}});
+    auto& items = undivided_->back().items;
+    items.reserve(end - begin);
+    visit(begin, end, [&](const BoxedSegment& item) { items.push_back(item); });
   }
   /// Puts what is on one side of axis = at on top of the stack.
   template <Axis axis>
@@ -197,6 +229,8 @@ class MedianDivision {
   std::vector<BoxedSegment>& items_;
   double slack_;
   Cancellation& cancellation_;
+  std::vector<UndividedPart>* undivided_ = nullptr;  ///< where parts are listed, if they are
+  std::size_t most_undivided_ = 0;
 };
 
 }  // namespace minksum

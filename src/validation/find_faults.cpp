@@ -83,11 +83,13 @@ class ContactFinder {
       pairs.add(std::min(x[e], x[f]), std::min(y[e], y[f]), std::max(x[e], x[f]),
                 std::max(y[e], y[f]));
     }
-    return pairs.for_each(
+    if (!pairs.sort(cancellation_, {.in_x = static_cast<double>(most)})) return false;
+    pairs.for_each(
         [&](SiteId e, SiteId f) {
           if (!list_.full()) contact(std::min(e, f), std::max(e, f));
         },
-        cancellation_, {.in_x = static_cast<double>(most)}, true);
+        cancellation_, true);
+    return true;
   }
   /// Tests the suspect edges with all edges, cell by cell.
   void compare_in_cells(const Vec<double>& extent) {

@@ -19,6 +19,12 @@ void CrowdFinder::solve(const PlanePart& part) {
   items_.clear();
 }
 
+void CrowdFinder::split(const PlanePart& part, std::size_t most,
+                        std::vector<UndividedPart>& undivided) {
+  division_.split(part, most, undivided);
+  items_.clear();
+}
+
 void CrowdFinder::meet_few(std::size_t begin, std::size_t end) {
   cancellation_.check(end - begin);
   for (std::size_t i = begin + 1; i < end; ++i) {

@@ -36,6 +36,9 @@ class CrowdFinder {
   void add(KeptId segment, const PlanePart& part);
   /// Meets the segments that were added, and forgets them.
   void solve(const PlanePart& part);
+  /// Does the same, but lists parts of at most so many segments, which `solve` meets.
+  void split(const PlanePart& part, std::size_t most, std::vector<UndividedPart>& undivided);
+  void solve(UndividedPart& undivided) { division_.divide(undivided); }
 
  private:
   using Division = MedianDivision<CrowdFinder>;

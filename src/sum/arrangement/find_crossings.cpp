@@ -15,7 +15,7 @@ class CrossingFinder {
  public:
   CrossingFinder(const SumSettings& options, Predicates& predicates, MeetingScratch& memory,
                  ArrangementScratch& scratch, const std::vector<KeptSegment>& kept,
-                 Meetings& meetings, bool alone)
+                 Meetings& meetings, const Cover* hidden, bool alone)
       : grid_(scratch.grid),
         cancellation_(predicates.cancellation()),
         scratch_(scratch),
@@ -24,26 +24,30 @@ class CrossingFinder {
         meeter_(std::max(scratch.extent.x, scratch.extent.y), options, predicates, scratch, kept,
                 meetings, alone),
         crowds_(std::max(scratch.extent.x, scratch.extent.y), kept, meeter_, memory.crowds,
-                cancellation_) {}
+                cancellation_) {
+    meeter_.hide(hidden);
+  }
 
-  /// Meets all segments, and leaves out what they share in covered cells.
-  void solve_all(const Cover* cover) {
-    const std::span lines(kept_.data(), scratch_.line_count);
-    BoxPairs pairs(scratch_.extent.x, scratch_.extent.y, meeter_.doubt(), scratch_.pairs);
-    visit_in_pieces(lines, cancellation_, [&](const KeptSegment& s) {
-      pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
-                std::max(s.a.y, s.b.y));
-    });
+  /// Meets this task's pairs of boxes.
+  void solve_pairs(const BoxPairs& pairs, std::size_t task, std::size_t tasks) {
     meeter_.enter({});
-    meeter_.hide(cover);
     const double doubt = 4 * meeter_.doubt();  // places are off by one doubt, and rounded
     const auto meet = [&](KeptId s, KeptId t) {
       if (!are_apart(kept_[s], kept_[t], doubt)) meeter_.meet(std::min(s, t), std::max(s, t));
     };
-    if (pairs.for_each(meet, cancellation_, kMostPairs, false)) return;
-    for (KeptId s = 0; s < lines.size(); ++s) crowds_.add(s, {});
+    pairs.for_each(meet, cancellation_, false, task, tasks);
+  }
+  /// Meets all segments.
+  void solve_crowd() {
+    add_all();
     crowds_.solve({});
   }
+  /// Does the same, but lists parts of the plane of at most so many segments, for `solve_part`.
+  void split_crowd(std::size_t most) {
+    add_all();
+    crowds_.split({}, most, scratch_.undivided);
+  }
+  void solve_part(UndividedPart& part) { crowds_.solve(part); }
   /// Meets the segments of the cells [begin, end) of those that have items.
   void solve_cells(std::size_t begin, std::size_t end) {
     std::uint32_t first = begin == 0 ? 0 : scratch_.cell_end[scratch_.cells[begin - 1]];
@@ -65,11 +69,6 @@ class CrossingFinder {
   // Meeting so many pairs for each segment costs as much as dividing: some 200 steps a segment, and
   // 50 a pair.
   static constexpr std::size_t kPairsPerSegment = 4;
-  // With 25 overlaps and 137 pairs in x for each segment, comparing all boxes took as long as
-  // dividing the crowd. With 7 and 39 it took half as long, and with 75 and 356 twice as long. The
-  // limit in x alone is for long boxes above one another, which hardly overlap.
-  static constexpr BoxPairs::Most kMostPairs{.in_x = 400, .overlaps = 24};
-
   /// Tells whether the boxes of two segments are farther apart than `doubt`. Those of BoxPairs are
   /// coarse where segments are short beside the sum.
   [[nodiscard]] static bool are_apart(const KeptSegment& s, const KeptSegment& t, double doubt) {
@@ -79,6 +78,9 @@ class CrossingFinder {
     return std::max(gap(s.a.x, s.b.x, t.a.x, t.b.x), gap(s.a.y, s.b.y, t.a.y, t.b.y)) > doubt;
   }
 
+  void add_all() {
+    for (KeptId s = 0; s < scratch_.line_count; ++s) crowds_.add(s, {});
+  }
   void solve_cell(Items items, std::int32_t column, std::int32_t row) {
     cancellation_.check();
     if (items.size() < 2) return;
@@ -130,6 +132,20 @@ class CrossingFinder {
   CrowdFinder crowds_;
 };
 
+/// Lists the boxes of all segments. Returns false if too many of them overlap.
+bool list_boxes(std::span<const KeptSegment> segments, Cancellation& cancellation,
+                BoxPairs& pairs) {
+  // With 25 overlaps and 137 pairs in x for each segment, comparing all boxes took as long as
+  // dividing the crowd. With 7 and 39 it took half as long, and with 75 and 356 twice as long. The
+  // limit in x alone is for long boxes above one another, which hardly overlap.
+  constexpr BoxPairs::Most kMostPairs{.in_x = 400, .overlaps = 24};
+  visit_in_pieces(segments, cancellation, [&](const KeptSegment& s) {
+    pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
+              std::max(s.a.y, s.b.y));
+  });
+  return pairs.sort(cancellation, kMostPairs);
+}
+
 /// Makes each element its own root.
 void start_forest(std::vector<std::uint32_t>& parent, std::size_t size,
                   Cancellation& cancellation) {
@@ -180,31 +196,55 @@ void join_crossings(std::uint64_t most, Cancellation& cancellation, ArrangementS
 
 void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
                     ArrangementScratch& scratch, Arrangement& arrangement) {
-  constexpr std::uint64_t kUnitsOfItem = 16;  // an item meets some others, in 150 ns
+  constexpr std::uint64_t kUnitsOfItem = 16;       // an item meets some others, in 150 ns
+  constexpr std::uint64_t kUnitsInCrowd = 1 << 9;  // a segment is divided and meets others, in 5 us
   Cancellation& cancellation = predicates.cancellation();
   const auto& kept = arrangement.kept;
+  const bool by_cells = scratch.by_cells;
   scratch.parent.clear();
   make_room(scratch.parent, 3 * kept.size(), cancellation);  // crossings follow
   start_forest(scratch.parent, 2 * kept.size(), cancellation);
   start_forest(scratch.line_parent, kept.size(), cancellation);
-  const std::size_t tasks =
-      scratch.by_cells ? tasks_for(kUnitsOfItem * scratch.in_cells.size(), cancellation) : 1;
-  scratch.meetings.resize(tasks);
-  for (Meetings& part : scratch.meetings) {
-    part.crossings.clear();
-    part.events.clear();
-    part.lines_shared = false;
-  }
   scratch.meeting.resize(std::max(scratch.meeting.size(), members_of(cancellation)));
-  share_decisions(tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
-    CrossingFinder finder(options, decide, scratch.meeting[member], scratch, kept,
-                          scratch.meetings[task], tasks == 1);
-    if (scratch.by_cells) {
-      finder.solve_cells(first_cell(scratch, task, tasks), first_cell(scratch, task + 1, tasks));
-    } else {
-      finder.solve_all(scratch.covered ? &cover : nullptr);
+  // Calls solve(finder, task) for each task. Each has meetings of its own.
+  const auto solve_tasks = [&](std::size_t tasks, auto solve) {
+    scratch.meetings.resize(std::max<std::size_t>(tasks, 1));
+    for (Meetings& part : scratch.meetings) {
+      part.crossings.clear();
+      part.events.clear();
+      part.lines_shared = false;
     }
-  });
+    share_decisions(
+        tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
+          CrossingFinder finder(options, decide, scratch.meeting[member], scratch, kept,
+                                scratch.meetings[task],
+                                scratch.covered && !by_cells ? &cover : nullptr, tasks == 1);
+          solve(finder, task);
+        });
+  };
+  BoxPairs pairs(scratch.extent.x, scratch.extent.y, predicates.bounds().position, scratch.pairs);
+  if (by_cells) {
+    const std::size_t tasks = tasks_for(kUnitsOfItem * scratch.in_cells.size(), cancellation);
+    solve_tasks(tasks, [&](CrossingFinder& finder, std::size_t task) {
+      finder.solve_cells(first_cell(scratch, task, tasks), first_cell(scratch, task + 1, tasks));
+    });
+  } else if (list_boxes(std::span(kept.data(), scratch.line_count), cancellation, pairs)) {
+    const std::size_t tasks = tasks_for(pairs.units_of_visits(), cancellation);
+    solve_tasks(tasks, [&](CrossingFinder& finder, std::size_t task) {
+      finder.solve_pairs(pairs, task, tasks);
+    });
+  } else if (const std::size_t tasks = tasks_for(kUnitsInCrowd * scratch.line_count, cancellation);
+             tasks == 1) {
+    solve_tasks(1, [](CrossingFinder& finder, std::size_t) { finder.solve_crowd(); });
+  } else {
+    scratch.undivided.clear();
+    solve_tasks(1, [&](CrossingFinder& finder, std::size_t) {
+      finder.split_crowd(scratch.line_count / tasks);
+    });
+    solve_tasks(scratch.undivided.size(), [&](CrossingFinder& finder, std::size_t task) {
+      finder.solve_part(scratch.undivided[task]);
+    });
+  }
   join_crossings(most_crossings(options.limits), cancellation, scratch);
   scratch.lines_shared = std::ranges::any_of(scratch.meetings, &Meetings::lines_shared);
   arrangement.crossings = scratch.crossings.size();
