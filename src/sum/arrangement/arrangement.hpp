@@ -112,6 +112,16 @@ struct alignas(64) Meetings {  // threads fill neighbours: each needs cache line
   bool lines_shared = false;  ///< whether segments are known to be on one line
 };
 
+/// A piece between two roots of points.
+struct FoundPiece {
+  std::uint32_t from_root;
+  std::uint32_t to_root;
+  KeptId maker;
+};
+struct alignas(64) FoundPieces {  // threads fill neighbours: each needs cache lines of its own
+  std::vector<FoundPiece> pieces;
+};
+
 /// A piece's link in the list of pieces that share its lower node.
 struct ListedPiece {
   PieceId next;
@@ -209,8 +219,9 @@ struct ArrangementScratch {
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
   enum class Ordered : std::uint8_t { kNot, kRoughly, kWholly };
-  std::vector<Ordered> ordered;        ///< by kept segment: its events, where threads order them
-  std::vector<std::uint8_t> left_out;  ///< by possible piece, where threads decide
+  std::vector<Ordered> ordered;  ///< by kept segment: its events, where threads order them
+  std::vector<std::uint32_t> root_of_node;  ///< a point for each node
+  std::vector<FoundPieces> found_pieces;    ///< by task, where threads find them
   std::vector<std::uint32_t> parent;
   std::vector<std::uint32_t> line_parent;  ///< a forest of segments known to be on one line
   bool lines_shared = false;               ///< whether segments are known to be on one line
@@ -287,24 +298,25 @@ inline void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint
   if (a < b) parent[b] = a;
   if (b < a) parent[a] = b;
 }
-/// Does the same while other threads do it, too. The roots depend on what is united, not on when:
-/// a link always leads from a root to a smaller point.
-inline void unite_shared(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+/// Does what `find_root` does, while other threads do it and unite trees.
+inline std::uint32_t find_shared_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {
   constexpr auto kRelaxed = std::memory_order_relaxed;  // nothing but links is read before all end
-  const auto link = [&](std::uint32_t point) { return std::atomic_ref(parent[point]); };
-  const auto root = [&](std::uint32_t point) {
-    while (true) {
-      const std::uint32_t up = link(point).load(kRelaxed);
-      if (up == point) return point;
-      const std::uint32_t further = link(up).load(kRelaxed);
-      if (further != up) link(point).store(further, kRelaxed);
-      point = further;
-    }
-  };
-  while ((a = root(a)) != (b = root(b))) {
+  const auto link = [&](std::uint32_t at) { return std::atomic_ref(parent[at]); };
+  while (true) {
+    const std::uint32_t up = link(point).load(kRelaxed);
+    if (up == point) return point;
+    const std::uint32_t further = link(up).load(kRelaxed);
+    if (further != up) link(point).store(further, kRelaxed);
+    point = further;
+  }
+}
+/// Does what `unite` does, while other threads do it, too. The roots depend on what is united, not
+/// on when: a link always leads from a root to a smaller point.
+inline void unite_shared(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+  while ((a = find_shared_root(parent, a)) != (b = find_shared_root(parent, b))) {
     std::uint32_t expected = std::max(a, b);
-    const std::uint32_t smaller = std::min(a, b);
-    if (link(expected).compare_exchange_strong(expected, smaller, kRelaxed)) return;
+    const std::atomic_ref link(parent[expected]);
+    if (link.compare_exchange_strong(expected, std::min(a, b), std::memory_order_relaxed)) return;
   }
 }
 

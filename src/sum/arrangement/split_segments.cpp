@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/share_decisions.hpp"
 #include "machine/make_room.hpp"
-#include "machine/team.hpp"
 #include "sum/arrangement/order_events.hpp"
 
 namespace minksum {
@@ -28,7 +28,7 @@ class Splitter {
 
   void run() {
     order_events(predicates_, scratch_, result_);
-    result_.nodes.clear();
+    scratch_.root_of_node.clear();
     result_.pieces.clear();
     if (may_coincide_) {
       assign_in_pieces(scratch_.first_piece, scratch_.parent.size(), kNoPiece, cancellation_);
@@ -36,18 +36,18 @@ class Splitter {
     scratch_.next_piece.clear();
     // So lists seldom move. Memory that is not used costs nothing.
     const std::size_t most = scratch_.line_count + scratch_.sorted_events.size();
-    make_room(result_.nodes, most, cancellation_);
+    make_room(scratch_.root_of_node, most, cancellation_);
     make_room(result_.pieces, most, cancellation_);
     if (may_coincide_) make_room(scratch_.next_piece, most, cancellation_);
     assign_in_pieces(scratch_.node_of_point, scratch_.parent.size(), kNoNode, cancellation_);
-    decide_pieces();
-    for (KeptId s = 0; s < scratch_.line_count; ++s) cut(s);
+    cut_all();
     result_.slits.clear();
     result_.crowded.clear();
     if (tight_wanted_) {
       list_slits();
       list_crowded();
     }
+    make_nodes();
     drop_cancelled();
   }
 
@@ -57,11 +57,17 @@ class Splitter {
   NodeId node_of(std::uint32_t root) {
     NodeId& id = scratch_.node_of_point[root];
     if (id == kNoNode) {
-      id = static_cast<NodeId>(result_.nodes.size());
-      make_room(result_.nodes, 1, cancellation_);
-      make_node(root, result_.nodes.emplace_back());
+      id = static_cast<NodeId>(scratch_.root_of_node.size());
+      append(scratch_.root_of_node, root, cancellation_);
     }
     return id;
+  }
+  void make_nodes() {
+    constexpr std::uint64_t kUnitsOfNode = 8;  // what it is made from may not be in the cache
+    const auto& roots = scratch_.root_of_node;
+    resize_in_pieces(result_.nodes, roots.size(), cancellation_);
+    share_each(roots.size(), kUnitsOfNode, cancellation_,
+               [&](std::size_t i, Cancellation&) { make_node(roots[i], result_.nodes[i]); });
   }
   /// Writes a node in its place. Copying a node whose parts were just written would have to wait
   /// for these.
@@ -92,7 +98,6 @@ class Splitter {
     std::uint32_t to_root = 0;
     Vec<double> from_at{};
     Vec<double> to_at{};
-    std::size_t index = 0;  ///< its number among those of all segments
   };
   /// Calls visit(stretch) for each stretch of a segment between points that differ. `root` returns
   /// the root of a point.
@@ -103,7 +108,6 @@ class Splitter {
     at.from = {0, 0, s, 2 * s};
     at.from_root = root(at.from.point);
     at.from_at = k.a;
-    at.index = std::size_t{scratch_.event_begin[s]} + s;
     const auto go_to = [&](const Event& event, const Vec<double>& place) {
       at.to_root = root(event.point);
       if (at.to_root != at.from_root) {
@@ -114,7 +118,6 @@ class Splitter {
         at.from_root = at.to_root;
         at.from_at = place;
       }
-      ++at.index;
     };
     for (const Event& event : events_of(s)) {
       go_to(event, {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
@@ -129,69 +132,76 @@ class Splitter {
     return is_inside(s, at.from.point, at.to.point) ||
            (result_.kept[s].meets_cover && is_covered(at.from_at, at.to_at, cancellation));
   }
-  /// Lists which pieces are left out, if that is worth several threads.
-  void decide_pieces() {
+  /// Cuts all segments. Threads list pieces, if that is worth it, and this one numbers them.
+  void cut_all() {
     constexpr std::uint64_t kUnitsOfPiece = 16;  // a walk along some cells
-    auto& left_out = scratch_.left_out;
-    left_out.clear();
-    const std::size_t pieces = scratch_.sorted_events.size() + scratch_.line_count;
-    const std::size_t tasks = tasks_for(kUnitsOfPiece * pieces, cancellation_);
-    if (tasks == 1) return;
-    resize_in_pieces(left_out, pieces, cancellation_);
-    const auto root = [&](std::uint32_t point) {
-      while (scratch_.parent[point] != point) point = scratch_.parent[point];
-      return point;
-    };
-    share(tasks, cancellation_, [&](std::size_t task, std::size_t, Cancellation& own) {
-      const std::size_t end = begin_of(task + 1, tasks, scratch_.line_count);
-      for (std::size_t i = begin_of(task, tasks, scratch_.line_count); i < end; ++i) {
-        const auto s = static_cast<KeptId>(i);
-        own.check();
-        if (is_whole(s)) continue;
-        visit_stretches(s, root, [&](const Stretch& at) {
-          own.check();
-          left_out[at.index] = is_left_out(s, at, own) ? 1 : 0;
-        });
+    const std::size_t lines = scratch_.line_count;
+    const std::size_t tasks =
+        tasks_for(kUnitsOfPiece * (scratch_.sorted_events.size() + lines), cancellation_);
+    if (tasks == 1) {
+      const auto root = [&](std::uint32_t point) { return find_root(scratch_.parent, point); };
+      const auto add = [&](const FoundPiece& piece) { add_piece(piece); };
+      for (KeptId s = 0; s < lines; ++s) cut(s, predicates_, root, add);
+      return;
+    }
+    auto& found = scratch_.found_pieces;
+    found.resize(std::max(found.size(), tasks));
+    share_decisions(tasks, predicates_, [&](std::size_t task, std::size_t, Predicates& decide) {
+      auto& pieces = found[task].pieces;
+      pieces.clear();
+      const auto root = [&](std::uint32_t point) {
+        return find_shared_root(scratch_.parent, point);
+      };
+      const auto add = [&](const FoundPiece& piece) {
+        append(pieces, piece, decide.cancellation());
+      };
+      const std::size_t end = begin_of(task + 1, tasks, lines);
+      for (std::size_t s = begin_of(task, tasks, lines); s < end; ++s) {
+        cut(static_cast<KeptId>(s), decide, root, add);
       }
     });
+    for (std::size_t task = 0; task < tasks; ++task) {
+      visit_in_pieces(found[task].pieces, cancellation_,
+                      [&](const FoundPiece& piece) { add_piece(piece); });
+    }
   }
 
-  /// Cuts one segment into pieces. It leaves out pieces inside the sum, such as those that run
-  /// through covered cells, because they are not boundary.
-  void cut(KeptId s) {
-    const auto root = [&](std::uint32_t point) { return find_root(scratch_.parent, point); };
+  /// Cuts one segment into pieces, and calls visit(piece) for each. It leaves out pieces inside the
+  /// sum, such as those that run through covered cells, because they are not boundary. `root`
+  /// returns the root of a point.
+  template <class Root, class Visit>
+  void cut(KeptId s, Predicates& decide, Root root, Visit visit) const {
+    Cancellation& cancellation = decide.cancellation();
+    cancellation.check();
     if (is_whole(s)) {
       const std::uint32_t from = root(2 * s);
       const std::uint32_t to = root(2 * s + 1);
-      if (to == from) return;
-      const NodeId from_node = node_of(from);
-      return add_piece(from_node, node_of(to), s);
+      if (to != from) visit(FoundPiece{from, to, s});
+      return;
     }
     const KeptSegment& k = result_.kept[s];
     KeptId maker = k.joined == 0 ? s : scratch_.join.joined[k.joined - 1].first;
     visit_stretches(s, root, [&](const Stretch& at) {
-      cancellation_.check();
-      const bool left_out = scratch_.left_out.empty() ? is_left_out(s, at, cancellation_)
-                                                      : scratch_.left_out[at.index] != 0;
-      if (left_out) return;
-      if (k.joined != 0) maker = member_after(s, at.from, maker);
-      const NodeId from_node = node_of(at.from_root);
-      add_piece(from_node, node_of(at.to_root), maker);
+      cancellation.check();
+      if (is_left_out(s, at, cancellation)) return;
+      if (k.joined != 0) maker = member_after(s, at.from, maker, decide);
+      visit(FoundPiece{at.from_root, at.to_root, maker});
     });
   }
   /// Returns the first member of a joined segment, from `member` on, that goes on after a point.
   /// (The member starts at the point or before, because members overlap.)
-  KeptId member_after(KeptId s, const Event& from, KeptId member) {
+  [[nodiscard]] KeptId member_after(KeptId s, const Event& from, KeptId member,
+                                    Predicates& decide) const {
     const KeptSegment& k = result_.kept[s];
     const KeptId end = scratch_.join.joined[k.joined - 1].end;
     const bool by_x = std::abs(k.d.x) >= std::abs(k.d.y);
     for (; member + 1 < end; ++member) {
-      cancellation_.check();
+      decide.cancellation().check();
       const KeptSegment& m = result_.kept[member];
       const double lambda = by_x ? (m.b.x - k.a.x) / k.d.x : (m.b.y - k.a.y) / k.d.y;
-      const PointOnSegment point{false, {}, predicates_.end_vertex(m.segment)};
-      if (predicates_.compare_along(k.segment, lambda, 0x1p-50, point, from.lambda, from.error,
-                                    points_.on(s, from.point)) == kPositive) {
+      const PointOnSegment point{false, {}, decide.end_vertex(m.segment)};
+      if (decide.compare_along(k.segment, lambda, 0x1p-50, point, from.lambda, from.error,
+                               points_.on(s, from.point)) == kPositive) {
         break;
       }
     }
@@ -224,7 +234,10 @@ class Splitter {
   }
 
   /// Adds a piece. One of several equal pieces is kept, and none of opposite ones.
-  void add_piece(NodeId from, NodeId to, KeptId s) {
+  void add_piece(const FoundPiece& found) {
+    const NodeId from = node_of(found.from_root);
+    const NodeId to = node_of(found.to_root);
+    const KeptId s = found.maker;
     if (!may_coincide_) return append(result_.pieces, {from, to, s}, cancellation_);
     PieceId& list = scratch_.first_piece[std::min(from, to)];
     for (PieceId p = list; p != kNoPiece; p = scratch_.next_piece[p].next) {
