@@ -1,5 +1,9 @@
 #include "sum/loops/loops.hpp"
 
+#include <atomic>
+
+#include "machine/team.hpp"
+
 namespace minksum {
 namespace {
 
@@ -37,7 +41,8 @@ bool run_against(const Arrangement& arrangement, PieceId a, PieceId b) {
 /// Sets the successor of each piece, or none.
 void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
                  Cancellation& cancellation, LoopScratch& scratch) {
-  constexpr std::uint32_t kFew = 2;  // so few pieces leave no choice
+  constexpr std::uint32_t kFew = 2;           // so few pieces leave no choice
+  constexpr std::uint64_t kUnitsOfPiece = 4;  // its node's pieces may not be in the cache
   const auto& pieces = arrangement.pieces;
   auto& ends = scratch.ends;
   assign_in_pieces(ends, arrangement.nodes.size(), NodeEnds{}, cancellation);
@@ -50,32 +55,26 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
     }
   });
   resize_in_pieces(scratch.next, pieces.size(), cancellation);
-  bool any_choice = false;
-  in_pieces(pieces.size(), cancellation, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      const NodeEnds& at = ends[pieces[p].to];
-      any_choice |= at.degree > kFew;
-      // The only piece to go on with may run back over this one.
-      const bool ahead =
-          at.out != kNoPiece && !run_against(arrangement, static_cast<PieceId>(p), at.out);
-      scratch.next[p] = ahead ? at.out : kNoPiece;
-    }
+  std::atomic<bool> any_choice = false;
+  share_each(pieces.size(), kUnitsOfPiece, cancellation, [&](std::size_t p, Cancellation&) {
+    const NodeEnds& at = ends[pieces[p].to];
+    if (at.degree > kFew) any_choice.store(true, std::memory_order_relaxed);
+    // The only piece to go on with may run back over this one.
+    const bool ahead =
+        at.out != kNoPiece && !run_against(arrangement, static_cast<PieceId>(p), at.out);
+    scratch.next[p] = ahead ? at.out : kNoPiece;
   });
   if (!any_choice) return;
   list_incidence(
       arrangement, circle, [&](PieceId, NodeId node) { return ends[node].degree > kFew; },
       cancellation, scratch.incidence);
-  const auto choose_at = [&](NodeId node) {
-    const std::span<const Spoke> spokes = scratch.incidence.at(node);
+  share_each(ends.size(), kUnitsOfPiece, cancellation, [&](std::size_t node, Cancellation& own) {
+    if (ends[node].degree <= kFew) return;
+    const std::span<const Spoke> spokes = scratch.incidence.at(static_cast<NodeId>(node));
     for (const Spoke& spoke : spokes) {
       if (!spoke.incoming()) continue;
-      cancellation.check(1 + spokes.size());
+      own.check(1 + spokes.size());
       scratch.next[spoke.piece()] = successor(spoke, spokes, circle);
-    }
-  };
-  in_pieces(ends.size(), cancellation, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t node = begin; node < end; ++node) {
-      if (ends[node].degree > kFew) choose_at(static_cast<NodeId>(node));
     }
   });
 }
