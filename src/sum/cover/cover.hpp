@@ -13,7 +13,7 @@
 #include "spatial/box.hpp"
 #include "spatial/uniform_grid.hpp"
 #include "sum/convolution/convolution.hpp"
-#include "sum/cover/bitmap.hpp"
+#include "sum/cover/member_bitmaps.hpp"
 
 namespace minksum {
 
@@ -92,24 +92,24 @@ struct Line {
   Vec<double> end;
 };
 
-/// What a helping thread covers, to be united with what the others cover.
-struct SpreadScratch {
-  Bitmap covered;
-  bool used = false;  ///< whether `covered` has been cleared for this cover
-  std::vector<std::uint64_t> row;
+/// A line of the sample, and whether it is seen: it is near an uncovered cell.
+struct LookedAt {
+  Line line;
+  bool seen;
 };
 
 /// Memory for the stage.
 struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< for inner loops; the result does not depend on it
   OperandRaster raster[2];
-  Bitmap boundary;                     ///< cells that an operand's boundary may touch
+  Bitmap boundary[2];                  ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
-  std::vector<SpreadScratch> helpers;  ///< by thread but the calling one
+  std::vector<HelperBitmap> helpers;   ///< by thread but the calling one
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;
+  std::vector<LookedAt> looked_at;
   std::vector<Line> visible;         ///< the lines of the sample's visible segments
   std::vector<BoxOf<double>> boxes;  ///< of some of these lines
   Bitmap known;                      ///< cells that were covered on the grid before

@@ -68,7 +68,7 @@ void choose(const Operands& o, int operand, std::size_t count, double inverse,
 
 class ParallelogramRasteriser {
  public:
-  explicit ParallelogramRasteriser(Cover& cover) : cover_(cover) {}
+  explicit ParallelogramRasteriser(Bitmap& covered) : covered_(covered) {}
 
   void mark(const CellEdge& e, const std::vector<CellEdge>& others) {
     for (const CellEdge& f : others) mark(e, f);
@@ -89,7 +89,7 @@ class ParallelogramRasteriser {
     const double bottom = from.y + std::min(e.d.y, 0.0) + std::min(f.d.y, 0.0) + kMargin;
     const double top = from.y + std::max(e.d.y, 0.0) + std::max(f.d.y, 0.0) - kMargin;
     const auto first = static_cast<std::int32_t>(std::ceil(bottom));
-    const auto last = std::min(static_cast<std::int32_t>(std::floor(top)), cover_.grid.rows) - 1;
+    const auto last = std::min(static_cast<std::int32_t>(std::floor(top)), covered_.rows()) - 1;
     // A convex shape contains a box if it contains the box's corners.
     for (std::int32_t j = first; j <= last; ++j) {
       const double y0 = j - kMargin;
@@ -103,13 +103,13 @@ class ParallelogramRasteriser {
       const double x0 = std::max(left(along_e), left(along_f)) + kMargin;
       const double x1 = std::min(right(along_e), right(along_f)) - kMargin;
       if (x1 - x0 < 1) continue;
-      set_run(cover_.covered.row(j), static_cast<std::int32_t>(std::ceil(x0)),
+      set_run(covered_.row(j), static_cast<std::int32_t>(std::ceil(x0)),
               static_cast<std::int32_t>(std::floor(x1)) - 1);
     }
   }
 
  private:
-  Cover& cover_;
+  Bitmap& covered_;
 };
 
 }  // namespace
@@ -128,14 +128,27 @@ double choose_long_edges(const Operands& operands, const UniformGrid& grid, Cove
 }
 
 void cover_by_parallelograms(Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
-  ParallelogramRasteriser rasteriser(cover);
+  const std::vector<CellEdge>& first = scratch.long_edges[0];
+  const std::vector<CellEdge>& second = scratch.long_edges[1];
+  const auto rise = [](const CellEdge& e) { return 1 + std::abs(e.d.y); };
   double rows = 0;
-  for (const CellEdge& f : scratch.long_edges[1]) rows += 1 + std::abs(f.d.y);
-  for (const CellEdge& e : scratch.long_edges[0]) {
-    const double more = std::abs(e.d.y) * static_cast<double>(scratch.long_edges[1].size());
-    cancellation.check(static_cast<std::uint64_t>(rows + more));
-    rasteriser.mark(e, scratch.long_edges[1]);
-  }
+  for (const CellEdge& f : second) rows += rise(f);
+  const auto work = [&](const CellEdge& e) {
+    return static_cast<std::uint64_t>(rows + rise(e) * static_cast<double>(second.size()));
+  };
+  std::uint64_t units = 0;
+  for (const CellEdge& e : first) units += work(e);
+  const std::size_t tasks = tasks_for(units, cancellation);
+  MemberBitmaps targets(cancellation, scratch.helpers, cover.covered);
+  share(tasks, cancellation, [&](std::size_t task, std::size_t member, Cancellation& own) {
+    ParallelogramRasteriser rasteriser(targets.of(member));
+    const std::size_t end = begin_of(task + 1, tasks, first.size());
+    for (std::size_t i = begin_of(task, tasks, first.size()); i < end; ++i) {
+      own.check(work(first[i]));
+      rasteriser.mark(first[i], second);
+    }
+  });
+  targets.unite();
 }
 
 }  // namespace minksum

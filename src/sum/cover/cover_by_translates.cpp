@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "machine/team.hpp"
 #include "sum/cover/run_spreader.hpp"
 
 namespace minksum {
@@ -20,6 +19,12 @@ struct SiteRange {
   SiteRange(const Operands& o, int operand)
       : begin(operand == 0 ? 0 : o.split), end(operand == 0 ? o.split : o.size()) {}
 };
+
+/// Returns the units of work of a walk along an edge: about one for each cell on its way.
+std::uint64_t work_of_walk(const Operands& o, SiteId e, const UniformGrid& grid) {
+  return static_cast<std::uint64_t>((std::abs(o.sites.dx[e]) + std::abs(o.sites.dy[e])) *
+                                    grid.inverse);
+}
 
 /// Fills rows by the even-odd rule: each bit becomes the parity of the toggles up to it.
 void fill_between_toggles(Bitmap& bitmap) {
@@ -64,7 +69,7 @@ class Rasteriser {
     for (SiteId e = sites_.begin; e < sites_.end; ++e) {
       const Vec<double> a = at(o_, e);
       const Vec<double> b = at(o_, o_.sites.next[e]);
-      cancellation_.check(2 + work_of_walk(e));
+      cancellation_.check(2 + work_of_walk(o_, e, grid_));
       grid_.walk(a, b, 4 * UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
         boundary_.set(i, j);
         return true;
@@ -112,12 +117,6 @@ class Rasteriser {
       const std::int32_t i = grid_.column(std::clamp(x, std::min(a.x, b.x), std::max(a.x, b.x)));
       inside_.row(j)[i >> 6] ^= std::uint64_t{1} << (i & 63);
     }
-  }
-
-  /// Returns the units of work of a walk along an edge: about one for each cell on its way.
-  [[nodiscard]] std::uint64_t work_of_walk(SiteId e) const {
-    return static_cast<std::uint64_t>((std::abs(o_.sites.dx[e]) + std::abs(o_.sites.dy[e])) *
-                                      grid_.inverse);
   }
 
   Cancellation& cancellation_;
@@ -215,7 +214,7 @@ std::uint64_t price_of(const OperandRaster& moved, const OperandRaster& by,
 
 /// Marks the cells that the interior of `moved` covers if points of the other operand move it.
 void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& cancellation,
-            CoverScratch& scratch, Cover& cover) {
+            CoverScratch& scratch, const MemberBitmaps& targets) {
   const auto spread_by = [&](const Bitmap& source, auto for_points) {
     RunSpreader spreader(source, scratch.vectors, scratch.widened);
     if (spreader.words() == 0) return;
@@ -236,11 +235,7 @@ void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& c
       if (tasks > 1) spreader.widen_for(longest);
     }
     share(tasks, cancellation, [&](std::size_t task, std::size_t member, Cancellation& own) {
-      if (member != 0 && !std::exchange(scratch.helpers[member - 1].used, true)) {
-        scratch.helpers[member - 1].covered.reset(cover.grid.columns, cover.grid.rows,
-                                                  cover.covered.words_per_row());
-      }
-      Bitmap& target = member == 0 ? cover.covered : scratch.helpers[member - 1].covered;
+      Bitmap& target = targets.of(member);
       const auto begin = [&](std::size_t i) {
         return static_cast<std::int32_t>(begin_of(i, tasks, static_cast<std::size_t>(all.last)));
       };
@@ -258,16 +253,10 @@ void spread(const OperandRaster& moved, const OperandRaster& by, Cancellation& c
 
 void spread_both(const OperandRaster& first, const OperandRaster& second,
                  Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
-  scratch.helpers.resize(std::max(scratch.helpers.size(), members_of(cancellation) - 1));
-  for (SpreadScratch& helper : scratch.helpers) helper.used = false;
-  spread(first, second, cancellation, scratch, cover);
-  spread(second, first, cancellation, scratch, cover);
-  for (const SpreadScratch& helper : scratch.helpers) {
-    if (!helper.used) continue;
-    for (std::size_t w = 0; w < cover.covered.words().size(); ++w) {
-      cover.covered.words()[w] |= helper.covered.words()[w];
-    }
-  }
+  MemberBitmaps targets(cancellation, scratch.helpers, cover.covered);
+  spread(first, second, cancellation, scratch, targets);
+  spread(second, first, cancellation, scratch, targets);
+  targets.unite();
 }
 
 }  // namespace
@@ -280,12 +269,18 @@ std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,
                         Cancellation& cancellation, CoverScratch& scratch) {
   auto& [first, second] = scratch.raster;
   const std::size_t words = words_per_row(grid.columns);
-  Rasteriser one(operands, 0, grid, words, scratch.boundary, cancellation, first);
-  Rasteriser other(operands, 1, grid, words, scratch.boundary, cancellation, second);
-  one.run();
-  other.run();
-  if (second.blocks.has_any()) one.sample_boundary();
-  if (first.blocks.has_any()) other.sample_boundary();
+  const auto rasteriser = [&](std::size_t operand, Cancellation& own) {
+    return Rasteriser(operands, static_cast<int>(operand), grid, words, scratch.boundary[operand],
+                      own, scratch.raster[operand]);
+  };
+  // Edges are walked along, and some passes go over all words.
+  std::uint64_t units = words * static_cast<std::uint64_t>(grid.rows) / 2;
+  for (SiteId e = 0; e < operands.size(); ++e) units += 2 + work_of_walk(operands, e, grid);
+  share_each(2, units / 2, cancellation,
+             [&](std::size_t operand, Cancellation& own) { rasteriser(operand, own).run(); });
+  share_each(2, units / 4, cancellation, [&](std::size_t operand, Cancellation& own) {
+    if (scratch.raster[1 - operand].blocks.has_any()) rasteriser(operand, own).sample_boundary();
+  });
   return price_of(first, second, scratch.row) + price_of(second, first, scratch.row);
 }
 
@@ -296,7 +291,7 @@ void spread_rasters(Cancellation& cancellation, CoverScratch& scratch, Cover& co
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
                          Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
   OperandRaster& second = scratch.raster[1];
-  Rasteriser other(operands, 1, cover.grid, first.inside.words_per_row(), scratch.boundary,
+  Rasteriser other(operands, 1, cover.grid, first.inside.words_per_row(), scratch.boundary[1],
                    cancellation, second);
   other.run();
   if (first.blocks.has_any()) other.sample_boundary();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "machine/team.hpp"
 #include "sum/cover/cover.hpp"
 
 namespace minksum {
@@ -129,27 +130,35 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   auto& visible = scratch.visible;
   visible.clear();
   double rows = 0;
-  const auto look_at = [&](const Segment& segment) {
-    cancellation.check(static_cast<std::uint64_t>(cover.grid.rows));
-    const Vec<double> a = at(segment.edge);
-    const Vec<double> b = at(operands.sites.next[segment.edge]);
-    const Vec<double> q = at(segment.vertex);
-    const Line line{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}};
-    if (cover.active && !cells_near(cover, line, Until::kUncovered).uncovered) return;
-    visible.push_back(line);
-    if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
-  };
+  auto& lines = scratch.looked_at;
   // The sample is looked at by eighths, until enough visible lines are found to compare. A quarter
   // as many lines as are left take a twentieth of the time that arranging these takes.
   constexpr std::size_t kParts = 8;
+  constexpr std::uint64_t kUnitsOfLine = 32;  // a walk along some cells
   std::size_t looked_at = 0;
   double each = 0;  // how many segments one of those that were looked at stands for
   double left = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
+    lines.clear();
     for (std::size_t i = part; i < sample.segments.size(); i += kParts) {
-      look_at(sample.segments[i]);
-      ++looked_at;
+      const auto& [edge, vertex] = sample.segments[i];
+      const Vec<double> a = at(edge);
+      const Vec<double> b = at(operands.sites.next[edge]);
+      const Vec<double> q = at(vertex);
+      lines.push_back({{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}}, true});
     }
+    share_each(lines.size(), kUnitsOfLine, cancellation, [&](std::size_t i, Cancellation& own) {
+      if (!cover.active) return;
+      const CellsNear near = cells_near(cover, lines[i].line, Until::kUncovered);
+      own.check(near.rows);
+      lines[i].seen = near.uncovered;
+    });
+    for (const auto& [line, seen] : lines) {
+      if (!seen) continue;
+      visible.push_back(line);
+      if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
+    }
+    looked_at += lines.size();
     each =
         sample.step * static_cast<double>(sample.segments.size()) / static_cast<double>(looked_at);
     left = each * static_cast<double>(visible.size());

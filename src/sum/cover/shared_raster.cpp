@@ -41,7 +41,7 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   shared.crossings = typical.crossings;
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
                       words_per_row(static_cast<std::int32_t>(columns)));
-  rasterise_first(operands, cover, cancellation, scratch.boundary, shared.first);
+  rasterise_first(operands, cover, cancellation, scratch.boundary[0], shared.first);
   return shared;
 }
 
