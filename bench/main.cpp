@@ -22,13 +22,13 @@ constexpr const char* kUsage =
     "usage: minksum_bench [--set NAME[,NAME...]]... [--only TEXT] [--out FILE] [--quick]\n"
     "                     [--budget SECONDS] [--seed N] [--pairs N] [--no-cgal]\n"
     "  --set     what to measure (default: all): paper kin named figures spiky nesting\n"
-    "            tables gis outlines doubles families regret mixed\n"
+    "            tables gis outlines doubles families regret mixed threads\n"
     "  --only    only pairs, families, or instances, with this in their names\n"
     "  --out     where the JSON goes (default: bench.json); report.py takes several of them\n"
     "  --quick   a few pairs of each set, small members of the families\n"
     "  --budget  longest time for one sum by a peer, or it is given up (default: 60; quick: 4)\n"
-    "  --seed    of the random pairs of `mixed` (default: 1)\n"
-    "  --pairs   how many pairs `mixed` has (default: 200; quick: 20)\n"
+    "  --seed    of the random pairs of `mixed` and `threads` (default: 1)\n"
+    "  --pairs   how many random pairs (default: 200; quick: 20)\n"
     "  --no-cgal leaves CGAL out of `mixed`\n"
     "The folder with the shapes is $MINKSUM_DATA, or ../shared/data beside the sources.\n";
 
@@ -110,6 +110,12 @@ void print(const Json& record) {
   for (const char* of : {"regrets", "ratios_prepared", "ratios_as_read"}) {
     if (record.contains(of)) std::printf("\n  %s: %s", of, record[of].dump().c_str());
   }
+  for (const char* of : {"times_prepared", "times_as_read"}) {
+    if (!record.contains(of)) continue;
+    const Json& times = record[of];
+    const std::string all = times.dump();
+    std::printf("  %s: %s", of, times.is_number() ? all.substr(0, 4).c_str() : all.c_str());
+  }
   for (const char* peer : {"cgal", "cgal_full", "clipper", "geos"}) {
     const double ratio = member(record, peer, "ratio");
     if (ratio > 0) std::printf("  %s %.1f x", peer, ratio);
@@ -188,6 +194,8 @@ void run_set(const std::string& set, const Arguments& arguments, const Effort& e
     std::printf("  no folder of shapes: left out\n");
   } else if (set == "regret" || set == "mixed") {
     measure_unseen_pairs(set, *data, effort, arguments.unseen, arguments.only, take);
+  } else if (set == "threads") {
+    measure_threads(*data, effort, arguments.unseen, arguments.only, take);
   } else if (set == "doubles") {
     measure_doubles(*data, effort, arguments.quick, take);
   } else if (set == "outlines") {

@@ -17,7 +17,7 @@ from claims import claims, table_ratio
 from figures import (MIB, MODELS, STAGES, Records, bound_text, count_text, dig, family_rows,
                      geometric_mean, growth, matrix, own_seconds, peer_cell, ratio, ratio_or_bound,
                      seconds_text, segments, table, times_text)
-from unseen import unseen_section
+from unseen import threads_section, unseen_section
 
 INTRODUCTION = """\
 # How fast is it beside its peers?
@@ -368,7 +368,8 @@ def page(records):
     parts = [INTRODUCTION.format(machine=machine_text(records.runs),
                                  peer_seconds=run["peer_seconds"],
                                  full_seconds=run["full_seconds"]),
-             unseen_section(records), "## Which goals hold?", claims_table(records), shortfalls(records),
+             unseen_section(records), threads_section(records),
+             "## Which goals hold?", claims_table(records), shortfalls(records),
              "## Which models are measured?", FIG5, figure1(records),
              figure6(records), figure7a(records), figure7b(records), family_section(records),
              tables_section(records), gis_section(records), outlines_section(records),

@@ -219,7 +219,7 @@ std::vector<std::string> nesting_parts(const path& data, std::size_t least, std:
 
 std::vector<std::string> set_names() {
   return {"paper", "kin",      "named",   "figures",  "spiky",  "nesting", "tables",
-          "gis",   "outlines", "doubles", "families", "regret", "mixed"};
+          "gis",   "outlines", "doubles", "families", "regret", "mixed",   "threads"};
 }
 
 std::vector<Case> cases_of(const std::string& set, const path& data, bool quick) {

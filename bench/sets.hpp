@@ -23,7 +23,7 @@ namespace minksum::bench {
 struct UnseenPairs {
   std::uint64_t seed = 1;
   std::size_t count = 0;  ///< 0 = 200, or 20 in a quick run
-  bool cgal = true;  ///< whether CGAL is measured beside minksum
+  bool cgal = true;       ///< whether CGAL is measured beside minksum
 };
 /// Measures regret: the time of the automatic settings, divided by the least time of any settings.
 /// The set "regret" is a list of pairs in the data folder. The set "mixed" has random pairs of all
@@ -31,6 +31,11 @@ struct UnseenPairs {
 void measure_unseen_pairs(const std::string& set, const std::filesystem::path& data,
                           const Effort& effort, const UnseenPairs& asked, const std::string& only,
                           const std::function<void(const Json&)>& take);
+/// Measures how many times as fast all cores are as one thread, by the wall clock, on those of the
+/// pairs of both sets whose sums take 50 ms or more. A record for all pairs comes last.
+void measure_threads(const std::filesystem::path& data, const Effort& effort,
+                     const UnseenPairs& asked, const std::string& only,
+                     const std::function<void(const Json&)>& take);
 /// Measures the families with `only` in their names, and doubles sizes until a sum takes
 /// `longest_seconds`. Each record goes to `take` at once.
 void measure_families(const Effort& effort, double longest_seconds, const std::string& only,

@@ -18,6 +18,13 @@ the ratio is a lower bound. *Prepared* operands are validated once; operands *as
 in every call. CGAL's operands are never checked.
 """
 
+THREADS = """\
+    build/bench/minksum_bench --set threads
+
+Of the pairs of both sets, those are measured whose sums take 50 ms or more on one thread. *Times*
+is the least wall-clock time on one thread, divided by the least on all cores, in turn.
+"""
+
 
 def quantile(values, share):
     return sorted(values)[int(share * (len(values) - 1))]
@@ -32,6 +39,20 @@ def regret_row(name, values):
 def ratio_row(name, values):
     return [name, len(values), f"{geometric_mean(values):.0f}", f"{quantile(values, 0.05):.1f}",
             f"{quantile(values, 0.5):.0f}", f"{min(values):.1f}", f"{max(values):,.0f}"]
+
+
+def threads_section(records):
+    shared = [r for r in records.of("threads") if "seconds" in r]
+    if not shared:
+        return ""
+    rows = [[how, len(shared), f"{geometric_mean([r[key] for r in shared]):.2f}",
+             f"{quantile([r[key] for r in shared], 0.05):.2f}",
+             f"{quantile([r[key] for r in shared], 0.5):.2f}",
+             f"{min(r[key] for r in shared):.2f}"]
+            for how, key in (("operands prepared", "times_prepared"),
+                             ("operands as read", "times_as_read"))]
+    return (THREADS + "\n" + table(["times as fast on all cores", "pairs", "geometric mean", "5 %",
+                                    "median", "least"], rows))
 
 
 def unseen_section(records):

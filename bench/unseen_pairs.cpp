@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 #include "minksum/io.hpp"
 #include "minksum/prepared_region.hpp"
@@ -123,6 +124,39 @@ void measure_beside_cgal(const Operands& operands, const Effort& effort, const R
   report(members(median(seconds[0])));
 }
 
+// Times one thread and all cores in turn, by the wall clock, if one thread takes long.
+void measure_threads(const Operands& operands, const Effort& effort, const Report& report) {
+  constexpr double kLong = 0.05;
+  const auto& [p, q] = operands;
+  const PreparedRegion prepared_p(p);
+  const PreparedRegion prepared_q(q);
+  Workspace workspace;
+  Region sum;
+  const auto seconds = [&](const auto& a, const auto& b, int threads) {
+    Options options;
+    options.threads = threads;
+    const WallStopwatch watch;
+    const Outcome outcome = minkowski_sum(a, b, options, workspace, sum);
+    if (!outcome.ok()) throw Error(*outcome.error);
+    return watch.seconds();
+  };
+  if (seconds(prepared_p, prepared_q, 1) < kLong) return report({{"short", true}});
+  constexpr int kAll = 0;
+  double least[2][2] = {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
+  const WallStopwatch watch;
+  for (int round = 0; round < 3 || (round < 20 && watch.seconds() < effort.enough_seconds);
+       ++round) {
+    for (const int threads : {1, kAll}) {
+      auto& [prepared, as_read] = least[threads == 1 ? 0 : 1];
+      prepared = std::min(prepared, seconds(prepared_p, prepared_q, threads));
+      as_read = std::min(as_read, seconds(p, q, threads));
+    }
+  }
+  report({{"seconds", least[0][0]},
+          {"times_prepared", least[0][0] / least[1][0]},
+          {"times_as_read", least[0][1] / least[1][1]}});
+}
+
 std::string stem(const std::string& file) { return path(file).stem().string(); }
 
 // Returns pairs of any two files, of which the second is scaled by 10^U(-2, 2). The factor has
@@ -195,6 +229,34 @@ Json distribution(std::vector<double> values) {
 }
 
 }  // namespace
+
+void measure_threads(const path& data, const Effort& effort, const UnseenPairs& asked,
+                     const std::string& only, const std::function<void(const Json&)>& take) {
+  std::vector<Case> cases = listed_pairs(data);
+  std::ranges::move(random_pairs(data, asked.seed, asked.count), std::back_inserter(cases));
+  std::vector<double> prepared;
+  std::vector<double> as_read;
+  for (Case& one : cases) {
+    if (one.name.find(only) == std::string::npos) continue;
+    Json record{{"set", "threads"}, {"name", one.name}};
+    record.update(one.about);
+    ChildLimits limits;
+    limits.seconds_between_reports = 10 * effort.peer_seconds;
+    run_part("minksum", limits, record,
+             [&](const Report& report) { measure_threads(one.load(), effort, report); });
+    if (record.contains("short")) continue;
+    if (record.contains("seconds")) {
+      prepared.push_back(record["times_prepared"]);
+      as_read.push_back(record["times_as_read"]);
+    }
+    take(record);
+  }
+  take({{"set", "threads"},
+        {"name", "all pairs"},
+        {"seed", asked.seed},
+        {"times_prepared", distribution(prepared)},
+        {"times_as_read", distribution(as_read)}});
+}
 
 void measure_unseen_pairs(const std::string& set, const path& data, const Effort& effort,
                           const UnseenPairs& asked, const std::string& only,
