@@ -36,15 +36,17 @@ void for_each_in_order(std::size_t count, int threads, const Options& options, c
   std::vector<Made> round(used == 1 ? 1 : kMadeByMember * used);
   for (std::size_t begin = 0; begin < count; begin += round.size()) {
     const std::size_t size = std::min(round.size(), count - begin);
-    std::atomic<bool> failed = false;
+    std::atomic<std::size_t> first_failed = size;
     share(size, cancellation, [&](std::size_t task, std::size_t member, Cancellation&) {
-      if (failed) return;  // tasks begin in order, so the first that fails has begun
+      if (task > first_failed) return;
       try {
         if (!memories[member]) memories[member].emplace();
         round[task].result.emplace(make(begin + task, *memories[member]));
       } catch (...) {
         round[task].error = std::current_exception();
-        failed = true;
+        std::size_t known = first_failed;
+        while (task < known && !first_failed.compare_exchange_weak(known, task)) {
+        }
       }
     });
     for (std::size_t task = 0; task < size; ++task) {
