@@ -64,7 +64,14 @@ class Team::Helpers {
     begun_.notify_all();
     std::exception_ptr mine;
     try {
-      for (std::size_t task = take(); task < tasks_; task = take()) work(task, 0, cancellation);
+      for (std::size_t task = take(); task < tasks_; task = take()) {
+        try {
+          work(task, 0, cancellation);
+        } catch (const Error& error) {
+          if (error.code() != ErrorCode::kLimitExceeded) throw;
+          fail(task);
+        }
+      }
       while (!others_have_ended()) cancellation.look();
     } catch (...) {
       mine = std::current_exception();
@@ -104,12 +111,16 @@ class Team::Helpers {
       try {
         (*work_)(task, member, cancellation);
       } catch (...) {
-        const std::lock_guard lock(mutex_);
-        if (task > failed_) continue;
-        failed_ = task;
-        error_ = std::current_exception();
+        fail(task);
       }
     }
+  }
+  /// Keeps the present error, unless an earlier task has failed.
+  void fail(std::size_t task) {
+    const std::lock_guard lock(mutex_);
+    if (task > failed_) return;
+    failed_ = task;
+    error_ = std::current_exception();
   }
   [[nodiscard]] bool others_have_ended() {
     std::unique_lock lock(mutex_);
@@ -130,16 +141,19 @@ class Team::Helpers {
   std::size_t next_ = 0;
   bool open_ = false;         ///< whether helpers may still begin
   std::size_t at_work_ = 0;   ///< helpers that have begun and not ended
-  std::size_t failed_ = 0;    ///< the first task in which a helper failed
+  std::size_t failed_ = 0;    ///< the first task that failed
   std::exception_ptr error_;  ///< of that task
 };
 
 Team::Team(int threads, bool share_all) : threads_(threads), share_all_(share_all) {}
 Team::~Team() = default;
 
-std::size_t Team::size() const { return threads_ == 1 ? 1 : thread_count(threads_); }
+std::size_t Team::size() {
+  if (size_ == 0) size_ = threads_ == 1 ? 1 : thread_count(threads_);
+  return size_;
+}
 
-std::size_t Team::tasks_for(std::uint64_t units) const {
+std::size_t Team::tasks_for(std::uint64_t units) {
   if (threads_ == 1) return 1;
   if (!share_all_ && units < (helpers_ ? kUnitsToWake : kUnitsToStart)) return 1;
   const std::size_t members = size();

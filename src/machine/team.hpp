@@ -29,9 +29,9 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   /// Returns how many members the team has, the calling thread included.
-  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] std::size_t size();
   /// Returns into how many tasks to divide so many units of work; 1 if dividing does not pay.
-  [[nodiscard]] std::size_t tasks_for(std::uint64_t units) const;
+  [[nodiscard]] std::size_t tasks_for(std::uint64_t units);
   /// Does the work of `share`. A helper that cannot be started is done without.
   void run(std::size_t tasks, Cancellation& cancellation, const Work& work);
 
@@ -40,6 +40,7 @@ class Team {
 
   int threads_;
   bool share_all_;
+  std::size_t size_ = 0;  ///< 0 until somebody asks: the number of cores may change later
   std::unique_ptr<Helpers> helpers_;
 };
 

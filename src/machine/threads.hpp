@@ -13,8 +13,8 @@
 
 namespace minksum {
 
-/// Whether threads can start. Without them, what only they need is left out of the module for
-/// WebAssembly.
+/// Whether threads can start: WebAssembly by itself has none. What only several threads need is then
+/// left out.
 #if defined(__wasm__) && !defined(_REENTRANT)
 inline constexpr bool kHasThreads = false;
 #else
@@ -33,7 +33,6 @@ inline void block_signals_in_this_thread() {
 
 /// Returns how many threads `threads` means: 0 means one for each core.
 [[nodiscard]] inline std::size_t thread_count(int threads) {
-  if constexpr (!kHasThreads) return 1;
   return threads > 0 ? static_cast<std::size_t>(threads)
                      : std::max(1U, std::thread::hardware_concurrency());
 }

@@ -8,9 +8,11 @@
 #include <new>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include "machine/in_order.hpp"
 #include "support/threads.hpp"
 
 namespace minksum {
@@ -79,6 +81,53 @@ TEST(Team, PassesOnTheFirstError) {
                      [&](std::size_t, std::size_t, Cancellation&) { throw std::bad_alloc(); }),
                std::bad_alloc);
   EXPECT_EQ(counts(team, never), std::vector<int>(kTasks, 1));  // the team goes on
+}
+
+/// Whoever does the first task that passes a limit: the caller, or a helper.
+TEST(Team, PassesOnTheLimitThatOneThreadWouldPass) {
+  for (const int threads : {1, 2, 8}) {
+    Team team(threads, true);
+    Cancellation never;
+    never.join(team);
+    for (std::size_t round = 0; round < 200; ++round) {
+      const std::size_t first = round % kTasks;
+      try {
+        share(kTasks, never, [&](std::size_t task, std::size_t, Cancellation&) {
+          if (task % 3 == round % 3) std::this_thread::yield();
+          if (task >= first) throw Error(ErrorCode::kLimitExceeded, std::to_string(task));
+        });
+        ADD_FAILURE() << "no error";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.what(), std::to_string(first));
+      }
+    }
+  }
+}
+
+TEST(InOrder, VisitsAllBeforeTheFirstThatFails) {
+  struct NoMemory {};
+  for (const int threads : {1, 2, 8}) {
+    for (std::size_t round = 0; round < 300; ++round) {
+      const std::size_t first = round % 40;
+      std::size_t visited = 0;
+      const auto make = [&](std::size_t i, NoMemory&) {
+        if (i >= first) throw std::out_of_range(std::to_string(i));
+        if (i % 3 == round % 3) std::this_thread::yield();
+        return std::to_string(i);
+      };
+      const auto visit = [&](std::size_t i, const std::string& result) {
+        EXPECT_EQ(i, visited++);
+        EXPECT_EQ(result, std::to_string(i));
+      };
+      try {
+        for_each_in_order<std::string, NoMemory>(64, threads, Options{}, make, visit);
+        ADD_FAILURE() << "no error";
+      } catch (const std::out_of_range& error) {
+        EXPECT_EQ(error.what(), std::to_string(first));
+      }
+      EXPECT_EQ(visited, first);
+    }
+  }
 }
 
 TEST(Team, AsksTheCallerOnItsOwnThread) {
