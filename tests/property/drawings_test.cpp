@@ -43,39 +43,68 @@ Rational squared_distance(const Point& x, const Point& a, const Point& b) {
   return square(x.x - a.x - t * dx) + square(x.y - a.y - t * dy);
 }
 
-bool is_near_boundary(const Point& x, const Region& region, const Rational& distance) {
-  for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
-    const IndexRange range = region.vertices_of(ring);
-    Point before = region.point(range.front() + range.size() - 1);
-    for (const std::size_t v : range) {
-      const Point p = region.point(v);
-      if (squared_distance(x, before, p) <= square(distance)) return true;
-      before = p;
-    }
-  }
-  return false;
+/// A point in doubles.
+struct Near {
+  double x, y;
+};
+Near near(const Point& p) { return {p.x.to_double(), p.y.to_double()}; }
+
+/// Bounds the roundings of this test's own doubles, with coordinates below 1000.
+constexpr double kRounding = 1e-9;
+
+double distance(const Near& v, const Near& a, const Near& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double x = v.x - a.x, y = v.y - a.y;
+  const double length = dx * dx + dy * dy;
+  const double t = length > 0 ? std::clamp((x * dx + y * dy) / length, 0.0, 1.0) : 0;
+  return std::hypot(x - t * dx, y - t * dy);
 }
 
-/// Tells whether a vertex is close to the closed shape, up to the sag and roundings of doubles.
-bool is_near_shape(const Point& v, const Shape& shape, double tolerance) {
-  constexpr double kRounding = 1e-9;  // of this test's own doubles, with coordinates below 1000
-  const auto distance = [&v](const Point& a, const Point& b) {
-    const double ax = a.x.to_double(), ay = a.y.to_double();
-    const double dx = b.x.to_double() - ax, dy = b.y.to_double() - ay;
-    const double x = v.x.to_double() - ax, y = v.y.to_double() - ay;
-    const double length = dx * dx + dy * dy;
-    const double t = length > 0 ? std::clamp((x * dx + y * dy) / length, 0.0, 1.0) : 0;
-    return std::hypot(x - t * dx, y - t * dy);
-  };
-  double best = distance(shape.on_curve.back(), shape.on_curve.front());
-  for (std::size_t i = 1; i < shape.on_curve.size(); ++i) {
-    best = std::min(best, distance(shape.on_curve[i - 1], shape.on_curve[i]));
+/// A region's edges, exactly and in doubles.
+class Boundary {
+ public:
+  explicit Boundary(const Region& region) {
+    for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
+      const IndexRange range = region.vertices_of(ring);
+      std::size_t before = range.front() + range.size() - 1;
+      for (const std::size_t v : range) {
+        const Point a = region.point(before), b = region.point(v);
+        edges_.push_back({a, b, near(a), near(b)});
+        before = v;
+      }
+    }
   }
-  return best <= tolerance + shape.sag + kRounding;
+  /// Decides exactly. Doubles leave out edges that are certainly farther away.
+  [[nodiscard]] bool is_within(const Rational& tolerance, const Point& x) const {
+    const double farther = tolerance.to_double() + kRounding;
+    const Near at = near(x);
+    return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+      return distance(at, edge.near_a, edge.near_b) <= farther &&
+             squared_distance(x, edge.a, edge.b) <= square(tolerance);
+    });
+  }
+
+ private:
+  struct Edge {
+    Point a, b;
+    Near near_a, near_b;
+  };
+  std::vector<Edge> edges_;
+};
+
+/// Tells whether a vertex is within `most` of the closed polyline of these points.
+bool is_near_curve(const Near& v, const std::vector<Near>& curve, double most) {
+  double best = distance(v, curve.back(), curve.front());
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    best = std::min(best, distance(v, curve[i - 1], curve[i]));
+  }
+  return best <= most;
 }
 
 /// Checks what is read of a shape, for all sides. Every `step`-th point is located.
 void check(const Shape& shape, const Rational& tolerance, std::size_t step) {
+  std::vector<Near> curve;
+  for (const Point& p : shape.on_curve) curve.push_back(near(p));
   for (const RoundingSide side :
        {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
     io::ReadOptions options;
@@ -87,6 +116,7 @@ void check(const Shape& shape, const Rational& tolerance, std::size_t step) {
     ASSERT_NO_THROW(region = io::read(shape.text, options));
     ASSERT_FALSE(region.empty());
     const PointLocator locator(region);
+    const Boundary boundary(region);
     for (std::size_t i = 0; i < shape.on_curve.size(); i += step) {
       const Point& x = shape.on_curve[i];
       const Location location = locator.locate(x);
@@ -96,10 +126,12 @@ void check(const Shape& shape, const Rational& tolerance, std::size_t step) {
       ASSERT_TRUE(right) << "point " << x.x << ' ' << x.y;
       // Areas may lose, or fill, what is thinner than the tolerance.
       if (side != RoundingSide::kNearest && !shape.convex) continue;
-      ASSERT_TRUE(is_near_boundary(x, region, tolerance)) << "point " << x.x << ' ' << x.y;
+      ASSERT_TRUE(boundary.is_within(tolerance, x)) << "point " << x.x << ' ' << x.y;
     }
+    // Up to the sag, and roundings of doubles.
+    const double most = tolerance.to_double() + shape.sag + kRounding;
     for (std::size_t v = 0; v < region.vertex_count(); ++v) {
-      ASSERT_TRUE(is_near_shape(region.point(v), shape, tolerance.to_double()))
+      ASSERT_TRUE(is_near_curve(near(region.point(v)), curve, most))
           << "vertex " << region.x(v) << ' ' << region.y(v);
     }
   }
