@@ -140,6 +140,7 @@ void measure_threads(const Operands& operands, const Effort& effort, const Repor
     if (!outcome.ok()) throw Error(*outcome.error);
     return watch.seconds();
   };
+  seconds(prepared_p, prepared_q, 1);  // memory is new in the first run
   if (seconds(prepared_p, prepared_q, 1) < kLong) return report({{"short", true}});
   constexpr int kAll = 0;
   double least[2][2] = {{HUGE_VAL, HUGE_VAL}, {HUGE_VAL, HUGE_VAL}};
