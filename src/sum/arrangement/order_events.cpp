@@ -52,7 +52,7 @@ class EventOrder {
       return;
     }
     resize_in_pieces(done, lines, cancellation_);
-    share_each(lines, units / lines + 1, cancellation_, [&](std::size_t s, Cancellation& own) {
+    share_each(lines, units / (lines + 1) + 1, cancellation_, [&](std::size_t s, Cancellation& own) {
       done[s] = order_if_clear(static_cast<KeptId>(s), own);
     });
     in_pieces(lines, cancellation_, [&](std::size_t begin, std::size_t end) {

@@ -140,8 +140,6 @@ struct Sample {
 [[nodiscard]] Sample take_sample(const Convolution& convolution, CoverScratch& scratch);
 /// Returns how many lines `look` compares if so many segments are visible.
 [[nodiscard]] double lines_compared(double visible);
-/// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
-/// segments, so that crossings are found even if few segments are visible.
 /// What cells a line is near, as far as it was followed.
 struct CellsNear {
   bool covered = false;
@@ -155,6 +153,8 @@ enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
 /// cell than among all pairs.
 [[nodiscard]] bool pays_by_cells(const Operands& operands, double segments, const UniformGrid& grid,
                                  const Visibility& left);
+/// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
+/// segments, so that crossings are found even if few segments are visible.
 [[nodiscard]] Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
                               Cancellation& cancellation, CoverScratch& scratch);
 
