@@ -31,8 +31,9 @@ struct UnseenPairs {
 void measure_unseen_pairs(const std::string& set, const std::filesystem::path& data,
                           const Effort& effort, const UnseenPairs& asked, const std::string& only,
                           const std::function<void(const Json&)>& take);
-/// Measures how many times as fast all cores are as one thread, by the wall clock, on those of the
-/// pairs of both sets whose sums take 50 ms or more. A record for all pairs comes last.
+/// Measures how many times as fast all cores are as one thread, by the wall clock. It takes those
+/// pairs of the sets "regret" and "mixed" whose sums take 50 ms or more on one thread, with
+/// operands prepared. A record for all pairs comes last.
 void measure_threads(const std::filesystem::path& data, const Effort& effort,
                      const UnseenPairs& asked, const std::string& only,
                      const std::function<void(const Json&)>& take);

@@ -19,6 +19,8 @@ in every call. CGAL's operands are never checked.
 """
 
 THREADS = """\
+## What do several threads gain?
+
     build/bench/minksum_bench --set threads
 
 Of the pairs of both sets, those are measured whose sums take 50 ms or more on one thread. *Times*

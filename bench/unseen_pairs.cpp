@@ -1,4 +1,4 @@
-// Measures pairs that nobody tuned for: regret, and the ratio to CGAL.
+// Measures pairs that nobody tuned for: regret, the ratio to CGAL, and what threads gain.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -38,7 +38,7 @@ double least_seconds(double most, Run run) {
   const auto stop = CancelToken::polling([end] { return Clock::now() > end; });
   double least = HUGE_VAL;
   double total = 0;
-  // Blocks of a millisecond: the clock tells a microsecond, and some sums take ten.
+  // Blocks of a millisecond: the clock tells microseconds, and some sums take ten of them.
   while (total < 1e-3) {
     const Stopwatch watch;
     const Outcome outcome = run(stop);

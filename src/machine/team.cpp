@@ -11,8 +11,8 @@
 namespace minksum {
 namespace {
 
-/// Starting a thread and waking it takes some 100 microseconds, which is this many units. Work that
-/// is 16 times as long, and so takes some 3 milliseconds, is worth a thread.
+/// Starting a thread and waking it takes some 100 microseconds. Work of so many units, which takes
+/// some 3 milliseconds, is worth it.
 constexpr std::uint64_t kUnitsToStart = 1 << 18;
 /// Waking a thread that waits takes some 10 microseconds.
 constexpr std::uint64_t kUnitsToWake = 1 << 14;

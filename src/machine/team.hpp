@@ -64,8 +64,9 @@ class Team {
 ///
 /// The calling thread alone looks at the caller's token and calls the caller's progress callback,
 /// also while it waits for the others. If it finds that the operation is to end, or fails in
-/// another way, all others end at their next look, and the error is passed on. If a helper fails,
-/// the tasks that were begun end, and the error of the first of these tasks is passed on.
+/// another way, all others end at their next look, and that error is passed on. If a helper fails,
+/// or the calling thread passes a limit, the tasks that were begun end, and the error of the first
+/// task that failed is passed on.
 template <class Work>
 void share(std::size_t tasks, Cancellation& cancellation, Work work) {
   if (!kHasThreads || tasks <= 1 || cancellation.team() == nullptr) {
@@ -76,7 +77,7 @@ void share(std::size_t tasks, Cancellation& cancellation, Work work) {
 }
 
 /// Calls visit(i, cancellation) for all i < size, some at a time on different threads if that pays.
-/// Each takes `units` of work that nobody counts.
+/// One takes about `units` of work. A visit that may take far longer counts its own work.
 template <class Visit>
 void share_each(std::size_t size, std::uint64_t units, Cancellation& cancellation, Visit visit) {
   const std::size_t tasks = tasks_for(units * size, cancellation);

@@ -36,10 +36,10 @@ struct BoxPairScratch {
 
 /// Takes boxes in [0, width] × [0, height], rounds each outwards, and finds all pairs that overlap.
 ///
-/// The boxes are sorted by their left sides into up to 4,096 columns. The boxes that overlap a box
-/// and are not left of it stand right after it, up to the column where it ends. The heights of that
-/// run are compared, eight at a time. The time is O(n + p) for p pairs that overlap in x. For boxes
-/// that are small beside the whole, that is far less than what any search structure costs.
+/// The boxes are put into up to 4,096 columns by their left sides. A box is compared with those
+/// that stand after it, up to the column of its right side: their heights first, eight at a time.
+/// The time is O(n + p) for p pairs that share columns. For boxes that are small beside the whole,
+/// that is far less than what any search structure costs.
 class BoxPairs {
  public:
   /// The coordinates of boxes may be off by up to `doubt`.
@@ -71,13 +71,13 @@ class BoxPairs {
     cancellation.check(4 * scratch_.boxes.size());
     return !are_too_many(most);
   }
-  /// Returns how many units of work visiting all pairs is about (see Cancellation).
+  /// Returns about how many units of work all visits take (see Cancellation).
   [[nodiscard]] std::size_t units_of_visits() const {
     return scratch_.boxes.size() + pairs_in_columns_ / 2;
   }
   /// Calls visit(a, b) once for each pair of boxes that overlap, and for some that nearly do. With
   /// `neighbours_touch`, a pair of boxes that were added one right after the other may be left out.
-  /// Of so many tasks, which may run at the same time, this one visits its share of the pairs.
+  /// Of so many tasks, which may run at the same time, this one visits only its own pairs.
   template <class Visit>
   void for_each(Visit visit, Cancellation& cancellation, bool neighbours_touch,
                 std::size_t task = 0, std::size_t tasks = 1) const {
@@ -115,7 +115,7 @@ class BoxPairs {
  private:
   static constexpr double kUnits = 0x1p15 - 4;
   static constexpr std::size_t kLanes = 8;
-  static constexpr std::size_t kCountedAtOnce = 16;  ///< boxes: comparing one may take long
+  static constexpr std::size_t kCountedAtOnce = 16;  ///< boxes between two looks at the token
   static constexpr std::size_t kFew = 48;  ///< up to this count, comparing all costs less than
                                            ///< sorting
   /// Lanes are compared one by one, and -1 means true. The compilers that know 128-bit integers

@@ -28,8 +28,8 @@ struct LineCut {
 
 /// Tells where the segment from a to b meets the line axis = at. Its ends are off by less than
 /// `error`, which is also far above the roundings here. An end that is off by e moves the line by
-/// e · (1 + |slope|) between the ends. Returns false if the segment is no longer along the axis
-/// than `shortest`.
+/// e · (1 + |slope|) between the ends. Returns false if the segment's extent along the axis is at
+/// most `shortest`.
 template <Axis axis>
 bool cut_segment(const Vec<double>& a, const Vec<double>& b, double at, double shortest,
                  double error, LineCut& result) {
@@ -180,7 +180,7 @@ class MedianDivision {
       user_.meet_crowd(begin, end, box);
     };
     const Axis longer = box.longer();
-    // Within a few slacks, each half would hold nearly all.
+    // In a box of under 64 slacks, both halves would hold nearly all.
     constexpr double kLeastSlacks = 64;
     if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) return meet_or_put_off();
     Division best = division(begin, end, longer);
@@ -189,7 +189,7 @@ class MedianDivision {
       const Division second = division(begin, end, other(longer));
       if (second.in_both < best.in_both) best = second;
     }
-    // Each half leaves out a sixteenth at least, so dividing ends. (There are more than kFew.)
+    // Each half lacks a sixteenth of the items at least, so dividing ends.
     const bool is_useless = best.in_less < count / 16 || best.in_both > count * 3 / 4;
     const bool is_poor = best.in_both > count * 2 / 5;
     if (is_useless || (is_poor && (poor == 0 || user_.is_sorted_soon(begin, end, box)))) {
@@ -208,7 +208,7 @@ class MedianDivision {
       items_.resize(end);
     }
   }
-  /// Lists a part, whose handling then begins again.
+  /// Lists a part, to be divided later from its start.
   void put_off(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
     undivided_->push_back({part, poor, {}});
     auto& items = undivided_->back().items;

@@ -36,11 +36,12 @@ ROOMS = [
                       "results. It includes nothing of `src/sum`."),
     ("src/operations", 6, "A folder for each group of public operations: sum, morphology, offset, "
                           "no-fit polygons, penetration depth, configuration space."),
-    ("src/io", 7, "Readers and writers of files, one file a format. Sees the public headers alone."),
-    ("c", 8, "The C interface. Sees the public headers alone."),
-    ("cli", 8, "The program. Sees the public headers alone."),
-    ("sql", 8, "The extensions of PostgreSQL. Sees the public headers alone."),
-    ("python", 8, "The Python package. Sees the public headers alone."),
+    ("src/io", 7, "Readers and writers of files, mostly one file for each format. Includes only "
+                  "public headers."),
+    ("c", 8, "The C interface. Includes only public headers."),
+    ("cli", 8, "The program. Includes only public headers."),
+    ("sql", 8, "The extensions of PostgreSQL. Includes only public headers."),
+    ("python", 8, "The Python package. Includes only public headers."),
 ]
 FLOOR = {room: floor for room, floor, _ in ROOMS}
 
@@ -332,8 +333,8 @@ def page(house):
         f"| {floor} | `{room}` | {text} | {', '.join(includes[room]) or '-'} |"
         for room, floor, text in reversed(ROOMS))
     rules = [f"`{folder}` includes nothing of `{other}`: {why}." for folder, other, why in APART]
-    rules.append("Inside `src/sum` a stage includes the boundary headers of earlier stages alone. "
-                 "The order is " + ", ".join(STAGES) + ".")
+    rules.append("Inside `src/sum` a stage includes only boundary headers, and only of earlier "
+                 "stages. The order is " + ", ".join(STAGES) + ".")
     rules.append("The folders of `src/operations` use each other through the public headers.")
     rules.append("Public headers include the standard library and each other. An adaptor may include "
                  "the library that it adapts as well: "

@@ -219,7 +219,7 @@ struct ArrangementScratch {
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
   enum class Ordered : std::uint8_t { kNot, kRoughly, kWholly };
-  std::vector<Ordered> ordered;  ///< by kept segment: its events, where threads order them
+  std::vector<Ordered> ordered;  ///< by kept segment: how far threads have ordered its events
   std::vector<std::uint32_t> root_of_node;  ///< a point for each node
   std::vector<FoundPieces> found_pieces;    ///< by task, where threads find them
   std::vector<std::uint32_t> parent;
@@ -300,7 +300,7 @@ inline void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint
 }
 /// Does what `find_root` does, while other threads do it and unite trees.
 inline std::uint32_t find_shared_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {
-  constexpr auto kRelaxed = std::memory_order_relaxed;  // nothing but links is read before all end
+  constexpr auto kRelaxed = std::memory_order_relaxed;  // only links are read before all tasks end
   const auto link = [&](std::uint32_t at) { return std::atomic_ref(parent[at]); };
   while (true) {
     const std::uint32_t up = link(point).load(kRelaxed);

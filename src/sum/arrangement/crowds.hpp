@@ -36,8 +36,9 @@ class CrowdFinder {
   void add(KeptId segment, const PlanePart& part);
   /// Meets the segments that were added, and forgets them.
   void solve(const PlanePart& part);
-  /// Does the same, but lists parts of at most so many segments, which `solve` meets.
+  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds.
   void split(const PlanePart& part, std::size_t most, std::vector<UndividedPart>& undivided);
+  /// Meets the segments of what `split` has listed.
   void solve(UndividedPart& undivided) { division_.divide(undivided); }
 
  private:

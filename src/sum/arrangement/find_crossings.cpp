@@ -1,4 +1,4 @@
-// Finds all points that kept segments share, cell by cell.
+// Finds all points that kept segments share: cell by cell, by pairs of boxes, or in one crowd.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace minksum {
 namespace {
 
-/// Finds crossings in some of the cells. Each thread has one.
+/// Finds the crossings of one task.
 class CrossingFinder {
  public:
   CrossingFinder(const SumSettings& options, Predicates& predicates, MeetingScratch& memory,
@@ -42,7 +42,8 @@ class CrossingFinder {
     add_all();
     crowds_.solve({});
   }
-  /// Does the same, but lists parts of the plane of at most so many segments, for `solve_part`.
+  /// Divides the plane into parts of at most so many segments, and crowds that are not to be
+  /// divided. Lists them for `solve_part`.
   void split_crowd(std::size_t most) {
     add_all();
     crowds_.split({}, most, scratch_.undivided);

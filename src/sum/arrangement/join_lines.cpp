@@ -16,7 +16,7 @@ Vec<Int128> exact(const Vec<double>& v) {
   return {static_cast<std::int64_t>(v.x), static_cast<std::int64_t>(v.y)};
 }
 
-/// Joins the segments of each direction.
+/// Joins segments that overlap on one line, direction by direction.
 class LineJoiner {
  public:
   LineJoiner(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch)
@@ -36,8 +36,8 @@ class LineJoiner {
                   });
                 });
   }
-  /// Returns the first of so many directions that this task joins. All tasks have about as many
-  /// segments.
+  /// Returns the first direction that this task joins. Tasks have about as many segments each,
+  /// unless one direction has most of them.
   [[nodiscard]] DirectionRank first_rank(std::size_t task, std::size_t tasks) const {
     const auto& begin = scratch_.begin_of_rank;
     const std::size_t place = begin_of(task, tasks, scratch_.places.size());

@@ -34,7 +34,7 @@ class Splitter {
       assign_in_pieces(scratch_.first_piece, scratch_.parent.size(), kNoPiece, cancellation_);
     }
     scratch_.next_piece.clear();
-    // So lists seldom move. Memory that is not used costs nothing.
+    // With room for the most that may come, lists seldom move. Unused memory costs nothing.
     const std::size_t most = scratch_.line_count + scratch_.sorted_events.size();
     make_room(scratch_.root_of_node, most, cancellation_);
     make_room(result_.pieces, most, cancellation_);
@@ -69,8 +69,7 @@ class Splitter {
     share_each(roots.size(), kUnitsOfNode, cancellation_,
                [&](std::size_t i, Cancellation&) { make_node(roots[i], result_.nodes[i]); });
   }
-  /// Writes a node in its place. Copying a node whose parts were just written would have to wait
-  /// for these.
+  /// Writes a node in its place. To write it elsewhere and copy it would stall the processor.
   void make_node(std::uint32_t root, Node& node) const {
     node.point.is_crossing = root >= ends_;
     if (root < ends_) {
@@ -132,7 +131,7 @@ class Splitter {
     return is_inside(s, at.from.point, at.to.point) ||
            (result_.kept[s].meets_cover && is_covered(at.from_at, at.to_at, cancellation));
   }
-  /// Cuts all segments. Threads list pieces, if that is worth it, and this one numbers them.
+  /// Cuts all segments. Tasks list pieces, and the calling thread numbers them.
   void cut_all() {
     constexpr std::uint64_t kUnitsOfPiece = 16;  // a walk along some cells
     const std::size_t lines = scratch_.line_count;

@@ -16,8 +16,8 @@ struct MeetingsSeen {
   std::uint64_t crossings = 0;
 };
 
-/// Counts the pairs of lines whose boxes overlap, also those with the middle of the overlap in an
-/// uncovered cell, and crossings in uncovered cells, but not those at ends.
+/// Counts pairs of lines: those whose boxes overlap, those of them with the middle of the overlap
+/// in an uncovered cell, and those that cross in an uncovered cell, but not near an end.
 MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
                             CoverScratch& scratch) {
   constexpr double kEnd = 0x1p-20;
@@ -131,8 +131,8 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   visible.clear();
   double rows = 0;
   auto& lines = scratch.looked_at;
-  // The sample is looked at by eighths, until enough visible lines are found to compare. A quarter
-  // as many lines as are left take a twentieth of the time that arranging these takes.
+  // The sample is looked at by eighths, until enough visible lines are found to compare, or until
+  // looking has taken a twentieth of what arranging takes: a quarter as many lines as are left.
   constexpr std::size_t kParts = 8;
   constexpr std::uint64_t kUnitsOfLine = 32;  // a walk along some cells
   std::size_t looked_at = 0;

@@ -9,11 +9,11 @@
 
 namespace minksum {
 
-/// Memory of a helper that marks cells.
+/// A helper's bitmap.
 struct HelperBitmap {
   Bitmap bitmap;
-  bool used = false;               ///< whether `bitmap` was cleared for the present work
-  std::vector<std::uint64_t> row;  ///< for the helper's own use
+  bool used = false;               ///< whether it was cleared since the last `MemberBitmaps`
+  std::vector<std::uint64_t> row;  ///< a row of cells, for the work itself
 };
 
 /// The calling thread marks cells of the whole bitmap, and each helper those of its own.

@@ -41,7 +41,7 @@ bool run_against(const Arrangement& arrangement, PieceId a, PieceId b) {
 /// Sets the successor of each piece, or none.
 void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
                  Cancellation& cancellation, LoopScratch& scratch) {
-  constexpr std::uint32_t kFew = 2;           // so few pieces leave no choice
+  constexpr std::uint32_t kFew = 2;           // one piece comes in and one goes out: no choice
   constexpr std::uint64_t kUnitsOfPiece = 4;  // its node's pieces may not be in the cache
   const auto& pieces = arrangement.pieces;
   auto& ends = scratch.ends;
@@ -59,7 +59,7 @@ void link_pieces(const Arrangement& arrangement, const DirectionCircle& circle,
   share_each(pieces.size(), kUnitsOfPiece, cancellation, [&](std::size_t p, Cancellation&) {
     const NodeEnds& at = ends[pieces[p].to];
     if (at.degree > kFew) any_choice.store(true, std::memory_order_relaxed);
-    // The only piece to go on with may run back over this one.
+    // The only piece to go on with may run straight back. Then there is no successor.
     const bool ahead =
         at.out != kNoPiece && !run_against(arrangement, static_cast<PieceId>(p), at.out);
     scratch.next[p] = ahead ? at.out : kNoPiece;
