@@ -9,7 +9,8 @@
 
 namespace minksum {
 
-/// The cells [i·h, (i+1)·h] × [j·h, (j+1)·h] for 0 ≤ i < columns and 0 ≤ j < rows.
+/// The cells [i·h, (i+1)·h) × [j·h, (j+1)·h) for 0 ≤ i < columns and 0 ≤ j < rows: a point on the
+/// border of two belongs to the right or the upper one.
 struct UniformGrid {
   /// Most cells along a side. Up to this, rounding in cell units stays below 2^-38, far below the
   /// margins.

@@ -57,11 +57,11 @@ struct Piece {
 ///
 /// Every point of the sum's boundary at which two kept segments meet is one node, found on both.
 /// Crossings inside the cover may be missing. Pieces are missing that run through the cover, or
-/// that begin or end on the left of another segment. They are not boundary. Without them loops may
-/// close that would not close otherwise. Such loops have no boundary either: boundary pieces follow
-/// each other around a free face, and nothing is within that face. No two pieces have the same
-/// ends. One of several equal pieces stays; opposite pieces have the sum on both sides and are
-/// dropped.
+/// that begin or end on the left of another segment (but not beside joined ones, and not where
+/// tight places are wanted). They are not boundary. Without them, loops may close that would not
+/// close otherwise. No piece of such a loop is boundary: boundary pieces follow each other around a
+/// free face, and nothing is within that face. No two pieces have the same ends. One of several
+/// equal pieces stays; opposite pieces have the sum on both sides and are dropped.
 struct Arrangement {
   /// The segments that were split, and then the members of joined ones. Pieces refer to members.
   std::vector<KeptSegment> kept;
@@ -238,8 +238,8 @@ struct ArrangementScratch {
   }
 };
 
-/// Builds the arrangement.
-/// O(k · cells per segment + pairs within uncovered cells + c log c).
+/// Builds the arrangement: for k segments in O(k · cells per segment + pairs within uncovered cells
+/// + c log c). Among all pairs of boxes, pairs that share columns take the place of cells.
 void arrange(const Operands& operands, const Convolution& convolution, const Cover& cover,
              const SumSettings& options, Predicates& predicates, ArrangementScratch& scratch,
              Arrangement& arrangement);

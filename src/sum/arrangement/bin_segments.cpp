@@ -213,7 +213,7 @@ class Binner {
     } else {
       grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, visit);
     }
-    // At once: a grid has 4096 columns and rows at the most, so a segment is done in time.
+    // At once: a grid has kMaxSide columns and rows at the most, so a segment is done in time.
     cancellation.check(1 + rows + (items.size() - before));
     return items.size() > before;
   }

@@ -105,7 +105,7 @@ struct CoverScratch {
   Bitmap boundary[2];                  ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;
-  std::vector<HelperBitmap> helpers;   ///< by thread but the calling one
+  std::vector<HelperBitmap> helpers;  ///< one for each helper
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;
@@ -118,9 +118,9 @@ struct CoverScratch {
 
 /// Chooses the grid by the segments (or as `options.grid` says) and marks cells inside the sum.
 ///
-/// Translates come first, on ever finer grids as long as that pays. Segments may still crowd where
-/// many thin translates cover the sum rather than few fat ones. There parallelograms are tried as
-/// well. Segments that are only counted are listed only if no cell is covered.
+/// Translates come first, on ever finer grids as long as that pays. Where many thin translates
+/// cover the sum, segments still crowd. There parallelograms are tried as well. If the convolution
+/// has only counted its segments, and no cell is covered, it lists them now.
 void cover_interior(const Operands& operands, const SumSettings& options,
                     Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
                     Cover& cover);
