@@ -211,9 +211,8 @@ struct ArrangementScratch {
   std::vector<std::uint32_t> cells;        ///< cells that have items
   std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
   std::vector<KeptId> hash_table;
-  std::vector<MeetingScratch> meeting;   ///< by thread
-  std::vector<UndividedPart> undivided;  ///< parts of a crowd, for several threads
-  std::vector<Meetings> meetings;        ///< part by part; crossings are moved to the next list
+  std::vector<MeetingScratch> meeting;  ///< by thread
+  std::vector<Meetings> meetings;       ///< part by part; crossings are moved to the next list
   std::vector<Crossing> crossings;
   std::vector<Incident> incidents;
   std::vector<Event> sorted_events;

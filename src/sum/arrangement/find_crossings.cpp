@@ -44,9 +44,9 @@ class CrossingFinder {
   }
   /// Divides the plane into parts of at most so many segments, and crowds that are not to be
   /// divided. Lists them for `solve_part`.
-  void split_crowd(std::size_t most) {
+  void split_crowd(std::size_t most, std::vector<UndividedPart>& undivided) {
     add_all();
-    crowds_.split({}, most, scratch_.undivided);
+    crowds_.split({}, most, undivided);
   }
   void solve_part(UndividedPart& part) { crowds_.solve(part); }
   /// Meets the segments of the cells [begin, end) of those that have items.
@@ -238,12 +238,12 @@ void find_crossings(const Cover& cover, const SumSettings& options, Predicates& 
              tasks == 1) {
     solve_tasks(1, [](CrossingFinder& finder, std::size_t) { finder.solve_crowd(); });
   } else {
-    scratch.undivided.clear();
+    std::vector<UndividedPart> undivided;
     solve_tasks(1, [&](CrossingFinder& finder, std::size_t) {
-      finder.split_crowd(scratch.line_count / tasks);
+      finder.split_crowd(scratch.line_count / tasks, undivided);
     });
-    solve_tasks(scratch.undivided.size(), [&](CrossingFinder& finder, std::size_t task) {
-      finder.solve_part(scratch.undivided[task]);
+    solve_tasks(undivided.size(), [&](CrossingFinder& finder, std::size_t task) {
+      finder.solve_part(undivided[task]);
     });
   }
   join_crossings(most_crossings(options.limits), cancellation, scratch);
