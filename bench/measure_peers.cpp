@@ -47,7 +47,7 @@ void run_in_turn(Peer& peer, const PeerOfCase& about, const Region& p, const Reg
   while (total < effort.enough_seconds ||
          (seconds.size() < about.least_runs && total < effort.most_seconds)) {
     total += run_block(effort.block_seconds, 1, [&] {
-      seconds.push_back(peer.run());
+      seconds.push_back(peer.run(1));
       return seconds.back();
     });
     run_block(effort.block_seconds, 5, [&] { return minksum.run(p, q); });

@@ -109,7 +109,7 @@ void measure_cgal([[maybe_unused]] const Parts& parts, [[maybe_unused]] double t
     const Region q = moving_part(parts.parts[j], turn);
     equal += oracle::cgal_sum(p, q).sum == table.at({i, 0}, {j, turn}).region ? 1U : 0U;
     const std::unique_ptr<Peer> peer = make_cgal_reduced(p, q);
-    seconds.push_back(median({peer->run(), peer->run(), peer->run()}));
+    seconds.push_back(median({peer->run(1), peer->run(1), peer->run(1)}));
     const double share = table_seconds * static_cast<double>(k + 1) / kSample;
     while (times.size() == 0 || times.seconds() < share) times.measure();
     double total = 0;

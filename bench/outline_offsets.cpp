@@ -66,9 +66,9 @@ void measure_one(const std::string& file, const Distance& distance, const Effort
   reusing.clear();
   while (ours.size() < 3 || (total < 2 * effort.enough_seconds && ours.size() < 31)) {
     run({}, ours);
-    if (peer != nullptr) total += theirs.emplace_back(peer->run());
+    if (peer != nullptr) total += theirs.emplace_back(peer->run(1));
     run(with_memory, reusing);
-    if (peer != nullptr) total += theirs.emplace_back(peer->run());
+    if (peer != nullptr) total += theirs.emplace_back(peer->run(1));
   }
   report({{"minksum_alone", summary(ours)}, {"minksum_reusing", summary(reusing)}});
   if (peer == nullptr) return;

@@ -30,26 +30,22 @@ std::vector<std::pair<std::string, SumSettings>> all_settings() {
   return all;
 }
 
-// Returns the least seconds of some runs, or infinity if one takes longer than `most`.
-template <class Run>
-double least_seconds(double most, Run run) {
+// Returns the least seconds of some sums, or infinity if one takes longer than `most`.
+template <class Sum>
+double least_seconds_of(double most, Sum sum) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(most);
   const auto stop = CancelToken::polling([end] { return Clock::now() > end; });
-  double least = HUGE_VAL;
-  double total = 0;
-  // Blocks of a millisecond: the clock tells microseconds, and some sums take ten of them.
-  while (total < 1e-3) {
+  return least_seconds([&](std::size_t times) {
     const Stopwatch watch;
-    const Outcome outcome = run(stop);
-    if (!outcome.ok()) {
+    for (std::size_t i = 0; i < times; ++i) {
+      const Outcome outcome = sum(stop);
+      if (outcome.ok()) continue;
       if (outcome.error->code() == ErrorCode::kCancelled) return HUGE_VAL;
       throw Error(*outcome.error);
     }
-    total += watch.seconds();
-    least = std::min(least, watch.seconds());
-  }
-  return least;
+    return watch.seconds();
+  });
 }
 
 // Times the sum by all settings in turn. Settings that are far behind are left out soon.
@@ -68,7 +64,7 @@ void measure_settings(const Operands& operands, const Effort& effort, const Repo
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (left_out[i]) continue;
       const double most = i == 0 ? effort.peer_seconds : 0.05 + 2 * kFarBehind * seconds[0];
-      seconds[i] = std::min(seconds[i], least_seconds(most, [&](const CancelToken& stop) {
+      seconds[i] = std::min(seconds[i], least_seconds_of(most, [&](const CancelToken& stop) {
                               all[i].second.cancel = stop;
                               return minkowski_sum(p, q, all[i].second, workspace, sum);
                             }));
@@ -99,10 +95,10 @@ void measure_beside_cgal(const Operands& operands, const Effort& effort, const R
   Region sum;
   std::array<std::vector<double>, 3> seconds;
   const auto run_own = [&] {
-    seconds[1].push_back(least_seconds(effort.peer_seconds, [&](const CancelToken&) {
+    seconds[1].push_back(least_seconds_of(effort.peer_seconds, [&](const CancelToken&) {
       return minkowski_sum(prepared_p, prepared_q, Options{}, workspace, sum);
     }));
-    seconds[2].push_back(least_seconds(effort.peer_seconds, [&](const CancelToken&) {
+    seconds[2].push_back(least_seconds_of(effort.peer_seconds, [&](const CancelToken&) {
       return minkowski_sum(p, q, Options{}, workspace, sum);
     }));
   };
@@ -118,7 +114,8 @@ void measure_beside_cgal(const Operands& operands, const Effort& effort, const R
   if (cgal == nullptr) throw std::runtime_error("there is no CGAL");
   double total = 0;
   while (seconds[0].size() < 11 && total < effort.enough_seconds) {
-    total += seconds[0].emplace_back(cgal->run());
+    seconds[0].push_back(least_seconds([&](std::size_t times) { return cgal->run(times); }));
+    total += seconds[0].back();
     run_own();
   }
   report(members(median(seconds[0])));

@@ -62,41 +62,46 @@ class ReducedPeer : public Peer {
     p_ = with_large_holes(p, size_q);
     q_ = with_large_holes(q, size_p);
   }
-  double run() override {
-    const Stopwatch watch;
-    CgalPolygon outer;
-    std::vector<CgalPolygon> holes;
-    Reduced()(p_, q_, outer, std::back_inserter(holes));
-    const double seconds = watch.seconds();
-    vertices_ = outer.size();
-    for (const CgalPolygon& hole : holes) vertices_ += hole.size();
-    return seconds;
+  double run(std::size_t times) override {
+    return seconds_of(times, sum_, [&] {
+      Rings sum;
+      Reduced()(p_, q_, sum.outer, std::back_inserter(sum.holes));
+      return sum;
+    });
   }
-  std::size_t result_vertices() const override { return vertices_; }
+  std::size_t result_vertices() const override {
+    std::size_t vertices = sum_.outer.size();
+    for (const CgalPolygon& hole : sum_.holes) vertices += hole.size();
+    return vertices;
+  }
 
  private:
+  struct Rings {
+    CgalPolygon outer;
+    std::vector<CgalPolygon> holes;
+  };
   CgalRegion p_;
   CgalRegion q_;
-  std::size_t vertices_ = 0;
+  Rings sum_;
 };
 
 class FullPeer : public Peer {
  public:
   FullPeer(const Region& p, const Region& q) : p_(to_cgal(p, 0, false)), q_(to_cgal(q, 0, false)) {}
-  double run() override {
-    const Stopwatch watch;
-    const CgalRegion sum = CGAL::minkowski_sum_by_full_convolution_2(p_, q_);
-    const double seconds = watch.seconds();
-    vertices_ = sum.outer_boundary().size();
-    for (auto hole = sum.holes_begin(); hole != sum.holes_end(); ++hole) vertices_ += hole->size();
-    return seconds;
+  double run(std::size_t times) override {
+    return seconds_of(times, sum_,
+                      [&] { return CGAL::minkowski_sum_by_full_convolution_2(p_, q_); });
   }
-  std::size_t result_vertices() const override { return vertices_; }
+  std::size_t result_vertices() const override {
+    std::size_t vertices = sum_.outer_boundary().size();
+    for (auto hole = sum_.holes_begin(); hole != sum_.holes_end(); ++hole) vertices += hole->size();
+    return vertices;
+  }
 
  private:
   CgalPolygon p_;
   CgalPolygon q_;
-  std::size_t vertices_ = 0;
+  CgalRegion sum_;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
-#include <polyclipping/clipper.hpp>
-
 #include <cmath>
+#include <polyclipping/clipper.hpp>
 #include <stdexcept>
 
 #include "peers/peers.hpp"
@@ -26,21 +25,23 @@ Path outer_ring(const Region& region) {
 class ClipperPeer : public Peer {
  public:
   ClipperPeer(const Region& p, const Region& q) : p_(outer_ring(p)), q_(outer_ring(q)) {}
-  double run() override {
-    const Stopwatch watch;
-    Paths sum;
-    ClipperLib::MinkowskiSum(p_, q_, sum, true);
-    const double seconds = watch.seconds();
-    vertices_ = 0;
-    for (const Path& path : sum) vertices_ += path.size();
-    return seconds;
+  double run(std::size_t times) override {
+    return seconds_of(times, sum_, [&] {
+      Paths sum;
+      ClipperLib::MinkowskiSum(p_, q_, sum, true);
+      return sum;
+    });
   }
-  std::size_t result_vertices() const override { return vertices_; }
+  std::size_t result_vertices() const override {
+    std::size_t vertices = 0;
+    for (const Path& path : sum_) vertices += path.size();
+    return vertices;
+  }
 
  private:
   Path p_;
   Path q_;
-  std::size_t vertices_ = 0;
+  Paths sum_;
 };
 
 }  // namespace

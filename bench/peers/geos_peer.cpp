@@ -16,6 +16,12 @@ struct ContextDeleter {
 };
 using Context = std::unique_ptr<std::remove_pointer_t<GEOSContextHandle_t>, ContextDeleter>;
 
+struct GeometryDeleter {
+  GEOSContextHandle_t context = nullptr;
+  void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
+};
+using Geometry = std::unique_ptr<GEOSGeometry, GeometryDeleter>;
+
 GEOSGeometry* make_ring(GEOSContextHandle_t context, const Region& region, std::size_t ring) {
   const IndexRange vertices = region.vertices_of(ring);
   const auto size = static_cast<unsigned>(vertices.size());
@@ -51,14 +57,15 @@ class BufferPeer : public Peer {
   }
   ~BufferPeer() override { GEOSGeom_destroy_r(context_.get(), geometry_); }
 
-  double run() override {
-    const Stopwatch watch;
-    GEOSGeometry* buffer = GEOSBuffer_r(context_.get(), geometry_, radius_, quadrant_segments_);
-    const double seconds = watch.seconds();
+  double run(std::size_t times) override {
+    Geometry buffer;
+    const double seconds = seconds_of(times, buffer, [&] {
+      return Geometry(GEOSBuffer_r(context_.get(), geometry_, radius_, quadrant_segments_),
+                      {context_.get()});
+    });
     if (buffer == nullptr) throw std::runtime_error("GEOS made no buffer");
-    vertices_ = static_cast<std::size_t>(GEOSGetNumCoordinates_r(context_.get(), buffer));
-    GEOSArea_r(context_.get(), buffer, &area_);
-    GEOSGeom_destroy_r(context_.get(), buffer);
+    vertices_ = static_cast<std::size_t>(GEOSGetNumCoordinates_r(context_.get(), buffer.get()));
+    GEOSArea_r(context_.get(), buffer.get(), &area_);
     return seconds;
   }
   std::size_t result_vertices() const override { return vertices_; }

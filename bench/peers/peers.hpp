@@ -17,9 +17,9 @@ class Peer {
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   virtual ~Peer() = default;
-  /// Computes the sum once; returns the processor seconds until the result is complete. Destroying
-  /// the result is not counted.
-  virtual double run() = 0;
+  /// Computes the sum so many times, and returns the processor seconds of all. Destroying results
+  /// is not counted.
+  virtual double run(std::size_t times) = 0;
   /// Returns the number of vertices of the last result.
   [[nodiscard]] virtual std::size_t result_vertices() const = 0;
   /// Returns about the area of the last result, for peers whose result is only near the sum.
