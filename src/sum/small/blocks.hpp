@@ -8,6 +8,23 @@
 
 namespace minksum {
 
+/// Returns the box of a segment.
+[[nodiscard, gnu::always_inline]] inline BoxOf<double> box_of_segment(double x, double y, double dx,
+                                                                      double dy) {
+  return {x + std::min(dx, 0.0), y + std::min(dy, 0.0), x + std::max(dx, 0.0),
+          y + std::max(dy, 0.0)};
+}
+/// Returns those of eight segments whose boxes meet `box`.
+[[nodiscard, gnu::always_inline]] inline LaneBits segments_near(const double* x, const double* y,
+                                                                const double* dx, const double* dy,
+                                                                const BoxOf<double>& box) {
+  LaneBits bits = 0;
+  for (std::size_t t = 0; t < kLanes; ++t) {
+    bits |= box_of_segment(x[t], y[t], dx[t], dy[t]).meets(box) ? kBitOf[t] : 0;
+  }
+  return bits;
+}
+
 /// The boxes of up to `kMaxBlocks` blocks of eight segments each, in order.
 template <std::size_t kMaxBlocks>
 struct SmallBlocks {
@@ -19,10 +36,6 @@ struct SmallBlocks {
   alignas(64) std::array<double, kMaxBlocks> high_y;
 
   using Box = BoxOf<double>;
-  [[nodiscard, gnu::always_inline]] static Box box(double x, double y, double dx, double dy) {
-    return {x + std::min(dx, 0.0), y + std::min(dy, 0.0), x + std::max(dx, 0.0),
-            y + std::max(dy, 0.0)};
-  }
   [[nodiscard]] Box box_of(std::size_t block) const {
     return {low_x[block], low_y[block], high_x[block], high_y[block]};
   }
@@ -32,9 +45,9 @@ struct SmallBlocks {
                                   const double* dy, std::size_t count) {
     size = filled_up(count) / kLanes;
     for (std::size_t b = 0; b < size; ++b) {
-      Box all = box(x[b * kLanes], y[b * kLanes], dx[b * kLanes], dy[b * kLanes]);
+      Box all = box_of_segment(x[b * kLanes], y[b * kLanes], dx[b * kLanes], dy[b * kLanes]);
       for (std::size_t i = b * kLanes + 1; i < std::min((b + 1) * kLanes, count); ++i) {
-        all.add(box(x[i], y[i], dx[i], dy[i]));
+        all.add(box_of_segment(x[i], y[i], dx[i], dy[i]));
       }
       low_x[b] = all.x0;
       low_y[b] = all.y0;

@@ -77,20 +77,6 @@ class SmallMeetings {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Returns those of a block's eight segments whose boxes meet `box`.
-[[nodiscard, gnu::always_inline]] inline LaneBits segments_near(
-    const SmallSegments& s, std::size_t block, const SmallSegments::Blocks::Box& box) {
-  const double* const x = s.x.data() + block * kLanes;
-  const double* const y = s.y.data() + block * kLanes;
-  const double* const dx = s.dx.data() + block * kLanes;
-  const double* const dy = s.dy.data() + block * kLanes;
-  LaneBits bits = 0;
-  for (std::size_t t = 0; t < kLanes; ++t) {
-    bits |= SmallSegments::Blocks::box(x[t], y[t], dx[t], dy[t]).meets(box) ? kBitOf[t] : 0;
-  }
-  return bits & s.lanes_of(block);
-}
-
 /// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
 /// are near one another.
 template <class Number>
@@ -107,7 +93,8 @@ template <class Number>
     for (std::size_t word = i / kLanes * kLanes; word < blocks.size; word += 64) {
       for (LaneBits near = blocks.near_from(i, word); near != 0; near &= near - 1) {
         const std::size_t j = word + static_cast<std::size_t>(std::countr_zero(near));
-        const LaneBits rows = j == i ? s.lanes_of(i) : segments_near(s, i, blocks.box_of(j));
+        const LaneBits rows =
+            s.lanes_of(i) & (j == i ? first_bits(kLanes) : s.near(i, blocks.box_of(j)));
         const auto looks = static_cast<std::size_t>(std::popcount(rows));
         if (looks > looks_left || !m.has_room(s.size)) return false;
         looks_left -= looks;

@@ -10,11 +10,10 @@
 
 namespace minksum {
 
-/// Returns those of up to 64 edges of a ring, from `first` on, that edge i of another one meets.
+/// Returns those of eight edges of a ring, from `first` on, that edge i of another one meets.
 template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_meeting(const SmallRows& ring, std::uint32_t i,
-                                                     const SmallRows& others, std::size_t first,
-                                                     std::size_t count) {
+                                                     const SmallRows& others, std::size_t first) {
   const Vec<double> at{ring.x[i], ring.y[i]};
   const Vec<double> way{ring.dx[i], ring.dy[i]};
   const auto meets = [&](const auto& cross, std::size_t lane) __attribute__((always_inline)) {
@@ -29,35 +28,75 @@ template <class Number>
                       (std::abs(2 * a.y + t.y - way.y) <= std::abs(way.y) + std::abs(t.y));
     return meet ? kBitOf[lane] : 0;
   };
-  return test_lanes<Number>(count / kLanes * kLanes, meets);
+  return test_lanes<Number>(kLanes, meets);
 }
+
+/// The edges of a ring or of all rings of an operand, in blocks of eight.
+struct SmallEdges {
+  SmallRows rows;
+  std::uint32_t size;
+  SmallBlocks<SmallOperand::kMaxEntries / kLanes> blocks;
+
+  [[gnu::always_inline]] SmallEdges(const SmallOperand& s, std::uint32_t edges)
+      : rows(s), size(edges) {
+    blocks.set(rows.x, rows.y, rows.dx, rows.dy, size);
+  }
+  /// Returns those of a block's eight entries that are edges.
+  [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
+    return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
+  }
+  /// Returns those of a block's edges whose boxes meet `box`.
+  [[nodiscard, gnu::always_inline]] LaneBits near(std::size_t block,
+                                                  const BoxOf<double>& box) const {
+    const std::size_t i = block * kLanes;
+    return segments_near(rows.x + i, rows.y + i, rows.dx + i, rows.dy + i, box) & lanes_of(block);
+  }
+  /// Whether each of a block's edges leads forward, as seen along the way from the first one's
+  /// start to the last one's end. Then they meet at common vertices only. Rounding keeps the order
+  /// of the two products, so that a positive sum is one.
+  [[nodiscard, gnu::always_inline]] bool lead_forward(std::size_t block) const {
+    const std::size_t first = block * kLanes;
+    const std::size_t last = std::min<std::size_t>(first + kLanes, size) - 1;
+    const Vec<double> way{rows.x[last] + rows.dx[last] - rows.x[first],
+                          rows.y[last] + rows.dy[last] - rows.y[first]};
+    LaneBits bits = 0;
+    for (std::size_t t = 0; t < kLanes; ++t) {
+      const std::size_t e = first + t;
+      bits |= rows.dx[e] * way.x + rows.dy[e] * way.y > 0 ? kBitOf[t] : 0;
+    }
+    return (~bits & lanes_of(block)) == 0;
+  }
+};
 
 /// Whether no edge has a point in common with another one, but for the vertex between neighbours.
 template <class Number>
 [[gnu::always_inline]] inline bool is_simple(const SmallOperand& s) {
   const std::uint32_t n = s.size;
-  const SmallRows rows(s);
-  // Two blocks are compared in less time than their boxes take.
-  const bool few = n <= 2 * kLanes;
-  SmallBlocks<SmallOperand::kMaxVertices / kLanes> blocks;
-  if (!few) blocks.set(rows.x, rows.y, rows.dx, rows.dy, n);
-  LaneBits met = 0;
-  for (std::uint32_t i = 0; i < n && met == 0; ++i) {
-    // Each edge is compared with those of its own block and of later ones.
-    const LaneBits near =
-        few ? first_bits(filled_up(n) / kLanes)
-            : blocks.near(blocks.box(rows.x[i], rows.y[i], rows.dx[i], rows.dy[i]), 0);
+  const SmallEdges edges(s, n);
+  const auto meet = [&](std::size_t block, LaneBits lanes, std::size_t other)
+      __attribute__((always_inline)) {
+    LaneBits met = 0;
+    const auto first = static_cast<std::uint32_t>(other * kLanes);
+    const auto bit = [first](std::uint32_t edge) {
+      return edge - first < kLanes ? kBitOf[edge - first] : LaneBits{0};
+    };
     for_each_bit(
-        near & ~first_bits(i / kLanes), [&](std::uint32_t block) __attribute__((always_inline)) {
-          const std::uint32_t first = block * kLanes;
-          const auto bit = [first](std::uint32_t edge) {
-            return edge - first < kLanes ? kBitOf[edge - first] : LaneBits{0};
-          };
-          met |= edges_meeting<Number>(rows, i, rows, first, kLanes) & first_bits(n - first) &
+        lanes, [&](std::uint32_t lane) __attribute__((always_inline)) {
+          const auto i = static_cast<std::uint32_t>(block * kLanes) + lane;
+          met |= edges_meeting<Number>(edges.rows, i, edges.rows, first) &
                  ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
         });
+    return (met & edges.lanes_of(other)) != 0;
+  };
+  for (std::size_t block = 0; block < edges.blocks.size; ++block) {
+    if (!edges.lead_forward(block) && meet(block, edges.lanes_of(block), block)) return false;
+    LaneBits near = edges.blocks.near_from(block, 0) & ~first_bits(block + 1);
+    for (; near != 0; near &= near - 1) {
+      const auto other = static_cast<std::size_t>(std::countr_zero(near));
+      if (meet(block, edges.near(block, edges.blocks.box_of(other)), other)) return false;
+    }
   }
-  return met == 0;
+  return true;
 }
 
 /// Calls visit(i, j) for the edges i of one operand and j of another one that have a point in
@@ -66,21 +105,23 @@ template <class Number, class Visit>
 [[gnu::always_inline]] inline void for_each_meeting(const SmallOperand& a, std::uint32_t of_a,
                                                     const SmallOperand& b, std::uint32_t of_b,
                                                     Visit visit) {
-  const SmallRows edges(a);
-  const SmallRows others(b);
-  SmallBlocks<SmallOperand::kMaxEntries / kLanes> blocks;
-  blocks.set(others.x, others.y, others.dx, others.dy, of_b);
+  const SmallEdges edges(a, of_a);
+  const SmallEdges others(b, of_b);
   bool goes_on = true;
-  for (std::uint32_t i = 0; i < of_a && goes_on; ++i) {
-    const auto box = blocks.box(edges.x[i], edges.y[i], edges.dx[i], edges.dy[i]);
-    for_each_bit(
-        blocks.near(box, 0), [&](std::uint32_t block) __attribute__((always_inline)) {
-          const std::uint32_t first = block * kLanes;
-          const LaneBits met =
-              edges_meeting<Number>(edges, i, others, first, kLanes) & first_bits(of_b - first);
-          for_each_bit(met,
-                       [&](std::uint32_t lane) { goes_on = goes_on && visit(i, first + lane); });
-        });
+  for (std::size_t block = 0; block < edges.blocks.size && goes_on; ++block) {
+    LaneBits near = others.blocks.near(edges.blocks.box_of(block), 0);
+    for (; near != 0 && goes_on; near &= near - 1) {
+      const auto other = static_cast<std::size_t>(std::countr_zero(near));
+      const auto first = static_cast<std::uint32_t>(other * kLanes);
+      for_each_bit(
+          edges.near(block, others.blocks.box_of(other)), [&](std::uint32_t lane) __attribute__((
+                                                              always_inline)) {
+            const auto i = static_cast<std::uint32_t>(block * kLanes) + lane;
+            const LaneBits met =
+                edges_meeting<Number>(edges.rows, i, others.rows, first) & others.lanes_of(other);
+            for_each_bit(met, [&](std::uint32_t j) { goes_on = goes_on && visit(i, first + j); });
+          });
+    }
   }
 }
 /// Whether two rings have a point of their boundaries in common.

@@ -38,6 +38,12 @@ struct SmallSegments {
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
     return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
   }
+  /// Returns those of a block's eight entries whose boxes meet `box`.
+  [[nodiscard, gnu::always_inline]] LaneBits near(std::size_t block,
+                                                  const BoxOf<double>& box) const {
+    const std::size_t first = block * kLanes;
+    return segments_near(&x[first], &y[first], &dx[first], &dy[first], box);
+  }
   /// Whether segment i was listed before segment j. Segments are listed by vertices of the first
   /// ring.
   [[nodiscard]] bool is_before(std::uint32_t i, std::uint32_t j) const {
