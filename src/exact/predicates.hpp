@@ -44,6 +44,18 @@ struct RoundingBounds {
   double underflow = 0;   ///< of a cross product
   double position = 0;    ///< of a point a + λd computed in doubles, beyond λ's own error
 
+  /// Covers the rounding of a bound, and products of two relative errors.
+  static constexpr double kInflate = 1 + 0x1p-48;
+
+  /// Bounds the error of left − right, the cross product of an edge vector d and a vector whose
+  /// components are known within `v_error`.
+  [[nodiscard]] double cross_bound(const Vec<double>& d, double left, double right,
+                                   double v_error) const {
+    const double by_v = v_error == 0 ? 0 : (std::abs(d.x) + std::abs(d.y)) * v_error;
+    return ((std::abs(left) + std::abs(right)) * (product + direction) + by_v) * kInflate +
+           underflow;
+  }
+
   static RoundingBounds of(double magnitude, bool sums_exact, bool products_exact) {
     RoundingBounds bounds;
     bounds.magnitude = magnitude;
@@ -164,7 +176,7 @@ class Predicates {
     // the product of both errors.
     const double e = bounds_.difference;
     const double by_d = e == 0 ? 0 : (std::abs(v.x) + std::abs(v.y)) * e + 2 * e * e;
-    return filtered_difference(left - right, cross_bound(d, left, right, e) + by_d * kInflate,
+    return filtered_difference(left - right, bounds_.cross_bound(d, left, right, e) + by_d * RoundingBounds::kInflate,
                                [&] { return kernel_->orientation(a, b, c); });
   }
   Sign compare(SiteId a, SiteId b, Axis axis) {
@@ -241,14 +253,6 @@ class Predicates {
     });
   }
 
-  /// Bounds the error of left − right, the cross product of an edge vector d and a vector whose
-  /// components are known within `v_error`.
-  [[nodiscard]] double cross_bound(const Vec<double>& d, double left, double right,
-                                   double v_error) const {
-    const double by_v = v_error == 0 ? 0 : (std::abs(d.x) + std::abs(d.y)) * v_error;
-    const double relative = bounds_.product + bounds_.direction;
-    return ((std::abs(left) + std::abs(right)) * relative + by_v) * kInflate + bounds_.underflow;
-  }
   void count_filtered(std::uint64_t n) { counts_.by_filter += n; }
   /// Counts a decision that the kernel is about to take, and its work.
   void count_kernel() {
@@ -257,9 +261,6 @@ class Predicates {
   }
 
  private:
-  /// Covers the rounding of a bound, and products of two relative errors.
-  static constexpr double kInflate = 1 + 0x1p-48;
-
   Sign count_filter(Sign sign) {
     ++counts_.by_filter;
     return sign;
@@ -276,7 +277,7 @@ class Predicates {
   Sign filtered_cross(const Vec<double>& d, const Vec<double>& v, double v_error, Exact exact) {
     const double left = d.x * v.y;
     const double right = d.y * v.x;
-    return filtered_difference(left - right, cross_bound(d, left, right, v_error), exact);
+    return filtered_difference(left - right, bounds_.cross_bound(d, left, right, v_error), exact);
   }
   /// Does the same for two edge vectors.
   template <class Exact>

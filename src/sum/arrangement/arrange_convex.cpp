@@ -24,7 +24,7 @@ void arrange_convex(const Operands& o, Cancellation& cancellation, Arrangement& 
     const SiteId edge = o.by_direction[i];
     const auto operand = static_cast<std::size_t>(o.operand_of(edge));
     const Segment segment{edge, at[1 - operand]};
-    const KeptSegment& kept = arrangement.kept.emplace_back(place_segment(o, segment));
+    const KeptSegment& kept = arrangement.kept.emplace_back(place_segment(o, segment, {}));
     arrangement.nodes.push_back({{false, {}, {}, sum_vertex(edge, segment.vertex)}, kept.a,
                                  o.bounds.difference});
     arrangement.pieces.push_back({i, i + 1 == count ? 0 : i + 1, i});

@@ -35,7 +35,11 @@ struct KeptSegment {
   std::uint32_t joined;  ///< 0, or one more than its index in `JoinScratch::joined`
   std::uint32_t line;    ///< equal for parallel segments, of either sense, and only for them
   DirectionRank rank;
-  bool meets_cover;      ///< false if the segment is near no covered cell
+  bool meets_cover;      ///< false if the clipped segment is near no covered cell
+  Clip clip;
+
+  /// Returns the part that may be boundary.
+  [[nodiscard]] Line clipped() const { return clip.of({a, b}); }
 };
 
 /// A point where pieces begin or end. `point` is exact, and `at` is within `error` of it in each
@@ -56,9 +60,10 @@ struct Piece {
 /// Kept segments, split at their nodes.
 ///
 /// Every point of the sum's boundary at which two kept segments meet is one node, found on both.
-/// Crossings inside the cover may be missing. Pieces are missing that run through the cover, or
-/// that begin or end on the left of another segment (but not beside joined ones, and not where
-/// tight places are wanted). They are not boundary. Without them, loops may close that would not
+/// Crossings inside the cover, or on what was clipped off, may be missing. Pieces are missing that
+/// run through the cover, or into what was clipped off, or that begin or end on the left of another
+/// segment (but not beside joined ones, and not where tight places are wanted). They are not
+/// boundary. Without them, loops may close that would not
 /// close otherwise. No piece of such a loop is boundary: boundary pieces follow each other around a
 /// free face, and nothing is within that face. No two pieces have the same ends. One of several
 /// equal pieces stays; opposite pieces have the sum on both sides and are dropped.
@@ -191,6 +196,7 @@ struct BinScratch {
   std::vector<Segment> ordered;
   std::vector<std::uint32_t> place;  ///< by site: where its segments are in `ordered`
   std::vector<std::uint8_t> shared;  ///< by rank: whether several edges have it
+  std::vector<Clip> clips;
 };
 
 /// Memory for the stage. Points have numbers: 2s and 2s + 1 are the ends of kept segment s, and
@@ -199,6 +205,7 @@ struct BinScratch {
 struct ArrangementScratch {
   UniformGrid grid;       ///< the grid of the cells below
   bool covered = false;   ///< whether anything is covered
+  bool clipped = false;   ///< whether segments were clipped
   bool by_cells = false;  ///< whether there are cells; there are none if nothing is covered
   Vec<double> extent{};   ///< the size of the sum's box, which starts at (0, 0)
   BoxPairScratch pairs;

@@ -33,15 +33,11 @@ class Binner {
             ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
             : convolution.segments;
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
-    // Joining drops equal segments itself. Rounded doubles do not tell whether segments are equal.
-    const bool joins = lines_are_joined(o_, visible.size());
-    if (joins || o_.bounds.difference != 0 || !list_shared_directions()) {
-      kept_.reserve(visible.size());
-      visit_in_pieces(visible, cancellation_,
-                      [&](const Segment& segment) { kept_.push_back(place_segment(o_, segment)); });
-    } else {
-      place_once(visible);
-    }
+    // Clipping leaves little that could be joined, and joined segments would hide where.
+    const bool joins = !cover_.clips && lines_are_joined(o_, visible.size());
+    scratch_.clipped = cover_.clips;
+    if (cover_.clips) clip(visible);
+    place(visible, !joins);
     join_lines(o_, joins, cancellation_, scratch_.join, kept_);
     grid_ = cover_.grid;
     scratch_.covered = covers_any_;
@@ -128,7 +124,8 @@ class Binner {
   }
   [[nodiscard]] double rows_if_tall(const KeptSegment& s) const {
     constexpr double kTall = 8;  // rows; of fewer, too few are left out
-    const double rows = std::abs(s.b.y - s.a.y) * grid_.inverse;
+    const auto [a, b] = s.clipped();
+    const double rows = std::abs(b.y - a.y) * grid_.inverse;
     return rows > kTall ? rows : 0;
   }
 
@@ -144,15 +141,31 @@ class Binner {
     }
     return true;
   }
-  /// Places segments, but only one of several equal ones.
-  void place_once(std::span<const Segment> segments) {
-    DuplicateFinder duplicates(scratch_.hash_table, kept_, cancellation_);
+  void clip(std::span<const Segment> segments) {
+    const SegmentClipper clipper(o_);
+    resize_in_pieces(scratch_.bin.clips, segments.size(), cancellation_);
+    share_each(
+        segments.size(), SegmentClipper::kUnits, cancellation_,
+        [&](std::size_t i, Cancellation&) { scratch_.bin.clips[i] = clipper.clip(segments[i]); });
+  }
+  /// Places what clipping has left of segments. With `once`, one of several equal ones is placed,
+  /// if doubles tell which are equal.
+  void place(std::span<const Segment> segments, bool once) {
     const auto& shared = scratch_.bin.shared;
+    std::optional<DuplicateFinder> duplicates;
+    if (once && o_.bounds.difference == 0 && list_shared_directions()) {
+      duplicates.emplace(scratch_.hash_table, kept_, cancellation_);
+    }
     in_pieces(segments.size(), cancellation_, [&](std::size_t begin, std::size_t end) {
       make_room(kept_, end - begin, cancellation_);
-      for (const Segment& segment : segments.subspan(begin, end - begin)) {
-        kept_.push_back(place_segment(o_, segment));
-        if (shared[o_.rank[segment.edge]] != 0 && duplicates.seen()) kept_.pop_back();
+      for (std::size_t i = begin; i < end; ++i) {
+        const Segment& segment = segments[i];
+        const Clip clip = cover_.clips ? scratch_.bin.clips[i] : Clip{};
+        if (clip.is_empty()) continue;
+        kept_.push_back(place_segment(o_, segment, clip));
+        if (duplicates && shared[o_.rank[segment.edge]] != 0 && duplicates->seen()) {
+          kept_.pop_back();
+        }
       }
     });
   }
@@ -178,7 +191,7 @@ class Binner {
 
   /// Returns whether a segment is near an uncovered cell. Notes whether it is near a covered one.
   bool is_visible(KeptSegment& s, Cancellation& cancellation) const {
-    const CellsNear near = cells_near(cover_, {s.a, s.b}, Until::kBoth);
+    const CellsNear near = cells_near(cover_, s.clipped(), Until::kBoth);
     s.meets_cover = near.covered;
     cancellation.check(1 + std::uint64_t{near.rows});
     return near.uncovered;
@@ -208,10 +221,11 @@ class Binner {
       s.meets_cover = s.meets_cover || covered;
       return covered;
     };
+    const auto [a, b] = s.clipped();
     if (uncovered && rows_if_tall(s) > 0) {
-      grid_.walk_rows_but(s.a, s.b, UniformGrid::kMargin, visit, is_covered);
+      grid_.walk_rows_but(a, b, UniformGrid::kMargin, visit, is_covered);
     } else {
-      grid_.walk_rows(s.a, s.b, UniformGrid::kMargin, visit);
+      grid_.walk_rows(a, b, UniformGrid::kMargin, visit);
     }
     // At once: a grid has kMaxSide columns and rows at the most, so a segment is done in time.
     cancellation.check(1 + rows + (items.size() - before));

@@ -7,9 +7,9 @@ namespace minksum {
 
 void CrowdFinder::add(KeptId segment, const PlanePart& part) {
   cancellation_.check(2);
-  const KeptSegment& s = kept_[segment];
-  BoxedSegment item{{std::min(s.a.x, s.b.x) - cut_error_, std::min(s.a.y, s.b.y) - cut_error_,
-                     std::max(s.a.x, s.b.x) + cut_error_, std::max(s.a.y, s.b.y) + cut_error_},
+  const auto [a, b] = kept_[segment].clipped();
+  BoxedSegment item{{std::min(a.x, b.x) - cut_error_, std::min(a.y, b.y) - cut_error_,
+                     std::max(a.x, b.x) + cut_error_, std::max(a.y, b.y) + cut_error_},
                     segment};
   if (division_.cut_to(part, item)) append(items_, item, cancellation_);
 }
@@ -38,8 +38,8 @@ void CrowdFinder::meet_few(std::size_t begin, std::size_t end) {
 
 /// Tells whether a segment passes a strip from side to side.
 bool CrowdFinder::passes(const BoxedSegment& item, const BoxOf<double>& box, Axis axis) const {
-  const KeptSegment& s = kept_[item.segment];
-  const auto [low, high] = axis == Axis::kX ? std::minmax(s.a.x, s.b.x) : std::minmax(s.a.y, s.b.y);
+  const auto [a, b] = kept_[item.segment].clipped();
+  const auto [low, high] = axis == Axis::kX ? std::minmax(a.x, b.x) : std::minmax(a.y, b.y);
   return low <= box.low(axis) && high >= box.high(axis) && high - low > shortest_;
 }
 std::size_t CrowdFinder::count_ending(std::size_t begin, std::size_t end, const BoxOf<double>& box,

@@ -52,7 +52,8 @@ class CrowdFinder {
   }
   template <Axis axis>
   [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const {
-    return cut_segment<axis>(kept_[segment].a, kept_[segment].b, at, shortest_, cut_error_, result);
+    const auto [a, b] = kept_[segment].clipped();
+    return cut_segment<axis>(a, b, at, shortest_, cut_error_, result);
   }
   void meet_few(std::size_t begin, std::size_t end);
   void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& box);

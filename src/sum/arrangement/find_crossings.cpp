@@ -76,7 +76,9 @@ class CrossingFinder {
     const auto gap = [](double a, double b, double c, double d) {
       return std::max(std::min(c, d) - std::max(a, b), std::min(a, b) - std::max(c, d));
     };
-    return std::max(gap(s.a.x, s.b.x, t.a.x, t.b.x), gap(s.a.y, s.b.y, t.a.y, t.b.y)) > doubt;
+    const auto [a, b] = s.clipped();
+    const auto [c, d] = t.clipped();
+    return std::max(gap(a.x, b.x, c.x, d.x), gap(a.y, b.y, c.y, d.y)) > doubt;
   }
 
   void add_all() {
@@ -141,8 +143,8 @@ bool list_boxes(std::span<const KeptSegment> segments, Cancellation& cancellatio
   // limit in x alone is for long boxes above one another, which hardly overlap.
   constexpr BoxPairs::Most kMostPairs{.in_x = 400, .overlaps = 24};
   visit_in_pieces(segments, cancellation, [&](const KeptSegment& s) {
-    pairs.add(std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y), std::max(s.a.x, s.b.x),
-              std::max(s.a.y, s.b.y));
+    const auto [a, b] = s.clipped();
+    pairs.add(std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y));
   });
   return pairs.sort(cancellation, kMostPairs);
 }

@@ -98,7 +98,7 @@ Sign SegmentMeeter::side(KeptId s, std::uint32_t point, double& value, double& g
   const double left = ks.d.x * v.y;
   const double right = ks.d.y * v.x;
   value = left - right;
-  const double bound = predicates_.cross_bound(ks.d, left, right, bounds_.difference);
+  const double bound = bounds_.cross_bound(ks.d, left, right, bounds_.difference);
   greatest_bound = std::max(greatest_bound, bound);
   if (value > bound || value < -bound || bound == 0) {
     predicates_.count_filtered(1);
@@ -131,7 +131,7 @@ bool SegmentMeeter::clearly_apart(KeptId s, KeptId t) const {
   const Vec<double> v{kept_[t].a.x - ks.a.x, kept_[t].a.y - ks.a.y};
   const double left = ks.d.x * v.y;
   const double right = ks.d.y * v.x;
-  const double bound = predicates_.cross_bound(ks.d, left, right, bounds_.difference);
+  const double bound = bounds_.cross_bound(ks.d, left, right, bounds_.difference);
   return std::abs(left - right) > bound;
 }
 

@@ -10,14 +10,21 @@
 namespace minksum {
 
 /// Makes a kept segment that is not known to meet the cover.
-inline KeptSegment place_segment(const Operands& o, const Segment& segment) {
+inline KeptSegment place_segment(const Operands& o, const Segment& segment, const Clip& clip) {
   const auto& [x, y, dx, dy, next] = o.sites;
   const auto& [e, v] = segment;
   const SiteId f = next[e];
   const DirectionRank rank = o.rank[e];
   const std::uint32_t line = std::min(o.place[rank], o.reverse_place[rank]);
-  return {{x[e] + x[v], y[e] + y[v]}, {x[f] + x[v], y[f] + y[v]}, {dx[e], dy[e]}, segment, 0, line,
-          rank, false};
+  return {{x[e] + x[v], y[e] + y[v]},
+          {x[f] + x[v], y[f] + y[v]},
+          {dx[e], dy[e]},
+          segment,
+          0,
+          line,
+          rank,
+          false,
+          clip};
 }
 
 /// A segment's line in units of cells.

@@ -24,7 +24,7 @@ class Splitter {
         result_(arrangement),
         points_(predicates, scratch, arrangement),
         ends_(points_.ends()),
-        may_coincide_(scratch.covered || scratch.lines_shared) {}
+        may_coincide_(scratch.covered || scratch.clipped || scratch.lines_shared) {}
 
   void run() {
     order_events(predicates_, scratch_, result_);
@@ -125,11 +125,15 @@ class Splitter {
   }
   [[nodiscard]] bool is_whole(KeptId s) const {
     const KeptSegment& k = result_.kept[s];
-    return !k.meets_cover && k.joined == 0 && events_of(s).empty();
+    return !k.meets_cover && k.clip.is_whole() && k.joined == 0 && events_of(s).empty();
   }
   [[nodiscard]] bool is_left_out(KeptId s, const Stretch& at, Cancellation& cancellation) const {
-    return is_inside(s, at.from.point, at.to.point) ||
+    return is_inside(s, at.from.point, at.to.point) || is_clipped(result_.kept[s].clip, at) ||
            (result_.kept[s].meets_cover && is_covered(at.from_at, at.to_at, cancellation));
+  }
+  /// Whether a piece reaches into what was clipped off.
+  [[nodiscard]] static bool is_clipped(const Clip& clip, const Stretch& at) {
+    return at.from.lambda + at.from.error < clip.from || at.to.lambda - at.to.error > clip.to;
   }
   /// Cuts all segments. Tasks list pieces, and the calling thread numbers them.
   void cut_all() {
@@ -331,7 +335,7 @@ class Splitter {
   SharedPoints points_;
   std::uint32_t ends_;  ///< points of lower numbers are ends of segments
   /// Whether two pieces may have the same ends. That happens where segments overlap on one line.
-  /// If something is covered, not all pairs were met, so this is true to be safe.
+  /// If something is covered or clipped, not all pairs were met, so this is true to be safe.
   bool may_coincide_;
 };
 

@@ -71,6 +71,57 @@ inline constexpr std::size_t kFewestSampled = 64;  ///< of a listed convolution,
 void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                       ConvolutionScratch& scratch, Convolution& convolution);
 
+// -- Clipping ---------------------------------------------------------------------------------
+/// A segment in doubles.
+struct Line {
+  Vec<double> start;
+  Vec<double> end;
+};
+
+/// The part of a segment that may be boundary. Both numbers are shares of the segment's length.
+struct Clip {
+  float from = 0;
+  float to = 1;
+  [[nodiscard]] bool is_whole() const { return from == 0 && to == 1; }
+  [[nodiscard]] bool is_empty() const { return from >= to; }
+  /// Returns that part of a line.
+  [[nodiscard]] Line of(const Line& line) const {
+    const auto& [a, b] = line;
+    const auto at = [&](double share) {
+      return Vec<double>{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    };
+    return {from == 0 ? a : at(from), to == 1 ? b : at(to)};
+  }
+};
+
+/// Finds parts of segments that certainly lie inside the sum, by a look at the operand of the
+/// segment's vertex near that vertex.
+///
+/// Let s = p + e be a segment of a vertex p of P and an edge e of Q. Let the boundary of P cross
+/// the line of s where s has the parameter c; c may be less than 0, or more than 1. Next to that
+/// crossing, P's interior meets the line at a parameter c' as near to c as we like. A point of s
+/// with the parameter t is the sum of P's point at c' and of e's point at t − c', if that is in
+/// [0, 1]. So the points of s between c and 1 + c lie in the interior of P ⊕ Q. They are no tight
+/// places either, since the interior of Q is next to e.
+///
+/// So if P's boundary returns to the line ahead of p, only the beginning of s is left, and if it
+/// returns behind p, only the end. If it returns on both sides, and the ways to there are shorter
+/// than e together, nothing is left. That is so at most convex vertices of a P that is small and
+/// rough beside e. There no cells of a grid are so small that they would fit inside P.
+class SegmentClipper {
+ public:
+  explicit SegmentClipper(const Operands& operands) : o_(operands) {}
+  /// The work of a segment (see Cancellation), at most.
+  static constexpr std::uint64_t kUnits = 8;
+  /// Returns the part that may be boundary; it is empty if there is none. O(1).
+  [[nodiscard]] Clip clip(const Segment& segment) const;
+
+ private:
+  template <class Step>
+  void walk(const Segment& segment, Step step, Clip& clip) const;
+  const Operands& o_;
+};
+
 /// Returns what is wrong with the convolution, or nothing. Each listed segment must be made exactly
 /// once by the reduced rule, or with `full` by the full one. If not all are listed, their number
 /// must be right.

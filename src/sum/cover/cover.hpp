@@ -27,6 +27,7 @@ struct Cover {
   Bitmap covered;             ///< of the grid's size if active
   bool by_translates = true;  ///< whether only translates have marked cells
   bool by_cells = true;       ///< whether crossings are to be looked for cell by cell
+  bool clips = false;         ///< whether segments are to be clipped
 
   [[nodiscard]] std::uint64_t covered_count() const;
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
@@ -86,12 +87,6 @@ struct Visibility {
   double rows = 0;  ///< number of rows of cells that visible segments pass; 0 without cells
 };
 
-/// A segment in doubles.
-struct Line {
-  Vec<double> start;
-  Vec<double> end;
-};
-
 /// A line of the sample, and whether it is seen: it is near an uncovered cell.
 struct LookedAt {
   Line line;
@@ -109,6 +104,7 @@ struct CoverScratch {
   std::vector<CellEdge> long_edges[2];
   ConvolutionScratch convolution;
   std::vector<Segment> sample;
+  std::vector<Line> lines;  ///< of the sample
   std::vector<LookedAt> looked_at;
   std::vector<Line> visible;         ///< the lines of the sample's visible segments
   std::vector<BoxOf<double>> boxes;  ///< of some of these lines
@@ -127,8 +123,9 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 
 /// Some of the convolution's segments. Each stands for `step` of them.
 struct Sample {
-  std::span<const Segment> segments;
+  std::span<const Line> lines;
   double step = 1;
+  double share = 1;  ///< of the segments of the convolution: those of which clipping leaves a part
 
   /// Estimates the number of crossings of all segments from their extents in x and y, and from how
   /// unevenly they are spread. The estimate would be the exact expectation if half of the segments
@@ -137,7 +134,19 @@ struct Sample {
 };
 /// Takes one of every few segments, so that an estimate takes a small share of the time of a sum:
 /// one of 16, but at least `kFewestSampled` and at most `kSample`.
-[[nodiscard]] Sample take_sample(const Convolution& convolution, CoverScratch& scratch);
+[[nodiscard]] Sample take_sample(const Operands& operands, const Convolution& convolution,
+                                 CoverScratch& scratch);
+/// What clipping leaves: shares of the segments, and of their length.
+struct ClippedShare {
+  double segments = 1;
+  double length = 1;
+};
+/// Estimates what clipping leaves from one of every 16 segments of the convolution.
+[[nodiscard]] ClippedShare see_clipped(const Operands& operands, const Sample& sample,
+                                       Cancellation& cancellation, const CoverScratch& scratch);
+/// Clips the segments of a sample, and drops those of which nothing is left.
+[[nodiscard]] Sample clipped(const Operands& operands, const Sample& sample,
+                             Cancellation& cancellation, CoverScratch& scratch);
 /// Returns how many lines `look` compares if so many segments are visible.
 [[nodiscard]] double lines_compared(double visible);
 /// What cells a line is near, as far as it was followed.
@@ -155,8 +164,8 @@ enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
                                  const Visibility& left);
 /// Estimates what a cover leaves of the segments. Crossings are counted in a sample of the visible
 /// segments, so that crossings are found even if few segments are visible.
-[[nodiscard]] Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
-                              Cancellation& cancellation, CoverScratch& scratch);
+[[nodiscard]] Visibility look(const Sample& sample, const Cover& cover, Cancellation& cancellation,
+                              CoverScratch& scratch);
 
 /// Returns the words of a row of each raster, and of a cover of so many columns. An operand's
 /// raster may have one column more, but all rows must be equally long.

@@ -71,7 +71,8 @@ CellsNear cells_near(const Cover& cover, const Line& line, Until until) {
   return near;
 }
 
-Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
+Sample take_sample(const Operands& operands, const Convolution& convolution,
+                   CoverScratch& scratch) {
   // The number follows from the size of the convolution, because its list may be a sample already.
   const auto wanted = std::clamp<std::uint64_t>(convolution.size / 16, kFewestSampled, kSample);
   const std::size_t listed = convolution.segments.size();
@@ -86,12 +87,58 @@ Sample take_sample(const Convolution& convolution, CoverScratch& scratch) {
     sample.push_back(
         convolution.segments[first + random * (end - first) / (std::uint64_t{1} << 32)]);
   }
-  return {sample, static_cast<double>(convolution.size) / static_cast<double>(count)};
+  const auto& [x, y, dx, dy, next] = operands.sites;
+  auto& lines = scratch.lines;
+  lines.clear();
+  for (const auto& [e, v] : sample) {
+    const SiteId f = next[e];
+    lines.push_back({{x[e] + x[v], y[e] + y[v]}, {x[f] + x[v], y[f] + y[v]}});
+  }
+  return {lines, static_cast<double>(convolution.size) / static_cast<double>(count)};
+}
+
+ClippedShare see_clipped(const Operands& operands, const Sample& sample, Cancellation& cancellation,
+                         const CoverScratch& scratch) {
+  const auto length_of = [](const Line& line) {
+    return std::abs(line.end.x - line.start.x) + std::abs(line.end.y - line.start.y);
+  };
+  const SegmentClipper clipper(operands);
+  const auto step = static_cast<std::size_t>(std::max(1.0, 16 / sample.step));
+  double count = 0;
+  double length = 0;
+  double kept = 0;
+  double kept_length = 0;
+  for (std::size_t i = step / 2; i < sample.lines.size(); i += step) {
+    cancellation.check(SegmentClipper::kUnits);
+    const Clip clip = clipper.clip(scratch.sample[i]);
+    ++count;
+    length += length_of(sample.lines[i]);
+    if (clip.is_empty()) continue;
+    ++kept;
+    kept_length += length_of(clip.of(sample.lines[i]));
+  }
+  if (!(length > 0)) return {};
+  return {kept / count, kept_length / length};
+}
+
+Sample clipped(const Operands& operands, const Sample& sample, Cancellation& cancellation,
+               CoverScratch& scratch) {
+  const SegmentClipper clipper(operands);
+  auto& lines = scratch.lines;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    cancellation.check(SegmentClipper::kUnits);
+    const Clip clip = clipper.clip(scratch.sample[i]);
+    if (!clip.is_empty()) lines[kept++] = clip.of(lines[i]);
+  }
+  kept = std::max<std::size_t>(kept, 1);  // there is something to look at, whatever is left
+  const double share = static_cast<double>(kept) / static_cast<double>(lines.size());
+  lines.resize(kept);
+  return {lines, sample.step, share};
 }
 
 double Sample::expected_crossings(const Operands& operands) const {
   constexpr std::int32_t kSide = 32;
-  const auto& [x, y, dx, dy, next] = operands.sites;
   const Vec<double> extent = operands.sum_extent();
   const double area = extent.x * extent.y;
   if (!(area > 0)) return 0;
@@ -102,15 +149,15 @@ double Sample::expected_crossings(const Operands& operands) const {
   double across = 0;
   double up = 0;
   std::uint64_t pairs = 0;
-  for (const auto& [e, v] : segments) {
-    across += std::abs(dx[e]);
-    up += std::abs(dy[e]);
-    const std::int32_t column = cell(x[e] + x[v] + dx[e] / 2, extent.x);
-    const std::int32_t row = cell(y[e] + y[v] + dy[e] / 2, extent.y);
+  for (const auto& [a, b] : lines) {
+    across += std::abs(b.x - a.x);
+    up += std::abs(b.y - a.y);
+    const std::int32_t column = cell((a.x + b.x) / 2, extent.x);
+    const std::int32_t row = cell((a.y + b.y) / 2, extent.y);
     pairs += in_cell[static_cast<std::size_t>(row * kSide + column)]++;
   }
   // If segments were evenly spread, one of kSide * kSide pairs would lie in one cell.
-  const auto count = static_cast<double>(segments.size());
+  const auto count = static_cast<double>(lines.size());
   const double unevenness = 2 * static_cast<double>(pairs) * kSide * kSide / (count * count);
   return std::max(1.0, unevenness) * step * across * step * up / area;
 }
@@ -124,9 +171,8 @@ double lines_compared(double visible) {
   return std::min(std::sqrt(2 * kPairsForEach * visible), kMost);
 }
 
-Visibility look(const Operands& operands, const Sample& sample, const Cover& cover,
-                Cancellation& cancellation, CoverScratch& scratch) {
-  const auto at = [&](SiteId v) { return Vec<double>{operands.sites.x[v], operands.sites.y[v]}; };
+Visibility look(const Sample& sample, const Cover& cover, Cancellation& cancellation,
+                CoverScratch& scratch) {
   auto& visible = scratch.visible;
   visible.clear();
   double rows = 0;
@@ -140,12 +186,8 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
   double left = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
     lines.clear();
-    for (std::size_t i = part; i < sample.segments.size(); i += kParts) {
-      const auto& [edge, vertex] = sample.segments[i];
-      const Vec<double> a = at(edge);
-      const Vec<double> b = at(operands.sites.next[edge]);
-      const Vec<double> q = at(vertex);
-      lines.push_back({{{a.x + q.x, a.y + q.y}, {b.x + q.x, b.y + q.y}}, true});
+    for (std::size_t i = part; i < sample.lines.size(); i += kParts) {
+      lines.push_back({sample.lines[i], true});
     }
     share_each(lines.size(), kUnitsOfLine, cancellation, [&](std::size_t i, Cancellation& own) {
       if (!cover.active) return;
@@ -159,14 +201,14 @@ Visibility look(const Operands& operands, const Sample& sample, const Cover& cov
       if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
     }
     looked_at += lines.size();
-    each =
-        sample.step * static_cast<double>(sample.segments.size()) / static_cast<double>(looked_at);
+    each = sample.step * static_cast<double>(sample.lines.size()) / static_cast<double>(looked_at);
     left = each * static_cast<double>(visible.size());
     const bool is_cheap = looked_at < kFewestSampled || static_cast<double>(looked_at) < left / 4;
     if (!is_cheap || static_cast<double>(visible.size()) > lines_compared(left)) break;
   }
-  Visibility seen{.share = static_cast<double>(visible.size()) / static_cast<double>(looked_at),
-                  .rows = each * rows};
+  Visibility seen{
+      .share = sample.share * static_cast<double>(visible.size()) / static_cast<double>(looked_at),
+      .rows = each * rows};
   const std::size_t count =
       std::min(visible.size(), static_cast<std::size_t>(lines_compared(left)));
   if (count < 2) return seen;

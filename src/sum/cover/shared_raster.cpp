@@ -36,7 +36,7 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   const double columns = operands.extent[0].x * cover.grid.inverse + widest / shared.cell + 1;
   if (!(columns < UniformGrid::kMaxSide)) return std::nullopt;
   const Visibility typical =
-      look(operands, take_sample(convolution, scratch), cover, cancellation, scratch);
+      look(take_sample(operands, convolution, scratch), cover, cancellation, scratch);
   shared.visible = typical.share * static_cast<double>(convolution.size);
   shared.crossings = typical.crossings;
   cover.covered.reset(cover.grid.columns, cover.grid.rows,
@@ -58,12 +58,13 @@ void cover_interior(const Operands& operands, const SharedRaster& shared,
     return cover_without();
   }
   cover.active = true;
+  cover.clips = false;
   cover.by_translates = true;
   cover.covered.reset(cover.grid.columns, cover.grid.rows, words);
   cover_by_translates(operands, shared.first, cancellation, scratch, cover);
   const auto size = static_cast<double>(convolution.size);
   const Visibility seen =
-      look(operands, take_sample(convolution, scratch), cover, cancellation, scratch);
+      look(take_sample(operands, convolution, scratch), cover, cancellation, scratch);
   cover.by_cells = pays_by_cells(operands, size, cover.grid, seen);
   if (!cover.covered.has_any() || seen.share * size > 1.5 * shared.visible + 0.1 * size ||
       seen.crossings > 2 * shared.crossings + 0.5 * size) {

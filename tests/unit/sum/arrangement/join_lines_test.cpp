@@ -56,7 +56,8 @@ std::vector<KeptSegment> segments_of(const Operands& o, const Convolution& convo
                     0,
                     o.place[o.rank[s.edge]],
                     o.rank[s.edge],
-                    false});
+                    false,
+                    {}});
   }
   return kept;
 }

@@ -220,7 +220,7 @@ TEST(Cover, CrossingsAreEstimated) {
     for (const int grid : {1, 100}) {
       Covered c(p, q, grid);
       const Visibility seen =
-          look(c.operands, take_sample(c.convolution, c.scratch), c.cover, c.never, c.scratch);
+          look(take_sample(c.operands, c.convolution, c.scratch), c.cover, c.never, c.scratch);
       const double counted = count_all(c);
       EXPECT_GT(counted, 1000);
       EXPECT_GT(seen.crossings, counted / 4) << spikes << " spikes on grid " << grid;
@@ -239,8 +239,8 @@ TEST(Cover, SampleOfManySegmentsIsLarge) {
   ASSERT_FALSE(counted.listed());
   ASSERT_GT(counted.size, 16 * kSample);
   for (const Convolution* convolution : {&c.convolution, &counted}) {
-    const Sample sample = take_sample(*convolution, c.scratch);
-    EXPECT_EQ(sample.segments.size(), kSample);
+    const Sample sample = take_sample(c.operands, *convolution, c.scratch);
+    EXPECT_EQ(sample.lines.size(), kSample);
     EXPECT_EQ(sample.step * kSample, static_cast<double>(convolution->size));
   }
 }
