@@ -141,7 +141,8 @@ struct ClippedShare {
   double segments = 1;
   double length = 1;
 };
-/// Estimates what clipping leaves from one of every 16 segments of the convolution.
+/// Estimates what clipping leaves from one of every 16 segments of the convolution, or from some
+/// 256 of them.
 [[nodiscard]] ClippedShare see_clipped(const Operands& operands, const Sample& sample,
                                        Cancellation& cancellation, const CoverScratch& scratch);
 /// Clips the segments of a sample, and drops those of which nothing is left.

@@ -103,7 +103,9 @@ ClippedShare see_clipped(const Operands& operands, const Sample& sample, Cancell
     return std::abs(line.end.x - line.start.x) + std::abs(line.end.y - line.start.y);
   };
   const SegmentClipper clipper(operands);
-  const auto step = static_cast<std::size_t>(std::max(1.0, 16 / sample.step));
+  constexpr std::size_t kMost = 256;
+  const auto step = std::max(static_cast<std::size_t>(std::max(1.0, 16 / sample.step)),
+                             sample.lines.size() / kMost);
   double count = 0;
   double length = 0;
   double kept = 0;
