@@ -1,7 +1,7 @@
-#include "sum/convolution/convolution.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "sum/convolution/convolution.hpp"
 
 namespace minksum {
 namespace {
@@ -12,49 +12,52 @@ constexpr int kMostSteps = 24;
 
 }  // namespace
 
-/// Follows a ring from the segment's vertex, until it has certainly crossed the segment's line from
-/// the side of the sum's interior, or is as far along the line as the segment is long.
+/// Takes off what lies beyond a crossing. An edge of the vertex's operand leads from `a` to `b`,
+/// seen from the vertex, and crosses the segment's line to its right.
+void SegmentClipper::cut(const Vec<double>& d, const Vec<double>& a, const Vec<double>& b,
+                         Clip& clip) const {
+  const auto left_of = [&](const Vec<double>& v, double& bound) {
+    const double left = d.x * v.y;
+    const double right = d.y * v.x;
+    bound += o_.bounds.cross_bound(d, left, right, o_.bounds.difference);
+    return left - right;
+  };
+  const auto size = [](const Vec<double>& v) { return std::abs(v.x) + std::abs(v.y); };
+  double bound = 0;
+  const double from = left_of(a, bound);
+  const double to = left_of(b, bound);
+  // Both signs are sure then, and from / (from - to) is off by less than 2^-12.
+  if (!(std::min(from, -to) > bound && from - to >= 0x1p13 * bound)) return;
+  const double square = dot(d, d);
+  if (square < 0x1p-900) return;  // its digits may be lost
+  const double start = dot(d, a) / square;
+  const double run = dot(d, b) / square - start;
+  const double crossing = start + run * (from / (from - to));
+  // This is twice what the crossing is off, at least, and what rounding to single precision takes.
+  const double doubt = o_.bounds.difference + 0x1p-50 * std::max(size(a), size(b));
+  const double margin = 8 * doubt / size(d) + 0x1p-11 * std::abs(run) + 0x1p-22;
+  if (crossing >= margin) clip.to = std::min(clip.to, static_cast<float>(crossing + margin));
+  if (crossing <= -margin) {
+    clip.from = std::max(clip.from, static_cast<float>(1 + crossing - margin));
+  }
+}
+
+/// Follows a ring from the segment's vertex, until it crosses the segment's line from left to
+/// right, or is as far along the line as the segment is long.
 template <class Step>
 void SegmentClipper::walk(const Segment& segment, Step step, Clip& clip) const {
   const auto& [x, y, dx, dy, next] = o_.sites;
   const Vec<double> d{dx[segment.edge], dy[segment.edge]};
-  const double square = d.x * d.x + d.y * d.y;
-  const double length = std::abs(d.x) + std::abs(d.y);
+  const double square = dot(d, d);
   const Vec<double> p{x[segment.vertex], y[segment.vertex]};
-  double below = 0;  // how far the last site is on the left of the line, times the length
-  double along = 0;  // where it is along the line, times the square of the length
-  double off = 0;    // the bound on the error of `below`
-  double far = 0;    // how far it is from p
+  Vec<double> before{0, 0};
   SiteId at = segment.vertex;
   for (int steps = 0; steps < kMostSteps; ++steps) {
     at = step(at);
     const Vec<double> v{x[at] - p.x, y[at] - p.y};
-    const double left = d.x * v.y;
-    const double right = d.y * v.x;
-    const double bound = o_.bounds.cross_bound(d, left, right, o_.bounds.difference);
-    const double side = left - right;
-    const double place = d.x * v.x + d.y * v.y;
-    const double distance = std::abs(v.x) + std::abs(v.y);
-    if (side < -bound) {
-      if (!(below > off)) return;
-      // The place of the crossing, and twice what it may be off.
-      const double height = below - side;
-      const double run = (place - along) / square;
-      const double crossing = along / square + run * (below / height);
-      const double doubt = o_.bounds.difference + 0x1p-50 * std::max(far, distance);
-      const double margin = 8 * doubt / length + 0x1p-11 * std::abs(run) + 0x1p-22;
-      if (!(0x1p13 * (off + bound) <= height)) return;
-      if (crossing >= margin) clip.to = std::min(clip.to, static_cast<float>(crossing + margin));
-      if (crossing <= -margin) {
-        clip.from = std::max(clip.from, static_cast<float>(1 + crossing - margin));
-      }
-      return;
-    }
-    if (std::abs(place) > square) return;
-    below = side;
-    along = place;
-    off = bound;
-    far = distance;
+    if (cross(d, v) < 0) return cut(d, before, v, clip);
+    if (std::abs(dot(d, v)) > square) return;
+    before = v;
   }
 }
 

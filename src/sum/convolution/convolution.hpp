@@ -117,6 +117,7 @@ class SegmentClipper {
   [[nodiscard]] Clip clip(const Segment& segment) const;
 
  private:
+  void cut(const Vec<double>& d, const Vec<double>& a, const Vec<double>& b, Clip& clip) const;
   template <class Step>
   void walk(const Segment& segment, Step step, Clip& clip) const;
   const Operands& o_;
