@@ -54,7 +54,7 @@ void add_test_options(const Command& sum, SumSettings& settings) {
   const char* const group = "For tests (the result is the same)";
   sum.add_flag(
          "--no-cover", [&settings] { settings.cover = false; },
-         "No cover: build the whole arrangement")
+         "No cover, no clipping: build the whole arrangement")
       .group(group);
   sum.add_option("--grid", settings.grid, "Cells along the longer side of the cover's grid")
       .in_range(0, kMostCells)

@@ -26,7 +26,8 @@ struct SumSettings : Options {
   /// the narrowest number type that may decide; a wider one is used where operands need it
   Arithmetic arithmetic = Arithmetic::kAutomatic;
   bool filter = true;  ///< false = exact arithmetic takes every decision
-  bool cover = true;   ///< false = the whole arrangement is built, without a cover
+  /// false = the whole arrangement is built, without a cover, and no segment is clipped
+  bool cover = true;
   int grid = 0;        ///< cells along the longer side of the cover's grid; 0 = the library chooses
   bool check = false;  ///< true = each stage's checker tests its result, which is slow
   bool small = true;   ///< false = small operands take the stages, too
