@@ -86,7 +86,8 @@ struct Clip {
   [[nodiscard]] bool is_empty() const { return from >= to; }
   /// Returns that part of a line.
   [[nodiscard]] Line of(const Line& line) const {
-    const auto& [a, b] = line;
+    const Vec<double>& a = line.start;
+    const Vec<double>& b = line.end;
     const auto at = [&](double share) {
       return Vec<double>{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     };
