@@ -63,10 +63,10 @@ struct Piece {
 /// Crossings inside the cover, or on what was clipped off, may be missing. Pieces are missing that
 /// run through the cover, or into what was clipped off, or that begin or end on the left of another
 /// segment (but not beside joined ones, and not where tight places are wanted). They are not
-/// boundary. Without them, loops may close that would not
-/// close otherwise. No piece of such a loop is boundary: boundary pieces follow each other around a
-/// free face, and nothing is within that face. No two pieces have the same ends. One of several
-/// equal pieces stays; opposite pieces have the sum on both sides and are dropped.
+/// boundary. Without them, loops may close that would not close otherwise. No piece of such a loop
+/// is boundary: boundary pieces follow each other around a free face, and nothing is within that
+/// face. No two pieces have the same ends. One of several equal pieces stays; opposite pieces have
+/// the sum on both sides and are dropped.
 struct Arrangement {
   /// The segments that were split, and then the members of joined ones. Pieces refer to members.
   std::vector<KeptSegment> kept;
@@ -205,7 +205,6 @@ struct BinScratch {
 struct ArrangementScratch {
   UniformGrid grid;       ///< the grid of the cells below
   bool covered = false;   ///< whether anything is covered
-  bool clipped = false;   ///< whether segments were clipped
   bool by_cells = false;  ///< whether there are cells; there are none if nothing is covered
   Vec<double> extent{};   ///< the size of the sum's box, which starts at (0, 0)
   BoxPairScratch pairs;

@@ -33,9 +33,8 @@ class Binner {
             ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
             : convolution.segments;
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
-    // Clipping leaves little that could be joined, and joined segments would hide where.
+    // Clipped segments are not joined: a joined segment would have to keep the clip of each member.
     const bool joins = !cover_.clips && lines_are_joined(o_, visible.size());
-    scratch_.clipped = cover_.clips;
     if (cover_.clips) clip(visible);
     place(visible, !joins);
     join_lines(o_, joins, cancellation_, scratch_.join, kept_);

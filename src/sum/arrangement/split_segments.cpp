@@ -24,7 +24,7 @@ class Splitter {
         result_(arrangement),
         points_(predicates, scratch, arrangement),
         ends_(points_.ends()),
-        may_coincide_(scratch.covered || scratch.clipped || scratch.lines_shared) {}
+        may_coincide_(scratch.covered || cover.clips || scratch.lines_shared) {}
 
   void run() {
     order_events(predicates_, scratch_, result_);

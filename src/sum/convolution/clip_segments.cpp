@@ -33,7 +33,9 @@ void SegmentClipper::cut(const Vec<double>& d, const Vec<double>& a, const Vec<d
   const double start = dot(d, a) / square;
   const double run = dot(d, b) / square - start;
   const double crossing = start + run * (from / (from - to));
-  // This is twice what the crossing is off, at least, and what rounding to single precision takes.
+  // A place along the line is off by 2 · doubt / size(d) at most, because the square is at least
+  // half of size(d)^2. The margin is twice that, and twice what the quotient above is off. The last
+  // term is far more than rounding to single precision takes.
   const double doubt = o_.bounds.difference + 0x1p-50 * std::max(size(a), size(b));
   const double margin = 8 * doubt / size(d) + 0x1p-11 * std::abs(run) + 0x1p-22;
   if (crossing >= margin) clip.to = std::min(clip.to, static_cast<float>(crossing + margin));

@@ -160,10 +160,10 @@ class GridBuyer {
   /// one that leaves least, or none.
   void buy_from(int side) {
     if (is_sparse()) return;
-    left_ = {.share = sample_.share, .crossings = sample_.expected_crossings(operands_)};
     side = std::max(side, coarsest_useful_side());
     if (side > kMaxSide) return;
     measure_edges();
+    left_ = {.share = sample_.share, .crossings = sample_.expected_crossings(operands_)};
     const double look = kLookAtSegment * std::min(static_cast<double>(sample_.lines.size()),
                                                   lines_compared(segments_));
     if (look + price_of_rasters(grid_of(operands_, side)) > kMostOfWhatIsLeft * price_of(left_)) {

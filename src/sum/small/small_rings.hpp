@@ -53,7 +53,7 @@ struct SmallEdges {
   }
   /// Whether each of a block's edges leads forward, as seen along the way from the first one's
   /// start to the last one's end. Then they meet at common vertices only. Rounding keeps the order
-  /// of the two products, so that a positive sum is one.
+  /// of the two products, so a sum that comes out positive is positive.
   [[nodiscard, gnu::always_inline]] bool lead_forward(std::size_t block) const {
     const std::size_t first = block * kLanes;
     const std::size_t last = std::min<std::size_t>(first + kLanes, size) - 1;
