@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "exact/formulas.hpp"
 #include "spatial/box.hpp"
 #include "sum/small/lanes.hpp"
 
@@ -13,6 +14,12 @@ namespace minksum {
                                                                       double dy) {
   return {x + std::min(dx, 0.0), y + std::min(dy, 0.0), x + std::max(dx, 0.0),
           y + std::max(dy, 0.0)};
+}
+/// Returns a box moved by a vector, and wider by `reach` on each side.
+[[nodiscard, gnu::always_inline]] inline BoxOf<double> moved(const BoxOf<double>& box,
+                                                             const Vec<double>& by, double reach) {
+  return {box.x0 + by.x - reach, box.y0 + by.y - reach, box.x1 + by.x + reach,
+          box.y1 + by.y + reach};
 }
 /// Returns those of eight segments whose boxes meet `box`.
 [[nodiscard, gnu::always_inline]] inline LaneBits segments_near(const double* x, const double* y,

@@ -1,10 +1,12 @@
 // Tells whether a small sum lies on the right of a segment of its convolution, too.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "exact/sign.hpp"
+#include "machine/vectors.hpp"
 #include "sum/small/small_rings.hpp"
 #include "sum/small/small_segments.hpp"
 
@@ -16,87 +18,110 @@ class SmallPlacement {
  public:
   enum class Result : std::uint8_t { kInside, kOutside, kUnknown };
 
-  /// Copies of operands are kept in `memory`. The holes of others than those `with_holes` are
-  /// filled.
-  SmallPlacement(const SmallOperand& p, const SmallOperand& q, std::array<bool, 2> with_holes,
-                 std::array<SmallOperand, 2>& memory)
-      : p_(p), q_(q), with_holes_(with_holes), memory_(memory) {}
+  /// A copy of Q is kept in `memory`. The holes of others than those `with_holes` are filled.
+  SmallPlacement(const SmallOperand& p, const SmallOperand& q,
+                 const std::array<bool, 2>& with_holes, SmallOperand& memory)
+      : p_(p), q_(q), with_holes_(with_holes), turned_(memory) {}
 
   /// Tests a point between two places on the way of a segment. They are rounded fractions of the
-  /// way. Returns kUnknown if doubles do not hold its coordinates. O(p·q), eight at a time.
+  /// way. Returns kUnknown if they are too close to tell. O(p·q), eight at a time.
   [[nodiscard]] Result test(const SmallSegments& s, std::uint32_t segment, double from, double to) {
+    constexpr int kMostHalvings = 40;  // the places are rounded by 2^-50 or so
     if (!(from < to)) return Result::kUnknown;
     // Of the multiples of 2^-halvings, the one nearest to the middle is clearly between them.
-    const int halvings = 1 - std::ilogb(to - from);
-    if (halvings > halvings_ && !place(halvings)) return Result::kUnknown;
-    const double steps = std::nearbyint(std::ldexp((from + to) / 2, halvings_));
-    const Vec<double> way{s.dx[segment], s.dy[segment]};
-    move_to({std::ldexp(s.x[segment], halvings_) + way.x * steps,
-             std::ldexp(s.y[segment], halvings_) + way.y * steps});
-    return do_boundaries_cross(way) ? Result::kInside : Result::kOutside;
+    halvings_ = 1 - std::ilogb(to - from);
+    if (halvings_ > kMostHalvings) return Result::kUnknown;
+    if (!edges_of_p_) turn_q();
+    const Int128 steps = static_cast<std::int64_t>(std::ldexp((from + to) / 2, halvings_) + 0.5);
+    way_ = {s.dx[segment], s.dy[segment]};
+    const auto set = [&](double start, double way, double width, double& whole, Int128& parts) {
+      parts = scaled(start) + whole_number<Int128>(way) * steps;
+      whole = static_cast<double>(static_cast<std::int64_t>(parts >> halvings_));
+      parts -= scaled(whole);
+      whole -= width;
+      return std::ldexp(static_cast<double>(parts), -halvings_);
+    };
+    part_ = {set(s.x[segment], way_.x, turned_.extent.x, at_.x, parts_.x),
+             set(s.y[segment], way_.y, turned_.extent.y, at_.y, parts_.y)};
+    return do_boundaries_cross() ? Result::kInside : Result::kOutside;
   }
 
  private:
-  /// Sets the copies: P, and Q turned by half a circle, both on a finer grid. Returns false if they
-  /// do not fit there.
-  [[nodiscard]] bool place(int halvings) {
-    constexpr int kMost = 40;  // the ends of pieces are rounded by 2^-50 or so
-    const double width = std::max(p_.extent.x + q_.extent.x, p_.extent.y + q_.extent.y);
-    if (halvings > kMost || std::ldexp(width, halvings) > SmallOperand::kWidest) return false;
-    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-      SmallOperand& copy = memory_[i];
-      turn(i == 0 ? p_ : q_, i == 0 ? 0 : 2, copy);
-      copy.offset = {0, 0};
-      const std::uint32_t entries = with_holes_[i] ? copy.entries : copy.size;
-      if (!refine(copy.exp2 - halvings, copy.exp10, entries, copy, copy)) return false;
-    }
-    at_ = {memory_[1].extent.x, memory_[1].extent.y};
-    halvings_ = halvings;
-    return true;
-  }
-  void move_to(const Vec<double>& at) {
-    SmallOperand& r = memory_[1];
-    for (std::uint32_t i = 0; i < r.entries; ++i) {
-      r[SmallOperand::kX][i] += at.x - at_.x;
-      r[SmallOperand::kY][i] += at.y - at_.y;
-    }
-    at_ = at;
+  void turn_q() {
+    turn(q_, 2, turned_);
+    const auto entries = [&](int i, const SmallOperand& o) {
+      return with_holes_[static_cast<std::size_t>(i)] ? o.entries : o.size;
+    };
+    edges_of_p_.emplace(p_, entries(0, p_));
+    edges_of_q_.emplace(turned_, entries(1, turned_));
   }
   /// Whether the boundaries of P and x − Q cross. Where they do not, neither holds the other, since
   /// x − Q lies outside P where it would touch without the step to the right.
-  [[nodiscard]] bool do_boundaries_cross(const Vec<double>& way) const {
-    const SmallOperand& p = memory_[0];
-    const SmallOperand& r = memory_[1];
-    bool crossed = false;
-    for_each_meeting<Int128>(p, p.entries, r, r.entries, [&](std::uint32_t i, std::uint32_t j) {
-      crossed = do_cross(SmallRows(p, i), SmallRows(r, j), way);
-      return !crossed;
-    });
-    return crossed;
+  [[nodiscard]] bool do_boundaries_cross() const {
+    return with_vectors(
+        widest_vectors(), [&]() __attribute__((always_inline)) {
+          bool crossed = false;
+          // The part of x that is no integer moves Q by less than 1.
+          const Vec<double> by{-at_.x, -at_.y};
+          for_each_near(
+              *edges_of_p_, *edges_of_q_, by, 1, [&](std::uint32_t i, std::uint32_t first) {
+                const SmallRows& p = edges_of_p_->rows;
+                BoxOf<double> box = moved(box_of_segment(p.x[i], p.y[i], p.dx[i], p.dy[i]), by, 1);
+                for_each_bit(edges_of_q_->near(first / kLanes, box), [&](std::uint32_t lane) {
+                  crossed = crossed || do_cross(i, first + lane);
+                });
+                return !crossed;
+              });
+          return crossed;
+        });
   }
-  /// Whether the first edges of `p` and `r` cross if r makes an infinitely small step to the right
-  /// of a way, and a smaller one along it. Then no end is on the other's line.
-  [[nodiscard]] static bool do_cross(const SmallRows& p, const SmallRows& r,
-                                     const Vec<double>& way) {
-    const SureCross<Int128> cross;
-    const Vec<double> right{way.y, -way.x};
-    const Vec<double> a{*p.dx, *p.dy};
-    const Vec<double> b{*r.dx, *r.dy};
-    const auto stepped = [&](double side, double by_right, double by_way) {
-      return side != 0 ? side : by_right != 0 ? by_right : by_way;
+  /// Whether two edges cross if that of x − Q makes an infinitely small step to the right of the
+  /// way, and a smaller one along it. Then no end is on the other's line.
+  [[nodiscard]] bool do_cross(std::uint32_t of_p, std::uint32_t of_q) const {
+    const SmallRows& p = edges_of_p_->rows;
+    const SmallRows& q = edges_of_q_->rows;
+    const Vec<double> right{way_.y, -way_.x};
+    const Vec<double> a{p.dx[of_p], p.dy[of_p]};
+    const Vec<double> b{q.dx[of_q], q.dy[of_q]};
+    const Vec<double> to{at_.x + q.x[of_q] - p.x[of_p], at_.y + q.y[of_q] - p.y[of_p]};
+    // Tells whether a point is on the left of an edge. The step is seen from the edge's operand.
+    const auto is_left = [&](const Vec<double>& edge, const Vec<double>& point) {
+      const Sign side = side_of(edge, point);
+      if (side != kZero) return side == kPositive;
+      const double by_right = SureCross<Int128>{}(edge, right);
+      return (by_right != 0 ? by_right : SureCross<Int128>{}(edge, way_)) > 0;
     };
-    const auto of_a = [&](double side) { return stepped(side, cross(a, right), cross(a, way)); };
-    const auto of_b = [&](double side) { return stepped(side, cross(right, b), cross(way, b)); };
-    const auto [start, end, along, left] = sides(cross, a, {*r.x - *p.x, *r.y - *p.y}, b);
-    return (of_a(start) > 0) != (of_a(end) > 0) && (of_b(along) > 0) != (of_b(-left) > 0);
+    return is_left(a, to) != is_left(a, {to.x + b.x, to.y + b.y}) &&
+           is_left(b, to) != is_left(b, {to.x - a.x, to.y - a.y});
+  }
+  /// Returns the sign of the cross product of two vectors. The part of x that is no integer is
+  /// added to the second one.
+  [[nodiscard]] Sign side_of(const Vec<double>& edge, const Vec<double>& to) const {
+    const double left = edge.x * (to.y + part_.y);
+    const double right = edge.y * (to.x + part_.x);
+    // Three roundings by 2^-53 of these products at most.
+    if (std::abs(left - right) > 0x1p-50 * (std::abs(left) + std::abs(right))) {
+      return sign_of(left - right);
+    }
+    const Vec<Int128> exact{scaled(to.x) + parts_.x, scaled(to.y) + parts_.y};
+    return sign_of(product<WideInt<3>>(whole_number<Int128>(edge.x), exact.y) -
+                   product<WideInt<3>>(whole_number<Int128>(edge.y), exact.x));
+  }
+  [[nodiscard]] Int128 scaled(double value) const {
+    return whole_number<Int128>(value) * (Int128{1} << halvings_);
   }
 
   const SmallOperand& p_;
   const SmallOperand& q_;
   std::array<bool, 2> with_holes_;
-  std::array<SmallOperand, 2>& memory_;
-  int halvings_ = -1;  ///< how often the grid of the copies was halved; none have been made yet
-  Vec<double> at_{};   ///< where the origin of Q lies
+  SmallOperand& turned_;  ///< Q turned by half a circle
+  std::optional<SmallEdges> edges_of_p_;
+  std::optional<SmallEdges> edges_of_q_;
+  int halvings_ = 0;
+  Vec<double> way_{};    ///< of the segment
+  Vec<double> at_{};     ///< where the turned Q lies, rounded down to integers
+  Vec<double> part_{};   ///< what was rounded
+  Vec<Int128> parts_{};  ///< the same in steps of 2^-halvings
 };
 
 }  // namespace minksum

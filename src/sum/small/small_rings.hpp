@@ -90,37 +90,35 @@ template <class Number>
   };
   for (std::size_t block = 0; block < edges.blocks.size; ++block) {
     if (!edges.lead_forward(block) && meet(block, edges.lanes_of(block), block)) return false;
-    LaneBits near = edges.blocks.near_from(block, 0) & ~first_bits(block + 1);
-    for (; near != 0; near &= near - 1) {
-      const auto other = static_cast<std::size_t>(std::countr_zero(near));
-      if (meet(block, edges.near(block, edges.blocks.box_of(other)), other)) return false;
+    for (std::size_t word = block / kLanes * kLanes; word < edges.blocks.size; word += 64) {
+      for (LaneBits near = edges.blocks.near_from(block, word); near != 0; near &= near - 1) {
+        const std::size_t other = word + static_cast<std::size_t>(std::countr_zero(near));
+        if (other == block) continue;
+        if (meet(block, edges.near(block, edges.blocks.box_of(other)), other)) return false;
+      }
     }
   }
   return true;
 }
 
-/// Calls visit(i, j) for the edges i of one operand and j of another one that have a point in
-/// common, as long as it returns true. The edges are the first `of_a` and `of_b` entries.
-template <class Number, class Visit>
-[[gnu::always_inline]] inline void for_each_meeting(const SmallOperand& a, std::uint32_t of_a,
-                                                    const SmallOperand& b, std::uint32_t of_b,
-                                                    Visit visit) {
-  const SmallEdges edges(a, of_a);
-  const SmallEdges others(b, of_b);
+/// Calls visit(i, first) for the edges i of one operand and the blocks of eight edges of another
+/// one, from `first` on, that may have a point in common, as long as it returns true. The first
+/// operand is moved `by` a vector, and points up to `reach` apart count as common.
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_near(const SmallEdges& edges, const SmallEdges& others,
+                                                 const Vec<double>& by, double reach, Visit visit) {
   bool goes_on = true;
   for (std::size_t block = 0; block < edges.blocks.size && goes_on; ++block) {
-    LaneBits near = others.blocks.near(edges.blocks.box_of(block), 0);
-    for (; near != 0 && goes_on; near &= near - 1) {
-      const auto other = static_cast<std::size_t>(std::countr_zero(near));
-      const auto first = static_cast<std::uint32_t>(other * kLanes);
-      for_each_bit(
-          edges.near(block, others.blocks.box_of(other)), [&](std::uint32_t lane) __attribute__((
-                                                              always_inline)) {
-            const auto i = static_cast<std::uint32_t>(block * kLanes) + lane;
-            const LaneBits met =
-                edges_meeting<Number>(edges.rows, i, others.rows, first) & others.lanes_of(other);
-            for_each_bit(met, [&](std::uint32_t j) { goes_on = goes_on && visit(i, first + j); });
-          });
+    const BoxOf<double> box = moved(edges.blocks.box_of(block), by, reach);
+    for (std::size_t word = 0; word < others.blocks.size && goes_on; word += 64) {
+      for (LaneBits near = others.blocks.near(box, word); near != 0 && goes_on; near &= near - 1) {
+        const std::size_t other = word + static_cast<std::size_t>(std::countr_zero(near));
+        const auto first = static_cast<std::uint32_t>(other * kLanes);
+        const BoxOf<double> back = moved(others.blocks.box_of(other), {-by.x, -by.y}, reach);
+        for_each_bit(edges.near(block, back), [&](std::uint32_t lane) {
+          goes_on = goes_on && visit(static_cast<std::uint32_t>(block * kLanes) + lane, first);
+        });
+      }
     }
   }
 }
@@ -128,11 +126,16 @@ template <class Number, class Visit>
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallOperand& a,
                                                       const SmallOperand& b) {
+  const SmallEdges edges(a, a.size);
+  const SmallEdges others(b, b.size);
   bool meet = false;
-  for_each_meeting<Number>(a, a.size, b, b.size, [&](std::uint32_t, std::uint32_t) {
-    meet = true;
-    return false;
-  });
+  for_each_near(
+      edges, others, {0, 0},
+      0, [&](std::uint32_t i, std::uint32_t first) __attribute__((always_inline)) {
+        meet = (edges_meeting<Number>(edges.rows, i, others.rows, first) &
+                others.lanes_of(first / kLanes)) != 0;
+        return !meet;
+      });
   return meet;
 }
 

@@ -25,7 +25,7 @@ struct SmallScratch::State {
   SmallMeetings meetings;
   RightMeetings turns;
   SmallBoundary boundary;
-  std::array<SmallOperand, 2> placed;
+  SmallOperand turned;
   std::vector<std::vector<SmallVertex>> holes;
 };
 
@@ -224,7 +224,7 @@ bool walk(const SmallOperand& p, const SmallOperand& q, const SmallPlan& plan,
   if (!find_meetings_by<Number>(widest_vectors(), segments, scratch.meetings)) return false;
   const Vec<double> start = smallest_point(p, q);
   SmallBoundary& boundary = scratch.boundary;
-  OuterWalk<Number> walk(segments, scratch.meetings, {p, q, plan.with_holes, scratch.placed},
+  OuterWalk<Number> walk(segments, scratch.meetings, {p, q, plan.with_holes, scratch.turned},
                          scratch.turns, boundary);
   if (!walk.run(start.x, start.y)) return false;
   SmallWriter writer(p, q, boundary.end_of[0], boundary.between, result);
