@@ -124,82 +124,82 @@ Vec<double> edge(const SmallOperand& s, std::uint32_t i) {
   return {s[SmallOperand::kDx][i], s[SmallOperand::kDy][i]};
 }
 
-/// The ways from and to the vertices of a ring, and to which side the ring turns there.
-struct RingBends {
-  std::array<double, SmallOperand::kMaxVertices> at;
+/// Returns in which eighth of the circle a vector lies, counter-clockwise. Of the eighths' borders,
+/// those of the axes and diagonals, each belongs to one of them.
+int eighth_of(const Vec<double>& d) {
+  constexpr std::array<int, 8> kEighths{0, 1, 7, 6, 3, 2, 4, 5};
+  const int left = d.x < 0 ? 4 : 0;
+  const int down = d.y < 0 ? 2 : 0;
+  const int steep = std::abs(d.y) >= std::abs(d.x) ? 1 : 0;
+  return kEighths[static_cast<std::size_t>(left + down + steep)];
+}
 
-  /// Sets the edges, too. Returns whether the ring turns at each vertex.
-  bool set(SmallOperand& s) {
-    const double* const x = s[SmallOperand::kX];
-    const double* const y = s[SmallOperand::kY];
-    double* const dx = s[SmallOperand::kDx];
-    double* const dy = s[SmallOperand::kDy];
-    const std::uint32_t last = s.size - 1;
-    for (std::uint32_t i = 0; i < last; ++i) {
-      dx[i] = x[i + 1] - x[i];
-      dy[i] = y[i + 1] - y[i];
-    }
-    dx[last] = x[0] - x[last];
-    dy[last] = y[0] - y[last];
-    bool all = true;
-    Vec<double> in{dx[last], dy[last]};
-    for (std::uint32_t i = 0; i < s.size; ++i) {
-      const Vec<double> out{dx[i], dy[i]};
-      at[i] = SureCross<Int128>{}(in, out);
-      all &= at[i] != 0;
-      in = out;
-    }
-    return all;
+/// The turn of a ring at a vertex.
+double bend(const Vec<double>& in, const Vec<double>& out) { return SureCross<Int128>{}(in, out); }
+
+/// Sets edges and convexity, which follow from the places. Returns whether the ring turns at each
+/// vertex.
+bool set_bends(SmallOperand& s) {
+  const std::uint32_t n = s.size;
+  const double* const x = s[SmallOperand::kX];
+  const double* const y = s[SmallOperand::kY];
+  s.convex = true;
+  s.longest = 0;
+  bool turns = true;
+  int meetings = 0;
+  Vec<double> in{x[0] - x[n - 1], y[0] - y[n - 1]};
+  int eighth = eighth_of(in);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = i + 1 == n ? 0 : i + 1;
+    const Vec<double> out{x[next] - x[i], y[next] - y[i]};
+    const double turn = bend(in, out);
+    const bool convex = turn > 0;
+    const int before = std::exchange(eighth, eighth_of(out));
+    meetings += convex ? (eighth - before) & 7 : 0;
+    turns &= turn != 0;
+    s.convex &= convex;
+    s.longest = std::max({s.longest, std::abs(out.x), std::abs(out.y)});
+    s[SmallOperand::kDx][i] = out.x;
+    s[SmallOperand::kDy][i] = out.y;
+    s[SmallOperand::kInX][i] = convex ? in.x : 0;
+    s[SmallOperand::kInY][i] = convex ? in.y : 0;
+    s[SmallOperand::kOutX][i] = convex ? out.x : 0;
+    s[SmallOperand::kOutY][i] = convex ? out.y : 0;
+    in = out;
   }
-};
+  s.turning = meetings / 8.0;
+  return turns;
+}
 
 /// Drops vertices in the middle of straight edges. Returns false if a vertex is the tip of a spike.
-bool drop_straight(SmallOperand& s, const RingBends& bends) {
-  const double* const dx = s[SmallOperand::kDx];
-  const double* const dy = s[SmallOperand::kDy];
+bool drop_straight(SmallOperand& s) {
   std::uint32_t kept = 0;
-  std::uint32_t before = s.size - 1;
+  Vec<double> in = edge(s, s.size - 1);
   for (std::uint32_t i = 0; i < s.size; ++i) {
-    if (bends.at[i] != 0) {
+    const Vec<double> out = edge(s, i);
+    if (bend(in, out) != 0) {
       for (const auto row : {SmallOperand::kX, SmallOperand::kY, SmallOperand::kVertexSource,
                              SmallOperand::kEdgeSource}) {
         s[row][kept] = s[row][i];
       }
       ++kept;
-    } else if (dx[before] * dx[i] + dy[before] * dy[i] < 0) {
+    } else if (dot(in, out) < 0) {
       return false;
     }
-    before = i;
+    in = out;
   }
   s.size = kept;
   return kept >= 3;
 }
 
-/// Sets edges and convexity, which follow from the places. Drops vertices in the middle of straight
-/// edges. Returns false if a vertex is the tip of a spike. No vertex may be repeated.
+/// Sets what follows from the places. Drops vertices in the middle of straight edges. Returns false
+/// if a vertex is the tip of a spike. No vertex may be repeated.
 bool set_edges(SmallOperand& s) {
-  RingBends bends;
-  if (!bends.set(s) && (!drop_straight(s, bends) || !bends.set(s))) return false;
-  const std::uint32_t n = s.size;
-  const double* const dx = s[SmallOperand::kDx];
-  const double* const dy = s[SmallOperand::kDy];
-  s.convex = true;
-  s.longest = 0;
-  std::uint32_t before = n - 1;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const bool convex = bends.at[i] > 0;
-    s.convex &= convex;
-    s.longest = std::max({s.longest, std::abs(dx[i]), std::abs(dy[i])});
-    s[SmallOperand::kInX][i] = convex ? dx[before] : 0;
-    s[SmallOperand::kInY][i] = convex ? dy[before] : 0;
-    s[SmallOperand::kOutX][i] = convex ? dx[i] : 0;
-    s[SmallOperand::kOutY][i] = convex ? dy[i] : 0;
-    before = i;
-  }
+  if (!set_bends(s) && (!drop_straight(s) || !set_bends(s))) return false;
   for (int row = 0; row < SmallOperand::kVertexSource; ++row) {
     double* const values = s[static_cast<SmallOperand::Row>(row)];
     const bool is_place = row == SmallOperand::kX || row == SmallOperand::kY;
-    std::fill(values + n, values + filled_up(n), is_place ? values[0] : 0.0);
+    std::fill(values + s.size, values + filled_up(s.size), is_place ? values[0] : 0.0);
   }
   return true;
 }
@@ -223,27 +223,6 @@ void orient(Sign way, SmallOperand& s) {
                    s[SmallOperand::kEdgeSource]);
   s.smallest = n - 1 - i;
   static_cast<void>(set_edges(s));
-}
-
-/// Returns in which eighth of the circle a vector lies, counter-clockwise from the positive x axis.
-int eighth_of(const Vec<double>& d) {
-  const bool lower = d.y < 0 || (d.y == 0 && d.x < 0);
-  const Vec<double> upper{lower ? -d.x : d.x, lower ? -d.y : d.y};
-  const int eighth = upper.x > 0 ? (upper.y >= upper.x ? 1 : 0) : (-upper.x >= upper.y ? 3 : 2);
-  return eighth + (lower ? 4 : 0);
-}
-
-double mean_turning(const SmallOperand& s) {
-  const SmallRows rows(s);
-  int meetings = 0;
-  int in = eighth_of({rows.dx[s.size - 1], rows.dy[s.size - 1]});
-  for (std::uint32_t v = 0; v < s.size; ++v) {
-    const int out = eighth_of({rows.dx[v], rows.dy[v]});
-    const bool convex = s[SmallOperand::kInX][v] != 0 || s[SmallOperand::kInY][v] != 0;
-    meetings += convex ? (out - in) & 7 : 0;
-    in = out;
-  }
-  return meetings / 8.0;
 }
 
 /// Returns how many entries the rows of an operand need.
@@ -272,7 +251,7 @@ void add_hole(SmallOperand& hole, SmallOperand& s) {
   }
   s.entries = begin + hole.size;
   s.longest = std::max(s.longest, hole.longest);
-  s.turning_of_holes += mean_turning(hole);
+  s.turning_of_holes += hole.turning;
 }
 
 bool has_small_size(const Region& region) {
@@ -286,7 +265,6 @@ bool load_small(const Region& region, SmallOperand& s) {
     return false;
   }
   orient(kPositive, s);
-  s.turning = mean_turning(s);
   s.entries = s.size;
   for (std::size_t ring = 1; ring < region.ring_count(); ++ring) {
     RingPlaces places;
