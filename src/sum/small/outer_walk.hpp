@@ -43,8 +43,8 @@ struct RightMeetings {
 template <class Number>
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings,
-            const SmallPlacement& placement, RightMeetings& turns, SmallBoundary& boundary)
+  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings, SmallPlacement& placement,
+            RightMeetings& turns, SmallBoundary& boundary)
       : s_(segments), m_(meetings), placement_(placement), turns_(turns), boundary_(boundary) {
     std::fill_n(turns_.of.begin(), m_.size(), RightMeetings::WalkStep{0, 0});
   }
@@ -293,7 +293,7 @@ class OuterWalk {
 
   const SmallSegments& s_;
   const SmallMeetings& m_;
-  SmallPlacement placement_;
+  SmallPlacement& placement_;
   RightMeetings& turns_;
   SmallBoundary& boundary_;
   std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes

@@ -43,9 +43,8 @@ bool find_grid(const Region& region, SmallOperand& s) {
   return known;
 }
 
-/// The vertices of a ring as integers, and their box.
-struct RingPlaces {
-  std::array<Vec<std::int64_t>, SmallOperand::kMaxVertices> at;
+/// The box of a ring's vertices as integers.
+struct RingBox {
   Vec<std::int64_t> low{kFarthest, kFarthest};
   Vec<std::int64_t> high{-kFarthest, -kFarthest};
 
@@ -54,9 +53,11 @@ struct RingPlaces {
   }
 };
 
-/// Returns false if the vertices are no short integers on the operand's grid.
-bool place_vertices(const Region& region, const IndexRange& ring, const SmallOperand& s,
-                    RingPlaces& places) {
+/// Calls visit(place) with each vertex as two integers on the operand's grid. Returns false if they
+/// are no short ones.
+template <class Visit>
+bool for_each_place(const Region& region, const IndexRange& ring, const SmallOperand& s,
+                    RingBox& box, Visit visit) {
   bool fit = true;
   const auto integer = [&](const StoredCoordinate& c) {
     std::int64_t value = c.payload;
@@ -64,13 +65,13 @@ bool place_vertices(const Region& region, const IndexRange& ring, const SmallOpe
     fit = fit && (value == 0 || scale(c.exp10 - s.exp10, c.exp2 - s.exp2, value));
     return value;
   };
-  for (std::size_t v = 0; v < ring.size(); ++v) {
-    const Vec<std::int64_t> at{integer(RegionAccess::x(region, ring.front() + v)),
-                               integer(RegionAccess::y(region, ring.front() + v))};
+  for (const std::size_t v : ring) {
+    const Vec<std::int64_t> at{integer(RegionAccess::x(region, v)),
+                               integer(RegionAccess::y(region, v))};
     if (!fit) return false;
-    places.at[v] = at;
-    places.low = {std::min(places.low.x, at.x), std::min(places.low.y, at.y)};
-    places.high = {std::max(places.high.x, at.x), std::max(places.high.y, at.y)};
+    box.low = {std::min(box.low.x, at.x), std::min(box.low.y, at.y)};
+    box.high = {std::max(box.high.x, at.x), std::max(box.high.y, at.y)};
+    visit(at);
   }
   return true;
 }
@@ -82,30 +83,37 @@ bool place_vertices(const Region& region, const IndexRange& ring, const SmallOpe
 bool load(const Region& region, const IndexRange& ring, const Vec<std::int64_t>* origin,
           std::size_t room, SmallOperand& s) {
   const std::size_t n = ring.size();
-  RingPlaces places;
-  if (n < 3 || !place_vertices(region, ring, s, places)) return false;
-  s.extent = places.extent();
-  if (std::max(s.extent.x, s.extent.y) > SmallOperand::kWidest) return false;
-  const Vec<std::int64_t> low = origin != nullptr ? *origin : places.low;
-  s.offset = low;
-  s.first = places.at[0];
+  if (n < 3) return false;
   s.make_rows(std::max(n, room));
+  double* const x = s[SmallOperand::kX];
+  double* const y = s[SmallOperand::kY];
+  RingBox box;
+  std::size_t count = 0;
+  const auto set = [&](const Vec<std::int64_t>& at) {
+    if (count == 0) s.first = at;
+    x[count] = static_cast<double>(at.x - s.first.x);
+    y[count++] = static_cast<double>(at.y - s.first.y);
+  };
+  if (!for_each_place(region, ring, s, box, set)) return false;
+  s.extent = box.extent();
+  if (std::max(s.extent.x, s.extent.y) > SmallOperand::kWidest) return false;
+  s.offset = origin != nullptr ? *origin : box.low;
   s.size = 0;
   s.holes.clear();
   s.turning_of_holes = 0;
-  for (std::uint32_t v = 0; v < n; ++v) {
-    const Vec<std::int64_t>& at = places.at[v];
+  const Vec<double> first{static_cast<double>(s.first.x - s.offset.x),
+                          static_cast<double>(s.first.y - s.offset.y)};
+  for (std::size_t v = 0; v < n; ++v) {
+    const Vec<double> at{first.x + x[v], first.y + y[v]};
     // The last of equal vertices stays, because the edge to the next vertex has its index.
-    if (v != 0 && at.x == places.at[v - 1].x && at.y == places.at[v - 1].y) --s.size;
-    s[SmallOperand::kX][s.size] = static_cast<double>(at.x - low.x);
-    s[SmallOperand::kY][s.size] = static_cast<double>(at.y - low.y);
+    if (s.size != 0 && at.x == x[s.size - 1] && at.y == y[s.size - 1]) --s.size;
+    x[s.size] = at.x;
+    y[s.size] = at.y;
     const auto source = static_cast<double>(ring.front() + v);
     s[SmallOperand::kVertexSource][s.size] = source;
     s[SmallOperand::kEdgeSource][s.size] = source;
     ++s.size;
   }
-  const double* const x = s[SmallOperand::kX];
-  const double* const y = s[SmallOperand::kY];
   while (s.size > 1 && x[s.size - 1] == x[0] && y[s.size - 1] == y[0]) --s.size;
   return s.size >= 3;
 }
@@ -267,9 +275,9 @@ bool load_small(const Region& region, SmallOperand& s) {
   orient(kPositive, s);
   s.entries = s.size;
   for (std::size_t ring = 1; ring < region.ring_count(); ++ring) {
-    RingPlaces places;
-    if (!place_vertices(region, region.vertices_of(ring), s, places)) return false;
-    s.holes.push_back(places.extent());
+    RingBox box;
+    if (!for_each_place(region, region.vertices_of(ring), s, box, [](const auto&) {})) return false;
+    s.holes.push_back(box.extent());
   }
   return true;
 }

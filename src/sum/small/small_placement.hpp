@@ -22,6 +22,8 @@ class SmallPlacement {
   SmallPlacement(const SmallOperand& p, const SmallOperand& q,
                  const std::array<bool, 2>& with_holes, SmallOperand& memory)
       : p_(p), q_(q), with_holes_(with_holes), turned_(memory) {}
+  SmallPlacement(const SmallPlacement&) = delete;
+  SmallPlacement& operator=(const SmallPlacement&) = delete;
 
   /// Tests a point between two places on the way of a segment. They are rounded fractions of the
   /// way. Returns kUnknown if they are too close to tell. O(p·q), eight at a time.

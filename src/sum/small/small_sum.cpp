@@ -224,8 +224,8 @@ bool walk(const SmallOperand& p, const SmallOperand& q, const SmallPlan& plan,
   if (!find_meetings_by<Number>(widest_vectors(), segments, scratch.meetings)) return false;
   const Vec<double> start = smallest_point(p, q);
   SmallBoundary& boundary = scratch.boundary;
-  OuterWalk<Number> walk(segments, scratch.meetings, {p, q, plan.with_holes, scratch.turned},
-                         scratch.turns, boundary);
+  SmallPlacement placement(p, q, plan.with_holes, scratch.turned);
+  OuterWalk<Number> walk(segments, scratch.meetings, placement, scratch.turns, boundary);
   if (!walk.run(start.x, start.y)) return false;
   SmallWriter writer(p, q, boundary.end_of[0], boundary.between, result);
   for (std::uint32_t k = 0; k < boundary.end_of[0]; ++k) {
@@ -270,7 +270,8 @@ SmallScratch::State& SmallScratch::state() {
 
 bool allow_small(const Limits& limits) {
   constexpr std::uint64_t kMost = SmallSegments::kMax;
-  return limits.max_segments >= kMost && limits.max_crossings >= kMost * kMost;
+  return limits.max_segments >= std::max<std::uint64_t>(kMost, 2 * SmallOperand::kMaxVertices) &&
+         limits.max_crossings >= kMost * kMost;
 }
 
 bool bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
@@ -301,21 +302,26 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   };
   if (lacks(p, plan.with_holes[0]) || lacks(q, plan.with_holes[1])) return {};
   plan.convex = p.convex && q.convex && !plan.with_holes[0] && !plan.with_holes[1];
-  // With more segments, looking at each pair of blocks takes longer than the stages.
-  constexpr double kMostSegments = 1400;
   const auto size = [](const SmallOperand& o, bool with_holes) {
-    return with_holes ? o.entries : o.size;
+    return static_cast<double>(with_holes ? o.entries : o.size);
   };
   const auto turning = [](const SmallOperand& o, bool with_holes) {
     return o.turning + (with_holes ? o.turning_of_holes : 0);
   };
-  const double segments = size(p, plan.with_holes[0]) * turning(q, plan.with_holes[1]) +
-                          size(q, plan.with_holes[1]) * turning(p, plan.with_holes[0]);
-  if (!plan.convex && segments > kMostSegments) return {};
   const double width =
       std::max(p.extent.x * of_p + q.extent.x * of_q, p.extent.y * of_p + q.extent.y * of_q);
   plan.numbers = small_numbers(std::max(p.longest * of_p, q.longest * of_q), width);
-  return plan;
+  if (plan.convex) return plan;
+  const double m = size(p, plan.with_holes[0]);
+  const double n = size(q, plan.with_holes[1]);
+  const double segments = m * turning(q, plan.with_holes[1]) + n * turning(p, plan.with_holes[0]);
+  // With more segments, looking at each pair of blocks takes longer than the stages.
+  constexpr double kMostSegments = 1400;
+  // So does comparing each vertex with each edge if there are more of them. Rounded numbers take
+  // twice as long. With 128 for these, 13 of 764 sums took 1.08 times as long, and with 32 some
+  // went to the stages that took 1.5 times as long there.
+  const double most = plan.numbers == SmallNumberType::kDoubles ? 128 : 64;
+  return segments <= kMostSegments && m * n <= most * (m + n) ? plan : SmallPlan{};
 }
 
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch,

@@ -1,4 +1,4 @@
-// Computes the sum of two operands of few vertices by walks along its boundary.
+// Computes the sum of two operands of not too many vertices by walks along its boundary.
 #pragma once
 
 #include <array>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,9 +32,9 @@ bool is_small(const Region& region) {
 TEST(SmallOperand, IsOneSimplePolygon) {
   EXPECT_TRUE(is_small(rectangle(0, 0, 3, 2)));
   EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // the teeth end on one line
-  EXPECT_TRUE(is_small(test::round_polygon(256, 100'000)));
+  EXPECT_TRUE(is_small(test::round_polygon(4096, 100'000'000)));
   EXPECT_FALSE(is_small({}));
-  EXPECT_FALSE(is_small(test::round_polygon(257, 100'000)));
+  EXPECT_FALSE(is_small(test::round_polygon(4097, 100'000'000)));
   EXPECT_TRUE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
   EXPECT_FALSE(is_small(test::together(rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1))));
 }
@@ -74,6 +75,60 @@ TEST(SmallOperand, HasHolesApart) {
   // The hole is in the box of the outer ring, but not in the ring.
   const test::Outline l{{0, 0}, {9, 0}, {9, 2}, {2, 2}, {2, 9}, {0, 9}};
   EXPECT_FALSE(is_small(make_polygon(l, {{{5, 5}, {6, 5}, {6, 6}}})));
+}
+
+/// Appends the upper side of a comb from the right to the left. Its teeth are as high as
+/// height(k) over y = `base`.
+template <class Height>
+void append_teeth(int teeth, std::int64_t base, Height height, test::Outline& outline) {
+  for (int k = teeth; k-- > 0;) {
+    const std::int64_t top = base + height(k);
+    outline.insert(outline.end(),
+                   {{4 * k + 2, base}, {4 * k + 2, top}, {4 * k, top}, {4 * k, base}});
+  }
+}
+
+TEST(SmallOperand, HasNoEdgesThatMeetFarAlongTheRing) {
+  static constexpr int kTeeth = 900;
+  for (const bool mirrored : {false, true}) {
+    // A spike goes from one tooth near an end, above all others, to a higher one near the other
+    // end.
+    const auto comb = [&](std::int64_t reach) {
+      test::Outline outline{{-5, -1}, {4 * kTeeth, -1}, {4 * kTeeth, 0}};
+      append_teeth(
+          kTeeth, 0, [](int k) { return k == 5 ? 100 : 10; }, outline);
+      const auto tooth = std::find_if(outline.begin(), outline.end(), [](const test::Vertex& at) {
+        return at.x == 4 * (kTeeth - 6) + 2 && at.y == 10;
+      });
+      outline.insert(tooth + 1, {reach, 50});
+      if (mirrored) {
+        for (auto& at : outline) at.x = -at.x;
+        std::reverse(outline.begin(), outline.end());
+      }
+      return make_polygon(outline);
+    };
+    EXPECT_TRUE(is_small(comb(23)));
+    EXPECT_FALSE(is_small(comb(22)));  // touches
+    EXPECT_FALSE(is_small(comb(21)));  // crosses
+  }
+}
+
+TEST(SmallOperand, HasNoHoleThatTouchesItsRingFarAlong) {
+  static constexpr int kTeeth = 450;
+  for (const int at : {3, kTeeth / 2, kTeeth - 4}) {
+    const auto plate = [&](int depth) {
+      test::Outline outer{{-5, 0}, {4 * kTeeth + 5, 0}, {4 * kTeeth + 5, 1000}};
+      append_teeth(
+          kTeeth, 1000, [&](int k) { return k == at ? -depth : -10; }, outer);
+      outer.push_back({-5, 1000});
+      test::Outline hole{{-1, 800}, {-1, 10}, {4 * kTeeth + 1, 10}, {4 * kTeeth + 1, 800}};
+      append_teeth(
+          kTeeth, 800, [](int) { return 10; }, hole);
+      return make_polygon(outer, {hole});
+    };
+    EXPECT_TRUE(is_small(plate(189)));
+    EXPECT_FALSE(is_small(plate(190)));
+  }
 }
 
 TEST(SmallOperand, HasNoManyHoles) {
