@@ -1,9 +1,8 @@
-// Tests which regions are small operands, and their sums by a walk along the outer boundary.
+// Tests sums of small operands by a walk along the outer boundary.
 #include "sum/small/small_sum.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,219 +12,23 @@
 #include "sum/small/sides.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
+#include "unit/sum/small/square_with_holes.hpp"
 
 namespace minksum {
 namespace {
 
 using test::make_polygon;
 using test::rectangle;
-
-bool read(const Region& region, SmallOperand& small) {
-  SmallHoles holes;
-  return read_small(region, holes, small);
-}
-bool is_small(const Region& region) {
-  SmallOperand small;
-  return read(region, small);
-}
-
-TEST(SmallOperand, IsOneSimplePolygon) {
-  EXPECT_TRUE(is_small(rectangle(0, 0, 3, 2)));
-  EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // the teeth end on one line
-  EXPECT_TRUE(is_small(test::round_polygon(4096, 100'000'000)));
-  EXPECT_FALSE(is_small({}));
-  EXPECT_FALSE(is_small(test::round_polygon(4097, 100'000'000)));
-  EXPECT_TRUE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
-  EXPECT_FALSE(is_small(test::together(rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1))));
-}
-
-TEST(SmallOperand, LeavesFaultsToTheStages) {
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));          // crosses
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})));  // touches
-  // A star that turns left everywhere and goes round twice.
-  EXPECT_FALSE(is_small(make_polygon({{0, 10}, {-6, -8}, {9, 3}, {-9, 3}, {6, -8}})));
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}})));  // spike
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {4, 0}, {0, 0}})));  // no area
-  EXPECT_FALSE(is_small(make_polygon({{0, 0}, {1, 0}, {2, 0}})));                  // flat
-  EXPECT_FALSE(
-      is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}, {4, 0}})));  // overlaps
-}
-
-/// Returns a square of width 9 at the origin with these holes.
-Region with_holes(const std::vector<test::Outline>& holes) {
-  return make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, holes);
-}
-
-TEST(SmallOperand, HasHolesApart) {
-  const test::Outline hole{{1, 1}, {4, 1}, {4, 4}, {1, 4}};
-  EXPECT_TRUE(is_small(with_holes({hole})));
-  EXPECT_TRUE(is_small(with_holes({hole, {{5, 1}, {6, 3}, {8, 8}, {5, 5}}})));
-  EXPECT_TRUE(is_small(with_holes({{{1, 1}, {1, 2}, {1, 4}, {4, 4}, {4, 1}}})));
-  EXPECT_FALSE(is_small(with_holes({hole, hole})));
-  EXPECT_FALSE(is_small(with_holes({hole, {{2, 2}, {3, 2}, {3, 3}}})));          // in one
-  EXPECT_FALSE(is_small(with_holes({{{2, 2}, {3, 2}, {3, 3}}, hole})));          // around one
-  EXPECT_FALSE(is_small(with_holes({hole, {{4, 4}, {6, 4}, {6, 6}}})));          // touches one
-  EXPECT_FALSE(is_small(with_holes({hole, {{3, 2}, {6, 2}, {6, 3}, {3, 3}}})));  // crosses one
-  EXPECT_FALSE(is_small(with_holes({{{0, 3}, {3, 2}, {3, 3}}})));                // touches the ring
-  EXPECT_FALSE(is_small(with_holes({{{8, 3}, {11, 3}, {8, 5}}})));               // crosses it
-  EXPECT_FALSE(is_small(with_holes({{{12, 3}, {13, 3}, {12, 5}}})));             // outside
-  EXPECT_FALSE(is_small(with_holes({{{2, 2}, {4, 2}, {2, 2}, {2, 4}}})));        // a spike
-  EXPECT_FALSE(is_small(with_holes({{{1, 1}, {4, 4}, {4, 1}, {1, 4}}})));        // crosses itself
-  EXPECT_FALSE(is_small(with_holes({{{1, 1}, {2, 2}, {3, 3}}})));                // flat
-  // The hole is in the box of the outer ring, but not in the ring.
-  const test::Outline l{{0, 0}, {9, 0}, {9, 2}, {2, 2}, {2, 9}, {0, 9}};
-  EXPECT_FALSE(is_small(make_polygon(l, {{{5, 5}, {6, 5}, {6, 6}}})));
-}
-
-/// Appends the upper side of a comb from the right to the left. Its teeth are as high as
-/// height(k) over y = `base`.
-template <class Height>
-void append_teeth(int teeth, std::int64_t base, Height height, test::Outline& outline) {
-  for (int k = teeth; k-- > 0;) {
-    const std::int64_t top = base + height(k);
-    outline.insert(outline.end(),
-                   {{4 * k + 2, base}, {4 * k + 2, top}, {4 * k, top}, {4 * k, base}});
-  }
-}
-
-TEST(SmallOperand, HasNoEdgesThatMeetFarAlongTheRing) {
-  static constexpr int kTeeth = 900;
-  for (const bool mirrored : {false, true}) {
-    // A spike goes from one tooth near an end, above all others, to a higher one near the other
-    // end.
-    const auto comb = [&](std::int64_t reach) {
-      test::Outline outline{{-5, -1}, {4 * kTeeth, -1}, {4 * kTeeth, 0}};
-      append_teeth(
-          kTeeth, 0, [](int k) { return k == 5 ? 100 : 10; }, outline);
-      const auto tooth = std::find_if(outline.begin(), outline.end(), [](const test::Vertex& at) {
-        return at.x == 4 * (kTeeth - 6) + 2 && at.y == 10;
-      });
-      outline.insert(tooth + 1, {reach, 50});
-      if (mirrored) {
-        for (auto& at : outline) at.x = -at.x;
-        std::reverse(outline.begin(), outline.end());
-      }
-      return make_polygon(outline);
-    };
-    EXPECT_TRUE(is_small(comb(23)));
-    EXPECT_FALSE(is_small(comb(22)));  // touches
-    EXPECT_FALSE(is_small(comb(21)));  // crosses
-  }
-}
-
-TEST(SmallOperand, HasNoHoleThatTouchesItsRingFarAlong) {
-  static constexpr int kTeeth = 450;
-  for (const int at : {3, kTeeth / 2, kTeeth - 4}) {
-    const auto plate = [&](int depth) {
-      test::Outline outer{{-5, 0}, {4 * kTeeth + 5, 0}, {4 * kTeeth + 5, 1000}};
-      append_teeth(
-          kTeeth, 1000, [&](int k) { return k == at ? -depth : -10; }, outer);
-      outer.push_back({-5, 1000});
-      test::Outline hole{{-1, 800}, {-1, 10}, {4 * kTeeth + 1, 10}, {4 * kTeeth + 1, 800}};
-      append_teeth(
-          kTeeth, 800, [](int) { return 10; }, hole);
-      return make_polygon(outer, {hole});
-    };
-    EXPECT_TRUE(is_small(plate(189)));
-    EXPECT_FALSE(is_small(plate(190)));
-  }
-}
-
-TEST(SmallOperand, HasNoManyHoles) {
-  const auto plate = [](int holes) {
-    std::vector<test::Outline> all;
-    for (int k = 0; k < holes; ++k) {
-      all.push_back({{4 * k + 1, 1}, {4 * k + 2, 1}, {4 * k + 2, 2}});
-    }
-    return make_polygon({{0, 0}, {400, 0}, {400, 3}, {0, 3}}, all);
-  };
-  EXPECT_TRUE(is_small(plate(SmallOperand::kMaxHoles)));
-  EXPECT_FALSE(is_small(plate(SmallOperand::kMaxHoles + 1)));
-}
-
-TEST(SmallOperand, HasShortIntegers) {
-  Region quotients;
-  quotients.begin_polygon();
-  quotients.begin_ring();
-  quotients.add_vertex(Rational(1, 3), Rational(0));
-  quotients.add_vertex(1, 0);
-  quotients.add_vertex(1, 1);
-  EXPECT_FALSE(is_small(quotients));
-  const std::int64_t far = std::int64_t{1} << 60;
-  EXPECT_TRUE(is_small(rectangle(far - 5, 0, far, 1)));
-  EXPECT_FALSE(is_small(rectangle(far, 0, far + 5, 1)));
-  EXPECT_TRUE(is_small(rectangle(0, 0, std::int64_t{1} << 49, 1)));
-  EXPECT_FALSE(is_small(rectangle(0, 0, far / 2, 1)));
-  // The corners are so far apart that 64 bits do not hold their difference.
-  EXPECT_FALSE(is_small(rectangle(-7 * far, 0, 7 * far, 1)));
-}
-
-TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
-  // The ring is clockwise, with a vertex in the middle of an edge.
-  const Region region = make_polygon({{5, 7}, {5, 9}, {8, 9}, {8, 7}, {6, 7}});
-  SmallOperand small;
-  ASSERT_TRUE(read(region, small));
-  ASSERT_EQ(small.size, 4U);
-  EXPECT_TRUE(small.convex);
-  EXPECT_EQ(small.first.x, 5);
-  EXPECT_EQ(small.first.y, 7);
-  for (std::uint32_t v = 0; v < small.size; ++v) {
-    const std::uint32_t from = small.source(SmallOperand::kVertexSource, v);
-    EXPECT_EQ(region.x(from), small[SmallOperand::kX][v] + static_cast<double>(small.offset.x));
-    EXPECT_EQ(region.y(from), small[SmallOperand::kY][v] + static_cast<double>(small.offset.y));
-    // In the reversed ring, the edge to the next vertex is the one that ends here.
-    const std::uint32_t next = small.source(SmallOperand::kVertexSource, (v + 1) % 4);
-    EXPECT_EQ(small.source(SmallOperand::kEdgeSource, v), next);
-  }
-}
-
-TEST(SmallOperand, DropsRepeatedVertices) {
-  // The last of equal vertices stays, and of those at the ring's end, the one at its start.
-  const Region region =
-      make_polygon({{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
-  SmallOperand small;
-  ASSERT_TRUE(read(region, small));
-  ASSERT_EQ(small.size, 4U);
-  for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
-    EXPECT_EQ(small.source(row, 0), 1U);
-    EXPECT_EQ(small.source(row, 1), 2U);
-    EXPECT_EQ(small.source(row, 2), 5U);
-    EXPECT_EQ(small.source(row, 3), 6U);
-  }
-}
-
-TEST(SmallOperand, TurnsAsItsRegionDoes) {
-  const Region region = make_polygon({{1, 2}, {9, 3}, {4, 4}, {5, 9}, {0, 7}});
-  SmallOperand given;
-  ASSERT_TRUE(read(region, given));
-  for (int quarters = 0; quarters < 4; ++quarters) {
-    SmallOperand turned;
-    turn(given, quarters, turned);
-    SmallOperand expected;
-    ASSERT_TRUE(read(transform(region, Affine::quarter_turns(quarters)), expected));
-    EXPECT_EQ(turned.size, expected.size);
-    EXPECT_EQ(turned.smallest, expected.smallest);
-    EXPECT_EQ(turned.offset.x, expected.offset.x);
-    EXPECT_EQ(turned.offset.y, expected.offset.y);
-    EXPECT_EQ(turned.extent.x, expected.extent.x);
-    EXPECT_EQ(turned.extent.y, expected.extent.y);
-    EXPECT_EQ(turned.longest, expected.longest);
-    for (int row = 0; row < SmallOperand::kRows; ++row) {
-      for (std::uint32_t v = 0; v < turned.size; ++v) {
-        const auto at = static_cast<SmallOperand::Row>(row);
-        EXPECT_EQ(turned[at][v], expected[at][v]) << quarters << ", row " << row << ", " << v;
-      }
-    }
-  }
-}
+using test::with_holes;
 
 /// Computes a small sum; returns false if the stages have to compute it.
 bool sum(const Region& p, const Region& q, Region& result) {
   SmallOperand small_p;
   SmallOperand small_q;
   SmallScratch scratch;
-  EXPECT_TRUE(read(p, small_p));
-  EXPECT_TRUE(read(q, small_q));
+  SmallHoles holes;
+  EXPECT_TRUE(read_small(p, holes, small_p));
+  EXPECT_TRUE(read_small(q, holes, small_q));
   return sum_small(small_p, small_q, scratch, result);
 }
 
@@ -320,10 +123,12 @@ TEST(SmallSum, KeepsHolesIntoWhichTheOtherOperandFits) {
   const Region turned = transform(p, Affine::quarter_turns(1));
   SmallOperand small;
   SmallOperand small_turned;
-  ASSERT_TRUE(read(p, small));
+  SmallHoles holes;
+  ASSERT_TRUE(read_small(p, holes, small));
   turn(small, 1, small_turned);
   SmallOperand bar;
-  ASSERT_TRUE(read(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
+  ASSERT_TRUE(
+      read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), holes, bar));
   SmallScratch scratch;
   ASSERT_TRUE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
   EXPECT_EQ(result.hole_count(), 1U);
@@ -333,7 +138,9 @@ TEST(SmallSum, KeepsHolesIntoWhichTheOtherOperandFits) {
 
 TEST(SmallSum, TakesHolesThatTouch) {
   const Region p = with_holes({{{0, 3}, {3, 2}, {3, 3}}, {{3, 3}, {4, 3}, {4, 4}}});
-  ASSERT_FALSE(is_small(p));  // before it is validated
+  SmallHoles holes;
+  SmallOperand operand;
+  ASSERT_FALSE(read_small(p, holes, operand));  // before it is validated
   const Region q = rectangle(0, 0, 4, 4);
   EXPECT_TRUE(detailed_sum(p, q).statistics.small);
   EXPECT_EQ(minkowski_sum(p, q), rectangle(0, 0, 13, 13));
