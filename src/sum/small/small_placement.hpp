@@ -68,7 +68,8 @@ class SmallPlacement {
           for_each_near(
               *edges_of_p_, *edges_of_q_, by, 1, [&](std::uint32_t i, std::uint32_t first) {
                 const SmallRows& p = edges_of_p_->rows;
-                BoxOf<double> box = moved(box_of_segment(p.x[i], p.y[i], p.dx[i], p.dy[i]), by, 1);
+                const BoxOf<double> box =
+                    moved(box_of_segment(p.x[i], p.y[i], p.dx[i], p.dy[i]), by, 1);
                 for_each_bit(edges_of_q_->near(first / kLanes, box), [&](std::uint32_t lane) {
                   crossed = crossed || do_cross(i, first + lane);
                 });

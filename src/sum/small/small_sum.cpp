@@ -317,9 +317,10 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   const double segments = m * turning(q, plan.with_holes[1]) + n * turning(p, plan.with_holes[0]);
   // With more segments, looking at each pair of blocks takes longer than the stages.
   constexpr double kMostSegments = 1400;
-  // So does comparing each vertex with each edge if there are more of them. Rounded numbers take
-  // twice as long. With 128 for these, 13 of 764 sums took 1.08 times as long, and with 32 some
-  // went to the stages that took 1.5 times as long there.
+  // So does listing the segments, which compares each vertex with each edge, if m · n is larger
+  // than this. Rounded numbers take twice as long. With 128 for them, 13 of 764 sums took another
+  // way, and 1.08 times as long on the geometric mean. With 32 for both, others took up to 3 times
+  // as long by the stages.
   const double most = plan.numbers == SmallNumberType::kDoubles ? 128 : 64;
   return segments <= kMostSegments && m * n <= most * (m + n) ? plan : SmallPlan{};
 }
