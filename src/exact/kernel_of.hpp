@@ -9,23 +9,6 @@
 
 namespace minksum {
 
-inline double to_double(std::int64_t value) { return static_cast<double>(value); }
-inline double to_double(Int128 value) { return static_cast<double>(value); }
-/// Returns a double with a relative error under 2^-51. Proof: let t be the magnitude, and limb k
-/// the highest that is not 0, so that t ≥ 2^64k. Rounding the limbs changes their sum by 2^-53 t at
-/// most. The last sum is rounded by 2^-53 t at most. So is the sum before the last, because it is
-/// at most 2^64k. The sums before that are smaller by 2^-64 each. The whole error is 3 · 2^-53 t,
-/// and next to nothing more.
-template <std::size_t N>
-double to_double(const WideInt<N>& value) {
-  const WideInt<N> magnitude = value.magnitude();
-  double sum = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    sum += std::ldexp(static_cast<double>(magnitude.limb(i)), static_cast<int>(64 * i));
-  }
-  return value.negative() ? -sum : sum;
-}
-
 /// Implements the formulas over one rung. Subclasses store the coordinates and give them out, which
 /// differs between rungs.
 template <class Rung>
@@ -65,8 +48,8 @@ class KernelOf : public ExactKernel {
                      const PointOnSegment& b) const override {
     const auto p = parameter_of(s, a);
     const auto q = parameter_of(s, b);
-    const Along difference = Along(p.numerator) * Along(q.denominator) -
-                             Along(q.numerator) * Along(p.denominator);
+    const Along difference =
+        Along(p.numerator) * Along(q.denominator) - Along(q.numerator) * Along(p.denominator);
     return sign_of(difference) * sign_of(p.denominator) * sign_of(q.denominator);
   }
   double parameter(const Segment& s, const PointOnSegment& point) const override {
@@ -82,8 +65,8 @@ class KernelOf : public ExactKernel {
     const Homogeneous p = homogeneous(a);
     const Homogeneous q = homogeneous(b);
     const bool x = axis == Axis::kX;
-    return sign_of(Lexicographic((x ? p.x : p.y) * q.denominator -
-                                 (x ? q.x : q.y) * p.denominator)) *
+    return sign_of(
+               Lexicographic((x ? p.x : p.y) * q.denominator - (x ? q.x : q.y) * p.denominator)) *
            sign_of(p.denominator) * sign_of(q.denominator);
   }
   Sign orientation(const Segment& s, const NodePoint& node) const override {

@@ -46,8 +46,7 @@ class WideInt {
     limbs_[1] = static_cast<std::uint64_t>(static_cast<Uint128>(value) >> 64);
   }
   template <std::size_t M>
-    requires(M < N)
-  constexpr explicit WideInt(const WideInt<M>& value) {
+  requires(M < N) constexpr explicit WideInt(const WideInt<M>& value) {
     limbs_.fill(value.negative() ? ~std::uint64_t{0} : 0);
     for (std::size_t i = 0; i < M; ++i) limbs_[i] = value.limb(i);
   }
@@ -84,8 +83,8 @@ class WideInt {
     for (std::size_t i = 0; i < N; ++i) {
       std::uint64_t carry = 0;
       for (std::size_t j = 0; i + j < N; ++j) {
-        const Uint128 t = static_cast<Uint128>(a.limbs_[i]) * b.limbs_[j] +
-                          product.limbs_[i + j] + carry;
+        const Uint128 t =
+            static_cast<Uint128>(a.limbs_[i]) * b.limbs_[j] + product.limbs_[i + j] + carry;
         product.limbs_[i + j] = static_cast<std::uint64_t>(t);
         carry = static_cast<std::uint64_t>(t >> 64);
       }
@@ -132,6 +131,22 @@ constexpr const WideInt<N>& as_limbs(const WideInt<N>& value) {
 }
 constexpr WideInt<2> as_limbs(Int128 value) { return WideInt<2>(value); }
 constexpr WideInt<1> as_limbs(std::int64_t value) { return WideInt<1>(value); }
+
+inline double to_double(std::int64_t value) { return static_cast<double>(value); }
+inline double to_double(Int128 value) { return static_cast<double>(value); }
+/// Returns a double with a relative error under 2^-51. Proof: let limb k be the highest that is not
+/// 0. It is rounded by 2^-53, and so is the sum with limb k - 1. That sum is 2^64 at least, before
+/// it is multiplied by 2^64. So all limbs below are less than 2^-64 of it each, which is less than
+/// half a bit: they change nothing.
+template <std::size_t N>
+double to_double(const WideInt<N>& value) {
+  const WideInt<N> magnitude = value.magnitude();
+  double sum = 0;
+  for (std::size_t i = N; i-- > 0;) {
+    sum = sum * 0x1p64 + static_cast<double>(magnitude.limb(i));
+  }
+  return value.negative() ? -sum : sum;
+}
 
 /// Returns the product of two numbers, which `Wide` holds. It takes as many steps as they have
 /// limbs, not `Wide`.
