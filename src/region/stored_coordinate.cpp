@@ -23,21 +23,30 @@ StoredCoordinate compact(std::int64_t payload, int exp2, int exp10) {
 
 bool fits_int64(const BigInteger& value) { return bit_length(value) < 64; }
 
-// Stores a quotient whose denominator is 2^a·5^b as m·10^-k, if m fits 63 bits. Denominators of
-// more than one limb are not tried, because people do not write such decimals.
+// Returns k if a number is 5^k, and -1 otherwise.
+int exponent_of_five(const BigInteger& value) {
+  // 5^k has the next more bits than k · 2.3219.
+  const auto exponent = static_cast<int>((bit_length(value) - 1) * 10'000 / 23'219);
+  if (power(5, exponent) == value) return exponent;
+  return power(5, exponent + 1) == value ? exponent + 1 : -1;
+}
+
+// Stores a quotient whose numerator fits 63 bits and whose denominator is 2^a·5^b. Its grid is not
+// finer than need be: 2^(b - a) · 10^-b, or 10^-b if that is an integer of it.
 bool store_as_decimal(const BigInteger& numerator, const BigInteger& denominator,
                       StoredCoordinate& out) {
-  if (bit_length(denominator) > 63 || !fits_int64(numerator)) return false;
-  std::uint64_t rest = denominator.limb(0);
-  const int twos = std::countr_zero(rest);
-  rest >>= twos;
-  int fives = 0;
-  for (; rest % 5 == 0; ++fives) rest /= 5;
-  if (rest != 1) return false;
-  const BigInteger payload =
-      twos < fives ? numerator << (fives - twos) : numerator * power(5, twos - fives);
-  if (!fits_int64(payload)) return false;
-  out = compact(static_cast<std::int64_t>(payload), 0, -std::max(twos, fives));
+  constexpr std::size_t kMostBits = 400;  // people write no longer decimals
+  if (bit_length(denominator) > kMostBits || !fits_int64(numerator)) return false;
+  const auto twos = static_cast<int>(trailing_zeros(denominator));
+  const int fives = exponent_of_five(denominator >> twos);
+  if (fives < 0) return false;
+  const auto payload = static_cast<std::int64_t>(numerator);
+  const int up = fives - twos;
+  if (up > 0 && bit_length(numerator) + static_cast<std::size_t>(up) < 64) {
+    out = compact(payload * (std::int64_t{1} << up), 0, -fives);
+  } else {
+    out = compact(payload, up, -fives);
+  }
   return true;
 }
 
