@@ -114,9 +114,8 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
   const SmallPlan plan = plan_sum(*small[0], *small[1]);
   if (plan.numbers == SmallNumberType::kNone) return false;
   validate_others(given, small, options, state);
-  const bool done =
-      bring_to_one_grid(plan, small, memory) && sum_small(*small[0], *small[1], scratch, result);
-  if (!done) return false;
+  bring_to_one_grid(plan, small, memory);
+  if (!sum_small(plan, *small[0], *small[1], scratch, result)) return false;
   if (options.statistics != nullptr) {
     options.statistics->small = true;
     options.statistics->convolution_segments = scratch.segments();

@@ -47,19 +47,20 @@ struct SmallBlocks {
     return {low_x[block], low_y[block], high_x[block], high_y[block]};
   }
 
-  /// Sets the boxes of `count` segments. Entries beyond these are not read.
+  /// Sets the boxes of `count` segments, and makes them wider by `reach` on each side. Entries
+  /// beyond these are not read.
   [[gnu::always_inline]] void set(const double* x, const double* y, const double* dx,
-                                  const double* dy, std::size_t count) {
+                                  const double* dy, std::size_t count, double reach) {
     size = filled_up(count) / kLanes;
     for (std::size_t b = 0; b < size; ++b) {
       Box all = box_of_segment(x[b * kLanes], y[b * kLanes], dx[b * kLanes], dy[b * kLanes]);
       for (std::size_t i = b * kLanes + 1; i < std::min((b + 1) * kLanes, count); ++i) {
         all.add(box_of_segment(x[i], y[i], dx[i], dy[i]));
       }
-      low_x[b] = all.x0;
-      low_y[b] = all.y0;
-      high_x[b] = all.x1;
-      high_y[b] = all.y1;
+      low_x[b] = all.x0 - reach;
+      low_y[b] = all.y0 - reach;
+      high_x[b] = all.x1 + reach;
+      high_y[b] = all.y1 + reach;
     }
     for (std::size_t b = size; b < filled_up(size); ++b) {
       low_x[b] = low_y[b] = high_x[b] = high_y[b] = 0;

@@ -1,7 +1,6 @@
 // Finds the meetings of two blocks of eight segments.
 #pragma once
 
-#include "sum/small/sides.hpp"
 #include "sum/small/small_segments.hpp"
 
 namespace minksum {
@@ -18,24 +17,32 @@ struct BlockMeetings {
   LaneBits at_end_of_other = 0;
 };
 
-/// Finds the meetings of the segments `rows` of a block with those of another block.
+/// Finds the meetings of the segments `rows` of a block with those of another block, as far as
+/// `pairs` are concerned.
 template <class Number>
-[[gnu::always_inline]] inline BlockMeetings meet_blocks(const SmallSegments& s, std::size_t block,
-                                                        std::size_t other, LaneBits rows) {
-  const double* const x = s.x.data() + other * kLanes;
-  const double* const y = s.y.data() + other * kLanes;
-  const double* const dx = s.dx.data() + other * kLanes;
-  const double* const dy = s.dy.data() + other * kLanes;
+[[gnu::always_inline]] inline BlockMeetings meet_blocks(const SmallNumbers<Number>& numbers,
+                                                        const SmallSegments& s, std::size_t block,
+                                                        std::size_t other, LaneBits rows,
+                                                        LaneBits pairs) {
+  const VecRow starts = s.at();
+  const VecRow ways = s.way();
   constexpr LaneBits kOfLane = 0x01010101;  // one byte for each kind
   BlockMeetings meetings;
   for (; rows != 0; rows &= rows - 1) {
     const auto row = static_cast<unsigned>(std::countr_zero(rows));
     const std::size_t of = block * kLanes + row;
-    const Vec<double> at{s.x[of], s.y[of]};
-    const Vec<double> way{s.dx[of], s.dy[of]};
-    const auto kinds = [&](const auto& cross, std::size_t t) __attribute__((always_inline)) {
+    const auto kinds = [&](const auto& lanes, std::size_t t) __attribute__((always_inline)) {
+      const std::size_t i = other * kLanes + t;
+      const auto a = minus(lanes.get(starts, i), lanes.get(starts, of));
+      ZeroSides zeros;
+      if constexpr (std::is_same_v<Number, Int128>) {
+        zeros.start = (s.start[i] == s.start[of]) | (s.start[i] == s.end[of]);
+        zeros.end = (s.end[i] == s.start[of]) | (s.end[i] == s.end[of]);
+        zeros.along = (s.start[of] == s.start[i]) | (s.start[of] == s.end[i]);
+        zeros.left = (s.end[of] == s.start[i]) | (s.end[of] == s.end[i]);
+      }
       const auto [start, end, along, left] =
-          sides(cross, way, {x[t] - at.x, y[t] - at.y}, {dx[t], dy[t]});
+          sides(lanes, lanes.get(ways, of), a, lanes.get(ways, i), zeros);
       const bool right = (start >= 0) & (end < 0) & (along < 0) & (left <= 0);
       const bool right_of_other = (along >= 0) & (left > 0) & (start < 0) & (end >= 0);
       const bool at_end = (left == 0) & (start <= 0) & (end >= 0) & !((end == 0) & (start < 0));
@@ -44,7 +51,8 @@ template <class Number>
       return (right ? kBitOf[t] : 0) | (right_of_other ? kBitOf[t + kLanes] : 0) |
              (at_end ? kBitOf[t + 2 * kLanes] : 0) | (at_end_of_other ? kBitOf[t + 3 * kLanes] : 0);
     };
-    const LaneBits bits = test_lanes<Number, kOfLane>(kLanes, kinds);
+    const LaneBits wanted = pairs >> (row * kLanes);
+    const LaneBits bits = test_lanes<kOfLane>(numbers, kLanes, wanted, kinds);
     const auto byte = [&](unsigned kind) {
       return (bits >> (kind * kLanes) & first_bits(kLanes)) << (row * kLanes);
     };

@@ -4,18 +4,19 @@
 #include <cmath>
 #include <type_traits>
 
-#include "exact/wide_int.hpp"
 #include "sum/small/small_meetings.hpp"
 #include "sum/small/small_placement.hpp"
+#include "sum/small/way_fractions.hpp"
 
 namespace minksum {
 
-/// A vertex of the boundary. The edge after it is part of `segment`, and starts at along / whole of
-/// the segment's way.
+/// A vertex of the boundary. The edge after it is part of `segment`, and starts where another
+/// segment crosses it, or at its own start if there is none.
 struct SmallCorner {
   std::uint32_t segment;
-  Int128 along;
-  Int128 whole;
+  std::uint32_t crossed_by;
+
+  [[nodiscard]] bool is_start() const { return crossed_by == kNoSegment; }
 };
 
 struct SmallBoundary {
@@ -43,20 +44,27 @@ struct RightMeetings {
 template <class Number>
 class OuterWalk {
  public:
-  OuterWalk(const SmallSegments& segments, const SmallMeetings& meetings, SmallPlacement& placement,
-            RightMeetings& turns, SmallBoundary& boundary)
-      : s_(segments), m_(meetings), placement_(placement), turns_(turns), boundary_(boundary) {
+  OuterWalk(const SmallNumbers<Number>& numbers, const SmallSegments& segments,
+            const SmallMeetings& meetings, SmallPlacement<Number>& placement, RightMeetings& turns,
+            SmallBoundary& boundary)
+      : s_(segments),
+        m_(meetings),
+        ways_(numbers, segments),
+        placement_(placement),
+        turns_(turns),
+        boundary_(boundary) {
     std::fill_n(turns_.of.begin(), m_.size(), RightMeetings::WalkStep{0, 0});
   }
 
   /// Walks from the smallest point. Returns false if the walk does not come back, or might not be
   /// all of the sum's boundary.
-  bool run(double start_x, double start_y) {
+  template <class Vector>
+  bool run(const Vector& start) {
     boundary_.size = 0;
     boundary_.between = 0;
-    const std::uint32_t first = first_segment(start_x, start_y);
+    const std::uint32_t first = first_segment(start);
     if (first == kNone) return false;
-    WalkLocation place{first, {0, 1}};
+    WalkLocation place{first, {}};
     std::uint32_t taken = 0;
     do {
       corner(place);
@@ -71,63 +79,40 @@ class OuterWalk {
         ++taken;
       }
       if (boundary_.size == SmallBoundary::kMax) return false;
-    } while (place.passed.above != 0 || s_.x[place.segment] != start_x ||
-             s_.y[place.segment] != start_y);
+    } while (!place.passed.is_start() || !are_equal(ways_.at(place.segment), start));
     boundary_.rings = 1;
     boundary_.end_of[0] = boundary_.size;
     return taken + 3 > m_.right_count || find_holes(taken);
   }
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  static constexpr bool kShort = std::is_same_v<Number, double>;
-  using Integer = std::conditional_t<kShort, std::int64_t, Int128>;
-  /// A fraction of a segment's way.
-  struct Fraction {
-    Integer above;
-    Integer below;  ///< positive
-  };
+  static constexpr std::uint32_t kNone = kNoSegment;
   /// A segment, and how much of its way has been passed.
   struct WalkLocation {
     std::uint32_t segment = kNone;
-    Fraction passed{0, 1};
+    WayFraction<Number> passed;
   };
   /// The place at which the walk goes on, and the turn that it takes.
   struct Next {
     WalkLocation place;
-    Number turn = 0;  ///< negative if to the right
+    double turn = 0;  ///< negative if to the right
     std::size_t meeting = 0;
   };
 
-  [[nodiscard]] Number turn(std::uint32_t a, std::uint32_t b) const {
-    return cross(way(a), way(b));
-  }
-  /// Returns how far on the left of a segment another one starts.
-  [[nodiscard]] Number start_of(std::uint32_t t, std::uint32_t of) const {
-    return cross(way(of), between(of, t));
-  }
-  [[nodiscard]] Vec<Number> way(std::uint32_t t) const {
-    return whole_numbers<Number>({s_.dx[t], s_.dy[t]});
-  }
-  [[nodiscard]] Vec<Number> between(std::uint32_t from, std::uint32_t to) const {
-    return whole_numbers<Number>({s_.x[to] - s_.x[from], s_.y[to] - s_.y[from]});
-  }
-  [[nodiscard]] static Fraction fraction(Number above, Number below) {
-    return {static_cast<Integer>(above), static_cast<Integer>(below)};
-  }
-  [[nodiscard]] static bool less(const Fraction& a, const Fraction& b) {
-    using Wide = std::conditional_t<kShort, Int128, WideInt<4>>;
-    return product<Wide>(a.above, b.below) < product<Wide>(b.above, a.below);
-  }
   void corner(const WalkLocation& place) {
-    boundary_.corners[boundary_.size++] = {place.segment, place.passed.above, place.passed.below};
-    if (place.passed.above != 0) ++boundary_.between;
+    boundary_.corners[boundary_.size++] = {place.segment, place.passed.by};
+    if (!place.passed.is_start()) ++boundary_.between;
+  }
+  /// Returns the place on segment t where it leaves another one.
+  [[nodiscard, gnu::always_inline]] WalkLocation leave(std::uint32_t from, std::uint32_t t) const {
+    return {t, ways_.entry(t, from, ways_.start_of(t, from), ways_.turn(from, t))};
   }
   /// Returns the farthest clockwise of all segments that start at the smallest point.
-  [[nodiscard]] std::uint32_t first_segment(double x, double y) const {
+  template <class Vector>
+  [[nodiscard]] std::uint32_t first_segment(const Vector& start) const {
     std::uint32_t first = kNone;
     for (std::uint32_t t = 0; t < s_.size; ++t) {
-      if (s_.x[t] != x || s_.y[t] != y) continue;
+      if (!are_equal(ways_.at(t), start)) continue;
       if (first == kNone || is_preferred(t, first)) first = t;
     }
     return first;
@@ -139,22 +124,21 @@ class OuterWalk {
   [[nodiscard, gnu::always_inline]] Next next_after(const WalkLocation& place) {
     const std::uint32_t at = place.segment;
     Next next;
-    Fraction best{0, 0};
+    WayFraction<Number> best;
     m_.for_each_right(at, [&](std::uint32_t t, std::size_t meeting) {
-      const Number c = turn(at, t);
-      const Fraction here = fraction(-cross(between(at, t), way(t)), -c);
-      if (place.passed.above != 0 && !less(place.passed, here)) return;
+      const WayFraction<Number> here = ways_.crossing(at, t);
+      if (!place.passed.is_start() && !ways_.less(at, place.passed, here)) return;
       if (next.place.segment != kNone) {
-        if (less(best, here)) return;
-        if (!less(here, best) && !is_preferred(t, next.place.segment)) return;
+        if (ways_.less(at, best, here)) return;
+        if (!ways_.less(at, here, best) && !is_preferred(t, next.place.segment)) return;
       }
       best = here;
       next.place.segment = t;
-      next.turn = c;
       next.meeting = meeting;
     });
     if (next.place.segment == kNone) return next_at_end(at);
-    next.place.passed = fraction(start_of(next.place.segment, at), -next.turn);
+    next.place = leave(at, next.place.segment);
+    next.turn = -1;
     return next;
   }
   [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) {
@@ -162,20 +146,20 @@ class OuterWalk {
     std::uint32_t looks = 0;
     m_.for_each_at_end(at, [&](std::uint32_t t) {
       ++looks;
-      const Number c = turn(at, t);
+      const double c = ways_.turn(at, t);
       if (c == 0) {
         // A segment that goes straight on comes before all that turn to the left.
-        const WalkLocation along = straight_on(at, t);
-        if (along.segment == kNone) return;
+        const auto passed = ways_.straight_on(t, at);
+        if (!passed) return;
         const bool is_straight = next.turn == 0 && next.place.segment != kNone;
-        if (!is_straight || s_.is_before(next.place.segment, t)) next = {along, 0, 0};
+        if (!is_straight || s_.is_before(next.place.segment, t)) next = {{t, *passed}, 0, 0};
         return;
       }
-      const Number start = start_of(t, at);
-      if (start + c == 0) return;  // t ends there
+      const double start = ways_.start_of(t, at);
+      if (ways_.end_of(t, at, start, c) == 0) return;  // t ends there
       const bool first = next.place.segment == kNone;
       if (first || (next.turn != 0 && is_preferred(t, next.place.segment))) {
-        next = {{t, fraction(-start, c)}, c, 0};
+        next = {{t, ways_.entry(t, at, start, c)}, c, 0};
       }
     });
     looks_ += looks;
@@ -184,19 +168,8 @@ class OuterWalk {
   /// Whether ray t is preferred to ray `other` from the same place. The ray on the right is
   /// preferred. Of two rays in the same direction, the one that was listed first is.
   [[nodiscard, gnu::always_inline]] bool is_preferred(std::uint32_t t, std::uint32_t other) const {
-    const Number c = turn(other, t);
+    const double c = ways_.turn(other, t);
     return c < 0 || (c == 0 && s_.is_before(t, other));
-  }
-  /// Returns where the end of `at` is on a segment t of the same line, if t leads on from there.
-  [[nodiscard, gnu::noinline]] WalkLocation straight_on(std::uint32_t at, std::uint32_t t) const {
-    // Places are taken along the axis that the line is closer to.
-    const bool by_x = std::abs(s_.dx[t]) >= std::abs(s_.dy[t]);
-    const double whole = by_x ? s_.dx[t] : s_.dy[t];
-    const double along = by_x ? s_.x[at] + s_.dx[at] - s_.x[t] : s_.y[at] + s_.dy[at] - s_.y[t];
-    const double sense = whole < 0 ? -1 : 1;
-    const bool same_sense = sense * (by_x ? s_.dx[at] : s_.dy[at]) > 0;
-    if (!same_sense || sense * along < 0 || sense * along >= sense * whole) return {};
-    return {t, {whole_number<Integer>(sense * along), whole_number<Integer>(sense * whole)}};
   }
 
   /// Finds all holes. Returns false if there may be others. A walk around a hole has the sum on its
@@ -220,7 +193,7 @@ class OuterWalk {
     std::uint16_t count = 0;
     turns_.of[meeting] = {walk, count++};
     ++taken;
-    WalkLocation place{to, fraction(start_of(to, from), -turn(from, to))};
+    WalkLocation place = leave(from, to);
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
       // With more looks the stages are faster. With 6 a segment, 6 of 95 sums gave up too early.
       if (++looks_ > 14 * s_.size + 1000) return false;
@@ -260,7 +233,7 @@ class OuterWalk {
         place = next.place;
       } while (next.turn == 0);
     } while (next.turn > 0 || next.meeting != meeting);
-    using Result = SmallPlacement::Result;
+    using Result = typename SmallPlacement<Number>::Result;
     const Result result = placement_.test(s_, longest.segment, longest.from, longest.to);
     if (result == Result::kOutside) {
       boundary_.end_of[boundary_.rings++] = boundary_.size;
@@ -281,19 +254,19 @@ class OuterWalk {
     double to = 0;
   };
   [[nodiscard]] Piece piece_between(const WalkLocation& place, const Next& next) const {
-    const auto quotient = [](const auto& above, const auto& below) {
-      return static_cast<double>(above) / static_cast<double>(below);
+    const auto quotient = [&](std::uint32_t segment, std::uint32_t by) {
+      const auto exact = ways_.exact(segment, by);
+      return to_double(exact.numerator) / to_double(exact.denominator);
     };
     const std::uint32_t at = place.segment;
-    const std::uint32_t t = next.place.segment;
-    const double from = quotient(place.passed.above, place.passed.below);
-    if (next.turn >= 0) return {at, from, 1};
-    return {at, from, quotient(cross(between(at, t), way(t)), turn(at, t))};
+    const double from = place.passed.is_start() ? 0 : quotient(at, place.passed.by);
+    return {at, from, next.turn >= 0 ? 1 : quotient(at, next.place.segment)};
   }
 
   const SmallSegments& s_;
   const SmallMeetings& m_;
-  SmallPlacement& placement_;
+  WayFractions<Number> ways_;
+  SmallPlacement<Number>& placement_;
   RightMeetings& turns_;
   SmallBoundary& boundary_;
   std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes

@@ -4,29 +4,44 @@
 #include <cmath>
 #include <type_traits>
 
-#include "exact/formulas.hpp"
-#include "exact/wide_int.hpp"
+#include "exact/sign.hpp"
 #include "sum/small/lanes.hpp"
+#include "sum/small/small_vectors.hpp"
 
 namespace minksum {
 
-/// Returns an integer that a double holds, in a type that holds its products with others.
-template <class Number>
-[[nodiscard]] constexpr Number whole_number(double value) {
-  if constexpr (std::is_same_v<Number, double>) return value;
-  return static_cast<Number>(static_cast<std::int64_t>(value));
-}
-template <class Number>
-[[nodiscard]] constexpr Vec<Number> whole_numbers(const Vec<double>& v) {
-  return {whole_number<Number>(v.x), whole_number<Number>(v.y)};
-}
+/// On which sides of each other's line two segments r and t have their ends.
+struct Sides {
+  double start;  ///< positive if t starts on the left of r
+  double end;    ///< positive if t ends on the left of r
+  double along;  ///< positive if r starts on the left of t
+  double left;   ///< negative if r ends on the left of t
+};
+/// Which of these are known to be zero, because ends are the same.
+struct ZeroSides {
+  bool start = false;
+  bool end = false;
+  bool along = false;
+  bool left = false;
+};
 
-/// Cross products of integers, in a type that holds their values and sums of two values.
-template <class Number>
-struct ExactCross {
+/// Cross products of vectors whose products doubles hold, and their sums.
+struct ExactLanes {
   static constexpr bool kHoldsSums = true;
-  [[gnu::always_inline]] Number operator()(const Vec<double>& a, const Vec<double>& b) const {
-    return cross(whole_numbers<Number>(a), whole_numbers<Number>(b));
+  static constexpr bool kRoundsPoints = false;
+  [[nodiscard, gnu::always_inline]] Vec<double> get(const VecRow& row, std::size_t i) const {
+    return row[i];
+  }
+  /// Positive if a point, seen from the start of an edge, is on its left. It is the difference of
+  /// two points of the sum, or one more edge away. The caller may know that the result is zero.
+  [[nodiscard, gnu::always_inline]] double side(const Vec<double>& edge, const Vec<double>& point,
+                                                bool /*is_zero*/ = false) const {
+    return cross(edge, point);
+  }
+  /// Positive if an edge turns left into another one.
+  [[nodiscard, gnu::always_inline]] double turn(const Vec<double>& in,
+                                                const Vec<double>& out) const {
+    return cross(in, out);
   }
 };
 
@@ -34,74 +49,188 @@ struct ExactCross {
 /// two products, so the sign of a value that is not zero is exact. Zero is sure if the products are
 /// zero. It is also sure if x of both vectors is the same but for the sign, as where one segment
 /// starts at the end of the other: a product that changes with y changes by x at least, and
-/// rounding changes it by less than x / 8.
-struct RoundedCross {
+/// rounding changes it by less than x / 8. A value that is unsure is below 2^48.
+struct RoundedLanes {
   static constexpr bool kHoldsSums = false;
+  static constexpr bool kRoundsPoints = false;
   bool& unsure;
-  [[gnu::always_inline]] double operator()(const Vec<double>& a, const Vec<double>& b) const {
-    const double above = a.x * b.y;
-    const double value = above - a.y * b.x;
-    unsure |= (value == 0) & (above != 0) & (std::abs(a.x) != std::abs(b.x));
+  [[nodiscard, gnu::always_inline]] Vec<double> get(const VecRow& row, std::size_t i) const {
+    return row[i];
+  }
+  [[nodiscard, gnu::always_inline]] double side(const Vec<double>& edge, const Vec<double>& point,
+                                                bool /*is_zero*/ = false) const {
+    const double above = edge.x * point.y;
+    const double value = above - edge.y * point.x;
+    unsure |= (value == 0) & (above != 0) & (std::abs(edge.x) != std::abs(point.x));
     return value;
   }
+  [[nodiscard, gnu::always_inline]] double turn(const Vec<double>& in,
+                                                const Vec<double>& out) const {
+    return side(in, out);
+  }
 };
 
-/// The same, with the exact sign: other zeros are decided by a number type that holds the products.
-template <class Number>
-struct SureCross {
+/// Cross products of rounded vectors. Edges of length zero are not rounded, so zero is sure for
+/// these.
+struct BoundedLanes {
   static constexpr bool kHoldsSums = false;
-  [[gnu::always_inline]] double operator()(const Vec<double>& a, const Vec<double>& b) const {
-    bool unsure = false;
-    const double value = RoundedCross{unsure}(a, b);
-    if (!unsure) return value;
-    const Number exact = ExactCross<Number>{}(a, b);
-    return exact > 0 ? 1 : exact < 0 ? -1 : 0;
+  static constexpr bool kRoundsPoints = true;
+  bool& unsure;
+  double reach;
+  [[nodiscard, gnu::always_inline]] Vec<double> get(const VecRow& row, std::size_t i) const {
+    return row[i];
+  }
+  [[nodiscard, gnu::always_inline]] double side(const Vec<double>& edge, const Vec<double>& point,
+                                                bool is_zero = false) const {
+    return decide(cross(edge, point), error_of(edge), is_zero);
+  }
+  [[nodiscard, gnu::always_inline]] Sides sides(const Vec<double>& r, const Vec<double>& a,
+                                                const Vec<double>& t,
+                                                const ZeroSides& zeros) const {
+    const double start = cross(r, a);
+    const double along = cross(a, t);
+    const double turn = cross(r, t);
+    const double of_r = error_of(r);
+    const double of_t = error_of(t);
+    return {decide(start, of_r, zeros.start), decide(start + turn, of_r, zeros.end),
+            decide(along, of_t, zeros.along), decide(turn - along, of_t, zeros.left)};
+  }
+  [[nodiscard, gnu::always_inline]] double turn(const Vec<double>& in,
+                                                const Vec<double>& out) const {
+    const double above = in.x * out.y;
+    const double other = in.y * out.x;
+    // Both edges, their product and the difference are rounded by 2^-53 each.
+    return decide(above - other, 0x1p-50 * (std::abs(above) + std::abs(other)), false);
+  }
+
+ private:
+  [[nodiscard, gnu::always_inline]] double error_of(const Vec<double>& edge) const {
+    return reach * (std::abs(edge.x) + std::abs(edge.y));
+  }
+  [[nodiscard, gnu::always_inline]] double decide(double value, double error, bool is_zero) const {
+    const double scale = is_zero ? 0.0 : 1.0;  // keeps the loop over lanes free of branches
+    unsure |= std::abs(scale * value) < scale * error;
+    return scale * value;
   }
 };
 
-/// Returns test(cross, lane) for lanes 0 to count - 1, as a sum of bits. The bits of lane t are
-/// kLaneBits · 2^t. A number type that is not `double` holds all cross products where doubles may
-/// round them.
-template <class Number, LaneBits kLaneBits = 1, class Test>
-[[gnu::always_inline]] inline LaneBits test_lanes(std::size_t count, Test test) {
-  LaneBits bits = 0;
-  if constexpr (std::is_same_v<Number, double>) {
-    for (std::size_t t = 0; t < count; ++t) bits |= test(ExactCross<double>{}, t);
-    return bits;
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline auto filter_lanes(
+    [[maybe_unused]] const SmallNumbers<Number>& numbers, bool& unsure) {
+  if constexpr (std::is_same_v<Number, Int128>) {
+    return BoundedLanes{unsure, numbers.reach};
+  } else {
+    return RoundedLanes{unsure};
   }
-  LaneBits unsure = 0;
-  for (std::size_t t = 0; t < count; ++t) {
-    bool is_unsure = false;
-    bits |= test(RoundedCross{is_unsure}, t);
-    unsure |= is_unsure ? kBitOf[t] : 0;
-  }
-  for_each_bit(unsure, [&](std::uint32_t t) {
-    bits = (bits & ~(kLaneBits << t)) | test(SureCross<Number>{}, t);
-  });
-  return bits;
 }
 
-/// On which sides of each other's line two segments r and t have their ends.
+/// Cross products whose signs are exact.
 template <class Number>
-struct Sides {
-  Number start;  ///< positive if t starts on the left of r
-  Number end;    ///< positive if t ends on the left of r
-  Number along;  ///< positive if r starts on the left of t
-  Number left;   ///< negative if r ends on the left of t
+struct SureLanes {
+  static constexpr bool kHoldsSums = false;
+  static constexpr bool kRoundsPoints = false;
+  SmallNumbers<Number> numbers;
+  [[nodiscard, gnu::always_inline]] SureVec<Number> get(const VecRow& row, std::size_t i) const {
+    if constexpr (std::is_same_v<Number, Int128>) {
+      return {row[i], row.exact[i]};
+    } else {
+      return of_whole(row[i]);
+    }
+  }
+  /// Returns a vector of integers that doubles hold.
+  [[nodiscard, gnu::always_inline]] static SureVec<Number> of_whole(const Vec<double>& v) {
+    const auto whole = [](double value) {
+      return static_cast<Number>(static_cast<std::int64_t>(value));
+    };
+    return {v, {whole(v.x), whole(v.y)}};
+  }
+  [[nodiscard, gnu::always_inline]] double side(const SureVec<Number>& edge,
+                                                const SureVec<Number>& point,
+                                                bool is_zero = false) const {
+    bool unsure = false;
+    const double value = filter_lanes(numbers, unsure).side(edge.near, point.near, is_zero);
+    return unsure ? sign(edge, point) : value;
+  }
+  [[nodiscard, gnu::always_inline]] double turn(const SureVec<Number>& in,
+                                                const SureVec<Number>& out) const {
+    bool unsure = false;
+    const double value = filter_lanes(numbers, unsure).turn(in.near, out.near);
+    return unsure ? sign(in, out) : value;
+  }
+
+ private:
+  /// Returns the sign of a cross product that doubles do not tell.
+  [[nodiscard]] double sign(const SureVec<Number>& a, const SureVec<Number>& b) const {
+    if constexpr (std::is_same_v<Number, Int128>) {
+      // Up to a width of 2^84, it is less than 2^125.
+      if (numbers.reach > 0x1p36) {
+        return sign_of(product<WideInt<4>>(a.exact.x, b.exact.y) -
+                       product<WideInt<4>>(a.exact.y, b.exact.x));
+      }
+      const auto wrapped = [](Int128 p, Int128 q) {
+        return static_cast<Uint128>(p) * static_cast<Uint128>(q);
+      };
+      return sign_of(
+          static_cast<Int128>(wrapped(a.exact.x, b.exact.y) - wrapped(a.exact.y, b.exact.x)));
+    } else {
+      return sign_of(static_cast<std::int64_t>(cross(a.exact, b.exact)));
+    }
+  }
 };
-/// Segment t starts at `a`, seen from the start of r.
-template <class Cross>
-[[gnu::always_inline]] inline auto sides(const Cross& cross, const Vec<double>& r,
-                                         const Vec<double>& a, const Vec<double>& t) {
-  using Number = decltype(cross(r, t));
-  const Number start = cross(r, a);
-  const Number along = cross(a, t);
-  if constexpr (!Cross::kHoldsSums) {
-    return Sides<Number>{start, cross(r, {a.x + t.x, a.y + t.y}), along,
-                         cross({r.x - a.x, r.y - a.y}, t)};
+
+/// A vector whose cross products `sure_lanes` computes.
+template <class Number>
+using SmallVec = std::conditional_t<std::is_same_v<Number, double>, Vec<double>, SureVec<Number>>;
+
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline auto sure_lanes(
+    [[maybe_unused]] const SmallNumbers<Number>& numbers) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return ExactLanes{};
   } else {
-    const Number turn = cross(r, t);
-    return Sides<Number>{start, start + turn, along, turn - along};
+    return SureLanes<Number>{numbers};
+  }
+}
+
+/// Returns test(lanes, t) for t from 0 to count - 1, as a sum of bits. The bits of t are
+/// kLaneBits · 2^t. `lanes` reads vectors and computes cross products. What it does not tell for
+/// sure is tested again. Only the bits of `wanted` lanes must be right.
+template <LaneBits kLaneBits = 1, class Number, class Test>
+[[gnu::always_inline]] inline LaneBits test_lanes(const SmallNumbers<Number>& numbers,
+                                                  std::size_t count,
+                                                  [[maybe_unused]] LaneBits wanted, Test test) {
+  LaneBits bits = 0;
+  if constexpr (std::is_same_v<Number, double>) {
+    for (std::size_t t = 0; t < count; ++t) bits |= test(ExactLanes{}, t);
+    return bits;
+  } else {
+    LaneBits unsure = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+      bool is_unsure = false;
+      bits |= test(filter_lanes(numbers, is_unsure), t);
+      unsure |= is_unsure ? kBitOf[t] : 0;
+    }
+    LaneBits sure = bits;  // apart, so that `bits` stays in a register
+    for_each_bit(unsure & wanted, [&](std::uint32_t t) {
+      sure = (sure & ~(kLaneBits << t)) | test(SureLanes<Number>{numbers}, t);
+    });
+    return sure;
+  }
+}
+
+/// Segment t starts at `a`, seen from the start of r.
+template <class Lanes, class Vector>
+[[gnu::always_inline]] inline Sides sides(const Lanes& lanes, const Vector& r, const Vector& a,
+                                          const Vector& t, const ZeroSides& zeros = {}) {
+  if constexpr (Lanes::kRoundsPoints) return lanes.sides(r, a, t, zeros);
+  const double start = lanes.side(r, a, zeros.start);
+  const double along = -lanes.side(t, a, zeros.along);
+  if constexpr (Lanes::kHoldsSums) {
+    const double turn = lanes.turn(r, t);
+    return {start, start + turn, along, turn - along};
+  } else {
+    return {start, lanes.side(r, plus(a, t), zeros.end), along,
+            -lanes.side(t, minus(r, a), zeros.left)};
   }
 }
 

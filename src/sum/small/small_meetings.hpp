@@ -80,7 +80,8 @@ class SmallMeetings {
 /// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
 /// are near one another.
 template <class Number>
-[[gnu::always_inline]] inline bool find_meetings(const SmallSegments& s, SmallMeetings& m) {
+[[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
+                                                 const SmallSegments& s, SmallMeetings& m) {
   const SmallSegments::Blocks& blocks = s.blocks;
   m.clear(s.size);
   const std::size_t last = blocks.size - 1;
@@ -100,7 +101,7 @@ template <class Number>
         looks_left -= looks;
         const LaneBits pairs =
             (j == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
-        m.add(i, j, pairs, meet_blocks<Number>(s, i, j, rows));
+        m.add(i, j, pairs, meet_blocks(numbers, s, i, j, rows, pairs));
       }
     }
     const auto seen = static_cast<std::uint32_t>((i + 1) * kLanes);
@@ -112,9 +113,10 @@ template <class Number>
 /// Finds meetings by such vectors, which the machine must have. Returns false if there are too many
 /// meetings, or if finding them takes too long: the stages are faster then.
 template <class Number>
-bool find_meetings_by(Vectors vectors, const SmallSegments& s, SmallMeetings& m) {
+bool find_meetings_by(Vectors vectors, const SmallNumbers<Number>& numbers, const SmallSegments& s,
+                      SmallMeetings& m) {
   return with_vectors(
-      vectors, [&]() __attribute__((always_inline)) { return find_meetings<Number>(s, m); });
+      vectors, [&]() __attribute__((always_inline)) { return find_meetings(numbers, s, m); });
 }
 
 }  // namespace minksum

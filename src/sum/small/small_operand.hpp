@@ -1,6 +1,7 @@
-// Operands of one polygon with short coordinates and not too many vertices.
+// Operands of one polygon with not too long coordinates and not too many vertices.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,13 +11,15 @@
 #include "minksum/region.hpp"
 #include "spatial/box.hpp"
 #include "sum/small/lanes.hpp"
+#include "sum/small/sides.hpp"
 
 namespace minksum {
 
-/// An operand of one polygon whose coordinates are short integers. Arrays hold its outer ring,
+/// An operand of one polygon whose coordinates are integers. Arrays hold its outer ring,
 /// counter-clockwise, so that vectors can be loaded from them. The rings of holes follow,
 /// clockwise, each from a multiple of eight on. Edge i starts at vertex i. Entries between rings
-/// are edges of length zero.
+/// are edges of length zero. If doubles do not hold the coordinates, the operand is wide: the
+/// doubles are rounded, and other arrays hold the integers.
 class SmallOperand {
  public:
   /// All blocks of eight edges are compared. A ring of 4,000 vertices is still validated in 0.7 of
@@ -26,8 +29,11 @@ class SmallOperand {
   /// Up to seven entries lie between two rings.
   static constexpr std::size_t kMaxEntries = 4352;
   static_assert(kMaxVertices + 7 * (kMaxHoles + 1) <= kMaxEntries);
-  /// The largest extent of a box. Doubles hold twice the sum of two points of it.
+  /// The largest extent of a box, unless the operand is wide. Doubles hold twice the sum of two
+  /// points of it.
   static constexpr double kWidest = 0x1p49;
+  /// The largest extent of a wide operand's box, and of that of a sum of wide operands.
+  static constexpr double kWidestWide = 0x1p125;
 
   /// The properties of each vertex. Each property has an array. Entries behind a ring are its first
   /// vertex again, with zeros for all edges.
@@ -57,18 +63,23 @@ class SmallOperand {
   /// The number of entries that all rings take; `size` if those of the holes are not loaded.
   std::uint32_t entries = 0;
   Vec<double> extent{};            ///< extent of the box, whose lower left corner is (0, 0)
+  Vec<Int128> whole_extent{};      ///< the same, not rounded
   std::vector<Vec<double>> holes;  ///< extents of the holes' boxes
   double longest = 0;              ///< longest extent of an edge along an axis
-  Vec<std::int64_t> offset{};      ///< place of the box in the region
-  Vec<std::int64_t> first{};       ///< the first vertex of the region that it was read from
+  Vec<Int128> offset{};            ///< place of the box in the region
+  Vec<Int128> first{};             ///< the first vertex of the region that it was read from
   int exp2 = 0;                    ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
 
   /// Makes room for rows of so many vertices. Values must be set before they are read.
-  void make_rows(std::size_t vertices) {
+  void make_rows(std::size_t vertices, bool wide) {
     stride_ = filled_up(vertices);
     rows_.resize(kRows * stride_);
+    whole_.resize(wide ? kWholeRows * stride_ : 0);
   }
+  /// The same for the integers of an operand that gets wide.
+  void make_wide() { whole_.resize(kWholeRows * stride_); }
+  [[nodiscard]] bool is_wide() const { return !whole_.empty(); }
   /// Returns the index in the region of a vertex, or of the edge that starts there.
   [[nodiscard]] std::uint32_t source(Row row, std::uint32_t vertex) const {
     return static_cast<std::uint32_t>((*this)[row][vertex]);
@@ -76,39 +87,42 @@ class SmallOperand {
   [[nodiscard]] double* operator[](Row row) { return rows_.data() + row * stride_; }
   [[nodiscard]] const double* operator[](Row row) const { return rows_.data() + row * stride_; }
 
+  /// What a wide operand has as integers: vertices, and the edges after and before them.
+  enum WholeRow : std::uint8_t { kAt, kWay, kIn, kWholeRows };
+  /// Returns such an array, if the operand is wide.
+  [[nodiscard]] Vec<Int128>* whole(WholeRow row) { return whole_.data() + row * stride_; }
+  [[nodiscard]] const Vec<Int128>* whole(WholeRow row) const {
+    return is_wide() ? whole_.data() + row * stride_ : nullptr;
+  }
+  [[nodiscard]] VecRow at() const { return {(*this)[kX], (*this)[kY], whole(kAt)}; }
+  [[nodiscard]] VecRow way() const { return {(*this)[kDx], (*this)[kDy], whole(kWay)}; }
+  /// Only at convex vertices these hold as integers what they hold as doubles.
+  [[nodiscard]] VecRow in() const { return {(*this)[kInX], (*this)[kInY], whole(kIn)}; }
+  [[nodiscard]] VecRow out() const { return {(*this)[kOutX], (*this)[kOutY], whole(kWay)}; }
+
  private:
   std::size_t stride_ = 0;
   std::vector<double> rows_;
-};
-
-/// The vertices and edges of a small operand, or of one of its rings.
-struct SmallRows {
-  const double* x;
-  const double* y;
-  const double* dx;
-  const double* dy;
-  explicit SmallRows(const SmallOperand& o, std::uint32_t begin = 0)
-      : x(o[SmallOperand::kX] + begin),
-        y(o[SmallOperand::kY] + begin),
-        dx(o[SmallOperand::kDx] + begin),
-        dy(o[SmallOperand::kDy] + begin) {}
+  std::vector<Vec<Int128>> whole_;
 };
 
 /// How the cross products of edges with each other, and with differences of points of a box, are
-/// computed: in doubles that hold them, or in doubles that round them and, where these do not tell
-/// the sign, in integers of 128 bits.
-enum class SmallNumberType : std::uint8_t { kDoubles, kRounded, kNone };
+/// computed.
+enum class SmallNumberType : std::uint8_t { kDoubles, kRounded, kWide, kNone };
 
-[[nodiscard]] inline SmallNumberType small_numbers(double longest, double width) {
+[[nodiscard]] inline SmallNumberType small_numbers(bool wide, double longest, double width) {
+  if (wide || width > SmallOperand::kWidest) {
+    return width <= SmallOperand::kWidestWide ? SmallNumberType::kWide : SmallNumberType::kNone;
+  }
   // A cross product is at most twice this.
-  if (longest * width <= 0x1p52) return SmallNumberType::kDoubles;
-  return width <= SmallOperand::kWidest ? SmallNumberType::kRounded : SmallNumberType::kNone;
+  return longest * width <= 0x1p52 ? SmallNumberType::kDoubles : SmallNumberType::kRounded;
 }
-/// Calls work() with the number type as its template argument.
+/// Calls work(numbers) for this type, which is not kNone, and coordinates up to `width`.
 template <class Work>
-auto with_numbers(SmallNumberType type, Work work) {
-  return type == SmallNumberType::kDoubles ? work.template operator()<double>()
-                                           : work.template operator()<Int128>();
+auto with_numbers(SmallNumberType type, double width, Work work) {
+  if (type == SmallNumberType::kDoubles) return work(SmallNumbers<double>{});
+  if (type == SmallNumberType::kRounded) return work(SmallNumbers<std::uint64_t>{});
+  return work(SmallNumbers<Int128>{0x1p-48 * width});
 }
 
 /// The holes of an operand while it is validated. The memory is kept from operand to operand.
@@ -136,14 +150,25 @@ bool load_hole(const Region& region, std::size_t ring, const SmallOperand& small
 /// Turns the ring of a hole clockwise, and adds it to its operand.
 void add_hole(SmallOperand& hole, SmallOperand& small);
 
+/// Sets the smallest vertex of the outer ring.
+void find_smallest(SmallOperand& operand);
+
 /// Turns an operand counter-clockwise by `quarters` times 90 degrees about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);
 
-/// Returns how many steps of the finer grid of these exponents one of the operand's steps has, or 0
-/// if the operand does not fit on that grid.
-[[nodiscard]] double refinement(int exp2, int exp10, const SmallOperand& operand);
+/// How an operand fits on a finer grid.
+struct Refinement {
+  double steps = 0;   ///< how many of the grid's one of its steps has; 0 if it does not fit there
+  bool wide = false;  ///< whether it fits as a wide one only
+};
+[[nodiscard]] Refinement finer_grid(int exp2, int exp10, const SmallOperand& operand);
+[[nodiscard]] inline Refinement refinement(int exp2, int exp10, const SmallOperand& operand) {
+  const bool same = operand.exp2 == exp2 && operand.exp10 == exp10;
+  return same ? Refinement{1, operand.is_wide()} : finer_grid(exp2, exp10, operand);
+}
 /// Copies the first entries of an operand, all or those of the outer ring, to the finer grid of
-/// these exponents. Returns false if it does not fit there. Both may be the same.
-bool refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from, SmallOperand& to);
+/// these exponents, on which it must fit, as a wide one or not. Both may be the same.
+void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOperand& from,
+            SmallOperand& to);
 
 }  // namespace minksum

@@ -5,41 +5,21 @@
 #include <cmath>
 
 #include "sum/small/blocks.hpp"
-#include "sum/small/sides.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
 
-/// Returns those of eight edges of a ring, from `first` on, that edge i of another one meets.
-template <class Number>
-[[gnu::always_inline]] inline LaneBits edges_meeting(const SmallRows& ring, std::uint32_t i,
-                                                     const SmallRows& others, std::size_t first) {
-  const Vec<double> at{ring.x[i], ring.y[i]};
-  const Vec<double> way{ring.dx[i], ring.dy[i]};
-  const auto meets = [&](const auto& cross, std::size_t lane) __attribute__((always_inline)) {
-    const std::size_t e = first + lane;
-    const Vec<double> a{others.x[e] - at.x, others.y[e] - at.y};
-    const Vec<double> t{others.dx[e], others.dy[e]};
-    const auto [start, end, along, left] = sides(cross, way, a, t);
-    // Edges meet if neither lies on one side of the other's line, and if their boxes meet.
-    const bool meet = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
-                      !((along > 0) & (left < 0)) & !((along < 0) & (left > 0)) &
-                      (std::abs(2 * a.x + t.x - way.x) <= std::abs(way.x) + std::abs(t.x)) &
-                      (std::abs(2 * a.y + t.y - way.y) <= std::abs(way.y) + std::abs(t.y));
-    return meet ? kBitOf[lane] : 0;
-  };
-  return test_lanes<Number>(kLanes, meets);
-}
-
 /// The edges of a ring or of all rings of an operand, in blocks of eight.
 struct SmallEdges {
-  SmallRows rows;
+  VecRow at;
+  VecRow way;
   std::uint32_t size;
+  double reach;
   SmallBlocks<SmallOperand::kMaxEntries / kLanes> blocks;
 
-  [[gnu::always_inline]] SmallEdges(const SmallOperand& s, std::uint32_t edges)
-      : rows(s), size(edges) {
-    blocks.set(rows.x, rows.y, rows.dx, rows.dy, size);
+  [[gnu::always_inline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by)
+      : at(s.at()), way(s.way()), size(edges), reach(by) {
+    blocks.set(at.x, at.y, way.x, way.y, size, reach);
   }
   /// Returns those of a block's eight entries that are edges.
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
@@ -49,44 +29,84 @@ struct SmallEdges {
   [[nodiscard, gnu::always_inline]] LaneBits near(std::size_t block,
                                                   const BoxOf<double>& box) const {
     const std::size_t i = block * kLanes;
-    return segments_near(rows.x + i, rows.y + i, rows.dx + i, rows.dy + i, box) & lanes_of(block);
+    return segments_near(at.x + i, at.y + i, way.x + i, way.y + i, box) & lanes_of(block);
   }
   /// Whether each of a block's edges leads forward, as seen along the way from the first one's
   /// start to the last one's end. Then they meet at common vertices only. Rounding keeps the order
-  /// of the two products, so a sum that comes out positive is positive.
+  /// of the two products, so a sum that comes out positive is positive, unless vectors are rounded.
   [[nodiscard, gnu::always_inline]] bool lead_forward(std::size_t block) const {
     const std::size_t first = block * kLanes;
     const std::size_t last = std::min<std::size_t>(first + kLanes, size) - 1;
-    const Vec<double> way{rows.x[last] + rows.dx[last] - rows.x[first],
-                          rows.y[last] + rows.dy[last] - rows.y[first]};
+    const Vec<double> along = minus(plus(at[last], way[last]), at[first]);
     LaneBits bits = 0;
     for (std::size_t t = 0; t < kLanes; ++t) {
-      const std::size_t e = first + t;
-      bits |= rows.dx[e] * way.x + rows.dy[e] * way.y > 0 ? kBitOf[t] : 0;
+      const Vec<double> edge = way[first + t];
+      const double error = reach * (std::abs(edge.x) + std::abs(edge.y));
+      bits |= dot(edge, along) > error ? kBitOf[t] : 0;
     }
     return (~bits & lanes_of(block)) == 0;
   }
 };
 
+/// Whether the boxes of two edges meet. The first one has this way, and sees the start of the
+/// other one, t, at `a`.
+template <class Integer>
+[[nodiscard, gnu::always_inline]] inline bool do_boxes_meet(const Vec<Integer>& way,
+                                                            const Vec<Integer>& a,
+                                                            const Vec<Integer>& t) {
+  const auto meet = [](Integer w, Integer to, Integer u) __attribute__((always_inline)) {
+    const auto size = [](Integer value) { return value < 0 ? -value : value; };
+    return size(2 * to + u - w) <= size(w) + size(u);
+  };
+  return meet(way.x, a.x, t.x) & meet(way.y, a.y, t.y);
+}
+/// Returns which of eight edges of a ring, from `first` on, edge i of another one meets. The
+/// `wanted` ones are looked for.
+template <class Number>
+[[gnu::always_inline]] inline LaneBits edges_meeting(const SmallNumbers<Number>& numbers,
+                                                     const SmallEdges& ring, std::uint32_t i,
+                                                     const SmallEdges& others, std::size_t first,
+                                                     LaneBits wanted) {
+  const auto meets = [&](const auto& lanes, std::size_t lane) __attribute__((always_inline)) {
+    const auto at = lanes.get(ring.at, i);
+    const auto way = lanes.get(ring.way, i);
+    const auto a = minus(lanes.get(others.at, first + lane), at);
+    const auto t = lanes.get(others.way, first + lane);
+    const auto [start, end, along, left] = sides(lanes, way, a, t);
+    // Edges meet if neither lies on one side of the other's line, and if their boxes meet.
+    bool meet = !((start > 0) & (end > 0)) & !((start < 0) & (end < 0)) &
+                !((along > 0) & (left < 0)) & !((along < 0) & (left > 0));
+    // Edges that are known to cross need no boxes, and others are tested again.
+    if constexpr (!std::decay_t<decltype(lanes)>::kRoundsPoints) {
+      meet = meet & do_boxes_meet(as_signed(way), as_signed(a), as_signed(t));
+    }
+    return meet ? kBitOf[lane] : 0;
+  };
+  return test_lanes(numbers, kLanes, wanted, meets) & wanted;
+}
+
 /// Whether no edge has a point in common with another one, but for the vertex between neighbours.
 template <class Number>
-[[gnu::always_inline]] inline bool is_simple(const SmallOperand& s) {
+[[gnu::always_inline]] inline bool is_simple(const SmallNumbers<Number>& numbers,
+                                             const SmallOperand& s) {
   const std::uint32_t n = s.size;
-  const SmallEdges edges(s, n);
+  const SmallEdges edges(s, n, numbers.reach);
   const auto meet = [&](std::size_t block, LaneBits lanes, std::size_t other)
       __attribute__((always_inline)) {
     LaneBits met = 0;
     const auto first = static_cast<std::uint32_t>(other * kLanes);
+    const LaneBits edges_of_other = edges.lanes_of(other);
     const auto bit = [first](std::uint32_t edge) {
       return edge - first < kLanes ? kBitOf[edge - first] : LaneBits{0};
     };
     for_each_bit(
         lanes, [&](std::uint32_t lane) __attribute__((always_inline)) {
           const auto i = static_cast<std::uint32_t>(block * kLanes) + lane;
-          met |= edges_meeting<Number>(edges.rows, i, edges.rows, first) &
-                 ~(bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1));
+          const LaneBits neighbours =
+              bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1);
+          met |= edges_meeting(numbers, edges, i, edges, first, edges_of_other & ~neighbours);
         });
-    return (met & edges.lanes_of(other)) != 0;
+    return met != 0;
   };
   for (std::size_t block = 0; block < edges.blocks.size; ++block) {
     if (!edges.lead_forward(block) && meet(block, edges.lanes_of(block), block)) return false;
@@ -124,16 +144,17 @@ template <class Visit>
 }
 /// Whether two rings have a point of their boundaries in common.
 template <class Number>
-[[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallOperand& a,
+[[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallNumbers<Number>& numbers,
+                                                      const SmallOperand& a,
                                                       const SmallOperand& b) {
-  const SmallEdges edges(a, a.size);
-  const SmallEdges others(b, b.size);
+  const SmallEdges edges(a, a.size, numbers.reach);
+  const SmallEdges others(b, b.size, numbers.reach);
   bool meet = false;
   for_each_near(
       edges, others, {0, 0},
       0, [&](std::uint32_t i, std::uint32_t first) __attribute__((always_inline)) {
-        meet = (edges_meeting<Number>(edges.rows, i, others.rows, first) &
-                others.lanes_of(first / kLanes)) != 0;
+        meet =
+            edges_meeting(numbers, edges, i, others, first, others.lanes_of(first / kLanes)) != 0;
         return !meet;
       });
   return meet;
@@ -142,17 +163,21 @@ template <class Number>
 /// Whether a ring of any orientation holds the first vertex of another one. The rings must not
 /// meet.
 template <class Number>
-[[nodiscard]] inline bool holds(const SmallOperand& a, const SmallOperand& b) {
-  const Vec<double> at{b[SmallOperand::kX][0], b[SmallOperand::kY][0]};
+[[nodiscard]] inline bool holds(const SmallNumbers<Number>& numbers, const SmallOperand& a,
+                                const SmallOperand& b) {
+  const auto lanes = sure_lanes(numbers);
+  const auto at = lanes.get(b.at(), 0);
   bool inside = false;
   for (std::uint32_t i = 0; i < a.size; ++i) {
-    const Vec<double> d{a[SmallOperand::kDx][i], a[SmallOperand::kDy][i]};
-    const Vec<double> to{at.x - a[SmallOperand::kX][i], at.y - a[SmallOperand::kY][i]};
+    const auto edge = lanes.get(a.way(), i);
+    const auto point = minus(at, lanes.get(a.at(), i));
+    const auto height = as_signed(edge).y;
+    const auto y = as_signed(point).y;
     // This counts edges that pass the height of the point, on its right.
-    const bool up = to.y >= 0 && to.y < d.y;
-    const bool down = to.y < 0 && to.y >= d.y;
+    const bool up = y >= 0 && y < height;
+    const bool down = y < 0 && y >= height;
     if (!up && !down) continue;
-    const Number side = cross(whole_numbers<Number>(d), whole_numbers<Number>(to));
+    const double side = lanes.side(edge, point);
     if ((up && side > 0) || (down && side < 0)) inside = !inside;
   }
   return inside;

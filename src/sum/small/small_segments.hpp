@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "sum/small/blocks.hpp"
-#include "sum/small/sides.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
 
-/// The segments of a small sum. All numbers are integers. The type `Number` in the functions below
-/// holds all cross products of their differences. If that is not `double`, doubles may round them.
+/// The segments of a small sum. All numbers are integers, which doubles round if the operands are
+/// wide.
 struct SmallSegments {
   static constexpr std::size_t kMaxBlocks = 192;
   static constexpr std::size_t kMax = kLanes * kMaxBlocks;
@@ -31,8 +30,17 @@ struct SmallSegments {
   alignas(64) Row y;
   alignas(64) Row dx;
   alignas(64) Row dy;
+  /// The rest is only set for wide operands. Ends that are sums of the same two vertices have the
+  /// same number.
+  alignas(64) Row start;
+  alignas(64) Row end;
+  std::array<Vec<Int128>, kMax> whole_at;
+  std::array<Vec<Int128>, kMax> whole_way;
   std::array<Origin, kMax> origin;
   Blocks blocks;
+
+  [[nodiscard]] VecRow at() const { return {x.data(), y.data(), whole_at.data()}; }
+  [[nodiscard]] VecRow way() const { return {dx.data(), dy.data(), whole_way.data()}; }
 
   /// Returns those of a block's eight entries that are segments.
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
@@ -55,9 +63,16 @@ struct SmallSegments {
   }
   /// Must be called when all segments are listed. Fills up the rows, so that they can be read eight
   /// entries at a time.
-  [[gnu::always_inline]] void finish() {
-    for (std::size_t i = size; i < filled_up(size); ++i) x[i] = y[i] = dx[i] = dy[i] = 0;
-    blocks.set(x.data(), y.data(), dx.data(), dy.data(), size);
+  template <class Number>
+  [[gnu::always_inline]] void finish(const SmallNumbers<Number>& numbers) {
+    for (std::size_t i = size; i < filled_up(size); ++i) {
+      x[i] = y[i] = dx[i] = dy[i] = 0;
+      if constexpr (std::is_same_v<Number, Int128>) {
+        start[i] = end[i] = -1;
+        whole_at[i] = whole_way[i] = {};
+      }
+    }
+    blocks.set(x.data(), y.data(), dx.data(), dy.data(), size, numbers.reach);
   }
   /// Whether far more blocks are near one another than need be. A block of segments that are listed
   /// in a good order has about three near ones, with itself. Ordering takes as long as comparing
@@ -83,54 +98,83 @@ struct SmallSegments {
   return segments + segments / 2 + 16;
 }
 
-/// Returns those of up to 64 vertices that meet an edge of this direction: it is in (in, out].
+/// Returns those of up to 64 vertices that meet an edge of `edges`: it is in (in, out].
 template <class Number>
-[[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallOperand& o, std::size_t first,
-                                                        std::size_t count,
-                                                        const Vec<double>& edge) {
-  const double* const in_x = o[SmallOperand::kInX] + first;
-  const double* const in_y = o[SmallOperand::kInY] + first;
-  const double* const out_x = o[SmallOperand::kOutX] + first;
-  const double* const out_y = o[SmallOperand::kOutY] + first;
-  const auto meets = [&](const auto& cross, std::size_t v) __attribute__((always_inline)) {
-    const bool meet =
-        (cross({in_x[v], in_y[v]}, edge) > 0) & (cross(edge, {out_x[v], out_y[v]}) >= 0);
+[[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallNumbers<Number>& numbers,
+                                                        const SmallOperand& o, std::size_t first,
+                                                        std::size_t count, const VecRow& edges,
+                                                        std::size_t edge) {
+  const VecRow in = o.in();
+  const VecRow out = o.out();
+  const auto meets = [&](const auto& lanes, std::size_t v) __attribute__((always_inline)) {
+    const auto way = lanes.get(edges, edge);
+    const bool meet = (lanes.turn(lanes.get(in, first + v), way) > 0) &
+                      (lanes.turn(way, lanes.get(out, first + v)) >= 0);
     return meet ? kBitOf[v] : 0;
   };
-  return test_lanes<Number>(count / kLanes * kLanes, meets);
+  return test_lanes(numbers, count / kLanes * kLanes, ~LaneBits{0}, meets);
 }
-/// Returns those of up to 64 edges whose direction is in [in, out).
+/// Returns those of up to 64 edges whose direction is in [in, out) of a convex vertex.
 template <class Number>
-[[gnu::always_inline]] inline LaneBits edges_between(const SmallOperand& o, std::size_t first,
-                                                     std::size_t count, const Vec<double>& in,
-                                                     const Vec<double>& out) {
-  const double* const dx = o[SmallOperand::kDx] + first;
-  const double* const dy = o[SmallOperand::kDy] + first;
-  const auto between = [&](const auto& cross, std::size_t e) __attribute__((always_inline)) {
-    const Vec<double> edge{dx[e], dy[e]};
-    return ((cross(in, edge) >= 0) & (cross(edge, out) > 0)) ? kBitOf[e] : 0;
+[[gnu::always_inline]] inline LaneBits edges_between(const SmallNumbers<Number>& numbers,
+                                                     const SmallOperand& o, std::size_t first,
+                                                     std::size_t count, const SmallOperand& other,
+                                                     std::size_t vertex) {
+  const VecRow edges = o.way();
+  const VecRow in = other.in();
+  const VecRow out = other.out();
+  const auto between = [&](const auto& lanes, std::size_t e) __attribute__((always_inline)) {
+    const auto edge = lanes.get(edges, first + e);
+    return ((lanes.turn(lanes.get(in, vertex), edge) >= 0) &
+            (lanes.turn(edge, lanes.get(out, vertex)) > 0))
+               ? kBitOf[e]
+               : 0;
   };
-  return test_lanes<Number>(count / kLanes * kLanes, between);
+  return test_lanes(numbers, count / kLanes * kLanes, ~LaneBits{0}, between);
 }
 
 /// Lists the reduced convolution in the order of the first operand's rings. So segments that are
 /// near in the plane are mostly near in the list. The holes of others than those `with_holes` are
 /// filled. Returns false if there are too many segments.
 template <class Number>
-[[gnu::always_inline]] inline bool list_segments(const SmallOperand& p, const SmallOperand& q,
+[[gnu::always_inline]] inline bool list_segments(const SmallNumbers<Number>& numbers,
+                                                 const SmallOperand& p, const SmallOperand& q,
                                                  const std::array<bool, 2>& with_holes,
                                                  SmallSegments& s) {
   const std::uint32_t m = with_holes[0] ? p.entries : p.size;
   const std::size_t n = filled_up(with_holes[1] ? q.entries : q.size);
   std::uint32_t size = 0;
-  const SmallRows of_p(p);
-  const SmallRows of_q(q);
-  const auto append = [&](const SmallRows& edges, std::size_t e, const SmallRows& vertices,
-                          std::size_t v, bool of_first) __attribute__((always_inline)) {
-    s.x[size] = edges.x[e] + vertices.x[v];
-    s.y[size] = edges.y[e] + vertices.y[v];
-    s.dx[size] = edges.dx[e];
-    s.dy[size] = edges.dy[e];
+  struct Rows {
+    VecRow at;
+    VecRow way;
+  };
+  const Rows of_p{p.at(), p.way()};
+  const Rows of_q{q.at(), q.way()};
+  const double* const in_x = p[SmallOperand::kInX];
+  const double* const in_y = p[SmallOperand::kInY];
+  const auto append = [&](const Rows& edges, std::size_t e, const Rows& vertices, std::size_t v,
+                          bool of_first) __attribute__((always_inline)) {
+    s.x[size] = edges.at.x[e] + vertices.at.x[v];
+    s.y[size] = edges.at.y[e] + vertices.at.y[v];
+    s.dx[size] = edges.way.x[e];
+    s.dy[size] = edges.way.y[e];
+    if constexpr (std::is_same_v<Number, Int128>) {
+      const auto number = [&](std::size_t of_edge) {
+        const std::size_t i = of_first ? of_edge : v;
+        const std::size_t j = of_first ? v : of_edge;
+        return static_cast<double>(i * SmallOperand::kMaxEntries + j);
+      };
+      const SmallOperand& o = of_first ? p : q;
+      const std::size_t next = e + 1 == o.size ? 0 : e + 1;
+      // The end of a hole's last edge gets a number of its own.
+      const Vec<Int128> end = plus(edges.at.exact[e], edges.way.exact[e]);
+      const bool is_next =
+          next < o.entries && end.x == edges.at.exact[next].x && end.y == edges.at.exact[next].y;
+      s.start[size] = number(e);
+      s.end[size] = is_next ? number(next) : -1 - number(e);
+      s.whole_at[size] = plus(edges.at.exact[e], vertices.at.exact[v]);
+      s.whole_way[size] = edges.way.exact[e];
+    }
     s.origin[size] = {static_cast<std::uint16_t>(e), static_cast<std::uint16_t>(v), of_first};
     ++size;
   };
@@ -138,22 +182,19 @@ template <class Number>
     return size + static_cast<std::uint32_t>(std::popcount(bits)) <= SmallSegments::kMax;
   };
   for (std::uint32_t i = 0; i < m; ++i) {
-    const Vec<double> in{p[SmallOperand::kInX][i], p[SmallOperand::kInY][i]};
-    const Vec<double> out{p[SmallOperand::kOutX][i], p[SmallOperand::kOutY][i]};
-    const Vec<double> edge{of_p.dx[i], of_p.dy[i]};
+    const bool convex = in_x[i] != 0 || in_y[i] != 0;
     for (std::size_t first = 0; first < n; first += 64) {
       const std::size_t count = std::min<std::size_t>(n - first, 64);
-      const LaneBits at_vertex =
-          in.x == 0 && in.y == 0 ? 0 : edges_between<Number>(q, first, count, in, out);
+      const LaneBits at_vertex = convex ? edges_between(numbers, q, first, count, p, i) : 0;
       if (!fit(at_vertex)) return false;
       for_each_bit(at_vertex, [&](std::uint32_t e) { append(of_q, first + e, of_p, i, false); });
-      const LaneBits of_edge = vertices_meeting<Number>(q, first, count, edge);
+      const LaneBits of_edge = vertices_meeting(numbers, q, first, count, of_p.way, i);
       if (!fit(of_edge)) return false;
       for_each_bit(of_edge, [&](std::uint32_t v) { append(of_p, i, of_q, first + v, true); });
     }
   }
   s.size = size;
-  s.finish();
+  s.finish(numbers);
   return true;
 }
 
@@ -161,8 +202,11 @@ template <class Number>
 /// segments that are near one another in the plane are near in the list. O(s).
 class SmallOrder {
  public:
-  [[gnu::always_inline]] void apply(const SmallSegments& from, double width, SmallSegments& to) {
-    const double scale = kSide / (width + 1);
+  template <class Number>
+  [[gnu::always_inline]] void apply(const SmallNumbers<Number>& numbers, const SmallSegments& from,
+                                    double width, SmallSegments& to) {
+    // A rounded place may lie beyond the width.
+    const double scale = kSide / (width * (1 + 0x1p-40) + 1);
     place_.fill(0);
     for (std::uint32_t i = 0; i < from.size; ++i) {
       const auto column = static_cast<std::uint32_t>((from.x[i] + from.dx[i] / 2) * scale);
@@ -178,9 +222,15 @@ class SmallOrder {
       to.y[at] = from.y[i];
       to.dx[at] = from.dx[i];
       to.dy[at] = from.dy[i];
+      if constexpr (std::is_same_v<Number, Int128>) {
+        to.start[at] = from.start[i];
+        to.end[at] = from.end[i];
+        to.whole_at[at] = from.whole_at[i];
+        to.whole_way[at] = from.whole_way[i];
+      }
       to.origin[at] = from.origin[i];
     }
-    to.finish();
+    to.finish(numbers);
   }
 
  private:

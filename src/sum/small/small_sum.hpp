@@ -51,15 +51,21 @@ struct SmallPlan {
   /// are filled.
   std::array<bool, 2> with_holes{};
   bool convex = false;  ///< whether both are, apart from holes that are filled
+  int exp2 = 0;         ///< a step of the common grid: 2^exp2 · 10^exp10
+  int exp10 = 0;
 };
-/// Plans a sum in constant time and that of the holes. If the numbers are kNone, `sum_small` would
-/// return false before it does any work. The operands need not be known to be valid.
+/// Plans a sum in constant time and that of the holes. If the numbers are kNone, the stages are
+/// needed. The operands need not be known to be valid.
 [[nodiscard]] SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q);
 
-/// Brings two operands to their common grid. Those that must change are copied to `memory`, if they
-/// are not there already. Returns false if that grid is too fine for one.
-bool bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
+/// Brings two operands to their common grid, and makes both wide if one must be. Those that must
+/// change are copied to `memory`, if they are not there already.
+void bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
                        std::array<SmallOperand, 2>& memory);
+
+/// The same as above, of operands that have been brought to their common grid.
+bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
+               SmallScratch& scratch, Region& result);
 
 /// Whether no sum of small operands could go beyond these limits.
 [[nodiscard]] bool allow_small(const Limits& limits);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <set>
 #include <utility>
@@ -33,7 +34,7 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
       s->dy[i] = random.between(-4, 4);
     } while (s->dx[i] == 0 && s->dy[i] == 0);
   }
-  s->finish();
+  s->finish(SmallNumbers<double>{});
   return s;
 }
 
@@ -68,27 +69,28 @@ Meetings defined(const SmallSegments& s) {
 
 /// Leaves out the meetings on one line and those at the end, which may be found or not.
 template <class Number>
-Meetings found(Vectors vectors, const SmallSegments& s) {
+Meetings found(Vectors vectors, const SmallNumbers<Number>& numbers, const SmallSegments& s) {
   const auto meetings = std::make_unique<SmallMeetings>();
-  EXPECT_TRUE(find_meetings_by<Number>(vectors, s, *meetings));
+  EXPECT_TRUE(find_meetings_by(vectors, numbers, s, *meetings));
+  const auto lanes = sure_lanes(numbers);
   Meetings result;
-  std::set<std::size_t> numbers;
+  std::set<std::size_t> seen;
   for (std::uint32_t i = 0; i < s.size; ++i) {
     meetings->for_each_right(i, [&](std::uint32_t t, std::size_t number) {
-      EXPECT_TRUE(numbers.insert(number).second);
+      EXPECT_TRUE(seen.insert(number).second);
       EXPECT_TRUE(result.right.emplace(i, t).second);
     });
     meetings->for_each_at_end(i, [&](std::uint32_t t) {
-      const Number turn = cross(whole_numbers<Number>({s.dx[i], s.dy[i]}),
-                                whole_numbers<Number>({s.dx[t], s.dy[t]}));
-      const bool ends_there =
-          s.x[t] + s.dx[t] == s.x[i] + s.dx[i] && s.y[t] + s.dy[t] == s.y[i] + s.dy[i];
-      if (turn != 0 && !ends_there) {
+      const auto end = [&](std::uint32_t k) {
+        return plus(lanes.get(s.at(), k), lanes.get(s.way(), k));
+      };
+      const double turn = lanes.turn(lanes.get(s.way(), i), lanes.get(s.way(), t));
+      if (turn != 0 && !are_equal(end(i), end(t))) {
         EXPECT_TRUE(result.at_end.emplace(i, t).second);
       }
     });
   }
-  EXPECT_EQ(meetings->right_count, numbers.size());
+  EXPECT_EQ(meetings->right_count, seen.size());
   return result;
 }
 
@@ -107,36 +109,60 @@ TEST(SmallMeetings, AreTheSameByAllVectors) {
     const Meetings expected = defined(*s);
     if (expected.right.size() > count / 2) continue;  // too many meetings are given up
     for (const Vectors vectors : available()) {
-      EXPECT_EQ(found<double>(vectors, *s), expected) << k;
-      EXPECT_EQ(found<Int128>(vectors, *s), expected) << k;
+      EXPECT_EQ(found(vectors, SmallNumbers<double>{}, *s), expected) << k;
+      EXPECT_EQ(found(vectors, SmallNumbers<std::uint64_t>{}, *s), expected) << k;
     }
   }
 }
 
 /// Makes all directions nearly equal. That changes no cross product, but doubles round the products
-/// that it is the difference of.
-void shear(SmallSegments& s) {
-  constexpr double kSteep = 0x1p20;
+/// that it is the difference of. If the numbers are Int128, doubles round coordinates, too.
+template <class Number>
+void shear(SmallSegments& s, int bits, const SmallNumbers<Number>& numbers) {
+  const Int128 steep = Int128{1} << bits;
+  const auto apply = [&](double& x, double& y, Vec<Int128>& whole) {
+    whole = {static_cast<Int128>(x), static_cast<Int128>(y)};
+    whole.x += steep * whole.y;
+    whole.y += steep * whole.x;
+    x = static_cast<double>(whole.x);
+    y = static_cast<double>(whole.y);
+  };
   for (std::uint32_t i = 0; i < s.size; ++i) {
-    s.x[i] += kSteep * s.y[i];
-    s.y[i] += kSteep * s.x[i];
-    s.dx[i] += kSteep * s.dy[i];
-    s.dy[i] += kSteep * s.dx[i];
+    // Half of the segments do not tell which ends are the same.
+    const bool known = i % 2 == 0;
+    s.start[i] = known ? 1000 * s.x[i] + s.y[i] : -1.0 - 2 * i;
+    s.end[i] = known ? 1000 * (s.x[i] + s.dx[i]) + s.y[i] + s.dy[i] : -2.0 - 2 * i;
+    apply(s.x[i], s.y[i], s.whole_at[i]);
+    apply(s.dx[i], s.dy[i], s.whole_way[i]);
   }
-  s.finish();
+  s.finish(numbers);
 }
 
-TEST(SmallMeetings, AreTheSameWhereDoublesRound) {
-  test::Random random(7);
+/// Expects that segments that are sheared meet as before.
+template <class Number>
+void expect_same_meetings(std::uint64_t seed, int bits, const SmallNumbers<Number>& numbers) {
+  test::Random random(seed);
   for (int k = 0; k < 400; ++k) {
     const auto count = static_cast<std::uint32_t>(random.between(1, 64));
     const auto s = random_segments(random, count, random.between(6, 20) + static_cast<int>(count));
     const Meetings expected = defined(*s);
     if (expected.right.size() > count / 2) continue;  // too many meetings are given up
-    shear(*s);
+    shear(*s, bits, numbers);
     for (const Vectors vectors : available()) {
-      EXPECT_EQ(found<Int128>(vectors, *s), expected) << k;
+      EXPECT_EQ(found(vectors, numbers, *s), expected) << k;
     }
+  }
+}
+
+TEST(SmallMeetings, AreTheSameWhereDoublesRound) {
+  expect_same_meetings(7, 20, SmallNumbers<std::uint64_t>{});
+}
+
+TEST(SmallMeetings, AreTheSameWhereDoublesRoundCoordinates) {
+  // Coordinates have up to 125 bits. With few, doubles tell most signs.
+  for (const int bits : {1, 10, 23, 24, 38, 39, 59}) {
+    const double width = std::ldexp(128, 2 * bits);
+    expect_same_meetings(8, bits, SmallNumbers<Int128>{0x1p-48 * width});
   }
 }
 
@@ -147,10 +173,10 @@ TEST(SmallMeetings, AreOfAnyNumberOfSegments) {
   for (const std::uint32_t count : {65U, 127U, 128U, 500U, 513U, 1200U, 1536U}) {
     const int size = static_cast<int>(count);
     // In random order, most blocks would be near one another.
-    order->apply(*random_segments(random, count, size), size + 8, *s);
+    order->apply(SmallNumbers<double>{}, *random_segments(random, count, size), size + 8, *s);
     const Meetings expected = defined(*s);
     for (const Vectors vectors : available()) {
-      EXPECT_EQ(found<double>(vectors, *s), expected) << count;
+      EXPECT_EQ(found(vectors, SmallNumbers<double>{}, *s), expected) << count;
     }
   }
 }
@@ -161,8 +187,8 @@ TEST(SmallMeetings, AreGivenUpWhereThereAreMany) {
   const auto many = random_segments(random, 1000, 8);
   const auto meetings = std::make_unique<SmallMeetings>();
   for (const Vectors vectors : available()) {
-    EXPECT_FALSE(find_meetings_by<double>(vectors, *few, *meetings));
-    EXPECT_FALSE(find_meetings_by<double>(vectors, *many, *meetings));
+    EXPECT_FALSE(find_meetings_by(vectors, SmallNumbers<double>{}, *few, *meetings));
+    EXPECT_FALSE(find_meetings_by(vectors, SmallNumbers<double>{}, *many, *meetings));
   }
 }
 
@@ -174,7 +200,7 @@ TEST(SmallOrder, PutsNeighboursTogether) {
   }
   const auto ordered = std::make_unique<SmallSegments>();
   const auto order = std::make_unique<SmallOrder>();
-  order->apply(*s, 1008, *ordered);
+  order->apply(SmallNumbers<double>{}, *s, 1008, *ordered);
   ASSERT_EQ(ordered->size, s->size);
   std::set<std::uint16_t> all;
   double way = 0;

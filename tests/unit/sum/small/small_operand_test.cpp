@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
 
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
@@ -135,7 +138,7 @@ TEST(SmallOperand, HasNoManyHoles) {
   EXPECT_FALSE(is_small(plate(SmallOperand::kMaxHoles + 1)));
 }
 
-TEST(SmallOperand, HasShortIntegers) {
+TEST(SmallOperand, HasIntegers) {
   Region quotients;
   quotients.begin_polygon();
   quotients.begin_ring();
@@ -144,12 +147,59 @@ TEST(SmallOperand, HasShortIntegers) {
   quotients.add_vertex(1, 1);
   EXPECT_FALSE(is_small(quotients));
   const std::int64_t far = std::int64_t{1} << 60;
-  EXPECT_TRUE(is_small(rectangle(far - 5, 0, far, 1)));
-  EXPECT_FALSE(is_small(rectangle(far, 0, far + 5, 1)));
-  EXPECT_TRUE(is_small(rectangle(0, 0, std::int64_t{1} << 49, 1)));
-  EXPECT_FALSE(is_small(rectangle(0, 0, far / 2, 1)));
+  const auto is_wide = [](const Region& region) {
+    SmallOperand small;
+    EXPECT_TRUE(read(region, small));
+    return small.is_wide();
+  };
+  EXPECT_FALSE(is_wide(rectangle(far - 5, 0, far, 1)));
+  EXPECT_TRUE(is_wide(rectangle(far, 0, far + 5, 1)));
+  EXPECT_FALSE(is_wide(rectangle(0, 0, std::int64_t{1} << 49, 1)));
+  EXPECT_TRUE(is_wide(rectangle(0, 0, (std::int64_t{1} << 49) + 1, 1)));
   // The corners are so far apart that 64 bits do not hold their difference.
-  EXPECT_FALSE(is_small(rectangle(-7 * far, 0, 7 * far, 1)));
+  EXPECT_TRUE(is_wide(rectangle(-7 * far, 0, 7 * far, 1)));
+  const auto wide = [](int bits) {
+    return transform(rectangle(0, 0, 1, 1), Affine{1, 0, 0, 0, Rational(std::ldexp(1, bits)), 0});
+  };
+  EXPECT_TRUE(is_wide(wide(124)));
+  EXPECT_FALSE(is_small(wide(126)));
+}
+
+/// Returns an outline of doubles that are rounded, so that its grid is fine.
+Region turned_in_doubles(const test::Outline& outline) {
+  std::vector<std::array<double, 2>> points;
+  for (const auto& [x, y] : outline) {
+    const auto fx = static_cast<double>(x);
+    const auto fy = static_cast<double>(y);
+    points.push_back({0.8 * fx - 0.6 * fy, 0.6 * fx + 0.8 * fy});
+  }
+  return Region::from_points(points);
+}
+
+TEST(SmallOperand, HasExactEdgesIfItIsWide) {
+  const Region region = turned_in_doubles({{-1, 3}, {5, 3}, {5, 9}, {2, 4}});
+  SmallOperand small;
+  ASSERT_TRUE(read(region, small));
+  ASSERT_TRUE(small.is_wide());
+  SmallOperand fine;
+  refine(small.exp2 - 3, small.exp10 - 1, true, small.entries, small, fine);
+  SmallOperand turned;
+  turn(small, 3, turned);
+  for (std::uint32_t v = 0; v < small.size; ++v) {
+    const Vec<Int128> at = small.whole(SmallOperand::kAt)[v];
+    const Vec<Int128> way = small.whole(SmallOperand::kWay)[v];
+    const std::uint32_t next = v + 1 == small.size ? 0 : v + 1;
+    EXPECT_TRUE(small.whole(SmallOperand::kAt)[next].x == at.x + way.x);
+    EXPECT_TRUE(small.whole(SmallOperand::kIn)[next].y == way.y);
+    EXPECT_EQ(small[SmallOperand::kX][v], static_cast<double>(at.x));
+    EXPECT_EQ(small[SmallOperand::kDy][v], static_cast<double>(way.y));
+    EXPECT_TRUE(fine.whole(SmallOperand::kAt)[v].x == 80 * at.x);
+    EXPECT_EQ(fine[SmallOperand::kDy][v], static_cast<double>(80 * way.y));
+    // Three quarters of a turn bring (x, y) to (y, width - x).
+    EXPECT_TRUE(turned.whole(SmallOperand::kAt)[v].x == at.y);
+    EXPECT_TRUE(turned.whole(SmallOperand::kAt)[v].y == small.whole_extent.x - at.x);
+    EXPECT_TRUE(turned.whole(SmallOperand::kWay)[v].y == -way.x);
+  }
 }
 
 TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {

@@ -11,6 +11,7 @@
 #include "minksum/transform.hpp"
 #include "sum/small/sides.hpp"
 #include "support/polygon_kinds.hpp"
+#include "support/random.hpp"
 #include "support/shapes.hpp"
 #include "unit/sum/small/square_with_holes.hpp"
 
@@ -32,7 +33,7 @@ bool sum(const Region& p, const Region& q, Region& result) {
   return sum_small(small_p, small_q, scratch, result);
 }
 
-TEST(SureCross, HasTheExactSign) {
+TEST(SureLanes, HaveTheExactSign) {
   const auto sign = [](auto value) { return (value > 0) - (value < 0); };
   const double far = 0x1p49;
   const std::array<std::pair<Vec<double>, Vec<double>>, 8> pairs{{
@@ -45,13 +46,41 @@ TEST(SureCross, HasTheExactSign) {
       {{far - 2, far - 3}, {far - 1, far - 2}},
       {{0x1p30 + 1, 0x1p30 + 3}, {3 * (0x1p30 + 1), 3 * (0x1p30 + 3)}},
   }};
+  using Lanes = SureLanes<std::uint64_t>;
   for (const auto& [a, b] : pairs) {
-    const int exact = sign(ExactCross<Int128>{}(a, b));
-    EXPECT_EQ(sign(SureCross<Int128>{}(a, b)), exact) << a.x << " " << b.x;
+    const int exact = sign(cross(as_integers(a), as_integers(b)));
+    EXPECT_EQ(sign(Lanes{}.side(Lanes::of_whole(a), Lanes::of_whole(b))), exact) << a.x;
     bool unsure = false;
-    const double rounded = RoundedCross{unsure}(a, b);
+    const double rounded = RoundedLanes{unsure}.side(a, b);
     EXPECT_TRUE(unsure || sign(rounded) == exact) << a.x << " " << b.x;
   }
+}
+
+TEST(SureLanes, HaveTheExactSignOfRoundedVectors) {
+  test::Random random(1);
+  const auto number = [&](int bits) {
+    if (bits == 0) return Int128{0};
+    const auto high = static_cast<Int128>(random.next()) << 64U;
+    return (high + static_cast<Int128>(random.next() >> 1U)) >> (127 - bits);
+  };
+  const auto sure = [](const Vec<Int128>& v) {
+    return SureVec<Int128>{{static_cast<double>(v.x), static_cast<double>(v.y)}, v};
+  };
+  std::array<int, 3> count{};
+  for (int k = 0; k < 100'000; ++k) {
+    const int bits = random.between(50, 125);
+    const Vec<Int128> a{number(bits - 2), number(bits - 2)};
+    // The other vector is nearly a multiple.
+    const Int128 times = random.between(-3, 3);
+    const int few = random.one_in(3) ? 0 : random.between(0, bits - 2);
+    const Vec<Int128> b{times * a.x + number(few), times * a.y + number(few)};
+    const Sign exact = sign_of(product<WideInt<4>>(a.x, b.y) - product<WideInt<4>>(a.y, b.x));
+    ++count[static_cast<std::size_t>(exact + 1)];
+    const SureLanes<Int128> lanes{{0x1p-48 * std::ldexp(1, bits)}};
+    EXPECT_EQ(sign_of(lanes.turn(sure(a), sure(b))), exact);
+    EXPECT_EQ(sign_of(lanes.side(sure(a), sure(b))), exact);
+  }
+  for (const int of_sign : count) EXPECT_GT(of_sign, 5'000);
 }
 
 TEST(SmallSum, IsMadeWhereThereIsNoHole) {

@@ -1,0 +1,96 @@
+// Vectors whose coordinates are integers, in doubles that may round them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "exact/formulas.hpp"
+#include "exact/wide_int.hpp"
+
+namespace minksum {
+
+/// How the coordinates of a small sum are stored, and its cross products computed. Their sign is
+/// that of doubles, or of integers if these do not tell:
+/// - `double`: doubles hold all cross products.
+/// - `std::uint64_t`: doubles hold coordinates, of up to 2^49, and round cross products. One whose
+///   sign they do not tell is small, so its value modulo 2^64 tells it.
+/// - `Int128`: doubles round coordinates, of up to 2^125, too.
+template <class Number>
+struct SmallNumbers {
+  /// For Int128: 2^-48 of the width of all coordinates. It bounds the errors of points, of boxes
+  /// and, for edges of length 1, of cross products. Let u be 2^-53 of the width, and v the same of
+  /// an edge and the width. The coordinates of an operand's points are off by up to u, those of a
+  /// sum's by 2u, and differences of two points by 5u, or by 7u if one is moved by an edge. Rounded
+  /// edges and products make that up to 11v. Instead of a moved point, the cross product of the two
+  /// edges may be added, with 4v and with 2v for that sum.
+  double reach = 0;
+};
+
+/// An array of vectors in doubles, and exactly if doubles round them.
+struct VecRow {
+  const double* x;
+  const double* y;
+  const Vec<Int128>* exact = nullptr;
+
+  [[nodiscard]] Vec<double> operator[](std::size_t i) const { return {x[i], y[i]}; }
+};
+
+/// A vector in doubles, and exactly or modulo 2^64.
+template <class Number>
+struct SureVec {
+  Vec<double> near;
+  Vec<Number> exact;
+};
+
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr Vec<Number> plus(const Vec<Number>& a,
+                                                             const Vec<Number>& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr Vec<Number> minus(const Vec<Number>& a,
+                                                              const Vec<Number>& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr SureVec<Number> plus(const SureVec<Number>& a,
+                                                                 const SureVec<Number>& b) {
+  return {plus(a.near, b.near), plus(a.exact, b.exact)};
+}
+template <class Number>
+[[nodiscard, gnu::always_inline]] constexpr SureVec<Number> minus(const SureVec<Number>& a,
+                                                                  const SureVec<Number>& b) {
+  return {minus(a.near, b.near), minus(a.exact, b.exact)};
+}
+
+/// The coordinates of a vector without rounding, in a type that compares them: doubles hold short
+/// ones.
+[[nodiscard, gnu::always_inline]] constexpr Vec<double> as_signed(const Vec<double>& v) {
+  return v;
+}
+[[nodiscard, gnu::always_inline]] constexpr Vec<double> as_signed(const SureVec<std::uint64_t>& v) {
+  return v.near;
+}
+[[nodiscard, gnu::always_inline]] constexpr Vec<Int128> as_signed(const SureVec<Int128>& v) {
+  return v.exact;
+}
+/// The same as integers.
+[[nodiscard]] constexpr Vec<std::int64_t> as_integers(const Vec<double>& v) {
+  return {static_cast<std::int64_t>(v.x), static_cast<std::int64_t>(v.y)};
+}
+[[nodiscard]] constexpr Vec<std::int64_t> as_integers(const SureVec<std::uint64_t>& v) {
+  return {static_cast<std::int64_t>(v.exact.x), static_cast<std::int64_t>(v.exact.y)};
+}
+[[nodiscard]] constexpr Vec<Int128> as_integers(const SureVec<Int128>& v) { return as_signed(v); }
+/// The same in doubles, which may round it.
+[[nodiscard]] constexpr const Vec<double>& near_of(const Vec<double>& v) { return v; }
+template <class Number>
+[[nodiscard]] constexpr const Vec<double>& near_of(const SureVec<Number>& v) {
+  return v.near;
+}
+template <class Vector>
+[[nodiscard, gnu::always_inline]] constexpr bool are_equal(const Vector& a, const Vector& b) {
+  return as_signed(a).x == as_signed(b).x && as_signed(a).y == as_signed(b).y;
+}
+
+}  // namespace minksum
