@@ -31,22 +31,26 @@ int exponent_of_five(const BigInteger& value) {
   return power(5, exponent + 1) == value ? exponent + 1 : -1;
 }
 
-// Stores a quotient whose numerator fits 63 bits and whose denominator is 2^a·5^b. Its grid is not
-// finer than need be: 2^(b - a) · 10^-b, or 10^-b if that is an integer of it.
+// Stores a quotient whose numerator fits 63 bits and whose denominator is 2^a·5^b. One of up to 63
+// bits becomes m·10^-k if m fits 63 bits, since people write such decimals, whose grids are alike.
+// Others become m·2^(b - a)·10^-b: of 20 digits and more, a few powers of ten make grids too fine.
 bool store_as_decimal(const BigInteger& numerator, const BigInteger& denominator,
                       StoredCoordinate& out) {
-  constexpr std::size_t kMostBits = 400;  // people write no longer decimals
-  if (bit_length(denominator) > kMostBits || !fits_int64(numerator)) return false;
+  constexpr std::size_t kMostBits = 400;
+  const std::size_t bits = bit_length(denominator);
+  if (bits > kMostBits || !fits_int64(numerator)) return false;
   const auto twos = static_cast<int>(trailing_zeros(denominator));
   const int fives = exponent_of_five(denominator >> twos);
   if (fives < 0) return false;
-  const auto payload = static_cast<std::int64_t>(numerator);
-  const int up = fives - twos;
-  if (up > 0 && bit_length(numerator) + static_cast<std::size_t>(up) < 64) {
-    out = compact(payload * (std::int64_t{1} << up), 0, -fives);
-  } else {
-    out = compact(payload, up, -fives);
+  if (bits < 64) {
+    const BigInteger payload =
+        twos < fives ? numerator << (fives - twos) : numerator * power(5, twos - fives);
+    if (fits_int64(payload)) {
+      out = compact(static_cast<std::int64_t>(payload), 0, -std::max(twos, fives));
+      return true;
+    }
   }
+  out = compact(static_cast<std::int64_t>(numerator), fives - twos, -fives);
   return true;
 }
 
