@@ -85,12 +85,12 @@ template <class Number>
   return test_lanes(numbers, kLanes, wanted, meets) & wanted;
 }
 
-/// Whether no edge has a point in common with another one, but for the vertex between neighbours.
+/// Whether no edge of a ring has a point in common with another one, but for the vertex between
+/// neighbours.
 template <class Number>
 [[gnu::always_inline]] inline bool is_simple(const SmallNumbers<Number>& numbers,
-                                             const SmallOperand& s) {
-  const std::uint32_t n = s.size;
-  const SmallEdges edges(s, n, numbers.reach);
+                                             const SmallEdges& edges) {
+  const std::uint32_t n = edges.size;
   const auto meet = [&](std::size_t block, LaneBits lanes, std::size_t other)
       __attribute__((always_inline)) {
     LaneBits met = 0;
@@ -145,10 +145,8 @@ template <class Visit>
 /// Whether two rings have a point of their boundaries in common.
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallNumbers<Number>& numbers,
-                                                      const SmallOperand& a,
-                                                      const SmallOperand& b) {
-  const SmallEdges edges(a, a.size, numbers.reach);
-  const SmallEdges others(b, b.size, numbers.reach);
+                                                      const SmallEdges& edges,
+                                                      const SmallEdges& others) {
   bool meet = false;
   for_each_near(
       edges, others, {0, 0},

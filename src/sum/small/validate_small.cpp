@@ -12,24 +12,38 @@ namespace {
 template <class Number>
 bool is_simple_ring(const SmallNumbers<Number>& numbers, const SmallOperand& s) {
   return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple(numbers, s); });
+      widest_vectors(), [&]() __attribute__((always_inline)) {
+        return is_simple(numbers, SmallEdges(s, s.size, numbers.reach));
+      });
 }
 template <class Number>
 bool do_rings_meet(const SmallNumbers<Number>& numbers, const SmallOperand& a,
                    const SmallOperand& b) {
   return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) { return do_meet(numbers, a, b); });
+      widest_vectors(), [&]() __attribute__((always_inline)) {
+        return do_meet(numbers, SmallEdges(a, a.size, numbers.reach),
+                       SmallEdges(b, b.size, numbers.reach));
+      });
+}
+/// Whether a ring is simple and has no point in common with another one.
+template <class Number>
+bool is_simple_and_apart(const SmallNumbers<Number>& numbers, const SmallOperand& s,
+                         const SmallEdges& others) {
+  return with_vectors(
+      widest_vectors(), [&]() __attribute__((always_inline)) {
+        const SmallEdges edges(s, s.size, numbers.reach);
+        return is_simple(numbers, edges) && !do_meet(numbers, edges, others);
+      });
 }
 
 /// Whether a hole is simple and lies inside the outer ring, apart from the holes before it.
 template <class Number>
 bool is_clear_hole(const SmallNumbers<Number>& numbers, const SmallOperand& hole,
-                   const SmallOperand& outer, std::span<const SmallOperand> before,
-                   std::span<const BoxOf<double>> boxes) {
+                   const SmallOperand& outer, const SmallEdges& outer_edges,
+                   std::span<const SmallOperand> before, std::span<const BoxOf<double>> boxes) {
   const BoxOf<double>& box = boxes[before.size()];
   if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y ||
-      !is_simple_ring(numbers, hole) || !holds(numbers, outer, hole) ||
-      do_rings_meet(numbers, hole, outer)) {
+      !is_simple_and_apart(numbers, hole, outer_edges) || !holds(numbers, outer, hole)) {
     return false;
   }
   for (std::size_t l = 0; l < before.size(); ++l) {
@@ -44,7 +58,7 @@ bool is_clear_hole(const SmallNumbers<Number>& numbers, const SmallOperand& hole
 
 /// Calls work(numbers) for the numbers of an operand's ring.
 template <class Work>
-bool with_numbers_of(const SmallOperand& s, const SmallOperand& ring, Work work) {
+auto with_numbers_of(const SmallOperand& s, const SmallOperand& ring, Work work) {
   const double width = std::max(s.extent.x, s.extent.y);
   const SmallNumberType type = small_numbers(s.is_wide(), std::max(s.longest, ring.longest), width);
   return with_numbers(type, width, work);
@@ -55,12 +69,14 @@ bool are_holes_clearly_valid(const Region& region, SmallHoles& holes, SmallOpera
   const std::size_t count = s.holes.size();
   if (holes.rings.size() < count) holes.rings.resize(count);
   holes.boxes.clear();
+  const SmallEdges outer = with_numbers_of(
+      s, s, [&](const auto& numbers) { return SmallEdges(s, s.size, numbers.reach); });
   for (std::size_t k = 0; k < count; ++k) {
     SmallOperand& hole = holes.rings[k];
     if (!load_hole(region, k + 1, s, hole)) return false;
     holes.boxes.push_back(box_of(hole));
     const auto is_clear = [&](const auto& numbers) {
-      return is_clear_hole(numbers, hole, s, std::span(holes.rings).first(k), holes.boxes);
+      return is_clear_hole(numbers, hole, s, outer, std::span(holes.rings).first(k), holes.boxes);
     };
     if (!with_numbers_of(s, hole, is_clear)) return false;
   }
@@ -75,8 +91,8 @@ bool is_clearly_valid(const Region& region, SmallHoles& holes, SmallOperand& s) 
   // A ring that turns left everywhere, and goes round once, is simple. Rounded edges may make it
   // seem to go round more often, but not less.
   const bool goes_round_once = s.convex && s.turning == 1;
-  return (goes_round_once || with_numbers_of(s, s, is_simple)) &&
-         are_holes_clearly_valid(region, holes, s);
+  if (!goes_round_once && !with_numbers_of(s, s, is_simple)) return false;
+  return s.holes.empty() || are_holes_clearly_valid(region, holes, s);
 }
 
 bool read_small(const Region& region, SmallHoles& holes, SmallOperand& small) {
