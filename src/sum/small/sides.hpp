@@ -160,7 +160,8 @@ struct SureLanes {
 
  private:
   /// Returns the sign of a cross product that doubles do not tell.
-  [[nodiscard]] double sign(const SureVec<Number>& a, const SureVec<Number>& b) const {
+  [[nodiscard, gnu::noinline]] double sign(const SureVec<Number>& a,
+                                           const SureVec<Number>& b) const {
     if constexpr (std::is_same_v<Number, Int128>) {
       // Up to a width of 2^84, it is less than 2^125.
       if (numbers.reach > 0x1p36) {

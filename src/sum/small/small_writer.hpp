@@ -93,8 +93,8 @@ class SmallWriter {
   /// Stores base + way · above / below, where `Wide` holds the products, and `near` is nearly the
   /// second part.
   template <class Wide, class Part>
-  StoredCoordinate store(Coordinate base, Coordinate way, const Part& above, const Part& below,
-                         double near) {
+  [[gnu::noinline]] StoredCoordinate store(Coordinate base, Coordinate way, const Part& above,
+                                           const Part& below, double near) {
     const auto moved = product<Wide>(way, above);
     // This is the quotient if that is an integer: it is off by less than a half, and otherwise the
     // rest tells.

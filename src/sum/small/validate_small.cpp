@@ -9,30 +9,23 @@
 namespace minksum {
 namespace {
 
-template <class Number>
-bool is_simple_ring(const SmallNumbers<Number>& numbers, const SmallOperand& s) {
+SmallEdges edges_of(const SmallOperand& s, double reach) {
   return with_vectors(
       widest_vectors(), [&]() __attribute__((always_inline)) {
-        return is_simple(numbers, SmallEdges(s, s.size, numbers.reach));
+        return SmallEdges(s, s.size, reach);
       });
 }
 template <class Number>
-bool do_rings_meet(const SmallNumbers<Number>& numbers, const SmallOperand& a,
-                   const SmallOperand& b) {
+bool is_simple_ring(const SmallNumbers<Number>& numbers, const SmallEdges& edges) {
   return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) {
-        return do_meet(numbers, SmallEdges(a, a.size, numbers.reach),
-                       SmallEdges(b, b.size, numbers.reach));
-      });
+      widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple(numbers, edges); });
 }
-/// Whether a ring is simple and has no point in common with another one.
 template <class Number>
-bool is_simple_and_apart(const SmallNumbers<Number>& numbers, const SmallOperand& s,
-                         const SmallEdges& others) {
+bool do_rings_meet(const SmallNumbers<Number>& numbers, const SmallEdges& edges,
+                   const SmallEdges& others) {
   return with_vectors(
       widest_vectors(), [&]() __attribute__((always_inline)) {
-        const SmallEdges edges(s, s.size, numbers.reach);
-        return is_simple(numbers, edges) && !do_meet(numbers, edges, others);
+        return do_meet(numbers, edges, others);
       });
 }
 
@@ -42,14 +35,16 @@ bool is_clear_hole(const SmallNumbers<Number>& numbers, const SmallOperand& hole
                    const SmallOperand& outer, const SmallEdges& outer_edges,
                    std::span<const SmallOperand> before, std::span<const BoxOf<double>> boxes) {
   const BoxOf<double>& box = boxes[before.size()];
-  if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y ||
-      !is_simple_and_apart(numbers, hole, outer_edges) || !holds(numbers, outer, hole)) {
+  if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y) return false;
+  const SmallEdges edges = edges_of(hole, numbers.reach);
+  if (!is_simple_ring(numbers, edges) || do_rings_meet(numbers, edges, outer_edges) ||
+      !holds(numbers, outer, hole)) {
     return false;
   }
   for (std::size_t l = 0; l < before.size(); ++l) {
     if (box.meets(boxes[l]) &&
-        (do_rings_meet(numbers, hole, before[l]) || holds(numbers, hole, before[l]) ||
-         holds(numbers, before[l], hole))) {
+        (do_rings_meet(numbers, edges, edges_of(before[l], numbers.reach)) ||
+         holds(numbers, hole, before[l]) || holds(numbers, before[l], hole))) {
       return false;
     }
   }
@@ -69,8 +64,8 @@ bool are_holes_clearly_valid(const Region& region, SmallHoles& holes, SmallOpera
   const std::size_t count = s.holes.size();
   if (holes.rings.size() < count) holes.rings.resize(count);
   holes.boxes.clear();
-  const SmallEdges outer = with_numbers_of(
-      s, s, [&](const auto& numbers) { return SmallEdges(s, s.size, numbers.reach); });
+  const SmallEdges outer =
+      with_numbers_of(s, s, [&](const auto& numbers) { return edges_of(s, numbers.reach); });
   for (std::size_t k = 0; k < count; ++k) {
     SmallOperand& hole = holes.rings[k];
     if (!load_hole(region, k + 1, s, hole)) return false;
@@ -87,7 +82,9 @@ bool are_holes_clearly_valid(const Region& region, SmallHoles& holes, SmallOpera
 }  // namespace
 
 bool is_clearly_valid(const Region& region, SmallHoles& holes, SmallOperand& s) {
-  const auto is_simple = [&](const auto& numbers) { return is_simple_ring(numbers, s); };
+  const auto is_simple = [&](const auto& numbers) {
+    return is_simple_ring(numbers, edges_of(s, numbers.reach));
+  };
   // A ring that turns left everywhere, and goes round once, is simple. Rounded edges may make it
   // seem to go round more often, but not less.
   const bool goes_round_once = s.convex && s.turning == 1;

@@ -155,7 +155,8 @@ class WayFractions {
   }
 
   /// Returns a fraction that is not 0, with a positive denominator.
-  [[nodiscard]] Quotient<Integer> exact(std::uint32_t segment, std::uint32_t by) const {
+  [[nodiscard, gnu::noinline]] Quotient<Integer> exact(std::uint32_t segment,
+                                                       std::uint32_t by) const {
     const auto way = as_integers(this->way(segment));
     const auto other = as_integers(this->way(by));
     const auto to = as_integers(between(lanes(), segment, by));
