@@ -45,7 +45,7 @@ template <class Number>
 class OuterWalk {
  public:
   OuterWalk(const SmallNumbers<Number>& numbers, const SmallSegments& segments,
-            const SmallMeetings& meetings, SmallPlacement<Number>& placement, RightMeetings& turns,
+            const SmallMeetings& meetings, SmallPlacement& placement, RightMeetings& turns,
             SmallBoundary& boundary)
       : s_(segments),
         m_(meetings),
@@ -233,7 +233,7 @@ class OuterWalk {
         place = next.place;
       } while (next.turn == 0);
     } while (next.turn > 0 || next.meeting != meeting);
-    using Result = typename SmallPlacement<Number>::Result;
+    using Result = SmallPlacement::Result;
     const Result result = placement_.test(s_, longest.segment, longest.from, longest.to);
     if (result == Result::kOutside) {
       boundary_.end_of[boundary_.rings++] = boundary_.size;
@@ -266,7 +266,7 @@ class OuterWalk {
   const SmallSegments& s_;
   const SmallMeetings& m_;
   WayFractions<Number> ways_;
-  SmallPlacement<Number>& placement_;
+  SmallPlacement& placement_;
   RightMeetings& turns_;
   SmallBoundary& boundary_;
   std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes

@@ -132,7 +132,7 @@ struct SureLanes {
   SmallNumbers<Number> numbers;
   [[nodiscard, gnu::always_inline]] SureVec<Number> get(const VecRow& row, std::size_t i) const {
     if constexpr (std::is_same_v<Number, Int128>) {
-      return {row[i], row.exact[i]};
+      return row.exact != nullptr ? SureVec<Number>{row[i], row.exact[i]} : of_whole(row[i]);
     } else {
       return of_whole(row[i]);
     }

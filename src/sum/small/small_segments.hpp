@@ -30,8 +30,9 @@ struct SmallSegments {
   alignas(64) Row y;
   alignas(64) Row dx;
   alignas(64) Row dy;
-  /// The rest is only set for wide operands. Ends that are sums of the same two vertices have the
-  /// same number.
+  bool wide;  ///< whether the operands are
+  /// These are only set if they are. Ends that are sums of the same two vertices have the same
+  /// number.
   alignas(64) Row start;
   alignas(64) Row end;
   std::array<Vec<Int128>, kMax> whole_at;
@@ -39,8 +40,10 @@ struct SmallSegments {
   std::array<Origin, kMax> origin;
   Blocks blocks;
 
-  [[nodiscard]] VecRow at() const { return {x.data(), y.data(), whole_at.data()}; }
-  [[nodiscard]] VecRow way() const { return {dx.data(), dy.data(), whole_way.data()}; }
+  [[nodiscard]] VecRow at() const { return {x.data(), y.data(), wide ? whole_at.data() : nullptr}; }
+  [[nodiscard]] VecRow way() const {
+    return {dx.data(), dy.data(), wide ? whole_way.data() : nullptr};
+  }
 
   /// Returns those of a block's eight entries that are segments.
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
@@ -65,6 +68,7 @@ struct SmallSegments {
   /// entries at a time.
   template <class Number>
   [[gnu::always_inline]] void finish(const SmallNumbers<Number>& numbers) {
+    wide = std::is_same_v<Number, Int128>;
     for (std::size_t i = size; i < filled_up(size); ++i) {
       x[i] = y[i] = dx[i] = dy[i] = 0;
       if constexpr (std::is_same_v<Number, Int128>) {

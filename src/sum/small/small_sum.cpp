@@ -121,7 +121,7 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
           Region& result) {
   if (!find_meetings_by(widest_vectors(), numbers, segments, scratch.meetings)) return false;
   SmallBoundary& boundary = scratch.boundary;
-  SmallPlacement<Number> placement(numbers, p, q, plan.with_holes, scratch.turned);
+  SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.turned);
   OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.turns, boundary);
   // The sum of the smallest points of both operands is the sum's smallest point.
   const auto lanes = sure_lanes(numbers);
@@ -235,8 +235,11 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
   const double width = width_of(p, q);
   if (plan.convex) {
     scratch.count(p.size + q.size);
-    with_numbers(plan.numbers, width,
-                 [&](const auto& numbers) { merge_convex(numbers, p, q, result); });
+    if (plan.numbers == SmallNumberType::kDoubles) {
+      merge_convex(SmallNumbers<double>{}, p, q, result);
+    } else {
+      merge_convex(SmallNumbers<Int128>{0x1p-48 * width}, p, q, result);
+    }
     return true;
   }
   SmallScratch::State& state = scratch.state();
