@@ -48,7 +48,10 @@ TEST(SureLanes, HaveTheExactSign) {
   }};
   using Lanes = SureLanes<std::uint64_t>;
   for (const auto& [a, b] : pairs) {
-    const int exact = sign(cross(as_integers(a), as_integers(b)));
+    const auto wide = [](const Vec<double>& v) {
+      return Vec<Int128>{static_cast<Int128>(v.x), static_cast<Int128>(v.y)};
+    };
+    const int exact = sign(cross(wide(a), wide(b)));
     EXPECT_EQ(sign(Lanes{}.side(Lanes::of_whole(a), Lanes::of_whole(b))), exact) << a.x;
     bool unsure = false;
     const double rounded = RoundedLanes{unsure}.side(a, b);
