@@ -110,9 +110,17 @@ Refinement finer_grid(int exp2, int exp10, const SmallOperand& s) {
 
 void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOperand& from,
             SmallOperand& to) {
+  const int tens = from.exp10 - exp10;
+  const int twos = from.exp2 - exp2;
+  std::int64_t few = 1;
   Int128 factor = 1;
-  static_cast<void>(scale(from.exp10 - exp10, from.exp2 - exp2, factor));
-  const auto steps = static_cast<double>(factor);
+  if (wide) {
+    static_cast<void>(scale(tens, twos, factor));
+  } else {
+    static_cast<void>(scale(tens, twos, few));
+    factor = few;
+  }
+  const double steps = wide ? static_cast<double>(factor) : static_cast<double>(few);
   const std::size_t room = filled_up(entries);
   const bool was_wide = from.is_wide();
   if (&to != &from) {
@@ -127,7 +135,8 @@ void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOp
   for (Vec<double>& hole : to.holes) hole = {hole.x * steps, hole.y * steps};
   to.longest = from.longest * steps;
   to.whole_extent = {from.whole_extent.x * factor, from.whole_extent.y * factor};
-  to.extent = rounded(to.whole_extent);
+  to.extent =
+      wide ? rounded(to.whole_extent) : Vec<double>{from.extent.x * steps, from.extent.y * steps};
   to.offset = {from.offset.x * factor, from.offset.y * factor};
   to.entries = entries;
   to.exp2 = exp2;

@@ -235,11 +235,8 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
   const double width = width_of(p, q);
   if (plan.convex) {
     scratch.count(p.size + q.size);
-    if (plan.numbers == SmallNumberType::kDoubles) {
-      merge_convex(SmallNumbers<double>{}, p, q, result);
-    } else {
-      merge_convex(SmallNumbers<Int128>{0x1p-48 * width}, p, q, result);
-    }
+    with_numbers(plan.numbers, width,
+                 [&](const auto& numbers) { merge_convex(numbers, p, q, result); });
     return true;
   }
   SmallScratch::State& state = scratch.state();
