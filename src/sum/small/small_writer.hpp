@@ -1,8 +1,7 @@
 // Writes corners of a small sum as vertices of a region.
 #pragma once
 
-#include <algorithm>
-#include <limits>
+#include <type_traits>
 
 #include "region/region_access.hpp"
 #include "sum/small/outer_walk.hpp"
@@ -17,6 +16,7 @@ struct SmallVertex {
   EdgeOrigin origin;
 };
 
+/// Makes vertices of corners, and writes the outer ring's to a region.
 template <class Number>
 class SmallWriter {
   static constexpr bool kWide = std::is_same_v<Number, Int128>;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 #include "exact/formulas.hpp"
 #include "exact/wide_int.hpp"
