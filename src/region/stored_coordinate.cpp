@@ -25,7 +25,7 @@ bool fits_int64(const BigInteger& value) { return bit_length(value) < 64; }
 
 // Returns k if a number is 5^k, and -1 otherwise.
 int exponent_of_five(const BigInteger& value) {
-  // 5^k has the next more bits than k · 2.3219.
+  // 5^k has one bit more than k · 2.3219, rounded down. So the quotient is k or k - 1.
   const auto exponent = static_cast<int>((bit_length(value) - 1) * 10'000 / 23'219);
   if (power(5, exponent) == value) return exponent;
   return power(5, exponent + 1) == value ? exponent + 1 : -1;
@@ -36,7 +36,7 @@ int exponent_of_five(const BigInteger& value) {
 // Others become m·2^(b - a)·10^-b: of 20 digits and more, a few powers of ten make grids too fine.
 bool store_as_decimal(const BigInteger& numerator, const BigInteger& denominator,
                       StoredCoordinate& out) {
-  constexpr std::size_t kMostBits = 400;
+  constexpr std::size_t kMostBits = 400;  // 400 bits are 120 digits, more than people write
   const std::size_t bits = bit_length(denominator);
   if (bits > kMostBits || !fits_int64(numerator)) return false;
   const auto twos = static_cast<int>(trailing_zeros(denominator));

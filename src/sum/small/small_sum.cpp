@@ -26,6 +26,7 @@ namespace {
 /// equal width is too wide, unless widths are rounded.
 bool may_fit(const SmallOperand& operand, const Refinement& by, const SmallOperand& other,
              const Refinement& other_by) {
+  // Then the box counts as a little smaller. That keeps holes which could be filled, at worst.
   const double steps = other_by.steps * (by.wide || other_by.wide ? 1 - 0x1p-48 : 1);
   const Vec<double> box{other.extent.x * steps, other.extent.y * steps};
   return std::ranges::any_of(operand.holes, [&](const Vec<double>& hole) {
