@@ -1,6 +1,7 @@
 // Combines two prepared operands in one set of arrays.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <numeric>
 
@@ -9,6 +10,17 @@
 
 namespace minksum {
 namespace {
+
+/// Returns a power of ten that is off by less than 2^-43 of itself. std::pow brings tables, which
+/// take 3 KB of the module for browsers.
+double ten_to(int exponent) {
+  double result = 1;
+  double square = 10;
+  for (int left = std::abs(exponent); left != 0; left /= 2, square *= square) {
+    if (left % 2 != 0) result *= square;
+  }
+  return exponent < 0 ? 1 / result : result;
+}
 
 /// Returns 2^exp2 · 10^exp10, which must fit.
 Int128 power(int exp2, int exp10) {
@@ -67,7 +79,7 @@ void join_on_grid(const PreparedOperand& p, const PreparedOperand& q, const Comm
   };
   o.extent = {extent(p.grid, common.factor[0]), extent(q.grid, common.factor[1])};
   o.trace_unit = std::ldexp(1.0, common.unit.exp2) / static_cast<double>(common.unit.divisor);
-  if (common.unit.exp10 != 0) o.trace_unit *= std::pow(10.0, common.unit.exp10);
+  if (common.unit.exp10 != 0) o.trace_unit *= ten_to(common.unit.exp10);
   const auto origin = [&](Int128 first, Int128 second) {
     return static_cast<double>(first * common.factor[0] + second * common.factor[1]) * o.trace_unit;
   };
@@ -126,7 +138,7 @@ class HoleFiller {
              std::vector<Vec<double>>& sizes)
       : operand_(operand), sizes_(sizes), tight_wanted_(tight_wanted) {
     const double unit = std::ldexp(1.0, other.unit.exp2 - operand.unit.exp2) *
-                        std::pow(10.0, other.unit.exp10 - operand.unit.exp10) *
+                        ten_to(other.unit.exp10 - operand.unit.exp10) *
                         static_cast<double>(operand.unit.divisor) /
                         static_cast<double>(other.unit.divisor);
     // A hole is open and the other operand is closed, so a polygon as wide as the hole does not
