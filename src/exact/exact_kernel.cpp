@@ -79,6 +79,10 @@ class GridKernel final : public KernelOf<Rung> {
   }
   int exp2() const override { return unit_.exp2; }
   int exp10() const override { return unit_.exp10; }
+  Vec<double> between(const SumVertex& a, const SumVertex& b) const override {
+    const auto difference = this->minus(this->position(b), this->position(a));
+    return {to_double(difference.x), to_double(difference.y)};
+  }
   void approximate_sites(std::span<double> x, std::span<double> y,
                          Cancellation& cancellation) const override {
     cancellation.check(x.size() / 4);
@@ -186,6 +190,10 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
   int exp2() const override { return unit_.exp2; }
   int exp10() const override { return unit_.exp10; }
+  Vec<double> between(const SumVertex& a, const SumVertex& b) const override {
+    const Vec<Fraction> difference = minus(position(b), position(a));
+    return {to_double(difference.x, exponent_), to_double(difference.y, exponent_)};
+  }
   void approximate_sites(std::span<double> x, std::span<double> y,
                          Cancellation& cancellation) const override {
     cancellation.check(x.size());

@@ -57,6 +57,9 @@ class ExactKernel {
   /// Returns kPositive if v lies to the left of s.
   [[nodiscard]] virtual Sign orientation(const Segment& s, const SumVertex& v) const = 0;
   [[nodiscard]] virtual Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) const = 0;
+  /// Returns the vector from a to b. Each component is rounded once, in the unit of
+  /// `approximate_sites`.
+  [[nodiscard]] virtual Vec<double> between(const SumVertex& a, const SumVertex& b) const = 0;
   /// Returns the order of two points along s.
   [[nodiscard]] virtual Sign compare_along(const Segment& s, const PointOnSegment& a,
                                            const PointOnSegment& b) const = 0;

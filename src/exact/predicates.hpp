@@ -71,6 +71,13 @@ struct RoundingBounds {
     bounds.underflow = 0x1p-1000;
     return bounds;
   }
+  /// Returns the bounds of places that were moved and rounded anew, so that none is beyond
+  /// `magnitude`.
+  [[nodiscard]] RoundingBounds moved_to(double new_magnitude) const {
+    RoundingBounds bounds = of(new_magnitude, difference == 0, product == 0);
+    bounds.underflow = underflow;
+    return bounds;
+  }
   /// Returns bounds that trust no number, so that the exact kernel decides everything.
   static RoundingBounds distrustful(double magnitude) {
     RoundingBounds bounds = of(magnitude, false, false);

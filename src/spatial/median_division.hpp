@@ -66,6 +66,8 @@ template <class User>
 class MedianDivision {
  public:
   static constexpr std::size_t kFew = 16;  ///< comparing all pairs costs less than dividing
+  /// In a box of fewer slacks, both halves would hold nearly all.
+  static constexpr double kLeastSlacks = 64;
 
   /// `items` is a stack: the items of a part lie below those of its halves. An item belongs to a
   /// part if it is within `slack` of it.
@@ -180,8 +182,6 @@ class MedianDivision {
       user_.meet_crowd(begin, end, box);
     };
     const Axis longer = box.longer();
-    // In a box of under 64 slacks, both halves would hold nearly all.
-    constexpr double kLeastSlacks = 64;
     if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) return meet_or_put_off();
     Division best = division(begin, end, longer);
     const bool is_good = best.in_both < count / 6;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "minksum/transform.hpp"
 #include "property/provenance.hpp"
 #include "property/sums.hpp"
 #include "reference/validity.hpp"
@@ -58,6 +59,16 @@ TEST(Settings, LargerShapes) {
   expect_same_everywhere(random_with_holes(random, 60, 12), rectangle(0, 0, 2, 1), "holes");
   expect_same_everywhere(random_cells(random, 9, 9, true, false),
                          random_cells(random, 5, 5, true, false), "cells");
+}
+
+TEST(Settings, SizesFarApart) {
+  for (std::uint64_t seed = 1; seed <= 12 && !HasFailure(); ++seed) {
+    Random random(seed * 7927);
+    const std::int64_t size = std::int64_t{1} << random.between(28, 60);
+    const Region huge = transform(random_two_opt(random, 8, 40), Affine::scaling(size));
+    const Region small = spiky_star(random, 12, 60);
+    expect_same_everywhere(huge, small, "seed " + std::to_string(seed));
+  }
 }
 
 // Returns a region that is large enough for the cover to matter, with holes, slits, parts and

@@ -163,8 +163,22 @@ struct StripLine {
   std::uint32_t item;
 };
 
+/// Crowds of short segments, each of which is divided apart. A group has a number in the place of a
+/// segment's, after those of all segments.
+struct SegmentGroups {
+  struct Group {
+    std::size_t begin;  ///< in `members`, to `end`; the first starts at the origin
+    std::size_t end;
+    double extent;  ///< no component of the members' ends is larger
+  };
+  std::vector<BoxedSegment> members;
+  std::vector<Line> moved;  ///< the members where they are divided
+  std::vector<Group> groups;
+};
+
 /// Memory for crowds.
 struct CrowdScratch {
+  SegmentGroups groups;
   std::vector<BoxedSegment> items;
   std::vector<StripLine> lines;
   std::vector<std::uint32_t> by_right;  ///< lines, in their order on the right

@@ -4,6 +4,28 @@
 #include <algorithm>
 
 namespace minksum {
+namespace {
+
+/// Whether doubles tell that a segment shares nothing with a line.
+bool are_apart(const KeptSegment& s, const Line& line, const RoundingBounds& bounds) {
+  const auto gap = [](double a, double b, double c, double d) {
+    return std::max(std::min(c, d) - std::max(a, b), std::min(a, b) - std::max(c, d));
+  };
+  const auto& [p, q] = line;
+  if (std::max(gap(s.a.x, s.b.x, p.x, q.x), gap(s.a.y, s.b.y, p.y, q.y)) > 4 * bounds.position) {
+    return true;
+  }
+  // Returns the sign of the side of a point, or 0 if it is unknown.
+  const auto side = [&](const Vec<double>& at) {
+    const double left = s.d.x * (at.y - s.a.y);
+    const double right = s.d.y * (at.x - s.a.x);
+    const double bound = bounds.cross_bound(s.d, left, right, bounds.difference);
+    return left - right > bound ? 1 : left - right < -bound ? -1 : 0;
+  };
+  return side(p) * side(q) > 0;
+}
+
+}  // namespace
 
 void CrowdFinder::add(KeptId segment, const PlanePart& part) {
   cancellation_.check(2);
@@ -11,18 +33,31 @@ void CrowdFinder::add(KeptId segment, const PlanePart& part) {
   BoxedSegment item{{std::min(a.x, b.x) - cut_error_, std::min(a.y, b.y) - cut_error_,
                      std::max(a.x, b.x) + cut_error_, std::max(a.y, b.y) + cut_error_},
                     segment};
-  if (division_.cut_to(part, item)) append(items_, item, cancellation_);
+  if (!division_.cut_to(part, item)) return;
+  append(items_, item, cancellation_);
+  short_count_ += is_short(segment) ? 1U : 0U;
 }
 
 void CrowdFinder::solve(const PlanePart& part) {
+  group_short(part);
   division_.divide(part);
   items_.clear();
 }
 
 void CrowdFinder::split(const PlanePart& part, std::size_t most,
                         std::vector<UndividedPart>& undivided) {
+  group_short(part);
   division_.split(part, most, undivided);
   items_.clear();
+}
+
+void CrowdFinder::sort_along(Axis axis, std::vector<BoxedSegment>& items, std::size_t begin,
+                             std::size_t end) const {
+  std::sort(items.begin() + static_cast<std::ptrdiff_t>(begin),
+            items.begin() + static_cast<std::ptrdiff_t>(end),
+            cancellation_.counting([axis](const BoxedSegment& a, const BoxedSegment& b) {
+              return a.low(axis) < b.low(axis);
+            }));
 }
 
 void CrowdFinder::meet_few(std::size_t begin, std::size_t end) {
@@ -32,12 +67,124 @@ void CrowdFinder::meet_few(std::size_t begin, std::size_t end) {
   }
 }
 
+// -- Short segments ---------------------------------------------------------------------------
+/// Takes crowds of short segments off the list, and puts a group in the place of each. Their pairs
+/// are met where they are moved to the origin.
+void CrowdFinder::group_short(const PlanePart& part) {
+  SegmentGroups& found = scratch_.groups;
+  auto& members = found.members;
+  found.groups.clear();
+  groups_ = &found;
+  const bool is_crowd = short_count_ > Division::kFew;
+  short_count_ = 0;
+  if (!is_crowd) return;
+  meeter_.enter(part);
+  const auto first_short =
+      std::partition(items_.begin(), items_.end(), [&](const BoxedSegment& item) {
+        cancellation_.check();
+        return !is_short(item.segment);
+      });
+  members.assign(first_short, items_.end());
+  items_.erase(first_short, items_.end());
+  found.moved.resize(members.size());
+  sort_along(Axis::kX, members, 0, members.size());
+  // What lies beside a gap shares nothing with what lies beyond.
+  for (std::size_t first = 0, next = 0; first < members.size(); first = next) {
+    next = gap_after(first, members.size(), Axis::kX);
+    sort_along(Axis::kY, members, first, next);
+    for (std::size_t begin = first, end = first; begin < next; begin = end) {
+      end = gap_after(begin, next, Axis::kY);
+      add_group(begin, end);
+    }
+  }
+}
+
+/// Meets short segments where they are moved to the origin. Returns their extent there, or 0 if
+/// they are far apart there, too.
+double CrowdFinder::meet_moved(std::size_t begin, std::size_t end) {
+  constexpr std::uint64_t kUnitsToMove = 16;
+  constexpr double kMostShort = 256;  // the extent must shrink from crowd to crowd
+  if (!meeter_.can_move_to(short_)) return 0;
+  if (!moved_) {
+    moved_ = std::make_unique<Moved>();
+    moved_->kept = kept_;
+  }
+  const auto& members = scratch_.groups.members;
+  double extent = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    cancellation_.check(kUnitsToMove);
+    const KeptSegment s = meeter_.moved(members[begin].segment, members[i].segment);
+    moved_->kept[members[i].segment] = s;
+    scratch_.groups.moved[i] = {s.a, s.b};
+    extent = std::max({extent, size(s.a), size(s.b)});
+  }
+  if (extent > kMostShort * short_ || !meeter_.can_move_to(extent)) return 0;
+  SegmentMeeter meeter(meeter_, extent, moved_->kept, kept_[members[begin].segment].a);
+  CrowdFinder finder(extent, moved_->kept, meeter, moved_->crowds, cancellation_);
+  for (std::size_t i = begin; i < end; ++i) finder.add(members[i].segment, {});
+  finder.solve({});
+  return extent;
+}
+
+/// Lists a group in the place of short segments, or these if they are no crowd.
+void CrowdFinder::add_group(std::size_t begin, std::size_t end) {
+  SegmentGroups& found = scratch_.groups;
+  const double extent = end - begin <= Division::kFew ? 0 : meet_moved(begin, end);
+  if (extent == 0) {
+    for (std::size_t i = begin; i < end; ++i) append(items_, found.members[i], cancellation_);
+    return;
+  }
+  BoxedSegment item = found.members[begin];
+  for (std::size_t i = begin; i < end; ++i) item.add(found.members[i]);
+  item.segment = static_cast<std::uint32_t>(kept_.size() + found.groups.size());
+  append(items_, item, cancellation_);
+  found.groups.push_back({begin, end, extent});
+}
+
+/// Returns where the next gap between boxes is, in `members`, which are sorted along the axis.
+std::size_t CrowdFinder::gap_after(std::size_t begin, std::size_t end, Axis axis) const {
+  const auto& members = scratch_.groups.members;
+  double reach = members[begin].high(axis);
+  std::size_t i = begin + 1;
+  for (; i < end && members[i].low(axis) <= reach; ++i) {
+    reach = std::max(reach, members[i].high(axis));
+  }
+  cancellation_.check(i - begin);
+  return i;
+}
+
+/// Meets the members of a group with another segment. If that one ends near them, doubles tell for
+/// most of them that they share nothing with it.
+void CrowdFinder::meet_group(const BoxedSegment& group, const BoxedSegment& other) {
+  constexpr double kLong = 8;   // beside the members
+  if (is_group(other)) return;  // there is a gap between two groups
+  const auto& [members, moved, groups] = *groups_;
+  const auto [begin, end, extent] = groups[group.segment - kept_.size()];
+  cancellation_.check(end - begin);
+  KeptSegment part = meeter_.moved(members[begin].segment, other.segment);
+  if (size(part.b) < size(part.a)) {
+    part.a = part.b;
+    part.d = {-part.d.x, -part.d.y};
+  }
+  const bool is_near = size(part.a) <= extent;
+  // A power of two keeps the digits of the direction.
+  const int excess = std::max(0, std::ilogb(size(part.d)) - std::ilogb(kLong * extent));
+  part.d = {std::ldexp(part.d.x, -excess), std::ldexp(part.d.y, -excess)};
+  part.b = {part.a.x + part.d.x, part.a.y + part.d.y};
+  const RoundingBounds bounds = meeter_.bounds_of_moved(4 * kLong * extent);
+  if (is_near) meeter_.count(2 * (end - begin));
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!is_near || !are_apart(part, moved[i], bounds)) meet(members[i], other);
+  }
+}
+
 // -- Strips -----------------------------------------------------------------------------------
 // In a strip, most segments pass from one side to the other. What follows is said of a strip with
 // sides x = box.x0 and x = box.x1; for the other kind of strip, exchange x and y.
 
 /// Tells whether a segment passes a strip from side to side.
 bool CrowdFinder::passes(const BoxedSegment& item, const BoxOf<double>& box, Axis axis) const {
+  if (is_group(item)) return false;
   const auto [a, b] = kept_[item.segment].clipped();
   const auto [low, high] = axis == Axis::kX ? std::minmax(a.x, b.x) : std::minmax(a.y, b.y);
   return low <= box.low(axis) && high >= box.high(axis) && high - low > shortest_;
@@ -77,11 +224,7 @@ void CrowdFinder::meet_crowd(std::size_t begin, std::size_t end, const BoxOf<dou
 /// Meets segments that end in the strip, in the order of their boxes along the longer side.
 void CrowdFinder::meet_ending(std::size_t begin, std::size_t end, const BoxOf<double>& box) {
   const Axis axis = box.longer();
-  std::sort(items_.begin() + static_cast<std::ptrdiff_t>(begin),
-            items_.begin() + static_cast<std::ptrdiff_t>(end),
-            cancellation_.counting([&](const BoxedSegment& a, const BoxedSegment& b) {
-              return a.low(axis) < b.low(axis);
-            }));
+  sort_along(axis, items_, begin, end);
   for (std::size_t i = begin; i < end; ++i) {
     const double reach = items_[i].high(axis);
     std::size_t j = i + 1;

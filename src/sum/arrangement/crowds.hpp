@@ -1,8 +1,10 @@
 // Declares how the segments of a crowded part of the plane are met.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "spatial/median_division.hpp"
@@ -16,6 +18,10 @@ namespace minksum {
 /// from side to side share points only if their order changes from one side to the other, so such
 /// crowds are sorted and not divided. For k segments this takes O(k log k) time, and a meeting for
 /// each pair that is near, unless segments end in one point or run side by side within rounding.
+///
+/// Segments of a sum of two sizes, such as those of a small operand at a vertex of a huge one, may
+/// be too near one another to be divided. They are moved to the origin, so that doubles tell them
+/// apart again, and are divided there.
 class CrowdFinder {
  public:
   /// All coordinates are in [0, extent].
@@ -28,7 +34,8 @@ class CrowdFinder {
         cancellation_(cancellation),
         division_(*this, items_, meeter.slack(), cancellation),
         shortest_(extent * 0x1p-30),
-        cut_error_(extent * 0x1p-44 + meeter.doubt()) {
+        cut_error_(extent * 0x1p-44 + meeter.doubt()),
+        short_(Division::kLeastSlacks * meeter.slack()) {
     items_.clear();
   }
 
@@ -36,10 +43,14 @@ class CrowdFinder {
   void add(KeptId segment, const PlanePart& part);
   /// Meets the segments that were added, and forgets them.
   void solve(const PlanePart& part);
-  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds.
+  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds. They
+  /// refer to groups, which stay in the scratch of this finder.
   void split(const PlanePart& part, std::size_t most, std::vector<UndividedPart>& undivided);
   /// Meets the segments of what `split` has listed.
-  void solve(UndividedPart& undivided) { division_.divide(undivided); }
+  void solve(UndividedPart& undivided, const SegmentGroups& groups) {
+    groups_ = &groups;
+    division_.divide(undivided);
+  }
 
  private:
   using Division = MedianDivision<CrowdFinder>;
@@ -52,10 +63,13 @@ class CrowdFinder {
   }
   template <Axis axis>
   [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const {
+    if (segment >= kept_.size()) return false;
     const auto [a, b] = kept_[segment].clipped();
     return cut_segment<axis>(a, b, at, shortest_, cut_error_, result);
   }
   void meet_few(std::size_t begin, std::size_t end);
+  void sort_along(Axis axis, std::vector<BoxedSegment>& items, std::size_t begin,
+                  std::size_t end) const;
   void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& box);
   [[nodiscard]] bool is_sorted_soon(std::size_t begin, std::size_t end,
                                     const BoxOf<double>& box) const;
@@ -65,10 +79,22 @@ class CrowdFinder {
                                          const BoxOf<double>& box, Axis axis) const;
   double list_lines(std::size_t begin, std::size_t end, const BoxOf<double>& box, Axis axis);
   void meet_ending(std::size_t begin, std::size_t end, const BoxOf<double>& box);
+  void group_short(const PlanePart& part);
+  void add_group(std::size_t begin, std::size_t end);
+  [[nodiscard]] std::size_t gap_after(std::size_t begin, std::size_t end, Axis axis) const;
+  [[nodiscard]] double meet_moved(std::size_t begin, std::size_t end);
+  void meet_group(const BoxedSegment& group, const BoxedSegment& other);
+  static double size(const Vec<double>& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+  [[nodiscard]] bool is_short(KeptId segment) const { return size(kept_[segment].d) <= short_; }
+  [[nodiscard]] bool is_group(const BoxedSegment& item) const {
+    return item.segment >= kept_.size();
+  }
   void meet_ending_with_lines(std::size_t begin, std::size_t end, Axis axis, double error);
   void meet_lines(double error);
   void meet(const BoxedSegment& a, const BoxedSegment& b) {
     if (a.x0 > b.x1 || b.x0 > a.x1 || a.y0 > b.y1 || b.y0 > a.y1) return;
+    if (is_group(a)) return meet_group(a, b);
+    if (is_group(b)) return meet_group(b, a);
     meeter_.meet(std::min(a.segment, b.segment), std::max(a.segment, b.segment));
   }
 
@@ -78,8 +104,17 @@ class CrowdFinder {
   std::vector<BoxedSegment>& items_;
   Cancellation& cancellation_;
   Division division_;
-  double shortest_;   // the least extent along an axis over which a slope is good enough
-  double cut_error_;  // bound on the error of a cut, over 2 + |slope|
+  double shortest_;              // the least extent along an axis over which a slope is good enough
+  double cut_error_;             // bound on the error of a cut, over 2 + |slope|
+  double short_;                 // the extent of segments that division cannot tell apart
+  std::size_t short_count_ = 0;  // of those that were added
+  const SegmentGroups* groups_ = nullptr;
+  /// Memory for groups.
+  struct Moved {
+    std::vector<KeptSegment> kept;  ///< those of other groups are out of date
+    CrowdScratch crowds;
+  };
+  std::unique_ptr<Moved> moved_;
 };
 
 }  // namespace minksum

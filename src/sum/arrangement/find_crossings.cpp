@@ -48,7 +48,7 @@ class CrossingFinder {
     add_all();
     crowds_.split({}, most, undivided);
   }
-  void solve_part(UndividedPart& part) { crowds_.solve(part); }
+  void solve_part(UndividedPart& part, const SegmentGroups& groups) { crowds_.solve(part, groups); }
   /// Meets the segments of the cells [begin, end) of those that have items.
   void solve_cells(std::size_t begin, std::size_t end) {
     std::uint32_t first = begin == 0 ? 0 : scratch_.cell_end[scratch_.cells[begin - 1]];
@@ -245,7 +245,7 @@ void find_crossings(const Cover& cover, const SumSettings& options, Predicates& 
       finder.split_crowd(scratch.line_count / tasks, undivided);
     });
     solve_tasks(undivided.size(), [&](CrossingFinder& finder, std::size_t task) {
-      finder.solve_part(undivided[task]);
+      finder.solve_part(undivided[task], scratch.meeting[0].crowds.groups);
     });
   }
   join_crossings(most_crossings(options.limits), cancellation, scratch);

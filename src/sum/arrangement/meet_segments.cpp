@@ -9,6 +9,8 @@
 namespace minksum {
 namespace {
 
+constexpr double kSlack = 0x1p-34;  // beside the extent
+
 double reach(const KeptSegment& s) { return std::max(std::abs(s.d.x), std::abs(s.d.y)); }
 Vec<double> along(const KeptSegment& s, double lambda) {
   return {s.a.x + lambda * s.d.x, s.a.y + lambda * s.d.y};
@@ -31,10 +33,33 @@ SegmentMeeter::SegmentMeeter(double extent, const SumSettings& options, Predicat
       kept_(kept),
       bounds_(predicates.bounds()),
       extent_(extent),
-      slack_(extent * 0x1p-34),
+      slack_(extent * kSlack),
       exact_(bounds_.product == 0 && bounds_.difference == 0 && bounds_.direction == 0),
       trust_(!std::isinf(bounds_.direction)) {
   most_crossings_ = most_crossings(options.limits);
+}
+
+SegmentMeeter::SegmentMeeter(const SegmentMeeter& other, double extent,
+                             const std::vector<KeptSegment>& moved, const Vec<double>& origin)
+    : predicates_(other.predicates_),
+      scratch_(other.scratch_),
+      meetings_(other.meetings_),
+      alone_(other.alone_),
+      kept_(moved),
+      bounds_(other.bounds_.moved_to(extent)),
+      most_crossings_(other.most_crossings_),
+      extent_(extent),
+      slack_(extent * kSlack),
+      exact_(other.exact_),
+      trust_(other.trust_),
+      other_(&other),
+      origin_(origin) {}
+
+KeptSegment SegmentMeeter::moved(KeptId origin, KeptId s) const {
+  KeptSegment result = kept_[s];
+  result.a = predicates_.kernel().between(start(origin), start(s));
+  result.b = predicates_.kernel().between(start(origin), end(s));
+  return result;
 }
 
 void SegmentMeeter::meet(KeptId s, KeptId t) {

@@ -38,6 +38,22 @@ class SegmentMeeter {
                 ArrangementScratch& scratch, const std::vector<KeptSegment>& kept,
                 Meetings& meetings, bool alone);
 
+  /// Meets the same segments at places that were moved and rounded anew, none of which is beyond
+  /// `extent`. What was moved to (0, 0) is at `origin` for the other meeter, in whose part points
+  /// are wanted. That meeter must stay.
+  SegmentMeeter(const SegmentMeeter& other, double extent, const std::vector<KeptSegment>& moved,
+                const Vec<double>& origin);
+
+  /// Returns a segment, moved so that `origin` starts at (0, 0). It is rounded once.
+  [[nodiscard]] KeptSegment moved(KeptId origin, KeptId s) const;
+  [[nodiscard]] RoundingBounds bounds_of_moved(double extent) const {
+    return bounds_.moved_to(extent);
+  }
+  /// Counts decisions that others have taken in doubles.
+  void count(std::uint64_t decisions) { predicates_.count_filtered(decisions); }
+  /// Whether places can be moved to such an extent. Not if doubles are not trusted, or if moved
+  /// places may be too small for them.
+  [[nodiscard]] bool can_move_to(double extent) const { return trust_ && extent > 0x1p-900; }
   /// Sets the part in which points are wanted from now on.
   void enter(const PlanePart& part) { part_ = part; }
   /// Sets a cover, in whose cells no points are wanted; null if nothing is covered.
@@ -99,7 +115,11 @@ class SegmentMeeter {
   [[nodiscard]] Parameter crossing_parameter(KeptId s, const Sides& of_s, KeptId t);
   [[nodiscard]] Parameter from_kernel(KeptId s, const PointOnSegment& point);
   [[nodiscard]] bool mine(const Vec<double>& p, double error) const {
-    return !(error < slack_ / 2) || (part_.contains(p) && (cover_ == nullptr || !is_hidden(p)));
+    if (error < slack_ / 2 && !(part_.contains(p) && (cover_ == nullptr || !is_hidden(p)))) {
+      return false;
+    }
+    return other_ == nullptr ||
+           other_->mine({origin_.x + p.x, origin_.y + p.y}, error + other_->bounds_.position);
   }
   [[nodiscard]] bool is_hidden(const Vec<double>& p) const {
     return cover_->is_covered(cover_->grid.column(p.x), cover_->grid.row(p.y));
@@ -125,6 +145,8 @@ class SegmentMeeter {
   bool trust_;
   PlanePart part_;
   const Cover* cover_ = nullptr;
+  const SegmentMeeter* other_ = nullptr;  ///< which meets what was not moved; null if this one does
+  Vec<double> origin_{};                  ///< where that one has what was moved to (0, 0)
 };
 
 }  // namespace minksum

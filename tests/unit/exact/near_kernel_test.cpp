@@ -24,6 +24,7 @@ class Formulas final : public KernelOf<ArbitraryRung> {
   bool integer_coordinates(const SumVertex&, Vec<std::int64_t>&) const override { return false; }
   int exp2() const override { return 0; }
   int exp10() const override { return 0; }
+  Vec<double> between(const SumVertex&, const SumVertex&) const override { return {}; }
   void approximate_sites(std::span<double>, std::span<double>, Cancellation&) const override {}
   void approximate_edges(std::span<double>, std::span<double>, Cancellation&) const override {}
   using KernelOf::sites_;

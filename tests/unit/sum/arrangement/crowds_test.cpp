@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "minksum/boolean.hpp"
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/random.hpp"
@@ -125,6 +126,52 @@ TEST(Crowds, OfLongCoordinates) {
   const Region q = test::comb(12, 5, 800000);
   const std::int64_t far = std::int64_t{1} << 36;
   expect_all_found(mapped(p, far, 1, -1, far), mapped(q, far, 3, 1, far));
+}
+
+// A square of this size with a notch near one corner, cut by another shape.
+Region notched_square(std::int64_t size, const Region& notch) {
+  Region square;
+  square.begin_polygon();
+  square.begin_ring();
+  for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+    square.add_vertex(x * size, y * size);
+  }
+  return subtract(square, transform(notch, Affine{1, 0, 70, 0, 1, 30}));
+}
+
+TEST(Crowds, OfSizesFarApart) {
+  // The segments of the small operand are nearer to one another than doubles of the sum's size
+  // tell.
+  for (const int bits : {30, 38, 50, 58}) {
+    SCOPED_TRACE(bits);
+    Random random(static_cast<std::uint64_t>(bits));
+    const std::int64_t size = (std::int64_t{1} << bits) + 1;
+    const Region star = test::spiky_star(random, 12, 50);
+    expect_all_found(notched_square(size, star), star);
+    const Region spikes = transform(test::spiky_star(random, 5, 1000), Affine::scaling(size));
+    expect_all_found(spikes, test::comb(9, 2, 7));
+    expect_all_found(test::comb(9, 2, 7), mapped(notched_square(size, star), 3, 1, -1, 3));
+    // A side of the lower triangle passes the corner of the upper one.
+    Region triangles;
+    for (const auto& corners :
+         {std::array<std::array<std::int64_t, 2>, 3>{{{0, 0}, {size / 3, size}, {-size / 2, size}}},
+          {{{-size, -3}, {0, -size}, {size + 1, -2}}}}) {
+      triangles.begin_polygon();
+      triangles.begin_ring();
+      for (const auto& [x, y] : corners) triangles.add_vertex(x, y);
+    }
+    expect_all_found(triangles, test::spiky_star(random, 40, 50));
+  }
+}
+
+TEST(Crowds, OfThreeSizes) {
+  Random random(5);
+  const Region small = test::spiky_star(random, 8, 40);
+  const Region middle = notched_square(std::int64_t{1} << 32, small);
+  const Region huge = transform(notched_square(std::int64_t{1} << 61, small), Affine::scaling(8));
+  expect_all_found(huge, unite(middle, transform(small, Affine{1, 0, -300, 0, 1, -200})));
+  // On rationals of any size.
+  expect_all_found(transform(huge, Affine::scaling(Rational(std::int64_t{1} << 62, 3))), middle);
 }
 
 }  // namespace
