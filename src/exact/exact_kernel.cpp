@@ -168,6 +168,9 @@ class RationalKernel final : public KernelOf<ArbitraryRung> {
   Sign orientation(const Segment& s, const NodePoint& node) const override {
     return or_exactly(near_.orientation(s, node), [&] { return KernelOf::orientation(s, node); });
   }
+  Sign compare(const SumVertex& a, const SumVertex& b, Axis axis) const override {
+    return or_exactly(near_.compare(a, b, axis), [&] { return KernelOf::compare(a, b, axis); });
+  }
   Sign compare(const NodePoint& a, const NodePoint& b, Axis axis) const override {
     return or_exactly(near_.compare(a, b, axis), [&] { return KernelOf::compare(a, b, axis); });
   }

@@ -24,6 +24,7 @@ Scaled rounded(const Fraction& value) {
 void NearKernel::load(std::span<const Vec<Fraction>> sites, SiteId split,
                       const std::array<Vec<Fraction>, 2>& origins, std::uint64_t work,
                       Cancellation& cancellation) {
+  exact_ = sites;
   sites_.clear();
   sites_.reserve(sites.size());
   for (SiteId i = 0; i < sites.size(); ++i) {
@@ -40,12 +41,22 @@ Vec<double> NearKernel::position(SiteId site, int exponent) const {
   return {at(sites_[site].x), at(sites_[site].y)};
 }
 
-Vec<Scaled> NearKernel::edge(SiteId start) const { return sites_[next_[start]] - sites_[start]; }
+Vec<Scaled> NearKernel::difference(SiteId from, SiteId to) const {
+  Vec<Scaled> result = sites_[to] - sites_[from];
+  const auto are_equal = [](const Fraction& a, const Fraction& b) {
+    return a.numerator() == b.numerator() && a.denominator() == b.denominator();
+  };
+  if (result.x.bounded.value == 0 && are_equal(exact_[from].x, exact_[to].x)) result.x = {};
+  if (result.y.bounded.value == 0 && are_equal(exact_[from].y, exact_[to].y)) result.y = {};
+  return result;
+}
+
+Vec<Scaled> NearKernel::edge(SiteId start) const { return difference(start, next_[start]); }
 
 Vec<Scaled> NearKernel::between(const SumVertex& from, const SumVertex& to) const {
   Vec<Scaled> result{};
-  if (from.first != to.first) result = sites_[to.first] - sites_[from.first];
-  if (from.second != to.second) result = result + (sites_[to.second] - sites_[from.second]);
+  if (from.first != to.first) result = difference(from.first, to.first);
+  if (from.second != to.second) result = result + difference(from.second, to.second);
   return result;
 }
 
@@ -84,6 +95,11 @@ std::optional<Sign> NearKernel::orientation(const Segment& s, const SumVertex& v
 std::optional<Sign> NearKernel::orientation(const Segment& s, const NodePoint& node) const {
   const SumVertex from = near_end(s, node.vertex_or_start());
   return cross(edge(s.edge), between(from, node)).sign();
+}
+
+std::optional<Sign> NearKernel::compare(const SumVertex& a, const SumVertex& b, Axis axis) const {
+  const Vec<Scaled> difference = between(b, a);
+  return (axis == Axis::kX ? difference.x : difference.y).sign();
 }
 
 std::optional<Sign> NearKernel::compare(const NodePoint& a, const NodePoint& b, Axis axis) const {

@@ -71,7 +71,7 @@ struct Scaled {
 class NearKernel {
  public:
   /// Sets the sites. Those before `split` are the first operand's. Each operand's sites are rounded
-  /// relative to its origin. `work` is that of one site (see Cancellation).
+  /// relative to its origin. `work` is that of one site (see Cancellation). The sites must stay.
   void load(std::span<const Vec<Fraction>> sites, SiteId split,
             const std::array<Vec<Fraction>, 2>& origins, std::uint64_t work,
             Cancellation& cancellation);
@@ -82,6 +82,8 @@ class NearKernel {
   [[nodiscard]] Vec<double> position(SiteId site, int exponent) const;
   [[nodiscard]] std::optional<Sign> orientation(const Segment& s, const SumVertex& v) const;
   [[nodiscard]] std::optional<Sign> orientation(const Segment& s, const NodePoint& node) const;
+  [[nodiscard]] std::optional<Sign> compare(const SumVertex& a, const SumVertex& b,
+                                            Axis axis) const;
   [[nodiscard]] std::optional<Sign> compare(const NodePoint& a, const NodePoint& b,
                                             Axis axis) const;
   [[nodiscard]] std::optional<Sign> compare_along(const Segment& s, const PointOnSegment& a,
@@ -90,6 +92,8 @@ class NearKernel {
   [[nodiscard]] std::optional<double> parameter(const Segment& s, const PointOnSegment& p) const;
 
  private:
+  /// Returns a vector within one operand. Equal coordinates differ by 0 exactly.
+  [[nodiscard]] Vec<Scaled> difference(SiteId from, SiteId to) const;
   [[nodiscard]] Vec<Scaled> edge(SiteId start) const;
   /// Returns a vector from one sum vertex to another.
   [[nodiscard]] Vec<Scaled> between(const SumVertex& from, const SumVertex& to) const;
@@ -104,6 +108,7 @@ class NearKernel {
   /// Returns a vector from a sum vertex to a node.
   [[nodiscard]] Vec<Scaled> between(const SumVertex& from, const NodePoint& node) const;
 
+  std::span<const Vec<Fraction>> exact_;
   std::vector<Vec<Scaled>> sites_;
   std::vector<SiteId> next_;
 };

@@ -109,9 +109,13 @@ void compare(Random& random, int exponent, Tally& tally) {
   if (const auto sign = near.orientation(u, first); tally.count(sign)) {
     EXPECT_EQ(*sign, exact.orientation(u, first));
   }
+  const SumVertex w = vertex();
   for (const Axis axis : {Axis::kX, Axis::kY}) {
     if (const auto sign = near.compare(first, second, axis); tally.count(sign)) {
       EXPECT_EQ(*sign, exact.compare(first, second, axis));
+    }
+    if (const auto sign = near.compare(v, w, axis); tally.count(sign)) {
+      EXPECT_EQ(*sign, exact.compare(v, w, axis));
     }
   }
 }
@@ -127,6 +131,23 @@ TEST(NearKernel, DecidesAsTheExactFormulasDo) {
     // What is undecided is mostly 0, since the numbers are few.
     EXPECT_GT(tally.decided, 3 * tally.undecided) << "exponent " << exponent;
   }
+}
+
+TEST(NearKernel, KnowsEqualCoordinates) {
+  const Fraction third(BigInteger(1), BigInteger(3));
+  const Fraction none(BigInteger(0));
+  const auto whole = [](int value) { return Fraction(BigInteger(value)); };
+  // Two edges are vertical. Doubles do not hold their x.
+  const std::vector<Vec<Fraction>> sites{{none, none},  {third, none},    {third, whole(2)},
+                                         {third, none}, {none, whole(1)}, {third, whole(1)}};
+  const std::vector<SiteId> next{1, 2, 0, 4, 5, 3};
+  NearKernel near;
+  Cancellation never;
+  near.load(sites, 3, {sites[0], Vec<Fraction>{none, none}}, 1, never);
+  near.connect(next);
+  EXPECT_EQ(near.orientation(Segment{1, 3}, SumVertex{2, 5}), kZero);
+  EXPECT_EQ(near.compare(SumVertex{1, 3}, SumVertex{2, 5}, Axis::kX), kZero);
+  EXPECT_EQ(near.compare(SumVertex{1, 3}, SumVertex{2, 5}, Axis::kY), kNegative);
 }
 
 // Near the far end of a long segment, positions from its start tell nothing apart.
