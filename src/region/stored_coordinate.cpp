@@ -36,7 +36,7 @@ int exponent_of_five(const BigInteger& value) {
 // Others become m·2^(b - a)·10^-b: of 20 digits and more, a few powers of ten make grids too fine.
 bool store_as_decimal(const BigInteger& numerator, const BigInteger& denominator,
                       StoredCoordinate& out) {
-  constexpr std::size_t kMostBits = 400;  // 400 bits are 120 digits, more than people write
+  constexpr std::size_t kMostBits = 1100;  // 10^-324, less than any double, has 1,077
   const std::size_t bits = bit_length(denominator);
   if (bits > kMostBits || !fits_int64(numerator)) return false;
   const auto twos = static_cast<int>(trailing_zeros(denominator));

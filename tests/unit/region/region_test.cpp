@@ -152,6 +152,19 @@ TEST(Region, TakesExponentsBeyondItsCompactForm) {
             -std::numeric_limits<double>::infinity());
 }
 
+TEST(Region, MultiplesOfDecimalsAreCompact) {
+  for (const char* const text : {"15e-4", "15e-40", "15e-322"}) {
+    const Rational product = *Rational::parse(text) * Rational(151, 10);
+    Region region;
+    region.begin_polygon();
+    region.begin_ring();
+    region.add_vertex(product, -product);
+    EXPECT_EQ(RegionAccess::x(region, 0).denominator_limbs, 0) << text;
+    EXPECT_EQ(region.exact_x(0), product) << text;
+    EXPECT_EQ(region.exact_y(0), -product) << text;
+  }
+}
+
 TEST(Region, NamesTheVertexThatIsNotFinite) {
   Region region = two_polygons();
   region.begin_ring();
