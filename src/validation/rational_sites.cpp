@@ -85,9 +85,9 @@ RationalCoordinates rationals_of(const PreparedOperand& operand, std::span<const
   }
   for (const SiteId site : sites) {
     cancellation.check(work_of_product(result.bits));
-    const Vec<Fraction> at =
-        grid.small ? point(grid.small_sites[site]) : point(grid.large_sites[site]);
-    result.sites.push_back({at.x.reduced(), at.y.reduced()});
+    Vec<Fraction> at = grid.small ? point(grid.small_sites[site]) : point(grid.large_sites[site]);
+    if (!factor.is_integer()) at = {at.x.reduced(), at.y.reduced()};
+    result.sites.push_back(std::move(at));
   }
   return result;
 }
