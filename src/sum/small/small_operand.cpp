@@ -160,8 +160,10 @@ auto bends(const SmallOperand& s) {
   const SureLanes<Int128> wide{{0x1p-48 * std::max(s.extent.x, s.extent.y)}};
   return [wide]<class Vector>(const Vector& in, const Vector& out) {
     if constexpr (std::is_same_v<Vector, Vec<double>>) {
+      bool unsure = false;
+      const double turn = RoundedLanes{unsure}.turn(in, out);
       using Lanes = SureLanes<std::uint64_t>;
-      return Lanes{}.turn(Lanes::of_whole(in), Lanes::of_whole(out));
+      return unsure ? Lanes{}.turn(Lanes::of_whole(in), Lanes::of_whole(out)) : turn;
     } else {
       return wide.turn(in, out);
     }

@@ -109,7 +109,9 @@ template <class Number>
     return met != 0;
   };
   for (std::size_t block = 0; block < edges.blocks.size; ++block) {
-    if (!edges.lead_forward(block) && meet(block, edges.lanes_of(block), block)) return false;
+    // Of two edges of a block, one is neither its last nor the last but one.
+    const LaneBits earlier = edges.lanes_of(block) >> 2;
+    if (earlier != 0 && !edges.lead_forward(block) && meet(block, earlier, block)) return false;
     for (std::size_t word = block / kLanes * kLanes; word < edges.blocks.size; word += 64) {
       for (LaneBits near = edges.blocks.near_from(block, word); near != 0; near &= near - 1) {
         const std::size_t other = word + static_cast<std::size_t>(std::countr_zero(near));
