@@ -9,10 +9,6 @@
 namespace minksum {
 namespace {
 
-void multiply(const double* values, std::size_t count, double factor, double* products) {
-  for (std::size_t i = 0; i < count; ++i) products[i] = values[i] * factor;
-}
-
 /// Sets the rows of a wide operand to multiples of those of another one, which may be the same, and
 /// may not have been wide.
 void multiply_wide(const SmallOperand& from, bool was_wide, std::size_t count, Int128 factor,
@@ -146,10 +142,9 @@ void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOp
     if (!was_wide) to.make_wide();
     multiply_wide(from, was_wide, room, factor, to);
   }
-  for (int row = 0; row < SmallOperand::kRows; ++row) {
-    const auto at = static_cast<SmallOperand::Row>(row);
-    const bool is_source = row >= SmallOperand::kVertexSource;
-    if (is_source || !wide) multiply(from[at], room, is_source ? 1.0 : steps, to[at]);
+  if (!wide) to.set_multiples(from, room, steps);
+  for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
+    if (&to != &from) std::copy_n(from[row], room, to[row]);
   }
 }
 

@@ -80,6 +80,18 @@ class SmallOperand {
   /// The same for the integers of an operand that gets wide.
   void make_wide() { whole_.resize(kWholeRows * stride_); }
   [[nodiscard]] bool is_wide() const { return !whole_.empty(); }
+  /// Sets the first entries of all properties but the sources to multiples of those of another one,
+  /// which may be the same.
+  void set_multiples(const SmallOperand& from, std::size_t count, double factor) {
+    const auto set = [factor](const double* values, std::size_t many, double* products) {
+      for (std::size_t i = 0; i < many; ++i) products[i] = values[i] * factor;
+    };
+    if (from.stride_ == stride_)
+      return set(from.rows_.data(), kVertexSource * stride_, rows_.data());
+    for (std::size_t row = 0; row < kVertexSource; ++row) {
+      set(from.rows_.data() + row * from.stride_, count, rows_.data() + row * stride_);
+    }
+  }
   /// Returns the index in the region of a vertex, or of the edge that starts there.
   [[nodiscard]] std::uint32_t source(Row row, std::uint32_t vertex) const {
     return static_cast<std::uint32_t>((*this)[row][vertex]);
