@@ -75,7 +75,11 @@ class WideInt {
     }
     return negated;
   }
-  friend constexpr WideInt operator-(const WideInt& a, const WideInt& b) { return a + (-b); }
+  friend constexpr WideInt operator-(const WideInt& a, const WideInt& b) {
+    WideInt difference = a;
+    difference.subtract(b, 0, true);
+    return difference;
+  }
   // Modulo 2^(64·N), the product of two's complement numbers is the product of their unsigned
   // forms.
   friend constexpr WideInt operator*(const WideInt& a, const WideInt& b) {
@@ -91,23 +95,28 @@ class WideInt {
     }
     return product;
   }
-  /// Returns a · b modulo 2^(64·N).
+  /// Returns a · b modulo 2^(64·N). The unsigned form of a negative number of K limbs is too large
+  /// by 2^(64·K).
   template <std::size_t K, std::size_t M>
   static constexpr WideInt product_of(const WideInt<K>& a, const WideInt<M>& b) {
-    const WideInt<K> p = a.magnitude();
-    const WideInt<M> q = b.magnitude();
-    WideInt product;
-    for (std::size_t i = 0; i < std::min(K, N); ++i) {
-      std::uint64_t carry = 0;
-      for (std::size_t j = 0; j < M && i + j < N; ++j) {
-        const Uint128 t =
-            static_cast<Uint128>(p.limb(i)) * q.limb(j) + product.limbs_[i + j] + carry;
-        product.limbs_[i + j] = static_cast<std::uint64_t>(t);
-        carry = static_cast<std::uint64_t>(t >> 64);
+    if constexpr (N > K + M) {
+      return WideInt(WideInt<K + M>::product_of(a, b));
+    } else {
+      WideInt product;
+      for (std::size_t i = 0; i < std::min(K, N); ++i) {
+        std::uint64_t carry = 0;
+        for (std::size_t j = 0; j < M && i + j < N; ++j) {
+          const Uint128 t =
+              static_cast<Uint128>(a.limb(i)) * b.limb(j) + product.limbs_[i + j] + carry;
+          product.limbs_[i + j] = static_cast<std::uint64_t>(t);
+          carry = static_cast<std::uint64_t>(t >> 64);
+        }
+        if (i + M < N) product.limbs_[i + M] = carry;
       }
-      if (i + M < N) product.limbs_[i + M] = carry;
+      product.subtract(b, K, a.negative());
+      product.subtract(a, M, b.negative());
+      return product;
     }
-    return a.negative() != b.negative() ? -product : product;
   }
   friend constexpr bool operator==(const WideInt&, const WideInt&) = default;
   friend constexpr std::strong_ordering operator<=>(const WideInt& a, const WideInt& b) {
@@ -122,6 +131,19 @@ class WideInt {
   [[nodiscard]] constexpr WideInt magnitude() const { return negative() ? -*this : *this; }
 
  private:
+  /// Subtracts the limbs of b · 2^(64·from) that this has, if wanted. Copies of whole numbers would
+  /// wait for limbs that were just written.
+  template <std::size_t M>
+  constexpr void subtract(const WideInt<M>& b, std::size_t from, bool wanted) {
+    const std::uint64_t mask = wanted ? ~std::uint64_t{0} : 0;
+    std::uint64_t borrow = 0;
+    for (std::size_t i = from; i < std::min(N, from + M); ++i) {
+      const Uint128 t = static_cast<Uint128>(limbs_[i]) - (b.limb(i - from) & mask) - borrow;
+      limbs_[i] = static_cast<std::uint64_t>(t);
+      borrow = static_cast<std::uint64_t>(t >> 64) & 1;
+    }
+  }
+
   std::array<std::uint64_t, N> limbs_;
 };
 
