@@ -39,14 +39,16 @@ void CrowdFinder::add(KeptId segment, const PlanePart& part) {
 }
 
 void CrowdFinder::solve(const PlanePart& part) {
-  group_short(part);
+  group_short();
+  meeter_.enter(part);
+  for (std::size_t group = 0; group < groups_->groups.size(); ++group) meet_members(group);
   division_.divide(part);
   items_.clear();
 }
 
 void CrowdFinder::split(const PlanePart& part, std::size_t most,
                         std::vector<UndividedPart>& undivided) {
-  group_short(part);
+  group_short();
   division_.split(part, most, undivided);
   items_.clear();
 }
@@ -68,9 +70,8 @@ void CrowdFinder::meet_few(std::size_t begin, std::size_t end) {
 }
 
 // -- Short segments ---------------------------------------------------------------------------
-/// Takes crowds of short segments off the list, and puts a group in the place of each. Their pairs
-/// are met where they are moved to the origin.
-void CrowdFinder::group_short(const PlanePart& part) {
+/// Takes crowds of short segments off the list, and puts a group in the place of each.
+void CrowdFinder::group_short() {
   SegmentGroups& found = scratch_.groups;
   auto& members = found.members;
   found.groups.clear();
@@ -78,7 +79,6 @@ void CrowdFinder::group_short(const PlanePart& part) {
   const bool is_crowd = short_count_ > Division::kFew;
   short_count_ = 0;
   if (!is_crowd) return;
-  meeter_.enter(part);
   const auto first_short =
       std::partition(items_.begin(), items_.end(), [&](const BoxedSegment& item) {
         cancellation_.check();
@@ -99,37 +99,46 @@ void CrowdFinder::group_short(const PlanePart& part) {
   }
 }
 
-/// Meets short segments where they are moved to the origin. Returns their extent there, or 0 if
-/// they are far apart there, too.
-double CrowdFinder::meet_moved(std::size_t begin, std::size_t end) {
+/// Moves short segments to the origin. Returns their extent there, or 0 if they are far apart
+/// there, too.
+double CrowdFinder::move_short(std::size_t begin, std::size_t end) {
   constexpr std::uint64_t kUnitsToMove = 16;
   constexpr double kMostShort = 256;  // the extent must shrink from crowd to crowd
   if (!meeter_.can_move_to(short_)) return 0;
-  if (!moved_) {
-    moved_ = std::make_unique<Moved>();
-    moved_->kept = kept_;
-  }
   const auto& members = scratch_.groups.members;
   double extent = 0;
   for (std::size_t i = begin; i < end; ++i) {
     cancellation_.check(kUnitsToMove);
     const KeptSegment s = meeter_.moved(members[begin].segment, members[i].segment);
-    moved_->kept[members[i].segment] = s;
     scratch_.groups.moved[i] = {s.a, s.b};
     extent = std::max({extent, size(s.a), size(s.b)});
   }
-  if (extent > kMostShort * short_ || !meeter_.can_move_to(extent)) return 0;
+  return extent <= kMostShort * short_ && meeter_.can_move_to(extent) ? extent : 0;
+}
+
+/// Meets the members of a group with one another, where they are moved to the origin.
+void CrowdFinder::meet_members(std::size_t group) {
+  if (!moved_) {
+    moved_ = std::make_unique<Moved>();
+    moved_->kept = kept_;
+  }
+  const auto& [members, moved, groups] = *groups_;
+  const auto [begin, end, extent] = groups[group];
+  for (std::size_t i = begin; i < end; ++i) {
+    KeptSegment& s = moved_->kept[members[i].segment];
+    s.a = moved[i].start;
+    s.b = moved[i].end;
+  }
   SegmentMeeter meeter(meeter_, extent, moved_->kept, kept_[members[begin].segment].a);
   CrowdFinder finder(extent, moved_->kept, meeter, moved_->crowds, cancellation_);
   for (std::size_t i = begin; i < end; ++i) finder.add(members[i].segment, {});
   finder.solve({});
-  return extent;
 }
 
 /// Lists a group in the place of short segments, or these if they are no crowd.
 void CrowdFinder::add_group(std::size_t begin, std::size_t end) {
   SegmentGroups& found = scratch_.groups;
-  const double extent = end - begin <= Division::kFew ? 0 : meet_moved(begin, end);
+  const double extent = end - begin <= Division::kFew ? 0 : move_short(begin, end);
   if (extent == 0) {
     for (std::size_t i = begin; i < end; ++i) append(items_, found.members[i], cancellation_);
     return;

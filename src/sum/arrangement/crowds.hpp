@@ -43,13 +43,19 @@ class CrowdFinder {
   void add(KeptId segment, const PlanePart& part);
   /// Meets the segments that were added, and forgets them.
   void solve(const PlanePart& part);
-  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds. They
-  /// refer to groups, which stay in the scratch of this finder.
+  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds. Groups
+  /// are in the scratch of this finder.
   void split(const PlanePart& part, std::size_t most, std::vector<UndividedPart>& undivided);
   /// Meets the segments of what `split` has listed.
   void solve(UndividedPart& undivided, const SegmentGroups& groups) {
     groups_ = &groups;
     division_.divide(undivided);
+  }
+  /// Meets the members of one of the groups.
+  void solve(std::size_t group, const SegmentGroups& groups) {
+    groups_ = &groups;
+    meeter_.enter({});
+    meet_members(group);
   }
 
  private:
@@ -79,10 +85,11 @@ class CrowdFinder {
                                          const BoxOf<double>& box, Axis axis) const;
   double list_lines(std::size_t begin, std::size_t end, const BoxOf<double>& box, Axis axis);
   void meet_ending(std::size_t begin, std::size_t end, const BoxOf<double>& box);
-  void group_short(const PlanePart& part);
+  void group_short();
   void add_group(std::size_t begin, std::size_t end);
   [[nodiscard]] std::size_t gap_after(std::size_t begin, std::size_t end, Axis axis) const;
-  [[nodiscard]] double meet_moved(std::size_t begin, std::size_t end);
+  [[nodiscard]] double move_short(std::size_t begin, std::size_t end);
+  void meet_members(std::size_t group);
   void meet_group(const BoxedSegment& group, const BoxedSegment& other);
   static double size(const Vec<double>& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
   [[nodiscard]] bool is_short(KeptId segment) const { return size(kept_[segment].d) <= short_; }

@@ -43,12 +43,17 @@ class CrossingFinder {
     crowds_.solve({});
   }
   /// Divides the plane into parts of at most so many segments, and crowds that are not to be
-  /// divided. Lists them for `solve_part`.
+  /// divided. Lists them for `solve_listed`, and leaves groups in the memory.
   void split_crowd(std::size_t most, std::vector<UndividedPart>& undivided) {
     add_all();
     crowds_.split({}, most, undivided);
   }
-  void solve_part(UndividedPart& part, const SegmentGroups& groups) { crowds_.solve(part, groups); }
+  /// Solves one of the groups, or of the parts after them: in the order of `solve_crowd`.
+  void solve_listed(std::vector<UndividedPart>& parts, const SegmentGroups& groups,
+                    std::size_t task) {
+    if (task < groups.groups.size()) return crowds_.solve(task, groups);
+    crowds_.solve(parts[task - groups.groups.size()], groups);
+  }
   /// Meets the segments of the cells [begin, end) of those that have items.
   void solve_cells(std::size_t begin, std::size_t end) {
     std::uint32_t first = begin == 0 ? 0 : scratch_.cell_end[scratch_.cells[begin - 1]];
@@ -244,9 +249,11 @@ void find_crossings(const Cover& cover, const SumSettings& options, Predicates& 
     solve_tasks(1, [&](CrossingFinder& finder, std::size_t) {
       finder.split_crowd(scratch.line_count / tasks, undivided);
     });
-    solve_tasks(undivided.size(), [&](CrossingFinder& finder, std::size_t task) {
-      finder.solve_part(undivided[task], scratch.meeting[0].crowds.groups);
-    });
+    const SegmentGroups& groups = scratch.meeting[0].crowds.groups;
+    solve_tasks(groups.groups.size() + undivided.size(),
+                [&](CrossingFinder& finder, std::size_t task) {
+                  finder.solve_listed(undivided, groups, task);
+                });
   }
   join_crossings(most_crossings(options.limits), cancellation, scratch);
   scratch.lines_shared = std::ranges::any_of(scratch.meetings, &Meetings::lines_shared);

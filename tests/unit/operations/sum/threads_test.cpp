@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "minksum/boolean.hpp"
 #include "minksum/testing.hpp"
 #include "support/generators.hpp"
 #include "support/polygon_kinds.hpp"
@@ -99,6 +100,18 @@ TEST(Threads, OfCoordinatesOfAnyLength) {
   for (const char* const factor : {"1/3", "1e14", "1e40", "1/7"}) {
     SCOPED_TRACE(factor);
     expect_same(test::scaled(star, *Rational::parse(factor)), star, on_threads(1));
+  }
+}
+
+TEST(Threads, OfSizesFarApart) {
+  // The edges of a notch are as small as the other operand. Their crowd has crossings, which are
+  // found apart from the parts that threads share.
+  Random random(6);
+  const Region star = test::spiky_star(random, 20, 1000000);
+  for (const char* const factor : {"1e16", "10000000000000000000000/7", "1e40"}) {
+    SCOPED_TRACE(factor);
+    const Region square = test::scaled(test::rectangle(0, 0, 1, 1), *Rational::parse(factor));
+    expect_same(subtract(square, star), star, on_threads(1));
   }
 }
 
