@@ -274,8 +274,9 @@ class Predicates {
   }
   template <class Exact>
   Sign filtered_difference(double value, double bound, Exact exact) {
-    // One branch, which is easy to predict; which sign it is may be hard to predict.
-    if (std::abs(value) > bound || bound == 0) return count_filter(sign_of(value));
+    if (value > bound) return count_filter(kPositive);
+    if (value < -bound) return count_filter(kNegative);
+    if (bound == 0) return count_filter(kZero);
     count_kernel();
     return exact();
   }
