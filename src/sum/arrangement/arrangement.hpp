@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -176,12 +177,21 @@ struct SegmentGroups {
   std::vector<Group> groups;
 };
 
+struct MovedCrowd;
+
 /// Memory for crowds.
 struct CrowdScratch {
   SegmentGroups groups;
+  std::unique_ptr<MovedCrowd> moved;  ///< null before there is a group
   std::vector<BoxedSegment> items;
   std::vector<StripLine> lines;
   std::vector<std::uint32_t> by_right;  ///< lines, in their order on the right
+};
+
+/// Memory for the members of a group, where they are moved.
+struct MovedCrowd {
+  std::vector<KeptSegment> kept;  ///< by segment; only those of the members are set
+  CrowdScratch memory;
 };
 
 /// Memory of one thread that finds crossings.

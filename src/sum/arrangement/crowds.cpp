@@ -118,19 +118,19 @@ double CrowdFinder::move_short(std::size_t begin, std::size_t end) {
 
 /// Meets the members of a group with one another, where they are moved to the origin.
 void CrowdFinder::meet_members(std::size_t group) {
-  if (!moved_) {
-    moved_ = std::make_unique<Moved>();
-    moved_->kept = kept_;
-  }
+  if (!scratch_.moved) scratch_.moved = std::make_unique<MovedCrowd>();
+  auto& [kept, memory] = *scratch_.moved;
+  if (kept.size() < kept_.size()) resize_in_pieces(kept, kept_.size(), cancellation_);
   const auto& [members, moved, groups] = *groups_;
   const auto [begin, end, extent] = groups[group];
   for (std::size_t i = begin; i < end; ++i) {
-    KeptSegment& s = moved_->kept[members[i].segment];
-    s.a = moved[i].start;
-    s.b = moved[i].end;
+    const KeptId id = members[i].segment;
+    kept[id] = kept_[id];
+    kept[id].a = moved[i].start;
+    kept[id].b = moved[i].end;
   }
-  SegmentMeeter meeter(meeter_, extent, moved_->kept, kept_[members[begin].segment].a);
-  CrowdFinder finder(extent, moved_->kept, meeter, moved_->crowds, cancellation_);
+  SegmentMeeter meeter(meeter_, extent, kept, kept_[members[begin].segment].a);
+  CrowdFinder finder(extent, kept, meeter, memory, cancellation_);
   for (std::size_t i = begin; i < end; ++i) finder.add(members[i].segment, {});
   finder.solve({});
 }

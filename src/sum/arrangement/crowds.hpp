@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 #include "spatial/median_division.hpp"
@@ -43,8 +42,8 @@ class CrowdFinder {
   void add(KeptId segment, const PlanePart& part);
   /// Meets the segments that were added, and forgets them.
   void solve(const PlanePart& part);
-  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds. Groups
-  /// are in the scratch of this finder.
+  /// Divides the part, and lists what is left: parts of at most so many segments, and crowds.
+  /// Groups are in the scratch of this finder.
   void split(const PlanePart& part, std::size_t most, std::vector<UndividedPart>& undivided);
   /// Meets the segments of what `split` has listed.
   void solve(UndividedPart& undivided, const SegmentGroups& groups) {
@@ -116,12 +115,6 @@ class CrowdFinder {
   double short_;                 // the extent of segments that division cannot tell apart
   std::size_t short_count_ = 0;  // of those that were added
   const SegmentGroups* groups_ = nullptr;
-  /// Memory for groups.
-  struct Moved {
-    std::vector<KeptSegment> kept;  ///< those of other groups are out of date
-    CrowdScratch crowds;
-  };
-  std::unique_ptr<Moved> moved_;
 };
 
 }  // namespace minksum

@@ -31,6 +31,7 @@ SegmentMeeter::SegmentMeeter(double extent, const SumSettings& options, Predicat
       meetings_(meetings),
       alone_(alone),
       kept_(kept),
+      unmoved_(kept),
       bounds_(predicates.bounds()),
       extent_(extent),
       slack_(extent * kSlack),
@@ -46,6 +47,7 @@ SegmentMeeter::SegmentMeeter(const SegmentMeeter& other, double extent,
       meetings_(other.meetings_),
       alone_(other.alone_),
       kept_(moved),
+      unmoved_(other.unmoved_),
       bounds_(other.bounds_.moved_to(extent)),
       most_crossings_(other.most_crossings_),
       extent_(extent),
@@ -225,7 +227,7 @@ SegmentMeeter::Parameter SegmentMeeter::from_kernel(KeptId s, const PointOnSegme
   const double lambda = predicates_.kernel().parameter(ks.segment, point);
   if (ks.joined == 0) return {lambda, kKernelError};
   // The kernel knows only the first member, which begins where the whole begins.
-  const Vec<double> d = kept_[scratch_.join.joined[ks.joined - 1].first].d;
+  const Vec<double> d = unmoved_[scratch_.join.joined[ks.joined - 1].first].d;
   const bool by_x = std::abs(ks.d.x) >= std::abs(ks.d.y);
   return {lambda * (by_x ? d.x / ks.d.x : d.y / ks.d.y), kKernelError};
 }

@@ -137,6 +137,7 @@ class SegmentMeeter {
   Meetings& meetings_;
   bool alone_;
   const std::vector<KeptSegment>& kept_;
+  const std::vector<KeptSegment>& unmoved_;  ///< the members of joined segments, too
   const RoundingBounds bounds_;
   std::uint64_t most_crossings_;
   double extent_;

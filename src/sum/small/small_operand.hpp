@@ -86,8 +86,9 @@ class SmallOperand {
     const auto set = [factor](const double* values, std::size_t many, double* products) {
       for (std::size_t i = 0; i < many; ++i) products[i] = values[i] * factor;
     };
-    if (from.stride_ == stride_)
+    if (from.stride_ == stride_) {
       return set(from.rows_.data(), kVertexSource * stride_, rows_.data());
+    }
     for (std::size_t row = 0; row < kVertexSource; ++row) {
       set(from.rows_.data() + row * from.stride_, count, rows_.data() + row * stride_);
     }

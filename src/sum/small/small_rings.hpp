@@ -109,7 +109,8 @@ template <class Number>
     return met != 0;
   };
   for (std::size_t block = 0; block < edges.blocks.size; ++block) {
-    // Of two edges of a block, one is neither its last nor the last but one.
+    // The earlier one of two edges of a block is not its last, nor, unless they are neighbours, the
+    // last but one.
     const LaneBits earlier = edges.lanes_of(block) >> 2;
     if (earlier != 0 && !edges.lead_forward(block) && meet(block, earlier, block)) return false;
     for (std::size_t word = block / kLanes * kLanes; word < edges.blocks.size; word += 64) {
