@@ -238,7 +238,7 @@ void SegmentMeeter::cross_at(KeptId s, const Sides& of_s, KeptId t, const Sides&
   if (!mine(p, on_s.error * reach(kept_[s]) + bounds_.position)) return;
   const Parameter on_t = crossing_parameter(t, of_t, s);
   limit_crossings(meetings_.crossings.size() + 1, most_crossings_);
-  const auto point = static_cast<std::uint32_t>(2 * kept_.size() + meetings_.crossings.size());
+  const auto point = static_cast<std::uint32_t>(2 * unmoved_.size() + meetings_.crossings.size());
   Cancellation& cancellation = predicates_.cancellation();
   append(meetings_.crossings,
          of_s.start == kPositive ? Crossing{s, t, on_s.lambda, doubted(on_s.error)}

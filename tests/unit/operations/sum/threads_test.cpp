@@ -113,6 +113,18 @@ TEST(Threads, OfSizesFarApart) {
     const Region square = test::scaled(test::rectangle(0, 0, 1, 1), *Rational::parse(factor));
     expect_same(subtract(square, star), star, on_threads(1));
   }
+  // Sums of fewer segments after one of more, in the same memory.
+  Workspace memory;
+  const Region square = test::scaled(test::rectangle(0, 0, 1, 1), *Rational::parse("1e16"));
+  for (const int spikes : {25, 12, 18}) {
+    const Region small = test::spiky_star(random, spikes, 1000000);
+    const Region huge = subtract(square, small);
+    for (const int threads : {1, 3}) {
+      SumSettings settings = on_threads(threads);
+      settings.memory = &memory;
+      EXPECT_EQ(detailed_sum(huge, small, settings).sum.region, minkowski_sum(huge, small));
+    }
+  }
 }
 
 TEST(Threads, WorkspacesAreReused) {
