@@ -103,7 +103,8 @@ void CrowdFinder::group_short() {
 /// there, too.
 double CrowdFinder::move_short(std::size_t begin, std::size_t end) {
   constexpr std::uint64_t kUnitsToMove = 16;
-  constexpr double kMostShort = 256;  // the extent must shrink from crowd to crowd
+  // So each extent is at most 2^-20 of the one around it, and groups within groups come to an end.
+  constexpr double kMostShort = 256;
   if (!meeter_.can_move_to(short_)) return 0;
   const auto& members = scratch_.groups.members;
   double extent = 0;
@@ -165,7 +166,7 @@ std::size_t CrowdFinder::gap_after(std::size_t begin, std::size_t end, Axis axis
 /// Meets the members of a group with another segment. If that one ends near them, doubles tell for
 /// most of them that they share nothing with it.
 void CrowdFinder::meet_group(const BoxedSegment& group, const BoxedSegment& other) {
-  constexpr double kLong = 8;   // beside the members
+  constexpr double kLong = 8;   // a part so long, beside the members' extent, leaves their box
   if (is_group(other)) return;  // there is a gap between two groups
   const auto& [members, moved, groups] = *groups_;
   const auto [begin, end, extent] = groups[group.segment - kept_.size()];

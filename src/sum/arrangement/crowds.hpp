@@ -18,9 +18,10 @@ namespace minksum {
 /// crowds are sorted and not divided. For k segments this takes O(k log k) time, and a meeting for
 /// each pair that is near, unless segments end in one point or run side by side within rounding.
 ///
-/// Segments of a sum of two sizes, such as those of a small operand at a vertex of a huge one, may
-/// be too near one another to be divided. They are moved to the origin, so that doubles tell them
-/// apart again, and are divided there.
+/// Where one operand is far larger than the other, the other's edges at one of its vertices are too
+/// near one another to be divided. They become a group: they are moved to the origin, so that
+/// doubles tell them apart again, and are divided there. A longer segment near a group is compared
+/// with each of its members.
 class CrowdFinder {
  public:
   /// All coordinates are in [0, extent].
