@@ -94,14 +94,25 @@ template <class Number>
     for (std::size_t word = i / kLanes * kLanes; word < blocks.size; word += 64) {
       for (LaneBits near = blocks.near_from(i, word); near != 0; near &= near - 1) {
         const std::size_t j = word + static_cast<std::size_t>(std::countr_zero(near));
-        const LaneBits rows =
-            s.lanes_of(i) & (j == i ? first_bits(kLanes) : s.near(i, blocks.box_of(j)));
+        // The block with fewer rows near the other one is compared row by row.
+        LaneBits rows = s.lanes_of(i);
+        std::size_t block = i;
+        std::size_t other = j;
+        if (j != i) {
+          rows &= s.near(i, blocks.box_of(j));
+          const LaneBits rows_of_j = s.lanes_of(j) & s.near(j, blocks.box_of(i));
+          if (std::popcount(rows_of_j) < std::popcount(rows)) {
+            rows = rows_of_j;
+            std::swap(block, other);
+          }
+        }
+        if (rows == 0) continue;
         const auto looks = static_cast<std::size_t>(std::popcount(rows));
         if (looks > looks_left || !m.has_room(s.size)) return false;
         looks_left -= looks;
         const LaneBits pairs =
-            (j == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
-        m.add(i, j, pairs, meet_blocks(numbers, s, i, j, rows, pairs));
+            (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
+        m.add(block, other, pairs, meet_blocks(numbers, s, block, other, rows, pairs));
       }
     }
     const auto seen = static_cast<std::uint32_t>((i + 1) * kLanes);
