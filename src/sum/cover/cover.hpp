@@ -65,6 +65,25 @@ class UncoveredCounts {
   const std::uint32_t* counts_ = nullptr;
 };
 
+/// The edges of an operand, [begin, end). Edge e goes from vertex e to vertex next[e]. The lower
+/// left corner of the operand's box is (0, 0).
+struct EdgesOfOperand {
+  const double* x;  ///< of vertices
+  const double* y;
+  const SiteId* next;
+  SiteId begin;
+  SiteId end;
+  Vec<double> extent;
+
+  [[nodiscard]] Vec<double> at(SiteId vertex) const { return {x[vertex], y[vertex]}; }
+};
+using EdgesOfOperands = std::array<EdgesOfOperand, 2>;
+/// Returns the size of the sum's box, which starts at (0, 0).
+[[nodiscard]] inline Vec<double> sum_extent(const EdgesOfOperands& o) {
+  return {o[0].extent.x + o[1].extent.x, o[0].extent.y + o[1].extent.y};
+}
+[[nodiscard]] EdgesOfOperands edges_of(const Operands& operands);
+
 /// An edge in units of cells.
 struct CellEdge {
   Vec<double> start;
@@ -121,6 +140,12 @@ void cover_interior(const Operands& operands, const SumSettings& options,
                     Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
                     Cover& cover);
 
+/// Marks the cells that translates cover, before any segment is listed. There are about so many
+/// segments, and `price` is what all of them take without a cover, in words moved. The grid is as
+/// fine as it can be for a tenth of that. If none is that cheap, the cover is not active.
+void cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
+                   Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
+
 /// Some of the convolution's segments. Each stands for `step` of them.
 struct Sample {
   std::span<const Line> lines;
@@ -173,7 +198,7 @@ enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
 [[nodiscard]] std::size_t words_per_row(std::int32_t columns);
 /// Rasterises both operands on cells of the grid's size. Returns how many words `spread_rasters`
 /// will move: that is known before it is paid. O(cells + n + m).
-[[nodiscard]] std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,
+[[nodiscard]] std::uint64_t rasterise(const EdgesOfOperands& edges, const UniformGrid& grid,
                                       Cancellation& cancellation, CoverScratch& scratch);
 /// Marks cells of the cover's grid that lie inside translates of an operand.
 ///

@@ -9,21 +9,11 @@
 namespace minksum {
 namespace {
 
-/// Returns a site's position, from the lower left corner of its operand's box.
-Vec<double> at(const Operands& o, SiteId v) { return {o.sites.x[v], o.sites.y[v]}; }
-
-/// The sites of an operand.
-struct SiteRange {
-  SiteId begin;
-  SiteId end;
-  SiteRange(const Operands& o, int operand)
-      : begin(operand == 0 ? 0 : o.split), end(operand == 0 ? o.split : o.size()) {}
-};
-
 /// Returns the units of work of a walk along an edge: about one for each cell on its way.
-std::uint64_t work_of_walk(const Operands& o, SiteId e, const UniformGrid& grid) {
-  return static_cast<std::uint64_t>((std::abs(o.sites.dx[e]) + std::abs(o.sites.dy[e])) *
-                                    grid.inverse);
+std::uint64_t work_of_walk(const EdgesOfOperand& o, SiteId e, const UniformGrid& grid) {
+  const Vec<double> a = o.at(e);
+  const Vec<double> b = o.at(o.next[e]);
+  return static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) * grid.inverse);
 }
 
 /// Fills rows by the even-odd rule: each bit becomes the parity of the toggles up to it.
@@ -47,28 +37,26 @@ void fill_between_toggles(Bitmap& bitmap) {
 /// edges by far less than the margin.
 class Rasteriser {
  public:
-  Rasteriser(const Operands& o, int operand, const UniformGrid& grid, std::size_t words,
-             Bitmap& boundary, Cancellation& cancellation, OperandRaster& raster)
+  Rasteriser(const EdgesOfOperand& o, const UniformGrid& grid, std::size_t words, Bitmap& boundary,
+             Cancellation& cancellation, OperandRaster& raster)
       : cancellation_(cancellation),
         o_(o),
-        sites_(o, operand),
         raster_(raster),
         inside_(raster.inside),
         boundary_(boundary),
         words_(words) {
-    const Vec<double> extent = o.extent[static_cast<std::size_t>(operand)];
     grid_.cell = grid.cell;
     grid_.inverse = grid.inverse;
-    grid_.columns = static_cast<std::int32_t>(extent.x * grid_.inverse) + 2;
-    grid_.rows = static_cast<std::int32_t>(extent.y * grid_.inverse) + 2;
+    grid_.columns = static_cast<std::int32_t>(o.extent.x * grid_.inverse) + 2;
+    grid_.rows = static_cast<std::int32_t>(o.extent.y * grid_.inverse) + 2;
   }
 
   void run() {
     inside_.reset(grid_.columns, grid_.rows, words_);
     boundary_.reset(grid_.columns, grid_.rows, words_);
-    for (SiteId e = sites_.begin; e < sites_.end; ++e) {
-      const Vec<double> a = at(o_, e);
-      const Vec<double> b = at(o_, o_.sites.next[e]);
+    for (SiteId e = o_.begin; e < o_.end; ++e) {
+      const Vec<double> a = o_.at(e);
+      const Vec<double> b = o_.at(o_.next[e]);
       cancellation_.check(2 + work_of_walk(o_, e, grid_));
       grid_.walk(a, b, 4 * UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
         boundary_.set(i, j);
@@ -86,9 +74,9 @@ class Rasteriser {
     Bitmap& sampled = raster_.sampled;
     sampled.reset(grid_.columns, grid_.rows, words_);
     const double inverse = grid_.inverse;
-    for (SiteId e = sites_.begin; e < sites_.end; ++e) {
-      const Vec<double> a = at(o_, e);
-      const Vec<double> b = at(o_, o_.sites.next[e]);
+    for (SiteId e = o_.begin; e < o_.end; ++e) {
+      const Vec<double> a = o_.at(e);
+      const Vec<double> b = o_.at(o_.next[e]);
       const double cells = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * inverse;
       const int steps = static_cast<int>(cells) + 1;
       const Vec<double> step{(b.x - a.x) * inverse / steps, (b.y - a.y) * inverse / steps};
@@ -120,8 +108,7 @@ class Rasteriser {
   }
 
   Cancellation& cancellation_;
-  const Operands& o_;
-  SiteRange sites_;
+  const EdgesOfOperand& o_;
   UniformGrid grid_;
   OperandRaster& raster_;
   Bitmap& inside_;
@@ -265,17 +252,19 @@ std::size_t words_per_row(std::int32_t columns) {
   return (static_cast<std::size_t>(columns) + 1 + 63) / 64;
 }
 
-std::uint64_t rasterise(const Operands& operands, const UniformGrid& grid,
+std::uint64_t rasterise(const EdgesOfOperands& edges, const UniformGrid& grid,
                         Cancellation& cancellation, CoverScratch& scratch) {
   auto& [first, second] = scratch.raster;
   const std::size_t words = words_per_row(grid.columns);
   const auto rasteriser = [&](std::size_t operand, Cancellation& own) {
-    return Rasteriser(operands, static_cast<int>(operand), grid, words, scratch.boundary[operand],
-                      own, scratch.raster[operand]);
+    return Rasteriser(edges[operand], grid, words, scratch.boundary[operand], own,
+                      scratch.raster[operand]);
   };
   // Edges are walked along, and some passes go over all words.
   std::uint64_t units = words * static_cast<std::uint64_t>(grid.rows) / 2;
-  for (SiteId e = 0; e < operands.size(); ++e) units += 2 + work_of_walk(operands, e, grid);
+  for (const EdgesOfOperand& o : edges) {
+    for (SiteId e = o.begin; e < o.end; ++e) units += 2 + work_of_walk(o, e, grid);
+  }
   share_each(2, units / 2, cancellation,
              [&](std::size_t operand, Cancellation& own) { rasteriser(operand, own).run(); });
   share_each(2, units / 4, cancellation, [&](std::size_t operand, Cancellation& own) {
@@ -291,7 +280,8 @@ void spread_rasters(Cancellation& cancellation, CoverScratch& scratch, Cover& co
 void cover_by_translates(const Operands& operands, const OperandRaster& first,
                          Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
   OperandRaster& second = scratch.raster[1];
-  Rasteriser other(operands, 1, cover.grid, first.inside.words_per_row(), scratch.boundary[1],
+  const EdgesOfOperands edges = edges_of(operands);
+  Rasteriser other(edges[1], cover.grid, first.inside.words_per_row(), scratch.boundary[1],
                    cancellation, second);
   other.run();
   if (first.blocks.has_any()) other.sample_boundary();
@@ -300,8 +290,9 @@ void cover_by_translates(const Operands& operands, const OperandRaster& first,
 
 void rasterise_first(const Operands& operands, const Cover& cover, Cancellation& cancellation,
                      Bitmap& boundary, OperandRaster& raster) {
-  Rasteriser rasteriser(operands, 0, cover.grid, cover.covered.words_per_row(), boundary,
-                        cancellation, raster);
+  const EdgesOfOperands edges = edges_of(operands);
+  Rasteriser rasteriser(edges[0], cover.grid, cover.covered.words_per_row(), boundary, cancellation,
+                        raster);
   rasteriser.run();
   rasteriser.sample_boundary();
 }

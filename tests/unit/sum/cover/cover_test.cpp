@@ -152,7 +152,7 @@ TEST(Cover, ParallelogramsCoverWhatTranslatesCannot) {
   cover.grid = UniformGrid::over(extent.x, extent.y, 160);
   cover.covered.reset(cover.grid.columns, cover.grid.rows, words_per_row(cover.grid.columns));
   Cancellation never;
-  EXPECT_GT(rasterise(operands, cover.grid, never, scratch), 0);
+  EXPECT_GT(rasterise(edges_of(operands), cover.grid, never, scratch), 0);
   spread_rasters(never, scratch, cover);
   const std::uint64_t by_translates = cover.covered_count();
   EXPECT_GT(choose_long_edges(operands, cover.grid, scratch), 0);
