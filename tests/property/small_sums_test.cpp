@@ -63,6 +63,22 @@ Region random_shape(Random& random) {
   }
 }
 
+/// Returns a ring with waves and notches. A cover hides much of the sum of two of these.
+Region random_outline(Random& random, int vertices) {
+  const int waves = random.between(2, 9);
+  const int depth = random.between(1, 40);
+  const int notches = random.between(0, 2'000);
+  Outline outline;
+  for (int k = 0; k < vertices; ++k) {
+    const double angle = 2 * std::numbers::pi * k / vertices;
+    const double radius =
+        1e6 * (1 + depth / 100.0 * std::sin(waves * angle)) + random.between(-notches, notches);
+    outline.push_back(
+        {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+  }
+  return make_polygon(outline);
+}
+
 /// Returns a map that turns, mirrors, moves and changes the grid.
 Affine random_map(Random& random) {
   const auto power = [&](std::int64_t base, int most) {
@@ -125,6 +141,12 @@ void compare(std::uint64_t seed) {
     q = transform(
         random_star_shaped(random, random.between(300, 1'200), random.between(5'000, 900'000)),
         random_map(random));
+  }
+  if (random.one_in(100)) {
+    const Affine smaller = Affine::scaling(Rational(1, random.between(1, 40)));
+    p = transform(random_outline(random, random.between(8, 150)), random_map(random));
+    q = transform(random_outline(random, random.between(200, 900)),
+                  random_map(random).after(smaller));
   }
   if (random.one_in(3)) {
     const Affine shear = random_shear(random);

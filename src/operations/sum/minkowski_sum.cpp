@@ -119,7 +119,7 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
   if (options.statistics != nullptr) {
     options.statistics->small = true;
     options.statistics->convolution_segments = scratch.segments();
-    options.statistics->segments_kept = scratch.segments();
+    options.statistics->segments_kept = scratch.segments_kept();
   }
   return true;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "exact/formulas.hpp"
 #include "spatial/box.hpp"
@@ -32,55 +34,82 @@ namespace minksum {
   return bits;
 }
 
-/// The boxes of up to `kMaxBlocks` blocks of eight segments each, in order.
-template <std::size_t kMaxBlocks>
-struct SmallBlocks {
-  static_assert(kMaxBlocks % kLanes == 0);
-  std::size_t size = 0;
-  alignas(64) std::array<double, kMaxBlocks> low_x;
-  alignas(64) std::array<double, kMaxBlocks> low_y;
-  alignas(64) std::array<double, kMaxBlocks> high_x;
-  alignas(64) std::array<double, kMaxBlocks> high_y;
-
-  using Box = BoxOf<double>;
-  [[nodiscard]] Box box_of(std::size_t block) const {
-    return {low_x[block], low_y[block], high_x[block], high_y[block]};
+/// Boxes in arrays that are read eight at a time.
+class BoxRows {
+ public:
+  BoxRows() = default;
+  BoxRows(const BoxRows&) = delete;
+  BoxRows& operator=(const BoxRows&) = delete;
+  /// Makes room for so many boxes, which must be set then.
+  void make(std::size_t size) {
+    size_ = size;
+    stride_ = filled_up(size);
+    rows_ = few_.data();
+    if (4 * stride_ > few_.size()) {
+      if (4 * stride_ > many_.size()) many_.resize(4 * stride_);
+      rows_ = many_.data();
+    }
+    for (std::size_t i = size; i < stride_; ++i) set(i, {0, 0, 0, 0});
   }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] BoxOf<double> operator[](std::size_t i) const {
+    return {rows_[i], rows_[stride_ + i], rows_[2 * stride_ + i], rows_[3 * stride_ + i]};
+  }
+  void set(std::size_t i, const BoxOf<double>& box) {
+    rows_[i] = box.x0;
+    rows_[stride_ + i] = box.y0;
+    rows_[2 * stride_ + i] = box.x1;
+    rows_[3 * stride_ + i] = box.y1;
+  }
+  /// Returns those of 64 boxes from `first` on, a multiple of 8, that meet `box`. Boxes before
+  /// `from` are left out.
+  [[nodiscard, gnu::always_inline]] LaneBits near(const BoxOf<double>& box, std::size_t first,
+                                                  std::size_t from) const {
+    const std::size_t count = std::min<std::size_t>(stride_ - first, 64);
+    LaneBits bits = 0;
+    for (std::size_t b = 0; b < count; ++b) {
+      bits |= (*this)[first + b].meets(box) ? kBitOf[b] : 0;
+    }
+    bits &= first_bits(size_ - first);
+    return from > first ? bits & ~first_bits(from - first) : bits;
+  }
+
+ private:
+  std::size_t size_ = 0;
+  std::size_t stride_ = 0;
+  double* rows_ = nullptr;
+  std::array<double, std::size_t{4} * 64> few_;  // no memory is allocated for so few
+  std::vector<double> many_;
+};
+
+/// The boxes of blocks of eight segments each, in order, and of words of 64 blocks each.
+class SmallBlocks {
+ public:
+  using Box = BoxOf<double>;
+  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
+  [[nodiscard]] Box box_of(std::size_t block) const { return blocks_[block]; }
+  [[nodiscard]] const Box& box_of_all() const { return all_; }
 
   /// Sets the boxes of `count` segments, and makes them wider by `reach` on each side. Entries
   /// beyond these are not read.
-  [[gnu::always_inline]] void set(const double* x, const double* y, const double* dx,
-                                  const double* dy, std::size_t count, double reach) {
-    size = filled_up(count) / kLanes;
-    for (std::size_t b = 0; b < size; ++b) {
-      Box all = box_of_segment(x[b * kLanes], y[b * kLanes], dx[b * kLanes], dy[b * kLanes]);
-      for (std::size_t i = b * kLanes + 1; i < std::min((b + 1) * kLanes, count); ++i) {
-        all.add(box_of_segment(x[i], y[i], dx[i], dy[i]));
-      }
-      low_x[b] = all.x0 - reach;
-      low_y[b] = all.y0 - reach;
-      high_x[b] = all.x1 + reach;
-      high_y[b] = all.y1 + reach;
+  void set(const double* x, const double* y, const double* dx, const double* dy, std::size_t count,
+           double reach);
+  /// Calls visit(first, near) for words of 64 blocks, with their first block and those of them
+  /// whose boxes meet `box`, as long as it returns true. Blocks before `from` are left out. Returns
+  /// whether all were visited.
+  template <class Visit>
+  [[gnu::always_inline]] bool for_each_near(const Box& box, std::size_t from, Visit visit) const {
+    for (std::size_t first = from / 64 * 64; first < size(); first += 64) {
+      if (size() > 64 && !words_[first / 64].meets(box)) continue;
+      if (!visit(first, blocks_.near(box, first, from))) return false;
     }
-    for (std::size_t b = size; b < filled_up(size); ++b) {
-      low_x[b] = low_y[b] = high_x[b] = high_y[b] = 0;
-    }
+    return true;
   }
-  /// Returns those of up to 64 blocks from `first` on (a multiple of 8) whose boxes meet `box`.
-  [[nodiscard, gnu::always_inline]] LaneBits near(const Box& box, std::size_t first) const {
-    LaneBits bits = 0;
-    const std::size_t n = filled_up(std::min<std::size_t>(size - first, 64));
-    for (std::size_t b = 0; b < n; ++b) {
-      bits |= box_of(first + b).meets(box) ? kBitOf[b] : 0;
-    }
-    return bits & first_bits(size - first);
-  }
-  /// Returns those of the 64 blocks from `first` on (a multiple of 8) that are near `block`, itself
-  /// included, and not before it.
-  [[nodiscard, gnu::always_inline]] LaneBits near_from(std::size_t block, std::size_t first) const {
-    const LaneBits all = near(box_of(block), first);
-    return first < block ? all & ~first_bits(block - first) : all;
-  }
+
+ private:
+  BoxRows blocks_;
+  std::vector<Box> words_;  ///< of words of 64 blocks, if there are several
+  Box all_;
 };
 
 }  // namespace minksum

@@ -126,6 +126,7 @@ void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOp
     to.turning = from.turning;
     to.turning_of_holes = from.turning_of_holes;
     to.holes = from.holes;
+    to.ends = from.ends;
     to.first = from.first;
   }
   for (Vec<double>& hole : to.holes) hole = {hole.x * steps, hole.y * steps};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 #include "sum/small/small_meetings.hpp"
@@ -21,10 +22,7 @@ struct SmallCorner {
 
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
-  /// A sum with more rings is left to the stages. It is four times what an operand may have.
-  static constexpr std::size_t kMaxRings = 128;
-  std::uint32_t rings;                          ///< the outer ring and holes
-  std::array<std::uint32_t, kMaxRings> end_of;  ///< the ends of their corners
+  std::vector<std::uint32_t> end_of;  ///< the ends of the corners of the outer ring and of holes
   std::uint32_t size;
   std::uint32_t between;  ///< number of corners that are not the start of a segment
   std::array<SmallCorner, kMax> corners;
@@ -33,8 +31,8 @@ struct SmallBoundary {
 /// By meeting on the right: the walk that turned there, and that turn's number in the walk.
 struct RightMeetings {
   struct WalkStep {
-    std::uint16_t walk;  ///< 0: none
-    std::uint16_t number;
+    std::uint32_t walk;  ///< 0: none
+    std::uint32_t number;
   };
   std::array<WalkStep, SmallMeetings::kMax> of;
 };
@@ -53,15 +51,16 @@ class OuterWalk {
         placement_(placement),
         turns_(turns),
         boundary_(boundary) {
-    std::fill_n(turns_.of.begin(), m_.size(), RightMeetings::WalkStep{0, 0});
+    std::memset(turns_.of.data(), 0, m_.size() * sizeof(RightMeetings::WalkStep));
+    boundary_.size = 0;
+    boundary_.end_of.clear();
+    boundary_.between = 0;
   }
 
   /// Walks from the smallest point. Returns false if the walk does not come back, or might not be
   /// all of the sum's boundary.
   template <class Vector>
   bool run(const Vector& start) {
-    boundary_.size = 0;
-    boundary_.between = 0;
     const std::uint32_t first = first_segment(start);
     if (first == kNone) return false;
     WalkLocation place{first, {}};
@@ -80,8 +79,7 @@ class OuterWalk {
       }
       if (boundary_.size == SmallBoundary::kMax) return false;
     } while (!place.passed.is_start() || !are_equal(ways_.at(place.segment), start));
-    boundary_.rings = 1;
-    boundary_.end_of[0] = boundary_.size;
+    end_ring();
     return taken + 3 > m_.right_count || find_holes(taken);
   }
 
@@ -103,6 +101,7 @@ class OuterWalk {
     boundary_.corners[boundary_.size++] = {place.segment, place.passed.by};
     if (!place.passed.is_start()) ++boundary_.between;
   }
+  void end_ring() { boundary_.end_of.push_back(boundary_.size); }
   /// Returns the place on segment t where it leaves another one.
   [[nodiscard, gnu::always_inline]] WalkLocation leave(std::uint32_t from, std::uint32_t t) const {
     return {t, ways_.entry(t, from, ways_.start_of(t, from), ways_.turn(from, t))};
@@ -177,7 +176,7 @@ class OuterWalk {
   /// If a walk from a possible corner of this kind ends, it is no hole's.
   [[nodiscard]] bool find_holes(std::uint32_t taken) {
     looks_ = 0;
-    std::uint16_t walk = 1;
+    std::uint32_t walk = 1;
     bool sure = true;
     for (std::uint32_t from = 0; from < s_.size && sure && taken + 3 <= m_.right_count; ++from) {
       m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
@@ -188,9 +187,9 @@ class OuterWalk {
   }
   /// Walks from this corner. No hole is there if the walk ends, leads to a corner of an earlier
   /// walk, or goes round with too few right turns. Returns false if there may be one or not.
-  bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint16_t walk,
+  bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint32_t walk,
             std::uint32_t& taken) {
-    std::uint16_t count = 0;
+    std::uint32_t count = 0;
     turns_.of[meeting] = {walk, count++};
     ++taken;
     WalkLocation place = leave(from, to);
@@ -219,7 +218,6 @@ class OuterWalk {
   /// Walks around from a corner, to which the walk comes back, and keeps the ring if it is a
   /// hole's: if a point just on its right is outside the sum. Returns false if that is not known.
   [[nodiscard, gnu::noinline]] bool add_if_hole(std::size_t meeting, WalkLocation place) {
-    if (boundary_.rings == SmallBoundary::kMaxRings) return false;
     const std::uint32_t between_before = boundary_.between;
     Piece longest;
     Next next;
@@ -236,9 +234,9 @@ class OuterWalk {
     using Result = SmallPlacement::Result;
     const Result result = placement_.test(s_, longest.segment, longest.from, longest.to);
     if (result == Result::kOutside) {
-      boundary_.end_of[boundary_.rings++] = boundary_.size;
+      end_ring();
     } else {
-      boundary_.size = boundary_.end_of[boundary_.rings - 1];
+      boundary_.size = boundary_.end_of.back();
       boundary_.between = between_before;
     }
     return result != Result::kUnknown;

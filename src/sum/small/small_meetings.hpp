@@ -47,33 +47,32 @@ class SmallMeetings {
   /// Calls visit(segment, meeting) for the meetings on the right of a segment.
   template <class Visit>
   [[gnu::always_inline]] void for_each_right(std::uint32_t at, Visit visit) const {
-    for (std::uint16_t k = last_[kRight][at]; k != kNone; k = pairs_[k].before) {
-      visit(std::uint32_t{pairs_[k].other}, std::size_t{k});
+    for (std::uint32_t k = last_[kRight][at]; k != kNone; k = pairs_[k].before) {
+      visit(pairs_[k].other, std::size_t{k});
     }
   }
   /// Calls visit(segment) for the meetings at the end of a segment.
   template <class Visit>
   [[gnu::always_inline]] void for_each_at_end(std::uint32_t at, Visit visit) const {
-    for (std::uint16_t k = last_[kAtEnd][at]; k != kNone; k = pairs_[k].before) {
-      visit(std::uint32_t{pairs_[k].other});
+    for (std::uint32_t k = last_[kAtEnd][at]; k != kNone; k = pairs_[k].before) {
+      visit(pairs_[k].other);
     }
   }
 
  private:
   enum Kind : std::size_t { kRight, kAtEnd };
-  static constexpr std::uint16_t kNone = 0xffff;
-  static_assert(kMax <= kNone);
+  static constexpr std::uint32_t kNone = 0xffffffff;
   struct Pair {
-    std::uint16_t other;
-    std::uint16_t before;  ///< number of the last meeting before, of the same segment and kind
+    std::uint32_t other;
+    std::uint32_t before;  ///< number of the last meeting before, of the same segment and kind
   };
   [[gnu::always_inline]] void add(std::size_t segment, std::size_t other, Kind kind) {
-    pairs_[size_] = {static_cast<std::uint16_t>(other), last_[kind][segment]};
-    last_[kind][segment] = static_cast<std::uint16_t>(size_++);
+    pairs_[size_] = {static_cast<std::uint32_t>(other), last_[kind][segment]};
+    last_[kind][segment] = size_++;
   }
 
   std::uint32_t size_;
-  std::array<std::array<std::uint16_t, SmallSegments::kMax>, 2> last_;
+  std::array<std::array<std::uint32_t, SmallSegments::kMax>, 2> last_;
   std::array<Pair, kMax> pairs_;
 };
 
@@ -82,39 +81,44 @@ class SmallMeetings {
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
                                                  const SmallSegments& s, SmallMeetings& m) {
-  const SmallSegments::Blocks& blocks = s.blocks;
+  const SmallBlocks& blocks = s.blocks;
   m.clear(s.size);
-  const std::size_t last = blocks.size - 1;
+  const std::size_t last = blocks.size() - 1;
   constexpr LaneBits kEachRow = 0x0101010101010101;
   constexpr LaneBits kDiagonal = 0x8040201008040201;
   const LaneBits pairs_with_last = s.lanes_of(last) * kEachRow;
   // Each look takes about a tenth of the time that the stages take for a segment.
   std::size_t looks_left = 8 * std::size_t{s.size} + 64;
-  for (std::size_t i = 0; i < blocks.size; ++i) {
-    for (std::size_t word = i / kLanes * kLanes; word < blocks.size; word += 64) {
-      for (LaneBits near = blocks.near_from(i, word); near != 0; near &= near - 1) {
-        const std::size_t j = word + static_cast<std::size_t>(std::countr_zero(near));
-        // The block with fewer rows near the other one is compared row by row.
-        LaneBits rows = s.lanes_of(i);
-        std::size_t block = i;
-        std::size_t other = j;
-        if (j != i) {
-          rows &= s.near(i, blocks.box_of(j));
-          const LaneBits rows_of_j = s.lanes_of(j) & s.near(j, blocks.box_of(i));
-          if (std::popcount(rows_of_j) < std::popcount(rows)) {
-            rows = rows_of_j;
-            std::swap(block, other);
-          }
-        }
-        if (rows == 0) continue;
-        const auto looks = static_cast<std::size_t>(std::popcount(rows));
-        if (looks > looks_left || !m.has_room(s.size)) return false;
-        looks_left -= looks;
-        const LaneBits pairs =
-            (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
-        m.add(block, other, pairs, meet_blocks(numbers, s, block, other, rows, pairs));
+  const auto meet = [&](std::size_t i, std::size_t j) __attribute__((always_inline)) {
+    // The block with fewer rows near the other one is compared row by row.
+    LaneBits rows = s.lanes_of(i);
+    std::size_t block = i;
+    std::size_t other = j;
+    if (j != i) {
+      rows &= s.near(i, blocks.box_of(j));
+      const LaneBits rows_of_j = s.lanes_of(j) & s.near(j, blocks.box_of(i));
+      if (std::popcount(rows_of_j) < std::popcount(rows)) {
+        rows = rows_of_j;
+        std::swap(block, other);
       }
     }
+    const auto looks = static_cast<std::size_t>(std::popcount(rows));
+    if (looks == 0) return true;
+    if (looks > looks_left || !m.has_room(s.size)) return false;
+    looks_left -= looks;
+    const LaneBits pairs =
+        (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
+    m.add(block, other, pairs, meet_blocks(numbers, s, block, other, rows, pairs));
+    return true;
+  };
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const auto meet_all = [&](std::size_t first, LaneBits near) __attribute__((always_inline)) {
+      for (; near != 0; near &= near - 1) {
+        if (!meet(i, first + static_cast<std::size_t>(std::countr_zero(near)))) return false;
+      }
+      return true;
+    };
+    if (!blocks.for_each_near(blocks.box_of(i), i, meet_all)) return false;
     const auto seen = static_cast<std::uint32_t>((i + 1) * kLanes);
     if (m.right_count > most_right_meetings(std::min(2 * seen, s.size))) return false;
   }

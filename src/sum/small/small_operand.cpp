@@ -103,6 +103,7 @@ bool load(const Region& region, const IndexRange& ring, const Vec<Int128>* origi
   s.offset = origin != nullptr ? *origin : widened(box.low);
   s.size = 0;
   s.holes.clear();
+  s.ends.clear();
   s.turning_of_holes = 0;
   const Vec<Int128> to_first = minus(s.first, s.offset);
   const Vec<double> near_first = rounded(to_first);
@@ -355,6 +356,7 @@ void add_hole(SmallOperand& hole, SmallOperand& s) {
     std::copy_n(hole.whole(at), filled_up(hole.size), s.whole(at) + begin);
   }
   s.entries = begin + hole.size;
+  s.ends.push_back(s.entries);
   s.longest = std::max(s.longest, hole.longest);
   s.turning_of_holes += hole.turning;
 }

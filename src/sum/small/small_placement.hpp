@@ -26,7 +26,7 @@ class SmallPlacement {
   SmallPlacement& operator=(const SmallPlacement&) = delete;
 
   /// Tests a point between two places on the way of a segment. They are rounded fractions of the
-  /// way. Returns kUnknown if they are too close to tell. O(p·q), eight at a time.
+  /// way. Returns kUnknown if they are too close to tell, or if tests have taken too long.
   [[nodiscard]] Result test(const SmallSegments& s, std::uint32_t segment, double from, double to) {
     constexpr int kMostHalvings = 40;  // the places are rounded by 2^-50 or so
     if (!(from < to)) return Result::kUnknown;
@@ -44,7 +44,7 @@ class SmallPlacement {
     };
     place_ = {set(start.x, way_.exact.x, turned_.whole_extent.x, at_.x),
               set(start.y, way_.exact.y, turned_.whole_extent.y, at_.y)};
-    return do_boundaries_cross() ? Result::kInside : Result::kOutside;
+    return test_boundaries();
   }
 
  private:
@@ -55,30 +55,32 @@ class SmallPlacement {
     };
     edges_of_p_.emplace(p_, entries(0, p_), numbers_.reach);
     edges_of_q_.emplace(turned_, entries(1, turned_), numbers_.reach);
+    pairs_left_ = 4 * most_pairs(std::size_t{p_.entries} + q_.entries);
   }
   /// Holds a coordinate in steps of 2^-halvings.
   using Scaled = WideInt<3>;
 
-  /// Whether the boundaries of P and x − Q cross. Where they do not, neither holds the other, since
-  /// x − Q lies outside P where it would touch without the step to the right.
-  [[nodiscard]] bool do_boundaries_cross() const {
+  /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither holds the other,
+  /// since x − Q lies outside P where it would touch without the step to the right.
+  [[nodiscard]] Result test_boundaries() {
     return with_vectors(
         widest_vectors(), [&]() __attribute__((always_inline)) {
           bool crossed = false;
           const Vec<double> by{-at_.x, -at_.y};
-          for_each_near(*edges_of_p_, *edges_of_q_, by, numbers_.reach,
-                        [&](std::uint32_t i, std::uint32_t first) {
-                          const Vec<double> at = edges_of_p_->at[i];
-                          const Vec<double> way = edges_of_p_->way[i];
-                          const BoxOf<double> box =
-                              moved(box_of_segment(at.x, at.y, way.x, way.y), by, numbers_.reach);
-                          for_each_bit(edges_of_q_->near(first / kLanes, box),
-                                       [&](std::uint32_t lane) {
-                                         crossed = crossed || do_cross(i, first + lane);
-                                       });
-                          return !crossed;
-                        });
-          return crossed;
+          const bool done = for_each_near(
+              *edges_of_p_, *edges_of_q_, by, numbers_.reach, pairs_left_,
+              [&](std::uint32_t i, std::uint32_t first) {
+                const Vec<double> at = edges_of_p_->at[i];
+                const Vec<double> way = edges_of_p_->way[i];
+                const BoxOf<double> box =
+                    moved(box_of_segment(at.x, at.y, way.x, way.y), by, numbers_.reach);
+                for_each_bit(edges_of_q_->near(first / kLanes, box), [&](std::uint32_t lane) {
+                  crossed = crossed || do_cross(i, first + lane);
+                });
+                return !crossed;
+              });
+          if (crossed) return Result::kInside;
+          return done ? Result::kOutside : Result::kUnknown;
         });
   }
   /// Whether two edges cross if that of x − Q makes an infinitely small step to the right of the
@@ -123,6 +125,7 @@ class SmallPlacement {
   SmallOperand& turned_;  ///< Q turned by half a circle
   std::optional<SmallEdges> edges_of_p_;
   std::optional<SmallEdges> edges_of_q_;
+  std::size_t pairs_left_ = 0;  ///< of blocks, for all tests
   int halvings_ = 0;
   SureVec<Int128> way_{};  ///< of the segment
   Vec<double> at_{};       ///< where the turned Q lies

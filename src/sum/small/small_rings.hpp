@@ -15,9 +15,9 @@ struct SmallEdges {
   VecRow way;
   std::uint32_t size;
   double reach;
-  SmallBlocks<SmallOperand::kMaxEntries / kLanes> blocks;
+  SmallBlocks blocks;
 
-  [[gnu::always_inline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by)
+  [[gnu::noinline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by)
       : at(s.at()), way(s.way()), size(edges), reach(by) {
     blocks.set(at.x, at.y, way.x, way.y, size, reach);
   }
@@ -85,14 +85,23 @@ template <class Number>
   return test_lanes(numbers, kLanes, wanted, meets) & wanted;
 }
 
+/// Returns how many pairs of blocks are compared at most where rings have so many edges. More take
+/// longer than a sweep, which takes some 200 ns for an edge of a long spiky ring; a pair takes 150.
+/// Rings of up to 512 edges have few enough.
+[[nodiscard]] constexpr std::size_t most_pairs(std::size_t edges) { return edges + 1600; }
+
 /// Whether no edge of a ring has a point in common with another one, but for the vertex between
-/// neighbours.
+/// neighbours. Returns false as well if telling takes longer than a sweep: if too many blocks of
+/// edges are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool is_simple(const SmallNumbers<Number>& numbers,
                                              const SmallEdges& edges) {
   const std::uint32_t n = edges.size;
-  const auto meet = [&](std::size_t block, LaneBits lanes, std::size_t other)
+  std::size_t pairs_left = most_pairs(n);
+  const auto may_meet = [&](std::size_t block, LaneBits lanes, std::size_t other)
       __attribute__((always_inline)) {
+    if (pairs_left == 0) return true;
+    --pairs_left;
     LaneBits met = 0;
     const auto first = static_cast<std::uint32_t>(other * kLanes);
     const LaneBits edges_of_other = edges.lanes_of(other);
@@ -108,57 +117,75 @@ template <class Number>
         });
     return met != 0;
   };
-  for (std::size_t block = 0; block < edges.blocks.size; ++block) {
+  for (std::size_t block = 0; block < edges.blocks.size(); ++block) {
     // The earlier one of two edges of a block is not its last, nor, unless they are neighbours, the
     // last but one.
     const LaneBits earlier = edges.lanes_of(block) >> 2;
-    if (earlier != 0 && !edges.lead_forward(block) && meet(block, earlier, block)) return false;
-    for (std::size_t word = block / kLanes * kLanes; word < edges.blocks.size; word += 64) {
-      for (LaneBits near = edges.blocks.near_from(block, word); near != 0; near &= near - 1) {
-        const std::size_t other = word + static_cast<std::size_t>(std::countr_zero(near));
-        if (other == block) continue;
-        if (meet(block, edges.near(block, edges.blocks.box_of(other)), other)) return false;
+    if (earlier != 0 && !edges.lead_forward(block) && may_meet(block, earlier, block)) return false;
+    const auto visit = [&](std::size_t first, LaneBits near) __attribute__((always_inline)) {
+      for (; near != 0; near &= near - 1) {
+        const std::size_t other = first + static_cast<std::size_t>(std::countr_zero(near));
+        if (may_meet(block, edges.near(block, edges.blocks.box_of(other)), other)) return false;
       }
-    }
+      return true;
+    };
+    if (!edges.blocks.for_each_near(edges.blocks.box_of(block), block + 1, visit)) return false;
   }
   return true;
 }
 
 /// Calls visit(i, first) for the edges i of one operand and the blocks of eight edges of another
 /// one, from `first` on, that may have a point in common, as long as it returns true. The first
-/// operand is moved `by` a vector, and points up to `reach` apart count as common.
+/// operand is moved `by` a vector, and points up to `reach` apart count as common. Takes each pair
+/// of blocks that are near one another off `pairs_left`. Returns false if there are too few.
 template <class Visit>
-[[gnu::always_inline]] inline void for_each_near(const SmallEdges& edges, const SmallEdges& others,
-                                                 const Vec<double>& by, double reach, Visit visit) {
-  bool goes_on = true;
-  for (std::size_t block = 0; block < edges.blocks.size && goes_on; ++block) {
-    const BoxOf<double> box = moved(edges.blocks.box_of(block), by, reach);
-    for (std::size_t word = 0; word < others.blocks.size && goes_on; word += 64) {
-      for (LaneBits near = others.blocks.near(box, word); near != 0 && goes_on; near &= near - 1) {
-        const std::size_t other = word + static_cast<std::size_t>(std::countr_zero(near));
-        const auto first = static_cast<std::uint32_t>(other * kLanes);
-        const BoxOf<double> back = moved(others.blocks.box_of(other), {-by.x, -by.y}, reach);
-        for_each_bit(edges.near(block, back), [&](std::uint32_t lane) {
-          goes_on = goes_on && visit(static_cast<std::uint32_t>(block * kLanes) + lane, first);
-        });
-      }
+[[gnu::always_inline]] inline bool for_each_near(const SmallEdges& edges, const SmallEdges& others,
+                                                 const Vec<double>& by, double reach,
+                                                 std::size_t& pairs_left, Visit visit) {
+  bool enough = true;
+  const auto visit_pair = [&](std::size_t block, std::size_t other) __attribute__((always_inline)) {
+    const auto first = static_cast<std::uint32_t>(other * kLanes);
+    const BoxOf<double> back = moved(others.blocks.box_of(other), {-by.x, -by.y}, reach);
+    enough = pairs_left > 0;
+    if (!enough) return false;
+    --pairs_left;
+    for (LaneBits lanes = edges.near(block, back); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      if (!visit(static_cast<std::uint32_t>(block * kLanes) + lane, first)) return false;
     }
+    return true;
+  };
+  const BoxOf<double> all = moved(others.blocks.box_of_all(), {-by.x, -by.y}, reach);
+  for (std::size_t block = 0; block < edges.blocks.size(); ++block) {
+    const BoxOf<double> box = edges.blocks.box_of(block);
+    if (!box.meets(all)) continue;
+    const auto visit_word = [&](std::size_t first, LaneBits near) __attribute__((always_inline)) {
+      for (; near != 0; near &= near - 1) {
+        if (!visit_pair(block, first + static_cast<std::size_t>(std::countr_zero(near)))) {
+          return false;
+        }
+      }
+      return true;
+    };
+    if (!others.blocks.for_each_near(moved(box, by, reach), 0, visit_word)) break;
   }
+  return enough;
 }
-/// Whether two rings have a point of their boundaries in common.
+/// Whether two rings have a point of their boundaries in common, or telling takes too long.
 template <class Number>
-[[nodiscard, gnu::always_inline]] inline bool do_meet(const SmallNumbers<Number>& numbers,
-                                                      const SmallEdges& edges,
-                                                      const SmallEdges& others) {
+[[nodiscard, gnu::always_inline]] inline bool may_meet(const SmallNumbers<Number>& numbers,
+                                                       const SmallEdges& edges,
+                                                       const SmallEdges& others) {
   bool meet = false;
-  for_each_near(
-      edges, others, {0, 0},
-      0, [&](std::uint32_t i, std::uint32_t first) __attribute__((always_inline)) {
+  std::size_t pairs_left = most_pairs(std::size_t{edges.size} + others.size);
+  const bool done = for_each_near(
+      edges, others, {0, 0}, 0,
+      pairs_left, [&](std::uint32_t i, std::uint32_t first) __attribute__((always_inline)) {
         meet =
             edges_meeting(numbers, edges, i, others, first, others.lanes_of(first / kLanes)) != 0;
         return !meet;
       });
-  return meet;
+  return meet || !done;
 }
 
 /// Whether a ring of any orientation holds the first vertex of another one. The rings must not

@@ -4,28 +4,29 @@
 #include <tuple>
 #include <utility>
 
+#include "sum/cover/cover.hpp"
 #include "sum/small/blocks.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
 
+/// An edge of one operand, moved by a vertex of the other.
+struct SegmentOrigin {
+  std::uint32_t edge;
+  std::uint32_t vertex : 31;
+  std::uint32_t of_first : 1;  ///< whether the edge is the first operand's
+};
+
 /// The segments of a small sum. All numbers are integers, which doubles round if the operands are
-/// wide.
+/// wide. Of the arrays, only what is used takes memory: others' pages are never touched.
 struct SmallSegments {
-  static constexpr std::size_t kMaxBlocks = 192;
-  static constexpr std::size_t kMax = kLanes * kMaxBlocks;
-  using Blocks = SmallBlocks<kMaxBlocks>;
+  static constexpr std::size_t kMax = std::size_t{1} << 15;
   /// Rows are longer than kMax, so that entries of the same index lie in different places of a
   /// page. Then a store to one row does not hold up loads from another.
   using Row = std::array<double, kMax + 128>;
-  /// An edge of one operand, moved by a vertex of the other.
-  struct Origin {
-    std::uint16_t edge;
-    std::uint16_t vertex;
-    bool of_first;  ///< whether the edge is the first operand's
-  };
 
   std::uint32_t size;
+  std::uint32_t hidden;  ///< number of others, which the cover hides
   alignas(64) Row x;
   alignas(64) Row y;
   alignas(64) Row dx;
@@ -37,9 +38,24 @@ struct SmallSegments {
   alignas(64) Row end;
   std::array<Vec<Int128>, kMax> whole_at;
   std::array<Vec<Int128>, kMax> whole_way;
-  std::array<Origin, kMax> origin;
-  Blocks blocks;
+  std::array<SegmentOrigin, kMax> origin;
+  SmallBlocks blocks;
 
+  /// Copies another's entry.
+  [[gnu::always_inline]] void copy(const SmallSegments& other, std::uint32_t from,
+                                   std::uint32_t to) {
+    x[to] = other.x[from];
+    y[to] = other.y[from];
+    dx[to] = other.dx[from];
+    dy[to] = other.dy[from];
+    origin[to] = other.origin[from];
+    if (other.wide) {
+      start[to] = other.start[from];
+      end[to] = other.end[from];
+      whole_at[to] = other.whole_at[from];
+      whole_way[to] = other.whole_way[from];
+    }
+  }
   [[nodiscard]] VecRow at() const { return {x.data(), y.data(), wide ? whole_at.data() : nullptr}; }
   [[nodiscard]] VecRow way() const {
     return {dx.data(), dy.data(), wide ? whole_way.data() : nullptr};
@@ -59,41 +75,22 @@ struct SmallSegments {
   /// ring.
   [[nodiscard]] bool is_before(std::uint32_t i, std::uint32_t j) const {
     const auto place = [this](std::uint32_t k) {
-      const Origin& o = origin[k];
+      const SegmentOrigin& o = origin[k];
       return o.of_first ? std::tuple(o.edge, true, o.vertex) : std::tuple(o.vertex, false, o.edge);
     };
     return place(i) < place(j);
   }
   /// Must be called when all segments are listed. Fills up the rows, so that they can be read eight
-  /// entries at a time.
-  template <class Number>
-  [[gnu::always_inline]] void finish(const SmallNumbers<Number>& numbers) {
-    wide = std::is_same_v<Number, Int128>;
-    for (std::size_t i = size; i < filled_up(size); ++i) {
-      x[i] = y[i] = dx[i] = dy[i] = 0;
-      if constexpr (std::is_same_v<Number, Int128>) {
-        start[i] = end[i] = -1;
-        whole_at[i] = whole_way[i] = {};
-      }
-    }
-    blocks.set(x.data(), y.data(), dx.data(), dy.data(), size, numbers.reach);
-  }
+  /// entries at a time. Places are rounded by less than `reach`.
+  void finish(double reach);
   /// Whether far more blocks are near one another than need be. A block of segments that are listed
   /// in a good order has about three near ones, with itself. Ordering takes as long as comparing
   /// ten pairs of blocks.
-  [[nodiscard, gnu::always_inline]] bool is_out_of_order() const {
-    std::size_t left = 3 * blocks.size + 10;
-    if (blocks.size * (blocks.size + 1) / 2 <= left) return false;
-    for (std::size_t i = 0; i < blocks.size; ++i) {
-      for (std::size_t first = i / kLanes * kLanes; first < blocks.size; first += 64) {
-        const auto near = static_cast<std::size_t>(std::popcount(blocks.near_from(i, first)));
-        if (near > left) return true;
-        left -= near;
-      }
-    }
-    return false;
-  }
+  [[nodiscard]] bool is_out_of_order() const;
 };
+
+/// Leaves out the segments that touch no uncovered cell.
+void drop_hidden(const Cover& cover, SmallSegments& segments);
 
 /// Returns the most meetings on the right that so many segments may have. If they have more, most
 /// corners lie inside, and the stages are faster. With 2 for each segment in place of 1.5, the nine
@@ -179,7 +176,7 @@ template <class Number>
       s.whole_at[size] = plus(edges.at.exact[e], vertices.at.exact[v]);
       s.whole_way[size] = edges.way.exact[e];
     }
-    s.origin[size] = {static_cast<std::uint16_t>(e), static_cast<std::uint16_t>(v), of_first};
+    s.origin[size] = {static_cast<std::uint32_t>(e), static_cast<std::uint32_t>(v), of_first};
     ++size;
   };
   const auto fit = [&](LaneBits bits) {
@@ -198,73 +195,22 @@ template <class Number>
     }
   }
   s.size = size;
-  s.finish(numbers);
+  s.hidden = 0;
+  s.wide = std::is_same_v<Number, Int128>;
   return true;
 }
 
-/// Sorts segments by squares of a 16th of the sum's width, in the order of Hilbert's curve. Then
-/// segments that are near one another in the plane are near in the list. O(s).
+/// Sorts segments by squares, of which there is one for every few segments, in the order of
+/// Hilbert's curve. Then segments that are near one another in the plane are near in the list.
+/// O(s).
 class SmallOrder {
  public:
-  template <class Number>
-  [[gnu::always_inline]] void apply(const SmallNumbers<Number>& numbers, const SmallSegments& from,
-                                    double width, SmallSegments& to) {
-    // A rounded place may lie beyond the width.
-    const double scale = kSide / (width * (1 + 0x1p-40) + 1);
-    place_.fill(0);
-    for (std::uint32_t i = 0; i < from.size; ++i) {
-      const auto column = static_cast<std::uint32_t>((from.x[i] + from.dx[i] / 2) * scale);
-      const auto row = static_cast<std::uint32_t>((from.y[i] + from.dy[i] / 2) * scale);
-      square_[i] = kCurve[row * kSide + column];
-      ++place_[square_[i] + std::size_t{1}];
-    }
-    for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
-    to.size = from.size;
-    for (std::uint32_t i = 0; i < from.size; ++i) {
-      const std::uint32_t at = place_[square_[i]]++;
-      to.x[at] = from.x[i];
-      to.y[at] = from.y[i];
-      to.dx[at] = from.dx[i];
-      to.dy[at] = from.dy[i];
-      if constexpr (std::is_same_v<Number, Int128>) {
-        to.start[at] = from.start[i];
-        to.end[at] = from.end[i];
-        to.whole_at[at] = from.whole_at[i];
-        to.whole_way[at] = from.whole_way[i];
-      }
-      to.origin[at] = from.origin[i];
-    }
-    to.finish(numbers);
-  }
+  /// `width` is the larger extent of the sum, and places are rounded by less than `reach`.
+  void apply(const SmallSegments& from, double width, double reach, SmallSegments& to);
 
  private:
-  /// With 32, sums took up to 6 % more instructions, and hardly fewer blocks were near one another.
-  static constexpr std::uint32_t kSide = 16;
-  /// By row and column: a square's place on the curve.
-  static constexpr auto kCurve = [] {
-    std::array<std::uint16_t, kSide * kSide> curve{};
-    for (std::uint32_t square = 0; square < curve.size(); ++square) {
-      std::uint32_t x = square % kSide;
-      std::uint32_t y = square / kSide;
-      std::uint32_t place = 0;
-      for (std::uint32_t half = kSide / 2; half > 0; half /= 2) {
-        const bool right = (x & half) != 0;
-        const bool upper = (y & half) != 0;
-        place += half * half * (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
-        // The curve enters each quarter turned its own way.
-        if (upper) continue;
-        if (right) {
-          x = kSide - 1 - x;
-          y = kSide - 1 - y;
-        }
-        std::swap(x, y);
-      }
-      curve[square] = static_cast<std::uint16_t>(place);
-    }
-    return curve;
-  }();
-  std::array<std::uint16_t, kSide * kSide + 1> place_;
-  std::array<std::uint16_t, SmallSegments::kMax> square_;
+  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> square_;
 };
 
 }  // namespace minksum

@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "machine/vectors.hpp"
+#include "sum/small/small_cover.hpp"
 #include "sum/small/small_writer.hpp"
 
 namespace minksum {
 
 struct SmallScratch::State {
+  SmallCover cover;
   SmallSegments segments;
   SmallSegments ordered;
   SmallOrder order;
@@ -18,6 +20,7 @@ struct SmallScratch::State {
   SmallBoundary boundary;
   SmallOperand turned;
   std::vector<std::vector<SmallVertex>> holes;
+  std::vector<std::uint32_t> order_of_holes;
 };
 
 namespace {
@@ -57,7 +60,7 @@ template <class Number>
       --left;
     }
   };
-  using Origin = SmallSegments::Origin;
+  using Origin = SegmentOrigin;
   SmallWriter<Number> writer(p, q, p.size + q.size, 0, result);
   const auto lanes = sure_lanes(numbers);
   Round a(p);
@@ -67,10 +70,8 @@ template <class Number>
     const double turn = a.left == 0   ? -1
                         : b.left == 0 ? 1
                                       : lanes.turn(lanes.get(a.way, a.i), lanes.get(b.way, b.i));
-    const auto i = static_cast<std::uint16_t>(a.i);
-    const auto j = static_cast<std::uint16_t>(b.i);
     writer.add(plus(lanes.get(a.at, a.i), lanes.get(b.at, b.i)),
-               turn >= 0 ? Origin{i, j, true} : Origin{j, i, false});
+               turn >= 0 ? Origin{a.i, b.i, true} : Origin{b.i, a.i, false});
     if (turn >= 0) a.go_on();
     if (turn <= 0) b.go_on();
   }
@@ -79,9 +80,10 @@ template <class Number>
 
 /// Appends the holes in canonical order. Each ring starts at its smallest vertex.
 template <class Number>
-void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments,
-               const SmallBoundary& boundary, double width, SmallWriter<Number>& writer,
-               std::vector<std::vector<SmallVertex>>& holes, Region& region) {
+void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments, double width,
+               SmallWriter<Number>& writer, SmallScratch::State& scratch, Region& region) {
+  const SmallBoundary& boundary = scratch.boundary;
+  std::vector<std::vector<SmallVertex>>& holes = scratch.holes;
   const auto compare = [&](double a, double b, const StoredCoordinate& x,
                            const StoredCoordinate& y) {
     // Rounded places are off by less than 2^-48 of the sum's width.
@@ -93,8 +95,9 @@ void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments,
     const int by_x = compare(a.rounded.x, b.rounded.x, a.x, b.x);
     return by_x != 0 ? by_x < 0 : compare(a.rounded.y, b.rounded.y, a.y, b.y) < 0;
   };
-  holes.resize(boundary.rings - 1);
-  for (std::uint32_t ring = 1; ring < boundary.rings; ++ring) {
+  const std::size_t count = boundary.end_of.size() - 1;
+  if (holes.size() < count) holes.resize(count);
+  for (std::uint32_t ring = 1; ring <= count; ++ring) {
     std::vector<SmallVertex>& hole = holes[ring - 1];
     hole.clear();
     for (std::uint32_t k = boundary.end_of[ring - 1]; k < boundary.end_of[ring]; ++k) {
@@ -102,17 +105,23 @@ void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments,
     }
     std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), less), hole.end());
   }
-  // Holes that start at the same vertex differ in the second one. They are few, so each is put
-  // among those before it.
-  const auto is_before = [&](const auto& a, const auto& b) {
+  // Holes that start at the same vertex differ in the second one. Mostly they are few, so each is
+  // put among those before it.
+  const auto is_before = [&](std::uint32_t i, std::uint32_t j) {
+    const std::vector<SmallVertex>& a = holes[i];
+    const std::vector<SmallVertex>& b = holes[j];
     return less(a[0], b[0]) || (!less(b[0], a[0]) && less(a[1], b[1]));
   };
-  for (auto hole = holes.begin(); hole != holes.end(); ++hole) {
-    std::rotate(std::upper_bound(holes.begin(), hole, *hole, is_before), hole, hole + 1);
+  std::vector<std::uint32_t>& order = scratch.order_of_holes;
+  order.resize(count);
+  for (std::uint32_t hole = 0; hole < count; ++hole) {
+    const auto end = order.begin() + hole;
+    *end = hole;
+    std::rotate(std::upper_bound(order.begin(), end, hole, is_before), end, end + 1);
   }
-  for (const std::vector<SmallVertex>& hole : holes) {
+  for (const std::uint32_t hole : order) {
     region.begin_ring();
-    for (const SmallVertex& v : hole) RegionAccess::add_vertex(region, v.x, v.y, v.origin);
+    for (const SmallVertex& v : holes[hole]) RegionAccess::add_vertex(region, v.x, v.y, v.origin);
   }
 }
 
@@ -128,12 +137,13 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   const auto lanes = sure_lanes(numbers);
   if (!walk.run(plus(lanes.get(p.at(), p.smallest), lanes.get(q.at(), q.smallest)))) return false;
   const WayFractions<Number> ways(numbers, segments);
-  SmallWriter<Number> writer(p, q, boundary.end_of[0], boundary.between, result);
-  for (std::uint32_t k = 0; k < boundary.end_of[0]; ++k) {
+  const std::uint32_t outer = boundary.end_of[0];
+  SmallWriter<Number> writer(p, q, outer, boundary.between, result);
+  for (std::uint32_t k = 0; k < outer; ++k) {
     writer.add(ways, segments, boundary.corners[k]);
   }
-  if (boundary.rings == 1) return true;
-  add_holes(ways, segments, boundary, width_of(p, q), writer, scratch.holes, result);
+  if (boundary.end_of.size() == 1) return true;
+  add_holes(ways, segments, width_of(p, q), writer, scratch, result);
   return true;
 }
 
@@ -141,19 +151,15 @@ template <class Number>
 bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const SmallOperand& q,
           const SmallPlan& plan, SmallScratch::State& scratch, Region& result) {
   SmallSegments& segments = scratch.segments;
-  bool out_of_order = false;
+  cover_small(plan, p, q, scratch.cover);
   const auto list = [&]() __attribute__((always_inline)) {
-    const bool done = list_segments(numbers, p, q, plan.with_holes, segments);
-    out_of_order = done && segments.is_out_of_order();
-    return done;
+    return list_segments(numbers, p, q, plan.with_holes, segments);
   };
   if (!with_vectors(widest_vectors(), list)) return false;
-  if (!out_of_order) return walk(numbers, p, q, plan, segments, scratch, result);
-  const double width = width_of(p, q);
-  const auto order = [&]() __attribute__((always_inline)) {
-    scratch.order.apply(numbers, segments, width, scratch.ordered);
-  };
-  with_vectors(widest_vectors(), order);
+  if (scratch.cover.cover.active) drop_hidden(scratch.cover.cover, segments);
+  segments.finish(numbers.reach);
+  if (!segments.is_out_of_order()) return walk(numbers, p, q, plan, segments, scratch, result);
+  scratch.order.apply(segments, width_of(p, q), numbers.reach, scratch.ordered);
   return walk(numbers, p, q, plan, scratch.ordered, scratch, result);
 }
 
@@ -178,7 +184,7 @@ SmallScratch::State& SmallScratch::state() {
 bool allow_small(const Limits& limits) {
   constexpr std::uint64_t kMost = SmallSegments::kMax;
   return limits.max_segments >= std::max<std::uint64_t>(kMost, 2 * SmallOperand::kMaxVertices) &&
-         limits.max_crossings >= kMost * kMost;
+         limits.max_crossings >= SmallMeetings::kMax;
 }
 
 void bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
@@ -218,24 +224,20 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   if (plan.convex) return plan;
   const double m = size(p, plan.with_holes[0]);
   const double n = size(q, plan.with_holes[1]);
-  const double segments = m * turning(q, plan.with_holes[1]) + n * turning(p, plan.with_holes[0]);
-  // With more segments, looking at each pair of blocks takes longer than the stages. Of 220 sums on
-  // wide numbers, those of 700 to 1,400 segments took 0.98 of the time of the stages, and as much
-  // as 1.6; those of fewer took 0.75.
-  const double most_segments = plan.numbers == SmallNumberType::kWide ? 700 : 1400;
-  // So does listing the segments, which compares each vertex with each edge, if m · n is larger
-  // than this. Rounded numbers take twice as long. With 128 for them, 13 of 764 sums took another
-  // way, and 1.08 times as long on the geometric mean. With 32 for both, others took up to 3 times
-  // as long by the stages.
+  plan.segments = m * turning(q, plan.with_holes[1]) + n * turning(p, plan.with_holes[0]);
+  // Listing the segments compares each vertex with each edge. That takes longer than the stages if
+  // m · n is larger than this. Rounded numbers take twice as long. With 128 for them, 13 of 764
+  // sums took another way, and 1.08 times as long on the geometric mean. With 32 for both, others
+  // took up to 3 times as long by the stages.
   const double most = plan.numbers == SmallNumberType::kDoubles ? 128 : 64;
-  return segments <= most_segments && m * n <= most * (m + n) ? plan : SmallPlan{};
+  return plan.segments <= SmallSegments::kMax && m * n <= most * (m + n) ? plan : SmallPlan{};
 }
 
 bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                SmallScratch& scratch, Region& result) {
   const double width = width_of(p, q);
   if (plan.convex) {
-    scratch.count(p.size + q.size);
+    scratch.count(p.size + q.size, p.size + q.size);
     with_numbers(plan.numbers, width,
                  [&](const auto& numbers) { merge_convex(numbers, p, q, result); });
     return true;
@@ -244,7 +246,7 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
   const bool done = with_numbers(plan.numbers, width, [&](const auto& numbers) {
     return walk(numbers, p, q, plan, state, result);
   });
-  scratch.count(state.segments.size);
+  scratch.count(state.segments.size + state.segments.hidden, state.segments.size);
   return done;
 }
 

@@ -21,15 +21,20 @@ class SmallScratch {
   /// For operands that are not prepared.
   [[nodiscard]] std::array<SmallOperand, 2>& operands() { return operands_; }
   [[nodiscard]] SmallHoles& holes() { return holes_; }
-  /// Of the last sum's reduced convolution.
+  /// Of the last sum's reduced convolution: all segments, and those that a cover leaves.
   [[nodiscard]] std::uint64_t segments() const { return segments_; }
-  void count(std::uint64_t segments) { segments_ = segments; }
+  [[nodiscard]] std::uint64_t segments_kept() const { return segments_kept_; }
+  void count(std::uint64_t segments, std::uint64_t kept) {
+    segments_ = segments;
+    segments_kept_ = kept;
+  }
 
  private:
   std::unique_ptr<State> state_;
   std::array<SmallOperand, 2> operands_;
   SmallHoles holes_;
   std::uint64_t segments_ = 0;
+  std::uint64_t segments_kept_ = 0;
 };
 
 /// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false
@@ -39,9 +44,10 @@ class SmallScratch {
 /// The reduced convolution is listed. The walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. Corners are left where one segment could turn right
 /// into another. A hole has three of them, and the same walk goes round it from there. See
-/// docs/pipeline.md, "How is a small sum computed?". O(s²) for s segments, eight at a time, and as
-/// much as all pairs of edges for each ring that may be a hole's. The edges of two convex operands
-/// are merged in order of direction instead.
+/// docs/pipeline.md, "How is a small sum computed?". Comparing each vertex with each edge and
+/// finding near blocks takes O(m·n + s²) for s segments, with small constants, as long as that
+/// takes less than the stages. The edges of two convex operands are merged in order of direction
+/// instead, in O(m + n).
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch, Region& result);
 
 /// How a sum of two operands is computed.
@@ -51,6 +57,7 @@ struct SmallPlan {
   /// are filled.
   std::array<bool, 2> with_holes{};
   bool convex = false;  ///< whether both are, apart from holes that are filled
+  double segments = 0;  ///< about how many there will be, unless both are
   int exp2 = 0;         ///< a step of the common grid: 2^exp2 · 10^exp10
   int exp10 = 0;
 };

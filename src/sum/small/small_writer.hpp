@@ -26,8 +26,8 @@ class SmallWriter {
   /// start of a segment.
   SmallWriter(const SmallOperand& p, const SmallOperand& q, std::size_t corners,
               std::size_t between, Region& region)
-      : p_(p),
-        q_(q),
+      : edge_source_{q[SmallOperand::kEdgeSource], p[SmallOperand::kEdgeSource]},
+        vertex_source_{p[SmallOperand::kVertexSource], q[SmallOperand::kVertexSource]},
         offset_{static_cast<Coordinate>(p.offset.x + q.offset.x),
                 static_cast<Coordinate>(p.offset.y + q.offset.y)},
         exp2_(static_cast<std::int16_t>(p.exp2)),
@@ -41,9 +41,7 @@ class SmallWriter {
     RegionAccess::make_ring(region, {corners, corners, 1, 1, limbs});
   }
   /// Adds the sum of two vertices. The origin is of the edge that starts there.
-  void add(const SmallVec<Number>& at, const SmallSegments::Origin& origin) {
-    set(vertex(at, origin));
-  }
+  void add(const SmallVec<Number>& at, const SegmentOrigin& origin) { set(vertex(at, origin)); }
   void add(const WayFractions<Number>& ways, const SmallSegments& s, const SmallCorner& corner) {
     set(vertex(ways, s, corner));
   }
@@ -119,25 +117,24 @@ class SmallWriter {
     if (above.negative()) count |= kNegativeLimbs;
     return {place, exp2_, exp10_, count, append(below)};
   }
-  [[nodiscard]] SmallVertex vertex(const SmallVec<Number>& at,
-                                   const SmallSegments::Origin& origin) {
+  [[nodiscard]] SmallVertex vertex(const SmallVec<Number>& at, const SegmentOrigin& origin) {
     const Vec<Coordinate> place = plus(as_integers(at), offset_);
     return {near_of(at), whole(place.x), whole(place.y), origin_of(origin)};
   }
-  [[nodiscard]] EdgeOrigin origin_of(const SmallSegments::Origin& origin) const {
-    const SmallOperand& edges = origin.of_first ? p_ : q_;
-    const SmallOperand& vertices = origin.of_first ? q_ : p_;
-    return {origin.of_first ? Operand::kFirst : Operand::kSecond,
-            edges.source(SmallOperand::kEdgeSource, origin.edge),
-            vertices.source(SmallOperand::kVertexSource, origin.vertex)};
+  [[nodiscard]] EdgeOrigin origin_of(const SegmentOrigin& origin) const {
+    const std::size_t k = origin.of_first;
+    return {k != 0 ? Operand::kFirst : Operand::kSecond,
+            static_cast<std::uint32_t>(edge_source_[k][origin.edge]),
+            static_cast<std::uint32_t>(vertex_source_[k][origin.vertex])};
   }
   void set(const SmallVertex& vertex) {
     RegionAccess::set_vertex(region_, size_, vertex.x, vertex.y);
     RegionAccess::set_origin(region_, size_++, vertex.origin);
   }
 
-  const SmallOperand& p_;
-  const SmallOperand& q_;
+  // By `of_first`: indices in the region of the edge's operand, and of the vertex's.
+  std::array<const double*, 2> edge_source_;
+  std::array<const double*, 2> vertex_source_;
   Vec<Coordinate> offset_;
   std::int16_t exp2_;
   std::int16_t exp10_;

@@ -9,23 +9,17 @@
 namespace minksum {
 namespace {
 
-SmallEdges edges_of(const SmallOperand& s, double reach) {
-  return with_vectors(
-      widest_vectors(), [&]() __attribute__((always_inline)) {
-        return SmallEdges(s, s.size, reach);
-      });
-}
 template <class Number>
 bool is_simple_ring(const SmallNumbers<Number>& numbers, const SmallEdges& edges) {
   return with_vectors(
       widest_vectors(), [&]() __attribute__((always_inline)) { return is_simple(numbers, edges); });
 }
 template <class Number>
-bool do_rings_meet(const SmallNumbers<Number>& numbers, const SmallEdges& edges,
-                   const SmallEdges& others) {
+bool may_rings_meet(const SmallNumbers<Number>& numbers, const SmallEdges& edges,
+                    const SmallEdges& others) {
   return with_vectors(
       widest_vectors(), [&]() __attribute__((always_inline)) {
-        return do_meet(numbers, edges, others);
+        return may_meet(numbers, edges, others);
       });
 }
 
@@ -36,14 +30,14 @@ bool is_clear_hole(const SmallNumbers<Number>& numbers, const SmallOperand& hole
                    std::span<const SmallOperand> before, std::span<const BoxOf<double>> boxes) {
   const BoxOf<double>& box = boxes[before.size()];
   if (box.x0 < 0 || box.y0 < 0 || box.x1 > outer.extent.x || box.y1 > outer.extent.y) return false;
-  const SmallEdges edges = edges_of(hole, numbers.reach);
-  if (!is_simple_ring(numbers, edges) || do_rings_meet(numbers, edges, outer_edges) ||
+  const SmallEdges edges(hole, hole.size, numbers.reach);
+  if (!is_simple_ring(numbers, edges) || may_rings_meet(numbers, edges, outer_edges) ||
       !holds(numbers, outer, hole)) {
     return false;
   }
   for (std::size_t l = 0; l < before.size(); ++l) {
     if (box.meets(boxes[l]) &&
-        (do_rings_meet(numbers, edges, edges_of(before[l], numbers.reach)) ||
+        (may_rings_meet(numbers, edges, SmallEdges(before[l], before[l].size, numbers.reach)) ||
          holds(numbers, hole, before[l]) || holds(numbers, before[l], hole))) {
       return false;
     }
@@ -64,8 +58,8 @@ bool are_holes_clearly_valid(const Region& region, SmallHoles& holes, SmallOpera
   const std::size_t count = s.holes.size();
   if (holes.rings.size() < count) holes.rings.resize(count);
   holes.boxes.clear();
-  const SmallEdges outer =
-      with_numbers_of(s, s, [&](const auto& numbers) { return edges_of(s, numbers.reach); });
+  const SmallEdges outer = with_numbers_of(
+      s, s, [&](const auto& numbers) { return SmallEdges(s, s.size, numbers.reach); });
   for (std::size_t k = 0; k < count; ++k) {
     SmallOperand& hole = holes.rings[k];
     if (!load_hole(region, k + 1, s, hole)) return false;
@@ -83,7 +77,7 @@ bool are_holes_clearly_valid(const Region& region, SmallHoles& holes, SmallOpera
 
 bool is_clearly_valid(const Region& region, SmallHoles& holes, SmallOperand& s) {
   const auto is_simple = [&](const auto& numbers) {
-    return is_simple_ring(numbers, edges_of(s, numbers.reach));
+    return is_simple_ring(numbers, SmallEdges(s, s.size, numbers.reach));
   };
   // A ring that turns left everywhere, and goes round once, is simple. Rounded edges may make it
   // seem to go round more often, but not less.

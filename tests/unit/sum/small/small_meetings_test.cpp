@@ -24,7 +24,7 @@ struct Meetings {
 
 std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32_t count,
                                                int size) {
-  auto s = std::make_unique<SmallSegments>();
+  auto s = std::make_unique_for_overwrite<SmallSegments>();
   s->size = count;
   for (std::uint32_t i = 0; i < count; ++i) {
     s->x[i] = random.between(4, size + 4);
@@ -34,7 +34,9 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
       s->dy[i] = random.between(-4, 4);
     } while (s->dx[i] == 0 && s->dy[i] == 0);
   }
-  s->finish(SmallNumbers<double>{});
+  s->hidden = 0;
+  s->wide = false;
+  s->finish(0);
   return s;
 }
 
@@ -135,7 +137,8 @@ void shear(SmallSegments& s, int bits, const SmallNumbers<Number>& numbers) {
     apply(s.x[i], s.y[i], s.whole_at[i]);
     apply(s.dx[i], s.dy[i], s.whole_way[i]);
   }
-  s.finish(numbers);
+  s.wide = std::is_same_v<Number, Int128>;
+  s.finish(numbers.reach);
 }
 
 /// Expects that segments that are sheared meet as before.
@@ -168,12 +171,12 @@ TEST(SmallMeetings, AreTheSameWhereDoublesRoundCoordinates) {
 
 TEST(SmallMeetings, AreOfAnyNumberOfSegments) {
   test::Random random(4);
-  const auto s = std::make_unique<SmallSegments>();
+  const auto s = std::make_unique_for_overwrite<SmallSegments>();
   const auto order = std::make_unique<SmallOrder>();
-  for (const std::uint32_t count : {65U, 127U, 128U, 500U, 513U, 1200U, 1536U}) {
+  for (const std::uint32_t count : {65U, 127U, 128U, 500U, 513U, 1200U, 1536U, 5000U}) {
     const int size = static_cast<int>(count);
     // In random order, most blocks would be near one another.
-    order->apply(SmallNumbers<double>{}, *random_segments(random, count, size), size + 8, *s);
+    order->apply(*random_segments(random, count, size), size + 8, 0, *s);
     const Meetings expected = defined(*s);
     for (const Vectors vectors : available()) {
       EXPECT_EQ(found(vectors, SmallNumbers<double>{}, *s), expected) << count;
@@ -196,17 +199,17 @@ TEST(SmallOrder, PutsNeighboursTogether) {
   test::Random random(6);
   const auto s = random_segments(random, 700, 1000);
   for (std::uint32_t i = 0; i < s->size; ++i) {
-    s->origin[i] = {static_cast<std::uint16_t>(i), 0, true};
+    s->origin[i] = {i, 0, true};
   }
-  const auto ordered = std::make_unique<SmallSegments>();
+  const auto ordered = std::make_unique_for_overwrite<SmallSegments>();
   const auto order = std::make_unique<SmallOrder>();
-  order->apply(SmallNumbers<double>{}, *s, 1008, *ordered);
+  order->apply(*s, 1008, 0, *ordered);
   ASSERT_EQ(ordered->size, s->size);
-  std::set<std::uint16_t> all;
+  std::set<std::uint32_t> all;
   double way = 0;
   double way_before = 0;
   for (std::uint32_t k = 0; k < s->size; ++k) {
-    const std::uint16_t i = ordered->origin[k].edge;
+    const std::uint32_t i = ordered->origin[k].edge;
     EXPECT_TRUE(all.insert(i).second);
     EXPECT_EQ(ordered->x[k], s->x[i]);
     EXPECT_EQ(ordered->y[k], s->y[i]);

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "minksum/transform.hpp"
+#include "minksum/validity.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 #include "unit/sum/small/square_with_holes.hpp"
@@ -32,9 +34,9 @@ bool is_small(const Region& region) {
 TEST(SmallOperand, IsOneSimplePolygon) {
   EXPECT_TRUE(is_small(rectangle(0, 0, 3, 2)));
   EXPECT_TRUE(is_small(test::comb(5, 1, 3)));  // the teeth end on one line
-  EXPECT_TRUE(is_small(test::round_polygon(4096, 100'000'000)));
+  EXPECT_TRUE(is_small(test::round_polygon(1 << 16, 100'000'000)));
   EXPECT_FALSE(is_small({}));
-  EXPECT_FALSE(is_small(test::round_polygon(4097, 100'000'000)));
+  EXPECT_FALSE(is_small(test::round_polygon((1 << 16) + 1, 100'000'000)));
   EXPECT_TRUE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
   EXPECT_FALSE(is_small(test::together(rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1))));
 }
@@ -49,6 +51,23 @@ TEST(SmallOperand, LeavesFaultsToTheStages) {
   EXPECT_FALSE(is_small(make_polygon({{0, 0}, {1, 0}, {2, 0}})));                  // flat
   EXPECT_FALSE(
       is_small(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}, {4, 0}})));  // overlaps
+}
+
+TEST(SmallOperand, LeavesLongSpikyRingsToASweep) {
+  // All blocks of edges of a ring of spikes are near one another.
+  const auto spikes = [](int count) {
+    test::Outline outline;
+    for (int k = 0; k < count; ++k) {
+      const double radius = k % 2 == 0 ? 1e9 : 1e7;
+      const double angle = 2 * std::numbers::pi * k / count;
+      outline.push_back(
+          {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+    }
+    return make_polygon(outline);
+  };
+  EXPECT_TRUE(is_small(spikes(400)));
+  EXPECT_FALSE(is_small(spikes(4'000)));
+  EXPECT_TRUE(validate(spikes(4'000)).empty());
 }
 
 TEST(SmallOperand, HasHolesApart) {
@@ -212,12 +231,13 @@ TEST(SmallOperand, KnowsWhereItsVerticesAreFrom) {
   EXPECT_EQ(small.first.x, 5);
   EXPECT_EQ(small.first.y, 7);
   for (std::uint32_t v = 0; v < small.size; ++v) {
-    const std::uint32_t from = small.source(SmallOperand::kVertexSource, v);
+    const std::uint32_t from = static_cast<std::uint32_t>(small[SmallOperand::kVertexSource][v]);
     EXPECT_EQ(region.x(from), small[SmallOperand::kX][v] + static_cast<double>(small.offset.x));
     EXPECT_EQ(region.y(from), small[SmallOperand::kY][v] + static_cast<double>(small.offset.y));
     // In the reversed ring, the edge to the next vertex is the one that ends here.
-    const std::uint32_t next = small.source(SmallOperand::kVertexSource, (v + 1) % 4);
-    EXPECT_EQ(small.source(SmallOperand::kEdgeSource, v), next);
+    const std::uint32_t next =
+        static_cast<std::uint32_t>(small[SmallOperand::kVertexSource][(v + 1) % 4]);
+    EXPECT_EQ(static_cast<std::uint32_t>(small[SmallOperand::kEdgeSource][v]), next);
   }
 }
 
@@ -229,10 +249,10 @@ TEST(SmallOperand, DropsRepeatedVertices) {
   ASSERT_TRUE(read(region, small));
   ASSERT_EQ(small.size, 4U);
   for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
-    EXPECT_EQ(small.source(row, 0), 1U);
-    EXPECT_EQ(small.source(row, 1), 2U);
-    EXPECT_EQ(small.source(row, 2), 5U);
-    EXPECT_EQ(small.source(row, 3), 6U);
+    EXPECT_EQ(static_cast<std::uint32_t>(small[row][0]), 1U);
+    EXPECT_EQ(static_cast<std::uint32_t>(small[row][1]), 2U);
+    EXPECT_EQ(static_cast<std::uint32_t>(small[row][2]), 5U);
+    EXPECT_EQ(static_cast<std::uint32_t>(small[row][3]), 6U);
   }
 }
 

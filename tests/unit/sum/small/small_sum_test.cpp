@@ -215,6 +215,65 @@ TEST(SmallSum, IsMadeOfManySegments) {
   EXPECT_EQ(small.convolution_segments, expected.statistics.convolution_segments);
 }
 
+/// Returns a ring of so many vertices around the origin, with waves.
+Region waves(int vertices, double radius) {
+  test::Outline outline;
+  for (int k = 0; k < vertices; ++k) {
+    const double angle = 2 * std::numbers::pi * k / vertices;
+    const double r = radius * (1 + 0.2 * std::sin(7 * angle) + 0.01 * (k % 3));
+    outline.push_back({std::lround(r * std::cos(angle)), std::lround(r * std::sin(angle))});
+  }
+  return make_polygon(outline);
+}
+
+/// Expects a small sum, equal to that by the stages, of which the cover hides segments.
+void expect_cover(const Region& p, const Region& q) {
+  const DetailedSum detailed = detailed_sum(p, q);
+  EXPECT_TRUE(detailed.statistics.small);
+  EXPECT_LT(detailed.statistics.segments_kept, detailed.statistics.convolution_segments / 2);
+  SumSettings by_stages;
+  by_stages.small = false;
+  const DetailedSum expected = detailed_sum(p, q, by_stages);
+  EXPECT_EQ(detailed.sum.region, expected.sum.region);
+}
+
+TEST(SmallSum, LeavesOutWhatTheCoverHides) {
+  const Region p = waves(900, 1e6);
+  const Region q = waves(50, 3e5);
+  expect_cover(p, q);
+  expect_cover(q, p);
+  // Doubles round the products, and then the coordinates.
+  expect_cover(waves(900, 1e9), waves(50, 3e8));
+  const Affine far = Affine::scaling(Rational(std::int64_t{1} << 40) + Rational(1));
+  expect_cover(transform(p, far), transform(q, far));
+}
+
+TEST(SmallSum, LeavesOutWhatTheCoverHidesAroundHoles) {
+  // The other operand fits into one of the holes.
+  Region p = waves(900, 1e6);
+  for (const auto& [at, size] : {std::pair{-300'000, 250'000}, std::pair{300'000, 50'000}}) {
+    p.begin_ring();
+    p.add_vertex(at, size);
+    p.add_vertex(at - size, 0);
+    p.add_vertex(at, -size);
+    p.add_vertex(at + size, 0);
+  }
+  const Region q = waves(50, 1e5);
+  const DetailedSum detailed = detailed_sum(p, q);
+  EXPECT_EQ(detailed.sum.region.hole_count(), 1U);
+  expect_cover(p, q);
+}
+
+TEST(SmallSum, IsMadeOfLongConvexRings) {
+  const Region p = test::round_polygon(10'000, 1'000'000'000);
+  const Region q = test::round_polygon(60'000, 2'000'000'000);
+  const DetailedSum detailed = detailed_sum(p, q);
+  EXPECT_TRUE(detailed.statistics.small);
+  SumSettings by_stages;
+  by_stages.small = false;
+  EXPECT_EQ(detailed.sum.region, minkowski_sum(p, q, by_stages));
+}
+
 TEST(SmallSum, IsLeftToTheStagesWhereMuchLiesOnFewLines) {
   const Region comb = test::comb(12, 1, 15);
   Region result;
@@ -237,7 +296,7 @@ TEST(SmallSum, TakesUnlikeGrids) {
 TEST(SmallSum, IsNotMadeWhereLimitsAreLow) {
   EXPECT_TRUE(allow_small({}));
   Limits low;
-  low.max_segments = 1000;
+  low.max_segments = 100'000;
   EXPECT_FALSE(allow_small(low));
 }
 

@@ -1,1 +1,1 @@
-#include "sum/operands/operands.hpp"
+#include "sum/loops/loops.hpp"

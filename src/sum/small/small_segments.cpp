@@ -1,0 +1,132 @@
+#include "sum/small/small_segments.hpp"
+
+#include <algorithm>
+
+#include "machine/vectors.hpp"
+
+namespace minksum {
+namespace {
+
+/// Whether a segment is near a cell that is not covered.
+bool is_visible(const Cover& cover, const Vec<double>& start, const Vec<double>& end) {
+  // Mostly one word tells: the cells near the segment's box are all covered, or are one cell.
+  const double inverse = cover.grid.inverse;
+  const auto first = [&](double a, double b) __attribute__((always_inline)) {
+    return static_cast<std::int32_t>(std::min(a, b) * inverse - 2 * UniformGrid::kMargin);
+  };
+  const auto last = [&](double a, double b) __attribute__((always_inline)) {
+    return static_cast<std::int32_t>(std::max(a, b) * inverse + 2 * UniformGrid::kMargin);
+  };
+  const std::int32_t left = first(start.x, end.x);
+  const std::int32_t right = last(start.x, end.x);
+  const std::int32_t bottom = first(start.y, end.y);
+  const std::int32_t top = last(start.y, end.y);
+  if (left >> 6 == right >> 6 && top < cover.grid.rows && top - bottom < 3) {
+    LaneBits covered = ~LaneBits{0};
+    for (std::int32_t j = bottom; j <= top; ++j) covered &= cover.covered.row(j)[left >> 6];
+    const LaneBits near = first_bits(static_cast<std::size_t>(right - left + 1)) << (left & 63);
+    if ((near & ~covered) == 0) return false;
+    if (left == right && bottom == top) return true;
+  }
+  return cells_near(cover, {start, end}, Until::kUncovered).uncovered;
+}
+
+// -- Hilbert's curve through squares ----------------------------------------------------------
+constexpr int kSideBits = 4;
+constexpr std::uint32_t kSide = 1U << kSideBits;
+/// A square's place on the curve, and how the curve goes through its parts.
+struct Step {
+  std::uint8_t place;
+  std::uint8_t turned;  ///< 1: x and y are swapped; 2: both run backwards
+};
+/// By how the curve goes through the whole, and by row and column.
+constexpr auto kCurve = [] {
+  std::array<std::array<Step, kSide * kSide>, 4> curve{};
+  for (std::uint32_t square = 0; square < 4 * kSide * kSide; ++square) {
+    std::uint32_t turned = square / (kSide * kSide);
+    const std::uint32_t x = square % kSide;
+    const std::uint32_t y = square / kSide % kSide;
+    std::uint32_t place = 0;
+    for (std::uint32_t half = kSide / 2; half > 0; half /= 2) {
+      std::uint32_t right = (x & half) != 0 ? 1 : 0;
+      std::uint32_t upper = (y & half) != 0 ? 1 : 0;
+      if ((turned & 2) != 0) {
+        right ^= 1;
+        upper ^= 1;
+      }
+      if ((turned & 1) != 0) std::swap(right, upper);
+      place = 4 * place + (right != 0 ? 3 - upper : upper);
+      // The curve enters each quarter turned its own way.
+      if (upper == 0) turned ^= right != 0 ? 3 : 1;
+    }
+    curve[square / (kSide * kSide)][square % (kSide * kSide)] = {static_cast<std::uint8_t>(place),
+                                                                 static_cast<std::uint8_t>(turned)};
+  }
+  return curve;
+}();
+
+}  // namespace
+
+void SmallSegments::finish(double reach) {
+  for (std::size_t i = size; i < filled_up(size); ++i) {
+    x[i] = y[i] = dx[i] = dy[i] = 0;
+    if (!wide) continue;
+    start[i] = end[i] = -1;
+    whole_at[i] = whole_way[i] = {};
+  }
+  blocks.set(x.data(), y.data(), dx.data(), dy.data(), size, reach);
+}
+
+bool SmallSegments::is_out_of_order() const {
+  const std::size_t many = 3 * blocks.size() + 10;
+  if (blocks.size() * (blocks.size() + 1) / 2 <= many) return false;
+  std::size_t pairs = 0;
+  const auto count = [&](std::size_t, LaneBits near) __attribute__((always_inline)) {
+    pairs += static_cast<std::size_t>(std::popcount(near));
+    return pairs <= many;
+  };
+  const auto count_all = [&]() __attribute__((always_inline)) {
+    for (std::size_t i = 0; i < blocks.size() && pairs <= many; ++i) {
+      blocks.for_each_near(blocks.box_of(i), i, count);
+    }
+  };
+  with_vectors(widest_vectors(), count_all);
+  return pairs > many;
+}
+
+void drop_hidden(const Cover& cover, SmallSegments& s) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    const Vec<double> start{s.x[i], s.y[i]};
+    if (is_visible(cover, start, plus(start, s.way()[i]))) s.copy(s, i, kept++);
+  }
+  s.hidden = s.size - kept;
+  s.size = kept;
+}
+
+void SmallOrder::apply(const SmallSegments& from, double width, double reach, SmallSegments& to) {
+  // A rounded place may lie beyond the width.
+  const double scale = kSide * kSide / (width * (1 + 0x1p-40) + 1);
+  const int squares = std::bit_width(from.size * 4);
+  const int shift = std::max(4 * kSideBits - squares, 0);
+  place_.assign((std::size_t{kSide} * kSide * kSide * kSide >> shift) + 1, 0);
+  square_.resize(from.size);
+  for (std::uint32_t i = 0; i < from.size; ++i) {
+    const auto column = static_cast<std::uint32_t>((from.x[i] + from.dx[i] / 2) * scale);
+    const auto row = static_cast<std::uint32_t>((from.y[i] + from.dy[i] / 2) * scale);
+    const Step& whole = kCurve[0][row / kSide * kSide + column / kSide];
+    const Step& part = kCurve[whole.turned][row % kSide * kSide + column % kSide];
+    square_[i] = (whole.place * kSide * kSide + std::uint32_t{part.place}) >> shift;
+    ++place_[square_[i] + std::size_t{1}];
+  }
+  for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
+  to.size = from.size;
+  to.hidden = from.hidden;
+  to.wide = from.wide;
+  for (std::uint32_t i = 0; i < from.size; ++i) {
+    to.copy(from, i, place_[square_[i]]++);
+  }
+  to.finish(reach);
+}
+
+}  // namespace minksum
