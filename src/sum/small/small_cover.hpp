@@ -1,4 +1,4 @@
-// Finds cells that lie inside a small sum, so that segments in them need not be listed.
+// Finds cells that lie inside a small sum, so that segments in them can be left out.
 #pragma once
 
 #include <array>
