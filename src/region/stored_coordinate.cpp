@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,27 +32,28 @@ int exponent_of_five(const BigInteger& value) {
   return power(5, exponent + 1) == value ? exponent + 1 : -1;
 }
 
-// Stores a quotient whose numerator fits 63 bits and whose denominator is 2^a·5^b. One of up to 63
-// bits becomes m·10^-k if m fits 63 bits, since people write such decimals, whose grids are alike.
-// Others become m·2^(b - a)·10^-b: of 20 digits and more, a few powers of ten make grids too fine.
-bool store_as_decimal(const BigInteger& numerator, const BigInteger& denominator,
-                      StoredCoordinate& out) {
+// Splits a quotient whose denominator is 2^a·5^b into an integer, which it returns, and exponents.
+// With a denominator of up to 63 bits, it becomes m·10^-k if m fits 63 bits, since people write
+// such decimals, whose grids are alike. Others become m·2^(b - a)·10^-b: of 20 digits and more, a
+// few powers of ten make grids too fine.
+std::optional<BigInteger> split_decimal(const BigInteger& numerator, const BigInteger& denominator,
+                                        StoredCoordinate& out) {
   constexpr std::size_t kMostBits = 1100;  // 10^-324, less than any double, has 1,077
   const std::size_t bits = bit_length(denominator);
-  if (bits > kMostBits || !fits_int64(numerator)) return false;
+  if (bits > kMostBits) return std::nullopt;
   const auto twos = static_cast<int>(trailing_zeros(denominator));
   const int fives = exponent_of_five(denominator >> twos);
-  if (fives < 0) return false;
-  if (bits < 64) {
-    const BigInteger payload =
+  if (fives < 0) return std::nullopt;
+  if (bits < 64 && fits_int64(numerator)) {
+    BigInteger payload =
         twos < fives ? numerator << (fives - twos) : numerator * power(5, twos - fives);
     if (fits_int64(payload)) {
-      out = compact(static_cast<std::int64_t>(payload), 0, -std::max(twos, fives));
-      return true;
+      out = compact(0, 0, -std::max(twos, fives));
+      return payload;
     }
   }
-  out = compact(static_cast<std::int64_t>(numerator), fives - twos, -fives);
-  return true;
+  out = compact(0, fives - twos, -fives);
+  return numerator;
 }
 
 // Stores an odd number of 63 bits times a power of two.
@@ -138,10 +140,14 @@ StoredCoordinate Region::store(const Rational& value) {
     return compact(static_cast<std::int64_t>(numerator), 0, 0);
   }
   if (store_as_binary(numerator, denominator, result)) return result;
-  if (store_as_decimal(numerator, denominator, result)) return result;
+  const std::optional<BigInteger> payload = split_decimal(numerator, denominator, result);
+  if (payload && fits_int64(*payload)) {
+    result.payload = static_cast<std::int64_t>(*payload);
+    return result;
+  }
   std::vector<std::uint64_t> limbs;
   const std::size_t above = append_limbs(numerator, limbs);
-  const std::size_t below = append_limbs(denominator, limbs);
+  const std::size_t below = append_limbs(payload ? BigInteger(1) : denominator, limbs);
   if (above > kLimbCountMask || below > UINT16_MAX) {
     throw Error(ErrorCode::kLimitExceeded, "a coordinate of more than 2 million bits");
   }

@@ -165,6 +165,26 @@ TEST(Region, MultiplesOfDecimalsAreCompact) {
   }
 }
 
+TEST(Region, LongDecimalsAreIntegersTimesPowers) {
+  // Both have a numerator of more than 64 bits. The first one's denominator has few twos.
+  for (const char* const text : {"1234567890123456.789012345678", "-7e-19"}) {
+    const Rational value = *Rational::parse(text) + Rational(std::int64_t{1} << 62);
+    Region region;
+    region.begin_polygon();
+    region.begin_ring();
+    region.add_vertex(value, Rational(0));
+    const StoredCoordinate& x = RegionAccess::x(region, 0);
+    EXPECT_EQ(x.denominator_limbs, 1) << text;
+    EXPECT_EQ(
+        RegionAccess::limbs(
+            region)[static_cast<std::size_t>(x.payload) + (x.numerator_limbs & kLimbCountMask)],
+        1U);
+    EXPECT_LT(x.exp10, 0);
+    EXPECT_EQ(region.exact_x(0), value) << text;
+    EXPECT_EQ(region.x(0), value.to_double()) << text;
+  }
+}
+
 TEST(Region, NamesTheVertexThatIsNotFinite) {
   Region region = two_polygons();
   region.begin_ring();
