@@ -23,9 +23,9 @@ namespace minksum {
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = std::size_t{1} << 16;
-  static constexpr std::size_t kMaxHoles = 32;
+  static constexpr std::size_t kMaxHoles = 63;  ///< so that a word has a bit for each ring
   /// Up to seven entries lie between two rings.
-  static constexpr std::size_t kMaxEntries = kMaxVertices + 256;
+  static constexpr std::size_t kMaxEntries = kMaxVertices + 512;
   static_assert(kMaxVertices + 7 * (kMaxHoles + 1) <= kMaxEntries);
   /// The largest extent of a box, unless the operand is wide. Doubles hold twice the sum of two
   /// points of it.
@@ -58,12 +58,12 @@ class SmallOperand {
   /// vertices are convex, this is how often the ring goes round.
   double turning = 1;
   double turning_of_holes = 0;
-  /// The number of entries that all rings take; `size` if those of the holes are not loaded.
+  /// The number of entries that all rings take; `size` where the holes are left out.
   std::uint32_t entries = 0;
   Vec<double> extent{};             ///< extent of the box, whose lower left corner is (0, 0)
   Vec<Int128> whole_extent{};       ///< the same, not rounded
   std::vector<Vec<double>> holes;   ///< extents of the holes' boxes
-  std::vector<std::uint32_t> ends;  ///< of the holes' rings, if these are loaded
+  std::vector<std::uint32_t> ends;  ///< of the holes' rings
   double longest = 0;               ///< longest extent of an edge along an axis
   Vec<Int128> offset{};             ///< place of the box in the region
   Vec<Int128> first{};              ///< the first vertex of the region that it was read from
@@ -133,31 +133,16 @@ auto with_numbers(SmallNumberType type, double width, Work work) {
   return work(SmallNumbers<Int128>{0x1p-48 * width});
 }
 
-/// The holes of an operand while it is validated. The memory is kept from operand to operand.
-struct SmallHoles {
-  std::vector<SmallOperand> rings;
-  std::vector<BoxOf<double>> boxes;
-};
-
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant: for each block of eight
 /// edges it looks at one box of each 512.
-bool read_small(const Region& region, SmallHoles& holes, SmallOperand& small);
-/// The two steps of that, for a caller who can tell in between that no small sum will follow. The
-/// first one loads the outer ring alone, and the second one adds the holes'.
+bool read_small(const Region& region, SmallOperand& small);
+/// The two steps of that. The first one loads all rings, also of regions that are not valid, and
+/// returns false if it finds a ring that is none.
 bool load_small(const Region& region, SmallOperand& small);
-bool is_clearly_valid(const Region& region, SmallHoles& holes, SmallOperand& small);
-/// Loads all rings of a region that is known to be valid.
-bool load_valid(const Region& region, SmallOperand& small);
+[[nodiscard]] bool is_clearly_valid(const SmallOperand& small);
 /// Tells in constant time whether `load_small` is worth while.
 [[nodiscard]] bool has_small_size(const Region& region);
-
-/// Loads the ring of a hole. Returns false if it is not clearly one: if it has a spike, or
-/// coordinates that are too long.
-bool load_hole(const Region& region, std::size_t ring, const SmallOperand& small,
-               SmallOperand& hole);
-/// Turns the ring of a hole clockwise, and adds it to its operand.
-void add_hole(SmallOperand& hole, SmallOperand& small);
 
 /// Sets the smallest vertex of the outer ring.
 void find_smallest(SmallOperand& operand);

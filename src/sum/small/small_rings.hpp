@@ -1,4 +1,4 @@
-// Tests whether small rings are simple, meet, or hold each other.
+// Tests whether rings of small operands meet, and where their edges are near others.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,22 @@ struct SmallEdges {
   VecRow way;
   std::uint32_t size;
   double reach;
+  bool is_one_ring;
   SmallBlocks blocks;
 
   [[gnu::noinline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by)
-      : at(s.at()), way(s.way()), size(edges), reach(by) {
+      : at(s.at()), way(s.way()), size(edges), reach(by), is_one_ring(edges == s.size) {
     blocks.set(at.x, at.y, way.x, way.y, size, reach);
   }
   /// Returns those of a block's eight entries that are edges.
-  [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
-    return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
+  [[nodiscard, gnu::always_inline]] LaneBits lanes_of(std::size_t block) const {
+    if (is_one_ring) return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
+    LaneBits bits = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const Vec<double> edge = way[block * kLanes + i];
+      bits |= (edge.x != 0) | (edge.y != 0) ? kBitOf[i] : 0;
+    }
+    return bits;
   }
   /// Returns those of a block's edges whose boxes meet `box`.
   [[nodiscard, gnu::always_inline]] LaneBits near(std::size_t block,
@@ -36,7 +43,7 @@ struct SmallEdges {
   /// of the two products, so a sum that comes out positive is positive, unless vectors are rounded.
   [[nodiscard, gnu::always_inline]] bool lead_forward(std::size_t block) const {
     const std::size_t first = block * kLanes;
-    const std::size_t last = std::min<std::size_t>(first + kLanes, size) - 1;
+    const std::size_t last = first + static_cast<std::size_t>(std::popcount(lanes_of(block))) - 1;
     const Vec<double> along = minus(plus(at[last], way[last]), at[first]);
     LaneBits bits = 0;
     for (std::size_t t = 0; t < kLanes; ++t) {
@@ -85,19 +92,44 @@ template <class Number>
   return test_lanes(numbers, kLanes, wanted, meets) & wanted;
 }
 
+/// The rings of an operand, each a range of its edges.
+class SmallRings {
+ public:
+  explicit SmallRings(const SmallOperand& s) : ends_(s.ends), first_end_(s.size) {}
+  [[nodiscard]] std::size_t size() const { return 1 + ends_.size(); }
+  [[nodiscard]] std::uint32_t end(std::size_t ring) const {
+    return ring == 0 ? first_end_ : ends_[ring - 1];
+  }
+  [[nodiscard]] std::uint32_t begin(std::size_t ring) const {
+    return ring == 0 ? 0 : static_cast<std::uint32_t>(filled_up(end(ring - 1)));
+  }
+  /// Returns the ring that an edge belongs to.
+  [[nodiscard]] std::size_t ring_of(std::uint32_t edge) const {
+    if (edge < first_end_) return 0;
+    return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), edge) -
+                                    ends_.begin()) +
+           1;
+  }
+
+ private:
+  const std::vector<std::uint32_t>& ends_;
+  std::uint32_t first_end_;
+};
+
 /// Returns how many pairs of blocks are compared at most where rings have so many edges. More take
 /// longer than a sweep, which takes some 200 ns for an edge of a long spiky ring; a pair takes 150.
 /// Rings of up to 512 edges have few enough.
 [[nodiscard]] constexpr std::size_t most_pairs(std::size_t edges) { return edges + 1600; }
 
-/// Whether no edge of a ring has a point in common with another one, but for the vertex between
+/// Whether no edge of some rings has a point in common with another one, but for the vertex between
 /// neighbours. Returns false as well if telling takes longer than a sweep: if too many blocks of
 /// edges are near one another.
 template <class Number>
-[[gnu::always_inline]] inline bool is_simple(const SmallNumbers<Number>& numbers,
-                                             const SmallEdges& edges) {
-  const std::uint32_t n = edges.size;
-  std::size_t pairs_left = most_pairs(n);
+[[gnu::always_inline]] inline bool are_apart(const SmallNumbers<Number>& numbers,
+                                             const SmallEdges& edges, const SmallRings& rings) {
+  std::size_t pairs_left = most_pairs(edges.size);
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
   const auto may_meet = [&](std::size_t block, LaneBits lanes, std::size_t other)
       __attribute__((always_inline)) {
     if (pairs_left == 0) return true;
@@ -112,12 +144,12 @@ template <class Number>
         lanes, [&](std::uint32_t lane) __attribute__((always_inline)) {
           const auto i = static_cast<std::uint32_t>(block * kLanes) + lane;
           const LaneBits neighbours =
-              bit(i) | bit(i + 1 == n ? 0 : i + 1) | bit(i == 0 ? n - 1 : i - 1);
+              bit(i) | bit(i + 1 == end ? begin : i + 1) | bit(i == begin ? end - 1 : i - 1);
           met |= edges_meeting(numbers, edges, i, edges, first, edges_of_other & ~neighbours);
         });
     return met != 0;
   };
-  for (std::size_t block = 0; block < edges.blocks.size(); ++block) {
+  const auto meets_none = [&](std::size_t block) __attribute__((always_inline)) {
     // The earlier one of two edges of a block is not its last, nor, unless they are neighbours, the
     // last but one.
     const LaneBits earlier = edges.lanes_of(block) >> 2;
@@ -129,7 +161,52 @@ template <class Number>
       }
       return true;
     };
-    if (!edges.blocks.for_each_near(edges.blocks.box_of(block), block + 1, visit)) return false;
+    return edges.blocks.for_each_near(edges.blocks.box_of(block), block + 1, visit);
+  };
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    begin = rings.begin(ring);
+    end = rings.end(ring);
+    for (std::size_t block = begin / kLanes; block * kLanes < end; ++block) {
+      if (!meets_none(block)) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the outer ring holds each hole, and no hole holds another one. No rings may meet.
+template <class Number>
+[[nodiscard]] inline bool are_holes_inside(const SmallNumbers<Number>& numbers,
+                                           const SmallEdges& edges, const SmallRings& rings) {
+  const auto lanes = sure_lanes(numbers);
+  for (std::size_t hole = 1; hole < rings.size(); ++hole) {
+    const std::uint32_t v = rings.begin(hole);
+    const auto at = lanes.get(edges.at, v);
+    LaneBits holding = 0;
+    // A ray to the right crosses a ring that holds the vertex an odd number of times.
+    const auto count = [&](std::size_t block) {
+      const LaneBits ring = LaneBits{1}
+                            << rings.ring_of(static_cast<std::uint32_t>(block * kLanes));
+      for (std::size_t i = block * kLanes; i < (block + 1) * kLanes; ++i) {
+        const auto edge = lanes.get(edges.way, i);
+        const auto point = minus(at, lanes.get(edges.at, i));
+        const auto height = as_signed(edge).y;
+        const auto y = as_signed(point).y;
+        const bool up = y >= 0 && y < height;
+        const bool down = y < 0 && y >= height;
+        if (!up && !down) continue;
+        const double side = lanes.side(edge, point);
+        if ((up && side > 0) || (down && side < 0)) holding ^= ring;
+      }
+    };
+    const Vec<double> near = near_of(at);
+    edges.blocks.for_each_near({near.x, near.y, HUGE_VAL, near.y}, 0,
+                               [&](std::size_t first, LaneBits blocks) {
+                                 for_each_bit(blocks, [&](std::uint32_t b) { count(first + b); });
+                                 return true;
+                               });
+    // The vertex is on the hole's own boundary, so nothing follows from the count of that.
+    constexpr LaneBits kOuterRing = 1;
+    if ((holding & ~(LaneBits{1} << hole)) != kOuterRing) return false;
   }
   return true;
 }
@@ -170,54 +247,6 @@ template <class Visit>
     if (!others.blocks.for_each_near(moved(box, by, reach), 0, visit_word)) break;
   }
   return enough;
-}
-/// Whether two rings have a point of their boundaries in common, or telling takes too long.
-template <class Number>
-[[nodiscard, gnu::always_inline]] inline bool may_meet(const SmallNumbers<Number>& numbers,
-                                                       const SmallEdges& edges,
-                                                       const SmallEdges& others) {
-  bool meet = false;
-  std::size_t pairs_left = most_pairs(std::size_t{edges.size} + others.size);
-  const bool done = for_each_near(
-      edges, others, {0, 0}, 0,
-      pairs_left, [&](std::uint32_t i, std::uint32_t first) __attribute__((always_inline)) {
-        meet =
-            edges_meeting(numbers, edges, i, others, first, others.lanes_of(first / kLanes)) != 0;
-        return !meet;
-      });
-  return meet || !done;
-}
-
-/// Whether a ring of any orientation holds the first vertex of another one. The rings must not
-/// meet.
-template <class Number>
-[[nodiscard]] inline bool holds(const SmallNumbers<Number>& numbers, const SmallOperand& a,
-                                const SmallOperand& b) {
-  const auto lanes = sure_lanes(numbers);
-  const auto at = lanes.get(b.at(), 0);
-  bool inside = false;
-  for (std::uint32_t i = 0; i < a.size; ++i) {
-    const auto edge = lanes.get(a.way(), i);
-    const auto point = minus(at, lanes.get(a.at(), i));
-    const auto height = as_signed(edge).y;
-    const auto y = as_signed(point).y;
-    // This counts edges that pass the height of the point, on its right.
-    const bool up = y >= 0 && y < height;
-    const bool down = y < 0 && y >= height;
-    if (!up && !down) continue;
-    const double side = lanes.side(edge, point);
-    if ((up && side > 0) || (down && side < 0)) inside = !inside;
-  }
-  return inside;
-}
-
-/// Returns the box of a ring.
-[[nodiscard]] inline BoxOf<double> box_of(const SmallOperand& s) {
-  const double* const x = s[SmallOperand::kX];
-  const double* const y = s[SmallOperand::kY];
-  const auto [x0, x1] = std::minmax_element(x, x + s.size);
-  const auto [y0, y1] = std::minmax_element(y, y + s.size);
-  return {*x0, *y0, *x1, *y1};
 }
 
 }  // namespace minksum

@@ -206,10 +206,6 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   const Refinement of_q = refinement(plan.exp2, plan.exp10, q);
   if (of_p.steps == 0 || of_q.steps == 0) return {};
   plan.with_holes = {may_fit(p, of_p, q, of_q), may_fit(q, of_q, p, of_p)};
-  const auto lacks = [](const SmallOperand& o, bool with_holes) {
-    return with_holes && o.entries == o.size;
-  };
-  if (lacks(p, plan.with_holes[0]) || lacks(q, plan.with_holes[1])) return {};
   plan.convex = p.convex && q.convex && !plan.with_holes[0] && !plan.with_holes[1];
   const auto size = [](const SmallOperand& o, bool with_holes) {
     return static_cast<double>(with_holes ? o.entries : o.size);

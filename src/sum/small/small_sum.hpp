@@ -20,7 +20,6 @@ class SmallScratch {
   [[nodiscard]] State& state();
   /// For operands that are not prepared.
   [[nodiscard]] std::array<SmallOperand, 2>& operands() { return operands_; }
-  [[nodiscard]] SmallHoles& holes() { return holes_; }
   /// Of the last sum's reduced convolution: all segments, and those that a cover leaves.
   [[nodiscard]] std::uint64_t segments() const { return segments_; }
   [[nodiscard]] std::uint64_t segments_kept() const { return segments_kept_; }
@@ -32,7 +31,6 @@ class SmallScratch {
  private:
   std::unique_ptr<State> state_;
   std::array<SmallOperand, 2> operands_;
-  SmallHoles holes_;
   std::uint64_t segments_ = 0;
   std::uint64_t segments_kept_ = 0;
 };

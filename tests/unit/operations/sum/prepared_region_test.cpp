@@ -76,9 +76,13 @@ TEST(PreparedRegion, TakesLongDecimalsForWhatTheyAre) {
   for (const auto& [a, b] : {std::pair{0, 0}, {7, 1}, {5, 2}, {3, 9}, {-1, 4}}) {
     region.add_vertex(Rational(a) + x, Rational(b) - y);
   }
+  const DetailedSum small = detailed_sum(region, region);
+  EXPECT_TRUE(small.statistics.small);
   SumSettings options;
+  options.small = false;
   const DetailedSum sum = detailed_sum(region, region, options);
   EXPECT_EQ(sum.statistics.arithmetic, Arithmetic::kWide);
+  EXPECT_EQ(sum.sum, small.sum);
   options.arithmetic = Arithmetic::kArbitrary;
   const DetailedSum again = detailed_sum(region, region, options);
   EXPECT_EQ(sum.sum, again.sum);

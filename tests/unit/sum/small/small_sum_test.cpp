@@ -27,9 +27,8 @@ bool sum(const Region& p, const Region& q, Region& result) {
   SmallOperand small_p;
   SmallOperand small_q;
   SmallScratch scratch;
-  SmallHoles holes;
-  EXPECT_TRUE(read_small(p, holes, small_p));
-  EXPECT_TRUE(read_small(q, holes, small_q));
+  EXPECT_TRUE(read_small(p, small_p));
+  EXPECT_TRUE(read_small(q, small_q));
   return sum_small(small_p, small_q, scratch, result);
 }
 
@@ -155,12 +154,10 @@ TEST(SmallSum, KeepsHolesIntoWhichTheOtherOperandFits) {
   const Region turned = transform(p, Affine::quarter_turns(1));
   SmallOperand small;
   SmallOperand small_turned;
-  SmallHoles holes;
-  ASSERT_TRUE(read_small(p, holes, small));
+  ASSERT_TRUE(read_small(p, small));
   turn(small, 1, small_turned);
   SmallOperand bar;
-  ASSERT_TRUE(
-      read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), holes, bar));
+  ASSERT_TRUE(read_small(transform(rectangle(0, 0, 5, 12), Affine::scaling(Rational(1, 5))), bar));
   SmallScratch scratch;
   ASSERT_TRUE(sum_small(small_turned, bar, scratch, result));  // 1 and 12/5 fit into 2 and 3
   EXPECT_EQ(result.hole_count(), 1U);
@@ -170,9 +167,8 @@ TEST(SmallSum, KeepsHolesIntoWhichTheOtherOperandFits) {
 
 TEST(SmallSum, TakesHolesThatTouch) {
   const Region p = with_holes({{{0, 3}, {3, 2}, {3, 3}}, {{3, 3}, {4, 3}, {4, 4}}});
-  SmallHoles holes;
   SmallOperand operand;
-  ASSERT_FALSE(read_small(p, holes, operand));  // before it is validated
+  ASSERT_FALSE(read_small(p, operand));  // before it is validated
   const Region q = rectangle(0, 0, 4, 4);
   EXPECT_TRUE(detailed_sum(p, q).statistics.small);
   EXPECT_EQ(minkowski_sum(p, q), rectangle(0, 0, 13, 13));
@@ -184,8 +180,12 @@ TEST(SmallSum, TakesHolesThatTouch) {
   EXPECT_EQ(result, rectangle(0, 0, 13, 13));
   // This square fits into one of the holes.
   const DetailedSum open = detailed_sum(p, transform(q, Affine::scaling(Rational(1, 8))));
-  EXPECT_FALSE(open.statistics.small);
+  EXPECT_TRUE(open.statistics.small);
   EXPECT_EQ(open.sum.region.hole_count(), 1U);
+  SumSettings by_stages;
+  by_stages.small = false;
+  EXPECT_EQ(open.sum.region,
+            detailed_sum(p, transform(q, Affine::scaling(Rational(1, 8))), by_stages).sum.region);
   // A hole that crosses the ring is a fault, as before.
   const Outcome outcome =
       minkowski_sum(make_polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{8, 3}, {11, 3}, {8, 5}}}), q,
