@@ -15,35 +15,25 @@ struct SmallEdges {
   VecRow way;
   std::uint32_t size;
   double reach;
-  bool is_one_ring;
   SmallBlocks blocks;
 
   [[gnu::noinline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by)
-      : at(s.at()), way(s.way()), size(edges), reach(by), is_one_ring(edges == s.size) {
+      : at(s.at()), way(s.way()), size(edges), reach(by) {
     blocks.set(at.x, at.y, way.x, way.y, size, reach);
   }
-  /// Returns those of a block's eight entries that are edges.
-  [[nodiscard, gnu::always_inline]] LaneBits lanes_of(std::size_t block) const {
-    if (is_one_ring) return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
-    LaneBits bits = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const Vec<double> edge = way[block * kLanes + i];
-      bits |= (edge.x != 0) | (edge.y != 0) ? kBitOf[i] : 0;
-    }
-    return bits;
-  }
-  /// Returns those of a block's edges whose boxes meet `box`.
+  /// Returns those of a block's eight entries whose boxes meet `box`.
   [[nodiscard, gnu::always_inline]] LaneBits near(std::size_t block,
                                                   const BoxOf<double>& box) const {
     const std::size_t i = block * kLanes;
-    return segments_near(at.x + i, at.y + i, way.x + i, way.y + i, box) & lanes_of(block);
+    return segments_near(at.x + i, at.y + i, way.x + i, way.y + i, box);
   }
-  /// Whether each of a block's edges leads forward, as seen along the way from the first one's
-  /// start to the last one's end. Then they meet at common vertices only. Rounding keeps the order
-  /// of the two products, so a sum that comes out positive is positive, unless vectors are rounded.
-  [[nodiscard, gnu::always_inline]] bool lead_forward(std::size_t block) const {
+  /// Whether each of a block's first edges leads forward, as seen along the way from the first
+  /// one's start to the last one's end. Then they meet at common vertices only. Rounding keeps the
+  /// order of the two products, so a sum that comes out positive is positive, unless vectors are
+  /// rounded.
+  [[nodiscard, gnu::always_inline]] bool lead_forward(std::size_t block, std::size_t count) const {
     const std::size_t first = block * kLanes;
-    const std::size_t last = first + static_cast<std::size_t>(std::popcount(lanes_of(block))) - 1;
+    const std::size_t last = first + count - 1;
     const Vec<double> along = minus(plus(at[last], way[last]), at[first]);
     LaneBits bits = 0;
     for (std::size_t t = 0; t < kLanes; ++t) {
@@ -51,7 +41,7 @@ struct SmallEdges {
       const double error = reach * (std::abs(edge.x) + std::abs(edge.y));
       bits |= dot(edge, along) > error ? kBitOf[t] : 0;
     }
-    return (~bits & lanes_of(block)) == 0;
+    return (~bits & first_bits(count)) == 0;
   }
 };
 
@@ -136,7 +126,8 @@ template <class Number>
     --pairs_left;
     LaneBits met = 0;
     const auto first = static_cast<std::uint32_t>(other * kLanes);
-    const LaneBits edges_of_other = edges.lanes_of(other);
+    // Behind a ring, entries are at its first vertex, where the ring's edges meet them.
+    const LaneBits edges_of_other = first < end ? first_bits(end - first) : ~LaneBits{0};
     const auto bit = [first](std::uint32_t edge) {
       return edge - first < kLanes ? kBitOf[edge - first] : LaneBits{0};
     };
@@ -152,12 +143,16 @@ template <class Number>
   const auto meets_none = [&](std::size_t block) __attribute__((always_inline)) {
     // The earlier one of two edges of a block is not its last, nor, unless they are neighbours, the
     // last but one.
-    const LaneBits earlier = edges.lanes_of(block) >> 2;
-    if (earlier != 0 && !edges.lead_forward(block) && may_meet(block, earlier, block)) return false;
+    const std::size_t count = std::min<std::size_t>(end - block * kLanes, kLanes);
+    const LaneBits lanes = first_bits(count);
+    if (count > 2 && !edges.lead_forward(block, count) && may_meet(block, lanes >> 2U, block)) {
+      return false;
+    }
     const auto visit = [&](std::size_t first, LaneBits near) __attribute__((always_inline)) {
       for (; near != 0; near &= near - 1) {
         const std::size_t other = first + static_cast<std::size_t>(std::countr_zero(near));
-        if (may_meet(block, edges.near(block, edges.blocks.box_of(other)), other)) return false;
+        const LaneBits near_other = edges.near(block, edges.blocks.box_of(other));
+        if (may_meet(block, near_other & lanes, other)) return false;
       }
       return true;
     };
@@ -175,35 +170,41 @@ template <class Number>
 
 /// Whether the outer ring holds each hole, and no hole holds another one. No rings may meet.
 template <class Number>
-[[nodiscard]] inline bool are_holes_inside(const SmallNumbers<Number>& numbers,
-                                           const SmallEdges& edges, const SmallRings& rings) {
+[[gnu::always_inline]] inline bool are_holes_inside(const SmallNumbers<Number>& numbers,
+                                                    const SmallEdges& edges,
+                                                    const SmallRings& rings) {
   const auto lanes = sure_lanes(numbers);
   for (std::size_t hole = 1; hole < rings.size(); ++hole) {
-    const std::uint32_t v = rings.begin(hole);
-    const auto at = lanes.get(edges.at, v);
-    LaneBits holding = 0;
+    const auto at = lanes.get(edges.at, rings.begin(hole));
     // A ray to the right crosses a ring that holds the vertex an odd number of times.
-    const auto count = [&](std::size_t block) {
-      const LaneBits ring = LaneBits{1}
-                            << rings.ring_of(static_cast<std::uint32_t>(block * kLanes));
-      for (std::size_t i = block * kLanes; i < (block + 1) * kLanes; ++i) {
-        const auto edge = lanes.get(edges.way, i);
-        const auto point = minus(at, lanes.get(edges.at, i));
-        const auto height = as_signed(edge).y;
-        const auto y = as_signed(point).y;
-        const bool up = y >= 0 && y < height;
-        const bool down = y < 0 && y >= height;
-        if (!up && !down) continue;
-        const double side = lanes.side(edge, point);
-        if ((up && side > 0) || (down && side < 0)) holding ^= ring;
-      }
+    const auto crosses = [&](std::size_t i) __attribute__((always_inline)) {
+      const auto edge = lanes.get(edges.way, i);
+      const auto point = minus(at, lanes.get(edges.at, i));
+      const auto height = as_signed(edge).y;
+      const auto y = as_signed(point).y;
+      const bool up = y >= 0 && y < height;
+      const bool down = y < 0 && y >= height;
+      if (!up && !down) return false;
+      const double side = lanes.side(edge, point);
+      return up ? side > 0 : side < 0;
     };
     const Vec<double> near = near_of(at);
-    edges.blocks.for_each_near({near.x, near.y, HUGE_VAL, near.y}, 0,
-                               [&](std::size_t first, LaneBits blocks) {
-                                 for_each_bit(blocks, [&](std::uint32_t b) { count(first + b); });
-                                 return true;
-                               });
+    const BoxOf<double> ray{near.x - edges.reach, near.y - edges.reach, HUGE_VAL,
+                            near.y + edges.reach};
+    LaneBits holding = 0;
+    const auto visit = [&](std::size_t first, LaneBits blocks) __attribute__((always_inline)) {
+      for (; blocks != 0; blocks &= blocks - 1) {
+        const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
+        const std::size_t begin = block * kLanes;
+        LaneBits odd = 0;
+        for (LaneBits bits = edges.near(block, ray); bits != 0; bits &= bits - 1) {
+          odd ^= crosses(begin + static_cast<std::size_t>(std::countr_zero(bits))) ? 1 : 0;
+        }
+        if (odd != 0) holding ^= LaneBits{1} << rings.ring_of(static_cast<std::uint32_t>(begin));
+      }
+      return true;
+    };
+    edges.blocks.for_each_near(ray, 0, visit);
     // The vertex is on the hole's own boundary, so nothing follows from the count of that.
     constexpr LaneBits kOuterRing = 1;
     if ((holding & ~(LaneBits{1} << hole)) != kOuterRing) return false;

@@ -15,10 +15,10 @@ bool is_clearly_valid(const SmallOperand& s) {
   const auto is_valid = [&](const auto& numbers) {
     const SmallEdges edges(s, s.entries, numbers.reach);
     const SmallRings rings(s);
-    return with_vectors(
-               widest_vectors(),
-               [&]() __attribute__((always_inline)) { return are_apart(numbers, edges, rings); }) &&
-           are_holes_inside(numbers, edges, rings);
+    const auto are_valid = [&]() __attribute__((always_inline)) {
+      return are_apart(numbers, edges, rings) && are_holes_inside(numbers, edges, rings);
+    };
+    return with_vectors(widest_vectors(), are_valid);
   };
   return with_numbers(small_numbers(s.is_wide(), s.longest, width), width, is_valid);
 }
