@@ -19,7 +19,7 @@ void SegmentClipper::cut(const Vec<double>& d, const Vec<double>& a, const Vec<d
   const auto left_of = [&](const Vec<double>& v, double& bound) {
     const double left = d.x * v.y;
     const double right = d.y * v.x;
-    bound += o_.bounds.cross_bound(d, left, right, o_.bounds.difference);
+    bound += bounds_.cross_bound(d, left, right, bounds_.difference);
     return left - right;
   };
   const auto size = [](const Vec<double>& v) { return std::abs(v.x) + std::abs(v.y); };
@@ -36,7 +36,7 @@ void SegmentClipper::cut(const Vec<double>& d, const Vec<double>& a, const Vec<d
   // A place along the line is off by 2 · doubt / size(d) at most, because the square is at least
   // half of size(d)^2. The margin is twice that, and twice what the quotient above is off. The last
   // term is far more than rounding to single precision takes.
-  const double doubt = o_.bounds.difference + 0x1p-50 * std::max(size(a), size(b));
+  const double doubt = bounds_.difference + 0x1p-50 * std::max(size(a), size(b));
   const double margin = 8 * doubt / size(d) + 0x1p-11 * std::abs(run) + 0x1p-22;
   if (crossing >= margin) clip.to = std::min(clip.to, static_cast<float>(crossing + margin));
   if (crossing <= -margin) {
@@ -46,30 +46,32 @@ void SegmentClipper::cut(const Vec<double>& d, const Vec<double>& a, const Vec<d
 
 /// Follows a ring from the segment's vertex, until it crosses the segment's line from left to
 /// right, or is as far along the line as the segment is long.
-template <class Step>
-void SegmentClipper::walk(const Segment& segment, Step step, Clip& clip) const {
-  const auto& [x, y, dx, dy, next] = o_.sites;
-  const Vec<double> d{dx[segment.edge], dy[segment.edge]};
+void SegmentClipper::walk(const Vec<double>& d, const Rings& rings, const SiteId* step,
+                          SiteId vertex, Clip& clip) const {
   const double square = dot(d, d);
-  const Vec<double> p{x[segment.vertex], y[segment.vertex]};
+  const Vec<double> p{rings.x[vertex], rings.y[vertex]};
   Vec<double> before{0, 0};
-  SiteId at = segment.vertex;
+  SiteId at = vertex;
   for (int steps = 0; steps < kMostSteps; ++steps) {
-    at = step(at);
-    const Vec<double> v{x[at] - p.x, y[at] - p.y};
+    at = step[at];
+    const Vec<double> v{rings.x[at] - p.x, rings.y[at] - p.y};
     if (cross(d, v) < 0) return cut(d, before, v, clip);
     if (std::abs(dot(d, v)) > square) return;
     before = v;
   }
 }
 
-Clip SegmentClipper::clip(const Segment& segment) const {
+Clip SegmentClipper::clip(const Vec<double>& d, const Rings& rings, SiteId vertex) const {
   Clip clip;
-  walk(
-      segment, [&](SiteId v) { return o_.sites.next[v]; }, clip);
-  walk(
-      segment, [&](SiteId v) { return o_.previous[v]; }, clip);
+  walk(d, rings, rings.next, vertex, clip);
+  walk(d, rings, rings.previous, vertex, clip);
   return clip;
+}
+
+Clip SegmentClipper::clip(const Segment& segment) const {
+  const auto& [x, y, dx, dy, next] = operands_->sites;
+  return clip({dx[segment.edge], dy[segment.edge]},
+              {x.data(), y.data(), next.data(), operands_->previous.data()}, segment.vertex);
 }
 
 }  // namespace minksum

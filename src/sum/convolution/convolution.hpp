@@ -111,17 +111,30 @@ struct Clip {
 /// rough beside e. There no cells of a grid are so small that they would fit inside P.
 class SegmentClipper {
  public:
-  explicit SegmentClipper(const Operands& operands) : o_(operands) {}
+  explicit SegmentClipper(const Operands& operands)
+      : operands_(&operands), bounds_(operands.bounds) {}
+  /// For rings that are not such operands'.
+  explicit SegmentClipper(const RoundingBounds& bounds) : bounds_(bounds) {}
   /// The work of a segment (see Cancellation), at most.
   static constexpr std::uint64_t kUnits = 8;
-  /// Returns the part that may be boundary; it is empty if there is none. O(1).
+  /// The vertices of rings.
+  struct Rings {
+    const double* x;
+    const double* y;
+    const SiteId* next;
+    const SiteId* previous;
+  };
+  /// Returns the part that may be boundary; it is empty if there is none. O(1). The segment is an
+  /// edge of one operand, d, moved by a vertex of the other one's rings.
+  [[nodiscard]] Clip clip(const Vec<double>& d, const Rings& rings, SiteId vertex) const;
   [[nodiscard]] Clip clip(const Segment& segment) const;
 
  private:
   void cut(const Vec<double>& d, const Vec<double>& a, const Vec<double>& b, Clip& clip) const;
-  template <class Step>
-  void walk(const Segment& segment, Step step, Clip& clip) const;
-  const Operands& o_;
+  void walk(const Vec<double>& d, const Rings& rings, const SiteId* step, SiteId vertex,
+            Clip& clip) const;
+  const Operands* operands_ = nullptr;
+  RoundingBounds bounds_;
 };
 
 /// Returns what is wrong with the convolution, or nothing. Each listed segment must be made exactly

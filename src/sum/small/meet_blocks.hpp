@@ -19,7 +19,7 @@ struct BlockMeetings {
 
 /// Finds the meetings of the segments `rows` of a block with those of another block, as far as
 /// `pairs` are concerned.
-template <class Number>
+template <bool kInPart, class Number>
 [[gnu::always_inline]] inline BlockMeetings meet_blocks(const SmallNumbers<Number>& numbers,
                                                         const SmallSegments& s, std::size_t block,
                                                         std::size_t other, LaneBits rows,
@@ -51,10 +51,17 @@ template <class Number>
       return (right ? kBitOf[t] : 0) | (right_of_other ? kBitOf[t + kLanes] : 0) |
              (at_end ? kBitOf[t + 2 * kLanes] : 0) | (at_end_of_other ? kBitOf[t + 3 * kLanes] : 0);
     };
-    const LaneBits wanted = pairs >> (row * kLanes);
+    LaneBits wanted = pairs >> (row * kLanes);
+    LaneBits seen = first_bits(kLanes);
+    if constexpr (kInPart) {
+      // Where parts are not near each other, segments meet inside the sum at most.
+      seen = s.near<kInPart>(other, moved(s.box_of_part(of), {}, numbers.reach));
+      wanted &= seen;
+      if (wanted == 0) continue;
+    }
     const LaneBits bits = test_lanes<kOfLane>(numbers, kLanes, wanted, kinds);
     const auto byte = [&](unsigned kind) {
-      return (bits >> (kind * kLanes) & first_bits(kLanes)) << (row * kLanes);
+      return (bits >> (kind * kLanes) & seen) << (row * kLanes);
     };
     meetings.right |= byte(0);
     meetings.right_of_other |= byte(1);

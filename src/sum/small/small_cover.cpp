@@ -1,25 +1,43 @@
 #include "sum/small/small_cover.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace minksum {
 namespace {
 
-/// Returns the edges of all rings of an operand, or those of its outer ring.
-EdgesOfOperand edges_of(const SmallOperand& o, bool with_holes, std::vector<SiteId>& next) {
-  next.clear();
-  const auto add_ring = [&](SiteId end) {
-    // Between two rings are edges of length zero.
-    while (next.size() % kLanes != 0) next.push_back(static_cast<SiteId>(next.size()));
-    const auto begin = static_cast<SiteId>(next.size());
-    while (next.size() + 1 < end) next.push_back(static_cast<SiteId>(next.size() + 1));
-    next.push_back(begin);
-  };
-  add_ring(o.size);
-  if (with_holes) std::for_each(o.ends.begin(), o.ends.end(), add_ring);
-  const auto count = static_cast<SiteId>(next.size());
-  return {o[SmallOperand::kX], o[SmallOperand::kY], next.data(), 0, count, o.extent};
+/// Returns the edges of all rings that are linked.
+EdgesOfOperand edges_of(const SmallOperand& o, const SmallLinks& links) {
+  const auto count = static_cast<SiteId>(links.next.size());
+  return {o[SmallOperand::kX], o[SmallOperand::kY], links.next.data(), 0, count, o.extent};
+}
+
+/// Returns what two boxes have in common.
+BoxOf<double> common(const BoxOf<double>& a, const BoxOf<double>& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+/// Makes the box of a part of a segment as small as what is near uncovered cells.
+void see_part(const Cover& cover, const Line& line, BoxOf<double>& box) {
+  // In units of cells.
+  BoxOf<double> part{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  cover.grid.walk_rows(line.start, line.end, UniformGrid::kMargin, [&](const auto& span) {
+    const auto add = [&](std::int32_t word, std::uint64_t covered, std::uint64_t wanted) {
+      const std::uint64_t seen = wanted & ~covered;
+      if (seen == 0) return;
+      const int from = 64 * word + std::countr_zero(seen);
+      const int to = 64 * word + static_cast<int>(std::bit_width(seen));
+      part.add({std::max<double>(span.x0, from), span.y0, std::min<double>(span.x1, to), span.y1});
+    };
+    cover.covered.visit_words(span.row, span.left, span.right, add);
+    return true;
+  });
+  // Spans and coordinates in cells are rounded by far less than the margin.
+  constexpr double kMargin = 2 * UniformGrid::kMargin;
+  const double cell = cover.grid.cell;
+  box = common(box, {(part.x0 - kMargin) * cell, (part.y0 - kMargin) * cell,
+                     (part.x1 + kMargin) * cell, (part.y1 + kMargin) * cell});
 }
 
 }  // namespace
@@ -56,10 +74,73 @@ void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperan
   const double price = plan.numbers == SmallNumberType::kDoubles   ? 430
                        : plan.numbers == SmallNumberType::kRounded ? 640
                                                                    : 930;
-  const EdgesOfOperands edges{edges_of(p, plan.with_holes[0], cover.next[0]),
-                              edges_of(q, plan.with_holes[1], cover.next[1])};
+  link_rings(p, plan.with_holes[0], cover.links[0]);
+  link_rings(q, plan.with_holes[1], cover.links[1]);
+  const EdgesOfOperands edges{edges_of(p, cover.links[0]), edges_of(q, cover.links[1])};
   Cancellation never;
   cover_cheaply(edges, plan.segments, price * plan.segments, never, cover.scratch, cover.cover);
+}
+
+void link_rings(const SmallOperand& o, bool with_holes, SmallLinks& links) {
+  links.next.clear();
+  links.previous.clear();
+  const auto add_ring = [&](SiteId end) {
+    // Between two rings are edges of length zero.
+    for (auto* row : {&links.next, &links.previous}) {
+      while (row->size() % kLanes != 0) row->push_back(static_cast<SiteId>(row->size()));
+    }
+    const auto begin = static_cast<SiteId>(links.next.size());
+    for (SiteId v = begin; v < end; ++v) {
+      links.next.push_back(v + 1 == end ? begin : v + 1);
+      links.previous.push_back((v == begin ? end : v) - 1);
+    }
+  };
+  add_ring(o.size);
+  if (with_holes) std::for_each(o.ends.begin(), o.ends.end(), add_ring);
+}
+
+bool clip_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
+                SmallCover& cover, SmallSegments& s) {
+  link_rings(p, plan.with_holes[0], cover.links[0]);
+  link_rings(q, plan.with_holes[1], cover.links[1]);
+  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
+  const bool wide = plan.numbers == SmallNumberType::kWide;
+  // More than what boxes are rounded by here, and when they are stored.
+  const double slack = 0x1p-48 * width;
+  const SegmentClipper clipper(RoundingBounds::of(width, !wide, false));
+  const auto rings_of = [](const SmallOperand& o, const SmallLinks& links) {
+    return SegmentClipper::Rings{o[SmallOperand::kX], o[SmallOperand::kY], links.next.data(),
+                                 links.previous.data()};
+  };
+  const std::array<SegmentClipper::Rings, 2> rings{rings_of(p, cover.links[0]),
+                                                   rings_of(q, cover.links[1])};
+  const auto length_of = [](const Vec<double>& v) { return std::abs(v.x) + std::abs(v.y); };
+  double length = 0;
+  double length_of_parts = 0;
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    const SegmentOrigin origin = s.origin[i];
+    const Clip clip = clipper.clip(s.way()[i], rings[origin.of_first], origin.vertex);
+    length += length_of(s.way()[i]);
+    if (clip.is_empty()) continue;
+    const Vec<double> start = s.at()[i];
+    const Vec<double> way = s.way()[i];
+    const BoxOf<double> whole = box_of_segment(start.x, start.y, way.x, way.y);
+    const Line line = clip.of({start, plus(start, way)});
+    const Vec<double> d = minus(line.end, line.start);
+    BoxOf<double> box = common(whole, box_of_segment(line.start.x, line.start.y, d.x, d.y));
+    if (cover.cover.active) see_part(cover.cover, line, box);
+    if (box.x0 > box.x1 || box.y0 > box.y1) continue;
+    s.copy(s, i, kept);
+    s.set_part(kept++, moved(box, {}, slack));
+    length_of_parts += box.x1 - box.x0 + box.y1 - box.y0;
+  }
+  s.hidden += s.size - kept;
+  s.size = kept;
+  s.in_part = true;
+  // Of 57 sums, those with 0.95 or more were still dense, and so were some with 0.3.
+  constexpr double kNearlyAll = 0.95;
+  return length_of_parts < kNearlyAll * length;
 }
 
 }  // namespace minksum

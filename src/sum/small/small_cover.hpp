@@ -5,20 +5,34 @@
 #include <vector>
 
 #include "sum/cover/cover.hpp"
+#include "sum/small/small_segments.hpp"
 #include "sum/small/small_sum.hpp"
 
 namespace minksum {
+
+/// By vertex of an operand: those after and before it.
+struct SmallLinks {
+  std::vector<SiteId> next;
+  std::vector<SiteId> previous;
+};
+/// Links the vertices of all rings, or of the outer one.
+void link_rings(const SmallOperand& operand, bool with_holes, SmallLinks& links);
 
 /// A cover, and the memory for it.
 struct SmallCover {
   Cover cover;
   CoverScratch scratch;
-  std::array<std::vector<SiteId>, 2> next;  ///< by edge of an operand: the vertex at its end
+  std::array<SmallLinks, 2> links;  ///< of both operands
 };
 
 /// Marks cells inside the sum if the segments have many crossings, and if that is cheap beside what
 /// they take.
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover);
+
+/// Finds the parts of segments that may be boundary, and leaves out those that have none. Returns
+/// whether that is less than nearly all.
+[[nodiscard]] bool clip_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
+                              SmallCover& cover, SmallSegments& segments);
 
 }  // namespace minksum

@@ -76,9 +76,9 @@ class SmallMeetings {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
-/// are near one another.
-template <class Number>
+/// Finds all meetings; `kInPart` tells whether only parts of segments are visible. Returns false if
+/// there are too many, or if too many pairs of blocks of eight are near one another.
+template <bool kInPart, class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
                                                  const SmallSegments& s, SmallMeetings& m) {
   const SmallBlocks& blocks = s.blocks;
@@ -95,8 +95,8 @@ template <class Number>
     std::size_t block = i;
     std::size_t other = j;
     if (j != i) {
-      rows &= s.near(i, blocks.box_of(j));
-      const LaneBits rows_of_j = s.lanes_of(j) & s.near(j, blocks.box_of(i));
+      rows &= s.near<kInPart>(i, blocks.box_of(j));
+      const LaneBits rows_of_j = s.lanes_of(j) & s.near<kInPart>(j, blocks.box_of(i));
       if (std::popcount(rows_of_j) < std::popcount(rows)) {
         rows = rows_of_j;
         std::swap(block, other);
@@ -108,7 +108,7 @@ template <class Number>
     looks_left -= looks;
     const LaneBits pairs =
         (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
-    m.add(block, other, pairs, meet_blocks(numbers, s, block, other, rows, pairs));
+    m.add(block, other, pairs, meet_blocks<kInPart>(numbers, s, block, other, rows, pairs));
     return true;
   };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -130,8 +130,14 @@ template <class Number>
 template <class Number>
 bool find_meetings_by(Vectors vectors, const SmallNumbers<Number>& numbers, const SmallSegments& s,
                       SmallMeetings& m) {
+  if (s.in_part) {
+    return with_vectors(
+        vectors, [&]()
+                     __attribute__((always_inline)) { return find_meetings<true>(numbers, s, m); });
+  }
   return with_vectors(
-      vectors, [&]() __attribute__((always_inline)) { return find_meetings(numbers, s, m); });
+      vectors, [&]()
+                   __attribute__((always_inline)) { return find_meetings<false>(numbers, s, m); });
 }
 
 }  // namespace minksum

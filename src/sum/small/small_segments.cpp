@@ -70,11 +70,16 @@ constexpr auto kCurve = [] {
 void SmallSegments::finish(double reach) {
   for (std::size_t i = size; i < filled_up(size); ++i) {
     x[i] = y[i] = dx[i] = dy[i] = 0;
+    part_x[i] = part_y[i] = part_dx[i] = part_dy[i] = 0;
     if (!wide) continue;
     start[i] = end[i] = -1;
     whole_at[i] = whole_way[i] = {};
   }
-  blocks.set(x.data(), y.data(), dx.data(), dy.data(), size, reach);
+  if (in_part) {
+    blocks.set(part_x.data(), part_y.data(), part_dx.data(), part_dy.data(), size, reach);
+  } else {
+    blocks.set(x.data(), y.data(), dx.data(), dy.data(), size, reach);
+  }
 }
 
 bool SmallSegments::is_out_of_order() const {
@@ -112,8 +117,9 @@ void SmallOrder::apply(const SmallSegments& from, double width, double reach, Sm
   place_.assign((std::size_t{kSide} * kSide * kSide * kSide >> shift) + 1, 0);
   square_.resize(from.size);
   for (std::uint32_t i = 0; i < from.size; ++i) {
-    const auto column = static_cast<std::uint32_t>((from.x[i] + from.dx[i] / 2) * scale);
-    const auto row = static_cast<std::uint32_t>((from.y[i] + from.dy[i] / 2) * scale);
+    const Vec<double> middle = from.middle_of(i);
+    const auto column = static_cast<std::uint32_t>(middle.x * scale);
+    const auto row = static_cast<std::uint32_t>(middle.y * scale);
     const Step& whole = kCurve[0][row / kSide * kSide + column / kSide];
     const Step& part = kCurve[whole.turned][row % kSide * kSide + column % kSide];
     square_[i] = (whole.place * kSide * kSide + std::uint32_t{part.place}) >> shift;
@@ -123,6 +129,7 @@ void SmallOrder::apply(const SmallSegments& from, double width, double reach, Sm
   to.size = from.size;
   to.hidden = from.hidden;
   to.wide = from.wide;
+  to.in_part = from.in_part;
   for (std::uint32_t i = 0; i < from.size; ++i) {
     to.copy(from, i, place_[square_[i]]++);
   }

@@ -26,16 +26,22 @@ struct SmallSegments {
   using Row = std::array<double, kMax + 128>;
 
   std::uint32_t size;
-  std::uint32_t hidden;  ///< number of others, which the cover hides
+  std::uint32_t hidden;  ///< number of others, which certainly lie inside the sum
+  bool wide;             ///< whether the operands are
+  bool in_part;          ///< whether it is known which parts of segments may be boundary
   alignas(64) Row x;
   alignas(64) Row y;
   alignas(64) Row dx;
   alignas(64) Row dy;
-  bool wide;  ///< whether the operands are
-  /// These are only set if they are. Ends that are sums of the same two vertices have the same
-  /// number.
+  /// These are only set if the operands are wide. Ends that are sums of the same two vertices have
+  /// the same number.
   alignas(64) Row start;
   alignas(64) Row end;
+  /// These are only set if parts are: the parts' boxes, as lower left corners and extents.
+  alignas(64) Row part_x;
+  alignas(64) Row part_y;
+  alignas(64) Row part_dx;
+  alignas(64) Row part_dy;
   std::array<Vec<Int128>, kMax> whole_at;
   std::array<Vec<Int128>, kMax> whole_way;
   std::array<SegmentOrigin, kMax> origin;
@@ -49,6 +55,12 @@ struct SmallSegments {
     dx[to] = other.dx[from];
     dy[to] = other.dy[from];
     origin[to] = other.origin[from];
+    if (other.in_part) {
+      part_x[to] = other.part_x[from];
+      part_y[to] = other.part_y[from];
+      part_dx[to] = other.part_dx[from];
+      part_dy[to] = other.part_dy[from];
+    }
     if (other.wide) {
       start[to] = other.start[from];
       end[to] = other.end[from];
@@ -65,11 +77,29 @@ struct SmallSegments {
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
     return first_bits(std::min<std::size_t>(size - block * kLanes, kLanes));
   }
-  /// Returns those of a block's eight entries whose boxes meet `box`.
+  /// Returns those of a block's eight entries whose boxes, or those of parts of them, meet
+  /// `box`.
+  template <bool kInPart>
   [[nodiscard, gnu::always_inline]] LaneBits near(std::size_t block,
                                                   const BoxOf<double>& box) const {
-    const std::size_t first = block * kLanes;
-    return segments_near(&x[first], &y[first], &dx[first], &dy[first], box);
+    const std::size_t i = block * kLanes;
+    if constexpr (kInPart)
+      return segments_near(&part_x[i], &part_y[i], &part_dx[i], &part_dy[i], box);
+    return segments_near(&x[i], &y[i], &dx[i], &dy[i], box);
+  }
+  [[nodiscard, gnu::always_inline]] BoxOf<double> box_of_part(std::size_t i) const {
+    return {part_x[i], part_y[i], part_x[i] + part_dx[i], part_y[i] + part_dy[i]};
+  }
+  void set_part(std::size_t i, const BoxOf<double>& box) {
+    part_x[i] = box.x0;
+    part_y[i] = box.y0;
+    part_dx[i] = box.x1 - box.x0;
+    part_dy[i] = box.y1 - box.y0;
+  }
+  /// Returns about the middle of a segment's visible part.
+  [[nodiscard]] Vec<double> middle_of(std::uint32_t i) const {
+    if (in_part) return {part_x[i] + part_dx[i] / 2, part_y[i] + part_dy[i] / 2};
+    return {x[i] + dx[i] / 2, y[i] + dy[i] / 2};
   }
   /// Whether segment i was listed before segment j. Segments are listed by vertices of the first
   /// ring.
@@ -196,6 +226,7 @@ template <class Number>
   }
   s.size = size;
   s.hidden = 0;
+  s.in_part = false;
   s.wide = std::is_same_v<Number, Int128>;
   return true;
 }

@@ -125,11 +125,24 @@ void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments, 
   }
 }
 
+/// Puts the segments in order, and finds their meetings. Returns null if these are too many.
+template <class Number>
+const SmallSegments* meet(const SmallNumbers<Number>& numbers, double width,
+                          SmallScratch::State& scratch) {
+  SmallSegments* segments = &scratch.segments;
+  segments->finish(numbers.reach);
+  if (segments->is_out_of_order()) {
+    scratch.order.apply(*segments, width, numbers.reach, scratch.ordered);
+    segments = &scratch.ordered;
+  }
+  return find_meetings_by(widest_vectors(), numbers, *segments, scratch.meetings) ? segments
+                                                                                  : nullptr;
+}
+
 template <class Number>
 bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const SmallOperand& q,
           const SmallPlan& plan, const SmallSegments& segments, SmallScratch::State& scratch,
           Region& result) {
-  if (!find_meetings_by(widest_vectors(), numbers, segments, scratch.meetings)) return false;
   SmallBoundary& boundary = scratch.boundary;
   SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.turned);
   OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.turns, boundary);
@@ -157,10 +170,11 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   };
   if (!with_vectors(widest_vectors(), list)) return false;
   if (scratch.cover.cover.active) drop_hidden(scratch.cover.cover, segments);
-  segments.finish(numbers.reach);
-  if (!segments.is_out_of_order()) return walk(numbers, p, q, plan, segments, scratch, result);
-  scratch.order.apply(segments, width_of(p, q), numbers.reach, scratch.ordered);
-  return walk(numbers, p, q, plan, scratch.ordered, scratch, result);
+  const SmallSegments* met = meet(numbers, width_of(p, q), scratch);
+  if (met == nullptr && clip_small(plan, p, q, scratch.cover, segments)) {
+    met = meet(numbers, width_of(p, q), scratch);
+  }
+  return met != nullptr && walk(numbers, p, q, plan, *met, scratch, result);
 }
 
 /// Whether an operand can be summed as it is.

@@ -288,7 +288,9 @@ TEST(Ladder, SlowRungsAreRareOnOrdinaryInput) {
     }
     return region;
   };
-  const Statistics statistics = detailed_sum(ragged(4e7), ragged(1e7)).statistics;
+  SumSettings by_stages;
+  by_stages.small = false;
+  const Statistics statistics = detailed_sum(ragged(4e7), ragged(1e7), by_stages).statistics;
   EXPECT_EQ(statistics.arithmetic, Arithmetic::kNarrow);
   EXPECT_GT(statistics.by_filter, 1000U);
   EXPECT_LT(statistics.by_fixed_width * 100, statistics.by_filter);

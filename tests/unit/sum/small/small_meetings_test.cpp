@@ -36,6 +36,7 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
   }
   s->hidden = 0;
   s->wide = false;
+  s->in_part = false;
   s->finish(0);
   return s;
 }
@@ -138,6 +139,7 @@ void shear(SmallSegments& s, int bits, const SmallNumbers<Number>& numbers) {
     apply(s.dx[i], s.dy[i], s.whole_way[i]);
   }
   s.wide = std::is_same_v<Number, Int128>;
+  s.in_part = false;
   s.finish(numbers.reach);
 }
 

@@ -264,6 +264,31 @@ TEST(SmallSum, LeavesOutWhatTheCoverHidesAroundHoles) {
   expect_cover(p, q);
 }
 
+TEST(SmallSum, LooksAtPartsWhereWholeSegmentsMeetTooOften) {
+  // Most of a long spike, moved by a vertex of a small shape, lies inside the sum. With a triangle
+  // of this size, each spike's segments meet those of the next ones.
+  const auto spikes = [](int count, double width) {
+    test::Outline outline;
+    for (int k = 0; k < count; ++k) {
+      const double radius = width * (k % 2 == 0 ? 1 : 0.6 + 0.01 * (k % 7));
+      const double angle = 2 * std::numbers::pi * k / count;
+      outline.push_back(
+          {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+    }
+    return make_polygon(outline);
+  };
+  SumSettings by_stages;
+  by_stages.small = false;
+  for (const double width : {1e5, 1e9, 1e17}) {
+    const auto size = static_cast<std::int64_t>(width / 5);
+    const Region triangle = make_polygon({{0, 0}, {3 * size, size}, {size, 2 * size}});
+    const DetailedSum detailed = detailed_sum(spikes(200, width), triangle);
+    EXPECT_TRUE(detailed.statistics.small) << width;
+    EXPECT_EQ(detailed.sum.region,
+              detailed_sum(spikes(200, width), triangle, by_stages).sum.region);
+  }
+}
+
 TEST(SmallSum, IsMadeOfLongConvexRings) {
   const Region p = test::round_polygon(10'000, 1'000'000'000);
   const Region q = test::round_polygon(60'000, 2'000'000'000);
