@@ -138,7 +138,8 @@ bool clip_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand
   s.hidden += s.size - kept;
   s.size = kept;
   s.in_part = true;
-  // Of 57 sums, those with 0.95 or more were still dense, and so were some with 0.3.
+  // If nearly all is left, there are nearly as many meetings. Of 57 sums, that was so for three. Of
+  // the others, 42 had few enough meetings then.
   constexpr double kNearlyAll = 0.95;
   return length_of_parts < kNearlyAll * length;
 }

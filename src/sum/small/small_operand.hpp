@@ -137,8 +137,8 @@ auto with_numbers(SmallNumberType type, double width, Work work) {
 /// are left to `validate`. O(n²) for n vertices, with a small constant: for each block of eight
 /// edges it looks at one box of each 512.
 bool read_small(const Region& region, SmallOperand& small);
-/// The two steps of that. The first one loads all rings, also of regions that are not valid, and
-/// returns false if it finds a ring that is none.
+/// The two steps of that. The first one loads all rings, also of some regions that are not valid.
+/// It returns false if the region is not small, or if a ring cannot be valid.
 bool load_small(const Region& region, SmallOperand& small);
 [[nodiscard]] bool is_clearly_valid(const SmallOperand& small);
 /// Tells in constant time whether `load_small` is worth while.
