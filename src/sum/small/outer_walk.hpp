@@ -28,13 +28,16 @@ struct SmallBoundary {
   std::array<SmallCorner, kMax> corners;
 };
 
-/// By meeting on the right: the walk that turned there, and that turn's number in the walk.
-struct RightMeetings {
-  struct WalkStep {
-    std::uint32_t walk;  ///< 0: none
-    std::uint32_t number;
+/// Where walks have been. Walks have numbers from 1 on, and 0 stands for none.
+struct WalkMarks {
+  struct Turn {
+    std::uint32_t walk;
+    std::uint32_t number;  ///< of the turn in the walk
   };
-  std::array<WalkStep, SmallMeetings::kMax> of;
+  std::array<Turn, SmallMeetings::kMax> turn_at;  ///< by meeting on the right
+  /// By segment: the walk that left it at its end. How a walk goes on from there depends on the
+  /// segment alone.
+  std::array<std::uint32_t, SmallSegments::kMax> left_end_of;
 };
 
 /// Walks along the boundary of the unbounded face, with the sum on the left, and along those of
@@ -43,15 +46,16 @@ template <class Number>
 class OuterWalk {
  public:
   OuterWalk(const SmallNumbers<Number>& numbers, const SmallSegments& segments,
-            const SmallMeetings& meetings, SmallPlacement& placement, RightMeetings& turns,
+            const SmallMeetings& meetings, SmallPlacement& placement, WalkMarks& marks,
             SmallBoundary& boundary)
       : s_(segments),
         m_(meetings),
         ways_(numbers, segments),
         placement_(placement),
-        turns_(turns),
+        marks_(marks),
         boundary_(boundary) {
-    std::memset(turns_.of.data(), 0, m_.size() * sizeof(RightMeetings::WalkStep));
+    std::memset(marks_.turn_at.data(), 0, m_.size() * sizeof(WalkMarks::Turn));
+    std::memset(marks_.left_end_of.data(), 0, s_.size * sizeof(std::uint32_t));
     boundary_.size = 0;
     boundary_.end_of.clear();
     boundary_.between = 0;
@@ -71,10 +75,11 @@ class OuterWalk {
       do {
         next = next_after(place);
         if (next.place.segment == kNone) return false;
+        if (next.turn >= 0) marks_.left_end_of[place.segment] = 1;
         place = next.place;
       } while (next.turn == 0);
       if (next.turn < 0) {
-        turns_.of[next.meeting] = {1, 0};
+        marks_.turn_at[next.meeting] = {1, 0};
         ++taken;
       }
       if (boundary_.size == SmallBoundary::kMax) return false;
@@ -142,9 +147,7 @@ class OuterWalk {
   }
   [[nodiscard, gnu::always_inline]] Next next_at_end(std::uint32_t at) {
     Next next;
-    std::uint32_t looks = 0;
     m_.for_each_at_end(at, [&](std::uint32_t t) {
-      ++looks;
       const double c = ways_.turn(at, t);
       if (c == 0) {
         // A segment that goes straight on comes before all that turn to the left.
@@ -161,7 +164,6 @@ class OuterWalk {
         next = {{t, ways_.entry(t, at, start, c)}, c, 0};
       }
     });
-    looks_ += looks;
     return next;
   }
   /// Whether ray t is preferred to ray `other` from the same place. The ray on the right is
@@ -175,31 +177,30 @@ class OuterWalk {
   /// left, too, and turns right at three corners. None of these is a corner of the outer boundary.
   /// If a walk from a possible corner of this kind ends, it is no hole's.
   [[nodiscard]] bool find_holes(std::uint32_t taken) {
-    looks_ = 0;
     std::uint32_t walk = 1;
     bool sure = true;
     for (std::uint32_t from = 0; from < s_.size && sure && taken + 3 <= m_.right_count; ++from) {
       m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
-        if (turns_.of[meeting].walk == 0) sure = sure && look(from, to, meeting, ++walk, taken);
+        if (marks_.turn_at[meeting].walk == 0)
+          sure = sure && look(from, to, meeting, ++walk, taken);
       });
     }
     return sure;
   }
-  /// Walks from this corner. No hole is there if the walk ends, leads to a corner of an earlier
-  /// walk, or goes round with too few right turns. Returns false if there may be one or not.
+  /// Walks from this corner. No hole is there if the walk ends, goes on as an earlier one, or goes
+  /// round with too few right turns. Returns false if there may be one or not. All walks together
+  /// take each turn and leave each end a few times at most.
   bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint32_t walk,
             std::uint32_t& taken) {
     std::uint32_t count = 0;
-    turns_.of[meeting] = {walk, count++};
+    marks_.turn_at[meeting] = {walk, count++};
     ++taken;
     WalkLocation place = leave(from, to);
     for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
-      // With more looks the stages are faster. With 6 a segment, 6 of 95 sums gave up too early.
-      if (++looks_ > 14 * s_.size + 1000) return false;
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
-        RightMeetings::WalkStep& turn = turns_.of[next.meeting];
+        WalkMarks::Turn& turn = marks_.turn_at[next.meeting];
         if (turn.walk != 0) {
           return turn.walk != walk || count - turn.number < 3 ||
                  add_if_hole(next.meeting, next.place);
@@ -207,12 +208,14 @@ class OuterWalk {
         turn = {walk, count++};
         ++taken;
         lefts = 0;
+      } else {
+        std::uint32_t& before = marks_.left_end_of[place.segment];
+        if (before != 0 && before != walk) return true;
+        before = walk;
       }
       place = next.place;
     }
-    // Where a walk leaves a segment at its end depends on the segment alone. So this walk goes
-    // round without right turns.
-    return true;
+    return true;  // the walk goes round without right turns
   }
 
   /// Walks around from a corner, to which the walk comes back, and keeps the ring if it is a
@@ -265,9 +268,8 @@ class OuterWalk {
   const SmallMeetings& m_;
   WayFractions<Number> ways_;
   SmallPlacement& placement_;
-  RightMeetings& turns_;
+  WalkMarks& marks_;
   SmallBoundary& boundary_;
-  std::uint32_t looks_ = 0;  ///< looks at places and at ends, by walks that look for holes
 };
 
 }  // namespace minksum

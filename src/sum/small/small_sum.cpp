@@ -16,7 +16,7 @@ struct SmallScratch::State {
   SmallSegments ordered;
   SmallOrder order;
   SmallMeetings meetings;
-  RightMeetings turns;
+  WalkMarks marks;
   SmallBoundary boundary;
   SmallOperand turned;
   std::vector<std::vector<SmallVertex>> holes;
@@ -145,7 +145,7 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
           Region& result) {
   SmallBoundary& boundary = scratch.boundary;
   SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.turned);
-  OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.turns, boundary);
+  OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.marks, boundary);
   // The sum of the smallest points of both operands is the sum's smallest point.
   const auto lanes = sure_lanes(numbers);
   if (!walk.run(plus(lanes.get(p.at(), p.smallest), lanes.get(q.at(), q.smallest)))) return false;
