@@ -15,11 +15,13 @@ struct BlockMeetings {
   /// At the end of r, t leads to the left of r, or is on its line.
   LaneBits at_end = 0;
   LaneBits at_end_of_other = 0;
+  /// How many pairs doubles did not decide.
+  std::size_t exact = 0;
 };
 
 /// Finds the meetings of the segments `rows` of a block with those of another block, as far as
 /// `pairs` are concerned.
-template <bool kInPart, class Number>
+template <class Number>
 [[gnu::always_inline]] inline BlockMeetings meet_blocks(const SmallNumbers<Number>& numbers,
                                                         const SmallSegments& s, std::size_t block,
                                                         std::size_t other, LaneBits rows,
@@ -53,13 +55,13 @@ template <bool kInPart, class Number>
     };
     LaneBits wanted = pairs >> (row * kLanes);
     LaneBits seen = first_bits(kLanes);
-    if constexpr (kInPart) {
+    if (s.in_part) {
       // Where parts are not near each other, segments meet inside the sum at most.
-      seen = s.near<kInPart>(other, moved(s.box_of_part(of), {}, numbers.reach));
+      seen = s.part.near(other, moved(s.box_of_part(of), {}, numbers.reach));
       wanted &= seen;
       if (wanted == 0) continue;
     }
-    const LaneBits bits = test_lanes<kOfLane>(numbers, kLanes, wanted, kinds);
+    const LaneBits bits = test_lanes<kOfLane>(numbers, kLanes, wanted, kinds, &meetings.exact);
     const auto byte = [&](unsigned kind) {
       return (bits >> (kind * kLanes) & seen) << (row * kLanes);
     };

@@ -99,29 +99,26 @@ void link_rings(const SmallOperand& o, bool with_holes, SmallLinks& links) {
   if (with_holes) std::for_each(o.ends.begin(), o.ends.end(), add_ring);
 }
 
-bool clip_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
-                SmallCover& cover, SmallSegments& s) {
-  link_rings(p, plan.with_holes[0], cover.links[0]);
-  link_rings(q, plan.with_holes[1], cover.links[1]);
-  const double width = std::max(p.extent.x + q.extent.x, p.extent.y + q.extent.y);
-  const bool wide = plan.numbers == SmallNumberType::kWide;
-  // More than what boxes are rounded by here, and when they are stored.
-  const double slack = 0x1p-48 * width;
-  const SegmentClipper clipper(RoundingBounds::of(width, !wide, false));
-  const auto rings_of = [](const SmallOperand& o, const SmallLinks& links) {
-    return SegmentClipper::Rings{o[SmallOperand::kX], o[SmallOperand::kY], links.next.data(),
-                                 links.previous.data()};
-  };
-  const std::array<SegmentClipper::Rings, 2> rings{rings_of(p, cover.links[0]),
-                                                   rings_of(q, cover.links[1])};
-  const auto length_of = [](const Vec<double>& v) { return std::abs(v.x) + std::abs(v.y); };
-  double length = 0;
-  double length_of_parts = 0;
+SmallClipper::SmallClipper(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
+                           double width, SmallCover& cover)
+    : clipper_(RoundingBounds::of(width, plan.numbers != SmallNumberType::kWide, false)),
+      cover_(cover.cover),
+      slack_(0x1p-48 * width) {
+  const std::array operands{&p, &q};
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const SmallOperand& o = *operands[i];
+    SmallLinks& links = cover.links[i];
+    link_rings(o, plan.with_holes[i], links);
+    rings_[i] = {o[SmallOperand::kX], o[SmallOperand::kY], links.next.data(),
+                 links.previous.data()};
+  }
+}
+
+void SmallClipper::clip(SmallSegments& s) const {
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < s.size; ++i) {
     const SegmentOrigin origin = s.origin[i];
-    const Clip clip = clipper.clip(s.way()[i], rings[origin.of_first], origin.vertex);
-    length += length_of(s.way()[i]);
+    const Clip clip = clipper_.clip(s.way()[i], rings_[origin.of_first], origin.vertex);
     if (clip.is_empty()) continue;
     const Vec<double> start = s.at()[i];
     const Vec<double> way = s.way()[i];
@@ -129,19 +126,14 @@ bool clip_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand
     const Line line = clip.of({start, plus(start, way)});
     const Vec<double> d = minus(line.end, line.start);
     BoxOf<double> box = common(whole, box_of_segment(line.start.x, line.start.y, d.x, d.y));
-    if (cover.cover.active) see_part(cover.cover, line, box);
+    if (cover_.active) see_part(cover_, line, box);
     if (box.x0 > box.x1 || box.y0 > box.y1) continue;
     s.copy(s, i, kept);
-    s.set_part(kept++, moved(box, {}, slack));
-    length_of_parts += box.x1 - box.x0 + box.y1 - box.y0;
+    s.set_part(kept++, moved(box, {}, slack_));
   }
   s.hidden += s.size - kept;
   s.size = kept;
   s.in_part = true;
-  // If nearly all is left, there are nearly as many meetings. Of 57 sums, that was so for three. Of
-  // the others, 42 had few enough meetings then.
-  constexpr double kNearlyAll = 0.95;
-  return length_of_parts < kNearlyAll * length;
 }
 
 }  // namespace minksum

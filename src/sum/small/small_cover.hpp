@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "sum/convolution/convolution.hpp"
 #include "sum/cover/cover.hpp"
 #include "sum/small/small_segments.hpp"
 #include "sum/small/small_sum.hpp"
@@ -30,9 +31,20 @@ struct SmallCover {
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover);
 
-/// Finds the parts of segments that may be boundary, and leaves out those that have none. Returns
-/// whether that is less than nearly all.
-[[nodiscard]] bool clip_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
-                              SmallCover& cover, SmallSegments& segments);
+/// Finds the parts of segments that may be boundary.
+class SmallClipper {
+ public:
+  /// `width` is the larger extent of the sum.
+  SmallClipper(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q, double width,
+               SmallCover& cover);
+  /// Leaves out those that have none.
+  void clip(SmallSegments& segments) const;
+
+ private:
+  SegmentClipper clipper_;
+  std::array<SegmentClipper::Rings, 2> rings_;
+  const Cover& cover_;
+  double slack_;  ///< more than what boxes are rounded by, here and when they are stored
+};
 
 }  // namespace minksum

@@ -76,27 +76,32 @@ class SmallMeetings {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Finds all meetings; `kInPart` tells whether only parts of segments are visible. Returns false if
-/// there are too many, or if too many pairs of blocks of eight are near one another.
-template <bool kInPart, class Number>
+/// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
+/// are near one another.
+template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
                                                  const SmallSegments& s, SmallMeetings& m) {
   const SmallBlocks& blocks = s.blocks;
+  const SegmentRows& boxes = s.boxes();
   m.clear(s.size);
   const std::size_t last = blocks.size() - 1;
   constexpr LaneBits kEachRow = 0x0101010101010101;
   constexpr LaneBits kDiagonal = 0x8040201008040201;
   const LaneBits pairs_with_last = s.lanes_of(last) * kEachRow;
-  // Each look takes about a tenth of the time that the stages take for a segment.
-  std::size_t looks_left = 8 * std::size_t{s.size} + 64;
+  // Each look takes about a tenth of the time that the stages take for a segment, and they take
+  // some microseconds for any sum. A pair that doubles do not decide takes another look, or some
+  // four if numbers have more than 84 bits.
+  std::size_t looks_left = 12 * std::size_t{s.size} + 500;
+  const std::size_t looks_of_exact =
+      std::is_same_v<Number, Int128> && numbers.reach > 0x1p36 ? 4 : 1;
   const auto meet = [&](std::size_t i, std::size_t j) __attribute__((always_inline)) {
     // The block with fewer rows near the other one is compared row by row.
     LaneBits rows = s.lanes_of(i);
     std::size_t block = i;
     std::size_t other = j;
     if (j != i) {
-      rows &= s.near<kInPart>(i, blocks.box_of(j));
-      const LaneBits rows_of_j = s.lanes_of(j) & s.near<kInPart>(j, blocks.box_of(i));
+      rows &= boxes.near(i, blocks.box_of(j));
+      const LaneBits rows_of_j = s.lanes_of(j) & boxes.near(j, blocks.box_of(i));
       if (std::popcount(rows_of_j) < std::popcount(rows)) {
         rows = rows_of_j;
         std::swap(block, other);
@@ -108,7 +113,9 @@ template <bool kInPart, class Number>
     looks_left -= looks;
     const LaneBits pairs =
         (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
-    m.add(block, other, pairs, meet_blocks<kInPart>(numbers, s, block, other, rows, pairs));
+    const auto meetings = meet_blocks(numbers, s, block, other, rows, pairs);
+    m.add(block, other, pairs, meetings);
+    looks_left -= std::min(looks_left, looks_of_exact * meetings.exact);
     return true;
   };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -119,8 +126,10 @@ template <bool kInPart, class Number>
       return true;
     };
     if (!blocks.for_each_near(blocks.box_of(i), i, meet_all)) return false;
-    const auto seen = static_cast<std::uint32_t>((i + 1) * kLanes);
-    if (m.right_count > most_right_meetings(std::min(2 * seen, s.size))) return false;
+    // Blocks that come first are compared with more of the others.
+    const double seen = std::min(static_cast<double>((i + 1) * kLanes) / s.size, 1.0);
+    const auto many = static_cast<std::uint32_t>(s.size * seen * (1.5 - seen / 2));
+    if (m.right_count > (s.in_part ? 2 : 1) * most_right_meetings(many)) return false;
   }
   return true;
 }
@@ -130,14 +139,8 @@ template <bool kInPart, class Number>
 template <class Number>
 bool find_meetings_by(Vectors vectors, const SmallNumbers<Number>& numbers, const SmallSegments& s,
                       SmallMeetings& m) {
-  if (s.in_part) {
-    return with_vectors(
-        vectors, [&]()
-                     __attribute__((always_inline)) { return find_meetings<true>(numbers, s, m); });
-  }
   return with_vectors(
-      vectors, [&]()
-                   __attribute__((always_inline)) { return find_meetings<false>(numbers, s, m); });
+      vectors, [&]() __attribute__((always_inline)) { return find_meetings(numbers, s, m); });
 }
 
 }  // namespace minksum

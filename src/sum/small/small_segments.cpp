@@ -1,6 +1,7 @@
 #include "sum/small/small_segments.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "machine/vectors.hpp"
 
@@ -70,16 +71,13 @@ constexpr auto kCurve = [] {
 void SmallSegments::finish(double reach) {
   for (std::size_t i = size; i < filled_up(size); ++i) {
     x[i] = y[i] = dx[i] = dy[i] = 0;
-    part_x[i] = part_y[i] = part_dx[i] = part_dy[i] = 0;
+    part.x[i] = part.y[i] = part.dx[i] = part.dy[i] = 0;
     if (!wide) continue;
     start[i] = end[i] = -1;
     whole_at[i] = whole_way[i] = {};
   }
-  if (in_part) {
-    blocks.set(part_x.data(), part_y.data(), part_dx.data(), part_dy.data(), size, reach);
-  } else {
-    blocks.set(x.data(), y.data(), dx.data(), dy.data(), size, reach);
-  }
+  const SegmentRows& rows = boxes();
+  blocks.set(rows.x.data(), rows.y.data(), rows.dx.data(), rows.dy.data(), size, reach);
 }
 
 bool SmallSegments::is_out_of_order() const {
@@ -107,6 +105,24 @@ void drop_hidden(const Cover& cover, SmallSegments& s) {
   }
   s.hidden = s.size - kept;
   s.size = kept;
+}
+
+double take_sample(const SmallSegments& from, SmallSegments& to) {
+  // Of meetings, the square of the share is left: 16 of the most that may be. So their number is
+  // off by a quarter or so.
+  const auto size = static_cast<std::uint32_t>(std::sqrt(8.0 * from.size));
+  to.size = 0;
+  to.hidden = 0;
+  to.wide = from.wide;
+  to.in_part = from.in_part;
+  // Segments of regular shapes are alike at regular distances, so these are not regular.
+  std::uint32_t random = 1;
+  for (std::uint64_t k = 0; k < size; ++k) {
+    random = 1664525 * random + 1013904223;
+    to.copy(from, static_cast<std::uint32_t>(((k << 32U) + random) * from.size / size >> 32U),
+            to.size++);
+  }
+  return static_cast<double>(size) / from.size;
 }
 
 void SmallOrder::apply(const SmallSegments& from, double width, double reach, SmallSegments& to) {

@@ -139,6 +139,25 @@ const SmallSegments* meet(const SmallNumbers<Number>& numbers, double width,
                                                                                   : nullptr;
 }
 
+/// Finds the parts of the segments that may be boundary, and their meetings. Returns null if these
+/// are too many, or seem so by a sample.
+template <class Number>
+const SmallSegments* meet_in_part(const SmallNumbers<Number>& numbers, const SmallClipper& clipper,
+                                  double width, SmallScratch::State& scratch) {
+  SmallSegments& sample = scratch.ordered;
+  const double share = take_sample(scratch.segments, sample);
+  clipper.clip(sample);
+  if (sample.size > 0) {
+    sample.finish(numbers.reach);
+    const double most = most_right_meetings(scratch.segments.size) * share * share;
+    // Where it gives up, those that are found tell.
+    static_cast<void>(find_meetings_by(widest_vectors(), numbers, sample, scratch.meetings));
+    if (scratch.meetings.right_count > most) return nullptr;
+  }
+  clipper.clip(scratch.segments);
+  return meet(numbers, width, scratch);
+}
+
 template <class Number>
 bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const SmallOperand& q,
           const SmallPlan& plan, const SmallSegments& segments, SmallScratch::State& scratch,
@@ -170,9 +189,11 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   };
   if (!with_vectors(widest_vectors(), list)) return false;
   if (scratch.cover.cover.active) drop_hidden(scratch.cover.cover, segments);
-  const SmallSegments* met = meet(numbers, width_of(p, q), scratch);
-  if (met == nullptr && clip_small(plan, p, q, scratch.cover, segments)) {
-    met = meet(numbers, width_of(p, q), scratch);
+  const double width = width_of(p, q);
+  const SmallSegments* met = meet(numbers, width, scratch);
+  if (met == nullptr) {
+    const SmallClipper clipper(plan, p, q, width, scratch.cover);
+    met = meet_in_part(numbers, clipper, width, scratch);
   }
   return met != nullptr && walk(numbers, p, q, plan, *met, scratch, result);
 }
