@@ -109,7 +109,7 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     CallerOperand& o = given[i];
     if (o.small != nullptr) continue;
-    if (is_clearly_valid(memory[i])) o.small = small[i];
+    if (is_clearly_valid(memory[i], scratch.blocks())) o.small = small[i];
   }
   const SmallPlan plan = plan_sum(*small[0], *small[1]);
   if (plan.numbers == SmallNumberType::kNone) return false;
@@ -190,7 +190,7 @@ class Sums final : public PartialSums {
     cancellation_.look();
     SmallOperand& small = state_.small_areas[i];
     is_small_[i] = may_be_small(quiet_) && load_small(region, small);
-    if (is_small_[i] && is_clearly_valid(small)) return true;
+    if (is_small_[i] && is_clearly_valid(small, state_.small_scratch.blocks())) return true;
     is_prepared_[i] = true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;

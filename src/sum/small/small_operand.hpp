@@ -133,6 +133,8 @@ auto with_numbers(SmallNumberType type, double width, Work work) {
   return work(SmallNumbers<Int128>{0x1p-48 * width});
 }
 
+class SmallBlocks;
+
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant: for each block of eight
 /// edges it looks at one box of each 512.
@@ -140,7 +142,7 @@ bool read_small(const Region& region, SmallOperand& small);
 /// The two steps of that. The first one loads all rings, also of some regions that are not valid.
 /// It returns false if the region is not small, or if a ring cannot be valid.
 bool load_small(const Region& region, SmallOperand& small);
-[[nodiscard]] bool is_clearly_valid(const SmallOperand& small);
+[[nodiscard]] bool is_clearly_valid(const SmallOperand& small, SmallBlocks& memory);
 /// Tells in constant time whether `load_small` is worth while.
 [[nodiscard]] bool has_small_size(const Region& region);
 

@@ -18,10 +18,19 @@ class SmallPlacement {
  public:
   enum class Result : std::uint8_t { kInside, kOutside, kUnknown };
 
-  /// A copy of Q is kept in `memory`. The holes of others than those `with_holes` are filled.
+  struct Memory {
+    SmallOperand turned;  ///< Q turned by half a circle
+    std::array<SmallBlocks, 2> blocks;
+  };
+  /// The holes of others than those `with_holes` are filled.
   SmallPlacement(double width, const SmallOperand& p, const SmallOperand& q,
-                 const std::array<bool, 2>& with_holes, SmallOperand& memory)
-      : numbers_{0x1p-48 * width}, p_(p), q_(q), with_holes_(with_holes), turned_(memory) {}
+                 const std::array<bool, 2>& with_holes, Memory& memory)
+      : numbers_{0x1p-48 * width},
+        p_(p),
+        q_(q),
+        with_holes_(with_holes),
+        turned_(memory.turned),
+        blocks_(memory.blocks) {}
   SmallPlacement(const SmallPlacement&) = delete;
   SmallPlacement& operator=(const SmallPlacement&) = delete;
 
@@ -53,8 +62,8 @@ class SmallPlacement {
     const auto entries = [&](int i, const SmallOperand& o) {
       return with_holes_[static_cast<std::size_t>(i)] ? o.entries : o.size;
     };
-    edges_of_p_.emplace(p_, entries(0, p_), numbers_.reach);
-    edges_of_q_.emplace(turned_, entries(1, turned_), numbers_.reach);
+    edges_of_p_.emplace(p_, entries(0, p_), numbers_.reach, blocks_[0]);
+    edges_of_q_.emplace(turned_, entries(1, turned_), numbers_.reach, blocks_[1]);
     pairs_left_ = 4 * most_pairs(std::size_t{p_.entries} + q_.entries);
   }
   /// Holds a coordinate in steps of 2^-halvings.
@@ -122,7 +131,8 @@ class SmallPlacement {
   const SmallOperand& p_;
   const SmallOperand& q_;
   std::array<bool, 2> with_holes_;
-  SmallOperand& turned_;  ///< Q turned by half a circle
+  SmallOperand& turned_;
+  std::array<SmallBlocks, 2>& blocks_;
   std::optional<SmallEdges> edges_of_p_;
   std::optional<SmallEdges> edges_of_q_;
   std::size_t pairs_left_ = 0;  ///< of blocks, for all tests

@@ -15,10 +15,12 @@ struct SmallEdges {
   VecRow way;
   std::uint32_t size;
   double reach;
-  SmallBlocks blocks;
+  SmallBlocks& blocks;
 
-  [[gnu::noinline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by)
-      : at(s.at()), way(s.way()), size(edges), reach(by) {
+  /// The blocks are kept in `memory`.
+  [[gnu::noinline]] SmallEdges(const SmallOperand& s, std::uint32_t edges, double by,
+                               SmallBlocks& memory)
+      : at(s.at()), way(s.way()), size(edges), reach(by), blocks(memory) {
     blocks.set(at.x, at.y, way.x, way.y, size, reach);
   }
   /// Returns those of a block's eight entries whose boxes meet `box`.

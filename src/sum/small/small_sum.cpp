@@ -18,7 +18,7 @@ struct SmallScratch::State {
   SmallMeetings meetings;
   WalkMarks marks;
   SmallBoundary boundary;
-  SmallOperand turned;
+  SmallPlacement::Memory placement;
   std::vector<std::vector<SmallVertex>> holes;
   std::vector<std::uint32_t> order_of_holes;
 };
@@ -163,7 +163,7 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
           const SmallPlan& plan, const SmallSegments& segments, SmallScratch::State& scratch,
           Region& result) {
   SmallBoundary& boundary = scratch.boundary;
-  SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.turned);
+  SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.placement);
   OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.marks, boundary);
   // The sum of the smallest points of both operands is the sum's smallest point.
   const auto lanes = sure_lanes(numbers);
@@ -208,8 +208,6 @@ bool is_ready(const SmallPlan& plan, const SmallOperand& operand) {
 
 SmallScratch::SmallScratch() = default;
 SmallScratch::~SmallScratch() = default;
-SmallScratch::SmallScratch(SmallScratch&&) noexcept = default;
-SmallScratch& SmallScratch::operator=(SmallScratch&&) noexcept = default;
 
 SmallScratch::State& SmallScratch::state() {
   if (!state_) state_ = std::make_unique_for_overwrite<State>();

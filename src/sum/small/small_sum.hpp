@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "minksum/minkowski_sum.hpp"
+#include "sum/small/blocks.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
@@ -14,12 +15,14 @@ class SmallScratch {
  public:
   SmallScratch();
   ~SmallScratch();
-  SmallScratch(SmallScratch&&) noexcept;
-  SmallScratch& operator=(SmallScratch&&) noexcept;
+  SmallScratch(const SmallScratch&) = delete;
+  SmallScratch& operator=(const SmallScratch&) = delete;
   struct State;
   [[nodiscard]] State& state();
   /// For operands that are not prepared.
   [[nodiscard]] std::array<SmallOperand, 2>& operands() { return operands_; }
+  /// For `is_clearly_valid`.
+  [[nodiscard]] SmallBlocks& blocks() { return blocks_; }
   /// Of the last sum's reduced convolution: all segments, and those that a cover leaves.
   [[nodiscard]] std::uint64_t segments() const { return segments_; }
   [[nodiscard]] std::uint64_t segments_kept() const { return segments_kept_; }
@@ -31,6 +34,7 @@ class SmallScratch {
  private:
   std::unique_ptr<State> state_;
   std::array<SmallOperand, 2> operands_;
+  SmallBlocks blocks_;
   std::uint64_t segments_ = 0;
   std::uint64_t segments_kept_ = 0;
 };

@@ -7,13 +7,13 @@
 
 namespace minksum {
 
-bool is_clearly_valid(const SmallOperand& s) {
+bool is_clearly_valid(const SmallOperand& s, SmallBlocks& memory) {
   // A ring that turns left everywhere, and goes round once, is simple. Rounded edges may make it
   // seem to go round more often, but not less.
   if (s.ends.empty() && s.convex && s.turning == 1) return true;
   const double width = std::max(s.extent.x, s.extent.y);
   const auto is_valid = [&](const auto& numbers) {
-    const SmallEdges edges(s, s.entries, numbers.reach);
+    const SmallEdges edges(s, s.entries, numbers.reach, memory);
     const SmallRings rings(s);
     const auto are_valid = [&]() __attribute__((always_inline)) {
       return are_apart(numbers, edges, rings) && are_holes_inside(numbers, edges, rings);
@@ -24,7 +24,8 @@ bool is_clearly_valid(const SmallOperand& s) {
 }
 
 bool read_small(const Region& region, SmallOperand& small) {
-  return load_small(region, small) && is_clearly_valid(small);
+  SmallBlocks memory;
+  return load_small(region, small) && is_clearly_valid(small, memory);
 }
 
 }  // namespace minksum

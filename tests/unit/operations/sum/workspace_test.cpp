@@ -67,6 +67,18 @@ TEST(Workspace, RepeatedCallsDoNotAllocate) {
   EXPECT_EQ(sum, first);
 }
 
+TEST(Workspace, RepeatedCallsWithLongRingsDoNotAllocate) {
+  const Region p = ragged_frame(1200, 400000, 1);
+  const Region q = ragged_frame(5, 90000, 2);
+  Workspace workspace;
+  Region sum;
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(minkowski_sum(p, q, Options{}, workspace, sum).ok());
+  const std::size_t before = allocations;
+  const Outcome outcome = minkowski_sum(p, q, Options{}, workspace, sum);
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_TRUE(outcome.ok());
+}
+
 TEST(Workspace, RepeatedCallsWithPreparedOperandsDoNotAllocate) {
   const PreparedRegion p(ragged_frame(150, 400000, 1));
   const PreparedRegion q(ragged_frame(60, 90000, 2));
