@@ -123,9 +123,9 @@ void drop_hidden(const Cover& cover, SmallSegments& segments);
 double take_sample(const SmallSegments& from, SmallSegments& to);
 
 /// Returns the most meetings on the right that so many segments may have. If they have more, most
-/// corners lie inside, and the stages are mostly faster. 544 sums of 100 segments and more that
-/// come near this took 0.85, 0.84, 0.81, 0.81 and 0.80 of the stages' time, on the geometric mean,
-/// with 1.25, 1.5, 2, 2.5 and 3 for each segment, and 5, 6, 4, 8 and 10 took over twice that time.
+/// corners lie inside, and the stages are mostly faster. 544 random sums that come near this took
+/// 0.85, 0.85, 0.81, 0.81 and 0.80 of the stages' time, on the geometric mean, with 1.25, 1.5, 2,
+/// 2.5 and 3 for each segment, and 5, 6, 4, 8 and 10 took over twice that time.
 [[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
   return 2 * segments + 16;
 }
