@@ -30,14 +30,14 @@ struct SmallBoundary {
 
 /// Where walks have been. Walks have numbers from 1 on, and 0 stands for none.
 struct WalkMarks {
-  struct Turn {
+  struct Mark {
     std::uint32_t walk;
-    std::uint32_t number;  ///< of the turn in the walk
+    std::uint32_t turns;  ///< how many turns to the right the walk had taken before
   };
-  std::array<Turn, SmallMeetings::kMax> turn_at;  ///< by meeting on the right
-  /// By segment: the walk that left it at its end. How a walk goes on from there depends on the
+  std::array<Mark, SmallMeetings::kMax> turn_at;  ///< by meeting on the right
+  /// By segment: where a walk left it at its end. How a walk goes on from there depends on the
   /// segment alone.
-  std::array<std::uint32_t, SmallSegments::kMax> left_end_of;
+  std::array<Mark, SmallSegments::kMax> left_end_of;
 };
 
 /// Walks along the boundary of the unbounded face, with the sum on the left, and along those of
@@ -54,8 +54,8 @@ class OuterWalk {
         placement_(placement),
         marks_(marks),
         boundary_(boundary) {
-    std::memset(marks_.turn_at.data(), 0, m_.size() * sizeof(WalkMarks::Turn));
-    std::memset(marks_.left_end_of.data(), 0, s_.size * sizeof(std::uint32_t));
+    std::memset(marks_.turn_at.data(), 0, m_.size() * sizeof(WalkMarks::Mark));
+    std::memset(marks_.left_end_of.data(), 0, s_.size * sizeof(WalkMarks::Mark));
     boundary_.size = 0;
     boundary_.end_of.clear();
     boundary_.between = 0;
@@ -75,7 +75,7 @@ class OuterWalk {
       do {
         next = next_after(place);
         if (next.place.segment == kNone) return false;
-        if (next.turn >= 0) marks_.left_end_of[place.segment] = 1;
+        if (next.turn >= 0) marks_.left_end_of[place.segment] = {1, 0};
         place = next.place;
       } while (next.turn == 0);
       if (next.turn < 0) {
@@ -181,41 +181,42 @@ class OuterWalk {
     bool sure = true;
     for (std::uint32_t from = 0; from < s_.size && sure && taken + 3 <= m_.right_count; ++from) {
       m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
-        if (marks_.turn_at[meeting].walk == 0)
-          sure = sure && look(from, to, meeting, ++walk, taken);
+        if (marks_.turn_at[meeting].walk != 0) return;
+        sure = sure && look(from, to, meeting, ++walk, taken);
       });
     }
     return sure;
   }
   /// Walks from this corner. No hole is there if the walk ends, goes on as an earlier one, or goes
-  /// round with too few right turns. Returns false if there may be one or not. All walks together
-  /// take each turn and leave each end a few times at most.
+  /// round with too few right turns. Returns false if there may be one or not. The number of
+  /// steps of all walks together is linear in those of turns and of ends.
   bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint32_t walk,
             std::uint32_t& taken) {
     std::uint32_t count = 0;
     marks_.turn_at[meeting] = {walk, count++};
     ++taken;
     WalkLocation place = leave(from, to);
-    for (std::uint32_t lefts = 0; lefts <= s_.size; ++lefts) {
+    for (;;) {
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
-        WalkMarks::Turn& turn = marks_.turn_at[next.meeting];
+        WalkMarks::Mark& turn = marks_.turn_at[next.meeting];
         if (turn.walk != 0) {
-          return turn.walk != walk || count - turn.number < 3 ||
+          return turn.walk != walk || count - turn.turns < 3 ||
                  add_if_hole(next.meeting, next.place);
         }
         turn = {walk, count++};
         ++taken;
-        lefts = 0;
       } else {
-        std::uint32_t& before = marks_.left_end_of[place.segment];
-        if (before != 0 && before != walk) return true;
-        before = walk;
+        WalkMarks::Mark& end = marks_.left_end_of[place.segment];
+        if (end.walk == 0) {
+          end = {walk, count};
+        } else if (end.walk != walk || end.turns == count) {
+          return true;  // as an earlier walk, or round without turns to the right
+        }
       }
       place = next.place;
     }
-    return true;  // the walk goes round without right turns
   }
 
   /// Walks around from a corner, to which the walk comes back, and keeps the ring if it is a
