@@ -36,7 +36,7 @@ struct KeptSegment {
   std::uint32_t joined;  ///< 0, or one more than its index in `JoinScratch::joined`
   std::uint32_t line;    ///< equal for parallel segments, of either sense, and only for them
   DirectionRank rank;
-  bool meets_cover;      ///< false if the clipped segment is near no covered cell
+  bool meets_cover;  ///< false if the clipped segment is near no covered cell
   Clip clip;
 
   /// Returns the part that may be boundary.
@@ -140,18 +140,19 @@ struct Incident {
   DirectionRank rank;
 };
 
-/// Segments that were joined: the members [first, end). Each starts no earlier and ends later than
-/// the one before. `last` is the last of them.
+/// Segments that were joined: the members [first, end). The part of each that may be boundary
+/// starts no earlier and ends later than that of the one before. `last` is the last of them.
 struct JoinedSegments {
   Segment last;
   KeptId first;
   KeptId end;
 };
 
-/// A segment's position on its line. `line` is the rounded cross product with the direction of the
-/// segment's rank. `from` and `to` are its ends along that direction.
+/// A segment's position on its line. `line` is the cross product with the direction of the
+/// segment's rank, modulo 2^64. `from` and `to` are its ends along that direction, or those of what
+/// clipping has left, to whole steps of the grid.
 struct LinePosition {
-  double line;
+  std::uint64_t line;
   double from;
   double to;
   KeptId id;
@@ -202,16 +203,21 @@ struct alignas(64) MeetingScratch {
 
 /// What was joined in some of the directions.
 struct alignas(64) JoinedPart {  // threads fill neighbours: each needs cache lines of its own
-  std::vector<KeptSegment> result;
   std::vector<KeptSegment> members;
   std::vector<JoinedSegments> joined;
+  std::vector<KeptId> wholes;  ///< the first member of each, whose place the whole takes
 };
 
 /// What was joined in all directions, and memory for joining.
 struct JoinScratch : JoinedPart {
-  std::vector<SiteId> edge_of_rank;
+  std::vector<Vec<double>> directions;       ///< by rank: an edge's vector
+  std::vector<std::uint64_t> lines;          ///< by segment: equal on one line in one direction
+  std::vector<KeptId> first_on_line;         ///< a hash table of the first segment of each line
+  std::vector<std::uint8_t> shares_line;     ///< by segment: whether another one has its line
+  std::vector<KeptId> candidates;            ///< segments that may share a line with others
   std::vector<LinePosition> places;          ///< direction by direction, and then along lines
   std::vector<std::uint32_t> begin_of_rank;  ///< in `places`
+  std::vector<std::uint8_t> gone;            ///< by segment: whether another one contains it
   std::vector<JoinedPart> parts;             ///< of all tasks but the first
 };
 
@@ -219,7 +225,6 @@ struct JoinScratch : JoinedPart {
 struct BinScratch {
   std::vector<Segment> ordered;
   std::vector<std::uint32_t> place;  ///< by site: where its segments are in `ordered`
-  std::vector<std::uint8_t> shared;  ///< by rank: whether several edges have it
   std::vector<Clip> clips;
 };
 
@@ -235,12 +240,11 @@ struct ArrangementScratch {
   VisibleScratch visible;
   BinScratch bin;
   JoinScratch join;
-  KeptId line_count = 0;                   ///< kept segments that are split; members come after
+  KeptId line_count = 0;  ///< kept segments that are split; members come after
   std::vector<CellPart> parts;
-  std::vector<CellItem> in_cells;          ///< items cell by cell
-  std::vector<std::uint32_t> cells;        ///< cells that have items
-  std::vector<std::uint32_t> cell_end;     ///< by cell: where its items end in `in_cells`, or 0
-  std::vector<KeptId> hash_table;
+  std::vector<CellItem> in_cells;       ///< items cell by cell
+  std::vector<std::uint32_t> cells;     ///< cells that have items
+  std::vector<std::uint32_t> cell_end;  ///< by cell: where its items end in `in_cells`, or 0
   std::vector<MeetingScratch> meeting;  ///< by thread
   std::vector<Meetings> meetings;       ///< part by part; crossings are moved to the next list
   std::vector<Crossing> crossings;
@@ -278,19 +282,18 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
 void arrange_convex(const Operands& operands, Cancellation& cancellation, Arrangement& arrangement);
 
 // -- Steps ------------------------------------------------------------------------------------
-/// Tells whether to join lines. That pays if many segments may lie on one line, which the number of
-/// segments of each direction tells. It also needs coordinates that doubles hold (B ≤ 52).
-[[nodiscard]] bool lines_are_joined(const Operands& operands, std::size_t segments);
-/// If wanted, joins segments that overlap or touch on one line in one direction, and drops segments
-/// that others contain. O(k log k).
+/// Joins segments that overlap or touch on one line in one direction, and drops segments that
+/// others contain. Of clipped segments, the parts count that may be boundary. Does nothing unless
+/// doubles hold coordinates (B ≤ 52). O(k + j log j), of which j segments may share a line with
+/// others.
 ///
 /// Then coinciding pieces are found once instead of once for each pair. So are the points at which
 /// they end or meet others. The union of segments is the same. Its arrangement is the same but for
 /// nodes in the middle of a line at which nothing else ends. Vectors d of joined segments have one
 /// bit more than edges have, and are exact. Their cross products are differences of products below
 /// 2^(2B+2), which are exact for B ≤ 25, and bounded as others are beyond.
-void join_lines(const Operands& operands, bool wanted, Cancellation& cancellation,
-                JoinScratch& scratch, std::vector<KeptSegment>& kept);
+void join_lines(const Operands& operands, Cancellation& cancellation, JoinScratch& scratch,
+                std::vector<KeptSegment>& kept);
 /// Fills `kept`, and the lists of the cover's cells if crossings are to be looked for there.
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,

@@ -33,11 +33,9 @@ class Binner {
             ? visible_segments(o_, convolution, cover_, limits, cancellation_, scratch_.visible)
             : convolution.segments;
     if (visible.size() >= kWorthOrdering) visible = order_along_rings(visible);
-    // Clipped segments are not joined: a joined segment would have to keep the clip of each member.
-    const bool joins = !cover_.clips && lines_are_joined(o_, visible.size());
     if (cover_.clips) clip(visible);
-    place(visible, !joins);
-    join_lines(o_, joins, cancellation_, scratch_.join, kept_);
+    place(visible);
+    join_lines(o_, cancellation_, scratch_.join, kept_);
     grid_ = cover_.grid;
     scratch_.covered = covers_any_;
     scratch_.by_cells = covers_any_ && cover_.by_cells;
@@ -128,18 +126,6 @@ class Binner {
     return rows > kTall ? rows : 0;
   }
 
-  /// Lists the directions that several edges share, because only segments of such directions can be
-  /// equal. Returns false if there are none.
-  bool list_shared_directions() {
-    if (o_.rank_count == o_.size()) return false;
-    auto& shared = scratch_.bin.shared;
-    shared.assign(o_.rank_count, 0);
-    for (std::size_t i = 1; i < o_.by_direction.size(); ++i) {
-      const DirectionRank rank = o_.rank[o_.by_direction[i]];
-      if (rank == o_.rank[o_.by_direction[i - 1]]) shared[rank] = 1;
-    }
-    return true;
-  }
   void clip(std::span<const Segment> segments) {
     const SegmentClipper clipper(o_);
     resize_in_pieces(scratch_.bin.clips, segments.size(), cancellation_);
@@ -147,24 +133,13 @@ class Binner {
         segments.size(), SegmentClipper::kUnits, cancellation_,
         [&](std::size_t i, Cancellation&) { scratch_.bin.clips[i] = clipper.clip(segments[i]); });
   }
-  /// Places what clipping has left of segments. With `once`, one of several equal ones is placed,
-  /// if doubles tell which are equal.
-  void place(std::span<const Segment> segments, bool once) {
-    const auto& shared = scratch_.bin.shared;
-    std::optional<DuplicateFinder> duplicates;
-    if (once && o_.bounds.difference == 0 && list_shared_directions()) {
-      duplicates.emplace(scratch_.hash_table, kept_, cancellation_);
-    }
+  /// Places what clipping has left of segments.
+  void place(std::span<const Segment> segments) {
     in_pieces(segments.size(), cancellation_, [&](std::size_t begin, std::size_t end) {
       make_room(kept_, end - begin, cancellation_);
       for (std::size_t i = begin; i < end; ++i) {
-        const Segment& segment = segments[i];
         const Clip clip = cover_.clips ? scratch_.bin.clips[i] : Clip{};
-        if (clip.is_empty()) continue;
-        kept_.push_back(place_segment(o_, segment, clip));
-        if (duplicates && shared[o_.rank[segment.edge]] != 0 && duplicates->seen()) {
-          kept_.pop_back();
-        }
+        if (!clip.is_empty()) kept_.push_back(place_segment(o_, segments[i], clip));
       }
     });
   }

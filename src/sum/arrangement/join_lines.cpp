@@ -1,40 +1,47 @@
 // Joins segments that overlap on one line in one direction.
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
 #include "exact/formulas.hpp"
 #include "exact/wide_int.hpp"
 #include "machine/make_room.hpp"
+#include "machine/scramble.hpp"
 #include "machine/team.hpp"
 #include "sum/arrangement/arrangement.hpp"
 
 namespace minksum {
 namespace {
 
-Vec<Int128> exact(const Vec<double>& v) {
-  return {static_cast<std::int64_t>(v.x), static_cast<std::int64_t>(v.y)};
+template <class Integer>
+Vec<Integer> as(const Vec<double>& v) {
+  return {static_cast<Integer>(static_cast<std::int64_t>(v.x)),
+          static_cast<Integer>(static_cast<std::int64_t>(v.y))};
 }
 
 /// Joins segments that overlap on one line, direction by direction.
 class LineJoiner {
  public:
-  LineJoiner(const Operands& o, const std::vector<KeptSegment>& kept, JoinScratch& scratch)
-      : o_(o), kept_(kept), scratch_(scratch), doubles_tell_(o.bounds.product == 0) {}
+  LineJoiner(const Operands& o, std::vector<KeptSegment>& kept, JoinScratch& scratch)
+      : o_(o), kept_(kept), scratch_(scratch), wrapped_tell_(o.bounds.product == 0) {}
 
-  /// Lists the places of all segments, direction by direction.
-  void list_places(Cancellation& cancellation) {
-    scratch_.edge_of_rank.resize(o_.rank_count);
-    for (const SiteId e : o_.by_direction) scratch_.edge_of_rank[o_.rank[e]] = e;
+  /// Lists the places of segments that may share a line, direction by direction. Returns false if
+  /// there are none.
+  [[nodiscard]] bool list_places(Cancellation& cancellation) {
+    scratch_.directions.resize(o_.rank_count);
+    for (const SiteId e : o_.by_direction) {
+      scratch_.directions[o_.rank[e]] = {o_.sites.dx[e], o_.sites.dy[e]};
+    }
+    list_candidates(cancellation);
+    if (scratch_.candidates.empty()) return false;
     list_by_key(o_.rank_count, cancellation, scratch_.begin_of_rank, scratch_.places,
                 [&](auto visit) {
-                  in_pieces(kept_.size(), cancellation, [&](std::size_t first, std::size_t last) {
-                    for (std::size_t id = first; id < last; ++id) {
-                      const DirectionRank rank = o_.rank[kept_[id].segment.edge];
-                      visit(rank, position(static_cast<KeptId>(id), rank));
-                    }
-                  });
+                  visit_in_pieces(scratch_.candidates, cancellation,
+                                  [&](KeptId id) { visit(kept_[id].rank, position(id)); });
                 });
+    return true;
   }
   /// Returns the first direction that this task joins. Tasks have about as many segments each,
   /// unless one direction has most of them.
@@ -48,8 +55,8 @@ class LineJoiner {
   void join(DirectionRank first, DirectionRank last, Cancellation& cancellation,
             JoinedPart& part) const {
     part.members.clear();
-    part.result.clear();
     part.joined.clear();
+    part.wholes.clear();
     const auto& begin = scratch_.begin_of_rank;
     for (DirectionRank rank = first; rank < last; ++rank) {
       const Positions places =
@@ -61,23 +68,75 @@ class LineJoiner {
 
  private:
   using Positions = std::span<LinePosition>;
+  static constexpr KeptId kNone = 0xFFFFFFFFU;
 
-  [[nodiscard]] LinePosition position(KeptId id, DirectionRank rank) const {
-    const Vec<double> d = direction(rank);
-    const auto along = [&d](const Vec<double>& p) {
-      const double place = d.x != 0 ? p.x : p.y;
-      return (d.x != 0 ? d.x : d.y) > 0 ? place : -place;
-    };
-    const Vec<double>& a = kept_[id].a;
-    const double line =
-        doubles_tell_ ? cross(d, a) : static_cast<double>(cross(exact(d), exact(a)));
-    return {line, along(a), along(kept_[id].b), id};
+  /// Lists the segments whose line another one has, too. Most have lines of their own.
+  void list_candidates(Cancellation& cancellation) {
+    auto& lines = scratch_.lines;
+    auto& table = scratch_.first_on_line;
+    auto& shares = scratch_.shares_line;
+    resize_in_pieces(lines, kept_.size(), cancellation);
+    assign_in_pieces(shares, kept_.size(), std::uint8_t{0}, cancellation);
+    assign_in_pieces(table, std::bit_ceil(2 * kept_.size()), kNone, cancellation);
+    const std::size_t mask = table.size() - 1;
+    bool any = false;
+    in_pieces(kept_.size(), cancellation, [&](std::size_t first, std::size_t last) {
+      for (std::size_t id = first; id < last; ++id) {
+        const KeptSegment& s = kept_[id];
+        lines[id] = line_of(s) ^ std::uint64_t{s.rank} << 40U;
+        std::size_t slot = scramble(lines[id]) & mask;
+        while (table[slot] != kNone && lines[table[slot]] != lines[id]) slot = (slot + 1) & mask;
+        if (table[slot] == kNone) {
+          table[slot] = static_cast<KeptId>(id);
+        } else {
+          any = true;
+          shares[table[slot]] = shares[id] = 1;
+        }
+      }
+    });
+    scratch_.candidates.clear();
+    if (!any) return;
+    in_pieces(kept_.size(), cancellation, [&](std::size_t first, std::size_t last) {
+      for (std::size_t id = first; id < last; ++id) {
+        if (shares[id] != 0) append(scratch_.candidates, static_cast<KeptId>(id), cancellation);
+      }
+    });
+  }
+  /// Returns the cross product of a segment's start with its direction, modulo 2^64. Segments of
+  /// one direction have the same on one line.
+  [[nodiscard]] std::uint64_t line_of(const KeptSegment& s) const {
+    return cross(as<std::uint64_t>(direction(s.rank)), as<std::uint64_t>(s.a));
+  }
+  /// Returns how far along a direction a point is, in steps of the grid in x, or in y.
+  [[nodiscard]] static double along(const Vec<double>& d, const Vec<double>& p) {
+    const double place = d.x != 0 ? p.x : p.y;
+    return (d.x != 0 ? d.x : d.y) > 0 ? place : -place;
+  }
+  [[nodiscard]] LinePosition position(KeptId id) const {
+    const KeptSegment& s = kept_[id];
+    const Vec<double> d = direction(s.rank);
+    const double start = along(d, s.a);
+    const double end = along(d, s.b);
+    // Whole steps are exact. What rounds the products is far less than a clip's margin.
+    const double from = s.clip.from == 0 ? 0 : std::floor(s.clip.from * (end - start));
+    const double to = s.clip.to == 1 ? end - start : std::ceil(s.clip.to * (end - start));
+    return {line_of(s), start + from, start + to, id};
+  }
+  /// Returns which part of a joined segment its members' clips leave, between `from` and `to`.
+  [[nodiscard]] Clip clip_of(const KeptSegment& whole, double from, double to) const {
+    constexpr double kMargin = 0x1p-22;  // far more than rounding to single precision takes
+    const double start = along(whole.d, whole.a);
+    const double end = along(whole.d, whole.b);
+    const double length = end - start;
+    const double first = from == start ? 0 : std::max(0.0, (from - start) / length - kMargin);
+    const double last = to == end ? 1 : std::min(1.0, (to - start) / length + kMargin);
+    return {static_cast<float>(first), static_cast<float>(last)};
   }
   /// Sorts by line, and then along it.
   void sort(Positions places, DirectionRank rank, Cancellation& cancellation) const {
     const auto before = [&](const LinePosition& s, const LinePosition& t) {
       if (s.line != t.line) return s.line < t.line;
-      if (!doubles_tell_) {
+      if (!wrapped_tell_) {
         const Int128 line_s = exact_line(s, rank);
         const Int128 line_t = exact_line(t, rank);
         if (line_s != line_t) return line_s < line_t;
@@ -90,81 +149,84 @@ class LineJoiner {
             JoinedPart& part) const {
     auto& members = part.members;
     const auto same_line = [&](const LinePosition& s, const LinePosition& t) {
-      return s.line == t.line && (doubles_tell_ || exact_line(s, rank) == exact_line(t, rank));
+      return s.line == t.line && (wrapped_tell_ || exact_line(s, rank) == exact_line(t, rank));
     };
     for (std::size_t i = 0; i < places.size();) {
       cancellation.check();
       const LinePosition& start = places[i];
+      KeptSegment& whole = kept_[start.id];
       const std::size_t first = members.size();
-      append(members, kept_[start.id], cancellation);
       double reach = start.to;
       for (++i; i < places.size() && same_line(places[i], start) && places[i].from <= reach; ++i) {
         cancellation.check();
+        scratch_.gone[places[i].id] = 1;
         if (places[i].to <= reach) continue;
         reach = places[i].to;
+        if (members.size() == first) append(members, whole, cancellation);
         append(members, kept_[places[i].id], cancellation);
       }
-      KeptSegment whole = members[first];
-      if (members.size() == first + 1) {
-        members.pop_back();
-      } else {
-        whole.b = members.back().b;
-        whole.d = {whole.b.x - whole.a.x, whole.b.y - whole.a.y};
-        part.joined.push_back({members.back().segment, static_cast<KeptId>(first),
-                               static_cast<KeptId>(members.size())});
-        whole.joined = static_cast<std::uint32_t>(part.joined.size());
-      }
-      append(part.result, whole, cancellation);
+      if (members.size() == first) continue;
+      whole.b = members.back().b;
+      whole.d = {whole.b.x - whole.a.x, whole.b.y - whole.a.y};
+      whole.clip = clip_of(whole, start.from, reach);
+      part.joined.push_back({members.back().segment, static_cast<KeptId>(first),
+                             static_cast<KeptId>(members.size())});
+      part.wholes.push_back(start.id);
     }
   }
   [[nodiscard]] Vec<double> direction(DirectionRank rank) const {
-    const SiteId e = scratch_.edge_of_rank[rank];
-    return {o_.sites.dx[e], o_.sites.dy[e]};
+    return scratch_.directions[rank];
   }
   [[nodiscard]] Int128 exact_line(const LinePosition& place, DirectionRank rank) const {
-    return cross(exact(direction(rank)), exact(kept_[place.id].a));
+    return cross(as<Int128>(direction(rank)), as<Int128>(kept_[place.id].a));
   }
 
   const Operands& o_;
-  const std::vector<KeptSegment>& kept_;
+  std::vector<KeptSegment>& kept_;
   JoinScratch& scratch_;
-  bool doubles_tell_;  ///< whether cross products have no rounding
+  bool wrapped_tell_;  ///< whether cross products are so small that 64 bits hold them
 };
 
 /// Appends what a task has joined.
 void add_part(const JoinedPart& part, Cancellation& cancellation, JoinedPart& whole) {
   const auto members_before = static_cast<KeptId>(whole.members.size());
-  const auto joined_before = static_cast<std::uint32_t>(whole.joined.size());
   visit_in_pieces(part.members, cancellation,
                   [&](const KeptSegment& s) { append(whole.members, s, cancellation); });
-  visit_in_pieces(part.result, cancellation, [&](KeptSegment s) {
-    if (s.joined != 0) s.joined += joined_before;
-    append(whole.result, s, cancellation);
-  });
   visit_in_pieces(part.joined, cancellation, [&](JoinedSegments s) {
     s.first += members_before;
     s.end += members_before;
     append(whole.joined, s, cancellation);
   });
+  visit_in_pieces(part.wholes, cancellation,
+                  [&](KeptId s) { append(whole.wholes, s, cancellation); });
+}
+
+/// Drops the segments that are gone, and keeps the order of the others.
+void drop_gone(const std::vector<std::uint8_t>& gone, Cancellation& cancellation,
+               std::vector<KeptSegment>& kept) {
+  std::size_t count = 0;
+  in_pieces(kept.size(), cancellation, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (gone[i] != 0) continue;
+      if (i != count) kept[count] = kept[i];
+      ++count;
+    }
+  });
+  kept.resize(count);
 }
 
 }  // namespace
 
-bool lines_are_joined(const Operands& o, std::size_t segments) {
-  constexpr std::size_t kSegmentsPerDirection = 8;  // if there are more, many may share lines
-  const bool exact = o.bounds.difference == 0 && o.bounds.direction == 0;
-  return exact && segments >= kSegmentsPerDirection * o.rank_count;
-}
-
-void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, JoinScratch& scratch,
+void join_lines(const Operands& o, Cancellation& cancellation, JoinScratch& scratch,
                 std::vector<KeptSegment>& kept) {
   constexpr std::uint64_t kUnitsOfSegment = 16;  // it is compared with some others
   scratch.joined.clear();
   scratch.members.clear();
-  if (!wanted) return;
+  if (o.bounds.difference != 0) return;
   LineJoiner joiner(o, kept, scratch);
-  joiner.list_places(cancellation);
-  const std::size_t tasks = tasks_for(kUnitsOfSegment * kept.size(), cancellation);
+  if (!joiner.list_places(cancellation)) return;
+  assign_in_pieces(scratch.gone, kept.size(), std::uint8_t{0}, cancellation);
+  const std::size_t tasks = tasks_for(kUnitsOfSegment * scratch.places.size(), cancellation);
   if (tasks == 1) {
     joiner.join(0, o.rank_count, cancellation, scratch);
   } else {
@@ -180,7 +242,10 @@ void join_lines(const Operands& o, bool wanted, Cancellation& cancellation, Join
       add_part(part_of(task), cancellation, scratch);
     }
   }
-  std::swap(kept, scratch.result);
+  for (std::uint32_t i = 0; i < scratch.wholes.size(); ++i) {
+    kept[scratch.wholes[i]].joined = i + 1;
+  }
+  drop_gone(scratch.gone, cancellation, kept);
 }
 
 }  // namespace minksum
