@@ -1,6 +1,8 @@
 // Finds the meetings of the segments of a small convolution.
 #pragma once
 
+#include <cmath>
+
 #include "machine/vectors.hpp"
 #include "sum/small/meet_blocks.hpp"
 
@@ -76,11 +78,12 @@ class SmallMeetings {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Finds all meetings. Returns false if there are too many, or if too many pairs of blocks of eight
-/// are near one another.
+/// Finds all meetings. Returns false if there are too many, or more than `most_right` on the right,
+/// or if too many pairs of blocks of eight are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
-                                                 const SmallSegments& s, SmallMeetings& m) {
+                                                 const SmallSegments& s, double most_right,
+                                                 SmallMeetings& m) {
   const SmallBlocks& blocks = s.blocks;
   const SegmentRows& boxes = s.boxes();
   m.clear(s.size);
@@ -133,6 +136,7 @@ template <class Number>
     const double seen = std::min(static_cast<double>((i + 1) * kLanes) / s.size, 1.0);
     const auto many = static_cast<std::uint32_t>(s.size * seen * (1.5 - seen / 2));
     if (m.right_count > (s.in_part ? 2 : 1) * most_right_meetings(many)) return false;
+    if (m.right_count > most_right) return false;
   }
   return true;
 }
@@ -141,9 +145,11 @@ template <class Number>
 /// meetings, or if finding them takes too long: the stages are faster then.
 template <class Number>
 bool find_meetings_by(Vectors vectors, const SmallNumbers<Number>& numbers, const SmallSegments& s,
-                      SmallMeetings& m) {
+                      SmallMeetings& m, double most_right = HUGE_VAL) {
   return with_vectors(
-      vectors, [&]() __attribute__((always_inline)) { return find_meetings(numbers, s, m); });
+      vectors, [&]() __attribute__((always_inline)) {
+        return find_meetings(numbers, s, most_right, m);
+      });
 }
 
 }  // namespace minksum

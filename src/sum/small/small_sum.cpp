@@ -151,7 +151,7 @@ const SmallSegments* meet_in_part(const SmallNumbers<Number>& numbers, const Sma
     sample.finish(numbers.reach);
     const double most = most_right_meetings(scratch.segments.size) * share * share;
     // Where it gives up, those that are found tell.
-    static_cast<void>(find_meetings_by(widest_vectors(), numbers, sample, scratch.meetings));
+    static_cast<void>(find_meetings_by(widest_vectors(), numbers, sample, scratch.meetings, most));
     if (scratch.meetings.right_count > most) return nullptr;
   }
   clipper.clip(scratch.segments);
