@@ -23,7 +23,8 @@ void link_rings(const SmallOperand& operand, bool with_holes, SmallLinks& links)
 struct SmallCover {
   Cover cover;
   CoverScratch scratch;
-  std::array<SmallLinks, 2> links;  ///< of both operands
+  std::array<SmallLinks, 2> links;       ///< of both operands
+  std::vector<std::uint32_t> uncovered;  ///< memory for `UncoveredCounts`
 };
 
 /// Marks cells inside the sum if the segments have many crossings, and if that is cheap beside what

@@ -116,8 +116,8 @@ struct SmallSegments : SegmentRows {
   [[nodiscard]] bool is_out_of_order() const;
 };
 
-/// Leaves out the segments that touch no uncovered cell.
-void drop_hidden(const Cover& cover, SmallSegments& segments);
+/// Leaves out the segments that touch no uncovered cell. `counts` is memory.
+void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& segments);
 
 /// Copies one of every few segments, at random distances. Returns their share.
 double take_sample(const SmallSegments& from, SmallSegments& to);

@@ -188,7 +188,9 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
     return list_segments(numbers, p, q, plan.with_holes, segments);
   };
   if (!with_vectors(widest_vectors(), list)) return false;
-  if (scratch.cover.cover.active) drop_hidden(scratch.cover.cover, segments);
+  if (scratch.cover.cover.active) {
+    drop_hidden(scratch.cover.cover, scratch.cover.uncovered, segments);
+  }
   const double width = width_of(p, q);
   const SmallSegments* met = meet(numbers, width, scratch);
   if (met == nullptr) {
