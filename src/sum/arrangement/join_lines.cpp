@@ -15,6 +15,7 @@
 namespace minksum {
 namespace {
 
+/// Converts integers that doubles hold.
 template <class Integer>
 Vec<Integer> as(const Vec<double>& v) {
   return {static_cast<Integer>(static_cast<std::int64_t>(v.x)),

@@ -8,7 +8,7 @@
 namespace minksum {
 namespace {
 
-/// Tells which segments are near no cell that is not covered.
+/// Finds the segments that are near covered cells only.
 class Hider {
  public:
   Hider(const Cover& cover, const UncoveredCounts& uncovered)
@@ -31,6 +31,7 @@ class Hider {
     const std::int32_t bottom = first(start.y, end.y);
     const std::int32_t top = last(start.y, end.y);
     if (uncovered_.none_in(left, bottom, right, top)) return true;
+    // In so few rows, the segment's cells are a few words. Its halves may be in as many rows.
     constexpr std::int32_t kFewRows = 3;
     if (top - bottom < kFewRows) {
       return !cells_near(cover_, {start, end}, Until::kUncovered).uncovered;

@@ -257,10 +257,9 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   const double n = size(q, plan.with_holes[1]);
   plan.segments = m * turning(q, plan.with_holes[1]) + n * turning(p, plan.with_holes[0]);
   // Listing the segments compares each vertex with each edge, in 1 ns or half of that. The stages
-  // take longer for each vertex and for each segment. Of 4,500 random sums, 151 walk because of
-  // their segments, and take 0.77 of the time. With 32 for a segment, 16 more would walk, in 0.96
-  // of the time. With 128 for a vertex and rounded numbers, 13 of 764 would, in 1.08 of the time,
-  // and with 32 others took up to 3 times as long by the stages.
+  // take longer than a walk for each vertex and for each segment. Of 4,500 random sums, 151 walk
+  // because of their segments, and take 0.77 of the stages' time. With 32 for a segment, 16 more
+  // would walk, in 0.96 of that time. With 32 for a vertex, others took up to 3 times as long.
   const double pairs_for_vertex = plan.numbers == SmallNumberType::kDoubles ? 128 : 64;
   constexpr double kPairsForSegment = 16;
   const double most = pairs_for_vertex * (m + n) + kPairsForSegment * plan.segments;
