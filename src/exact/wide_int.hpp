@@ -34,6 +34,11 @@ class WideInt {
   static constexpr int kBits = static_cast<int>(64 * N);
 
   constexpr WideInt() : limbs_{} {}
+  /// Takes the lowest limbs of a longer number.
+  template <std::size_t M>
+  requires(M >= N) constexpr explicit WideInt(const std::array<std::uint64_t, M>& limbs) {
+    std::copy_n(limbs.begin(), N, limbs_.begin());
+  }
   constexpr explicit WideInt(int value) : WideInt(static_cast<std::int64_t>(value)) {}
   constexpr explicit WideInt(std::int64_t value) {
     limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
@@ -129,6 +134,15 @@ class WideInt {
     return std::strong_ordering::equal;
   }
   [[nodiscard]] constexpr WideInt magnitude() const { return negative() ? -*this : *this; }
+  /// Returns the same value in a type of no more limbs, which must hold it.
+  template <class Shorter>
+  [[nodiscard]] constexpr Shorter lowest() const {
+    if constexpr (std::is_same_v<Shorter, Int128>) {
+      return static_cast<Int128>(Uint128{limbs_[1]} << 64U | limbs_[0]);
+    } else {
+      return Shorter(limbs_);
+    }
+  }
 
  private:
   /// Subtracts the limbs of b · 2^(64·from) that this has, if wanted. Copies of whole numbers would
@@ -154,6 +168,7 @@ constexpr const WideInt<N>& as_limbs(const WideInt<N>& value) {
 constexpr WideInt<2> as_limbs(Int128 value) { return WideInt<2>(value); }
 constexpr WideInt<1> as_limbs(std::int64_t value) { return WideInt<1>(value); }
 
+constexpr double to_double(double value) { return value; }
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
 /// Returns a double with a relative error under 2^-51. Proof: let limb k be the highest that is not

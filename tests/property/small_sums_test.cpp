@@ -79,6 +79,15 @@ Region random_outline(Random& random, int vertices) {
   return make_polygon(outline);
 }
 
+/// Returns a number of many digits, decimal or binary. On a common grid of both kinds, coordinates
+/// have more than 125 bits.
+Rational random_fraction(Random& random) {
+  const auto digits = static_cast<std::int64_t>(random.next() >> 5U | 1U);
+  const std::int64_t step =
+      random.one_in(2) ? std::int64_t{1} << 58U : std::int64_t{1'000'000'000'000'000'000};
+  return Rational(digits, step);
+}
+
 /// Returns a map that turns, mirrors, moves and changes the grid.
 Affine random_map(Random& random) {
   const auto power = [&](std::int64_t base, int most) {
@@ -86,7 +95,9 @@ Affine random_map(Random& random) {
     for (int k = random.below(most); k > 0; --k) value = value * base;
     return random.one_in(2) ? value : Rational(1) / value;
   };
-  const Rational scale = random.one_in(2) ? Rational(1) : power(10, 4) * power(2, 5);
+  const Rational scale = random.one_in(2)   ? Rational(1)
+                         : random.one_in(4) ? random_fraction(random)
+                                            : power(10, 4) * power(2, 5);
   Affine map = Affine::quarter_turns(random.below(4));
   if (random.one_in(4)) map = Affine{-1, 0, 0, 0, 1, 0}.after(map);
   map = Affine::scaling(scale).after(map);

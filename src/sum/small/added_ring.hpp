@@ -34,14 +34,15 @@ namespace minksum {
                                                std::uint32_t end, double left) {
   const double* const x = s[SmallOperand::kX];
   const double* const y = s[SmallOperand::kY];
-  const Vec<Int128>* const whole = s.whole(SmallOperand::kAt);
   std::uint32_t smallest = end;
   for (std::uint32_t i = begin; i < end; ++i) {
     // Rounding keeps the order of numbers that it does not make equal.
     if (x[i] != left) continue;
     const auto is_less = [&](std::uint32_t j) {
-      if (whole == nullptr) return y[i] < y[j];
-      return whole[i].x != whole[j].x ? whole[i].x < whole[j].x : whole[i].y < whole[j].y;
+      if (!s.is_wide()) return y[i] < y[j];
+      const Vec<Int128>& a = s.whole()[i];
+      const Vec<Int128>& b = s.whole()[j];
+      return a.x != b.x ? a.x < b.x : a.y < b.y;
     };
     if (smallest == end || is_less(smallest)) smallest = i;
   }
@@ -56,9 +57,7 @@ class AddedRing {
       : s_(s), begin_(static_cast<std::uint32_t>(filled_up(s.entries))) {}
 
   [[nodiscard]] double* row(SmallOperand::Row at) const { return s_[at] + begin_; }
-  [[nodiscard]] Vec<Int128>* whole(SmallOperand::WholeRow at) const {
-    return s_.whole(at) + begin_;
-  }
+  [[nodiscard]] Vec<Int128>* whole() const { return s_.whole().data() + begin_; }
   /// Adds the ring, of so many vertices, of whose x `left` is the smallest. Turns it so that the
   /// region is on its left, and drops vertices in the middle of straight edges. Returns false if it
   /// has a spike or less than three vertices.
@@ -92,7 +91,7 @@ class AddedRing {
   /// Returns the way between two of the ring's vertices.
   [[nodiscard]] Vector way(std::uint32_t from, std::uint32_t to) const {
     if constexpr (kWide) {
-      const Vec<Int128> way = minus(whole(SmallOperand::kAt)[to], whole(SmallOperand::kAt)[from]);
+      const Vec<Int128> way = minus(whole()[to], whole()[from]);
       return {rounded(way), way};
     } else {
       const double* const x = row(SmallOperand::kX);
@@ -105,7 +104,11 @@ class AddedRing {
   /// Positive if the ring turns left from one edge to the next one.
   [[nodiscard, gnu::always_inline]] double turn(const Vector& in, const Vector& out) const {
     if constexpr (kWide) {
-      return SureLanes<Int128>{{0x1p-48 * std::max(s_.extent.x, s_.extent.y)}}.turn(in, out);
+      bool unsure = false;
+      const double turn = BoundedLanes{unsure, 0}.turn(in.near, out.near);
+      if (!unsure) return turn;
+      return sign_of(product<WideInt<4>>(in.exact.x, out.exact.y) -
+                     product<WideInt<4>>(in.exact.y, out.exact.x));
     } else {
       const double turn = cross(in, out);  // its sign is exact, unless it is zero
       using Lanes = SureLanes<std::uint64_t>;
@@ -125,7 +128,7 @@ class AddedRing {
     reverse(row(SmallOperand::kX));
     reverse(row(SmallOperand::kY));
     reverse(row(SmallOperand::kVertexSource));
-    if constexpr (kWide) reverse(whole(SmallOperand::kAt));
+    if constexpr (kWide) reverse(whole());
     smallest_ = size_ - 1 - smallest_;
     return turn_there != 0;
   }
@@ -177,10 +180,6 @@ class AddedRing {
       in_y[i] = if_convex(near_in.y);
       out_x[i] = if_convex(near_out.x);
       out_y[i] = if_convex(near_out.y);
-      if constexpr (kWide) {
-        whole(SmallOperand::kIn)[i] = in.exact;
-        whole(SmallOperand::kWay)[i] = out.exact;
-      }
       in = out;
     }
     return {turn_all, all_convex != 0, meetings / 8.0, longest};
@@ -199,7 +198,7 @@ class AddedRing {
         for (const auto at : {SmallOperand::kX, SmallOperand::kY, SmallOperand::kVertexSource}) {
           row(at)[kept] = row(at)[i];
         }
-        if constexpr (kWide) whole(SmallOperand::kAt)[kept] = whole(SmallOperand::kAt)[i];
+        if constexpr (kWide) whole()[kept] = whole()[i];
         ++kept;
       } else if (dot(near_of(in), near_of(out)) < 0) {
         return false;
@@ -222,10 +221,7 @@ class AddedRing {
                             SmallOperand::kInY, SmallOperand::kOutX, SmallOperand::kOutY}) {
         row(at)[i] = 0;
       }
-      if constexpr (kWide) {
-        whole(SmallOperand::kAt)[i] = whole(SmallOperand::kAt)[0];
-        whole(SmallOperand::kWay)[i] = whole(SmallOperand::kIn)[i] = {};
-      }
+      if constexpr (kWide) whole()[i] = whole()[0];
     }
   }
 

@@ -26,8 +26,8 @@ template <class Number>
                                                         const SmallSegments& s, std::size_t block,
                                                         std::size_t other, LaneBits rows,
                                                         LaneBits pairs) {
-  const VecRow starts = s.at();
-  const VecRow ways = s.way();
+  const auto starts = s.at();
+  const auto ways = s.way();
   constexpr LaneBits kOfLane = 0x01010101;  // one byte for each kind
   BlockMeetings meetings;
   for (; rows != 0; rows &= rows - 1) {
@@ -37,7 +37,7 @@ template <class Number>
       const std::size_t i = other * kLanes + t;
       const auto a = minus(lanes.get(starts, i), lanes.get(starts, of));
       ZeroSides zeros;
-      if constexpr (std::is_same_v<Number, Int128>) {
+      if constexpr (std::is_same_v<Number, WideNumber>) {
         zeros.start = (s.start[i] == s.start[of]) | (s.start[i] == s.end[of]);
         zeros.end = (s.end[i] == s.start[of]) | (s.end[i] == s.end[of]);
         zeros.along = (s.start[of] == s.start[i]) | (s.start[of] == s.end[i]);

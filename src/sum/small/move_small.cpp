@@ -1,84 +1,46 @@
 // Turns small operands, and brings them to finer grids.
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "sum/small/small_grid.hpp"
 #include "sum/small/small_operand.hpp"
 
 namespace minksum {
-namespace {
-
-/// Sets the rows of a wide operand to multiples of those of another one, which may be the same, and
-/// may not have been wide.
-void multiply_wide(const SmallOperand& from, bool was_wide, std::size_t count, Int128 factor,
-                   SmallOperand& to) {
-  using Row = SmallOperand::Row;
-  struct Rows {
-    SmallOperand::WholeRow whole;
-    Row x;
-    Row y;
-  };
-  constexpr std::array<Rows, SmallOperand::kWholeRows> kAll{
-      {{SmallOperand::kAt, SmallOperand::kX, SmallOperand::kY},
-       {SmallOperand::kWay, SmallOperand::kDx, SmallOperand::kDy},
-       {SmallOperand::kIn, SmallOperand::kInX, SmallOperand::kInY}}};
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool convex = from[SmallOperand::kInX][i] != 0 || from[SmallOperand::kInY][i] != 0;
-    for (const Rows& rows : kAll) {
-      const Vec<Int128> before = was_wide ? from.whole(rows.whole)[i]
-                                          : Vec<Int128>{static_cast<std::int64_t>(from[rows.x][i]),
-                                                        static_cast<std::int64_t>(from[rows.y][i])};
-      const Vec<Int128> whole{before.x * factor, before.y * factor};
-      const Vec<double> near = rounded(whole);
-      to.whole(rows.whole)[i] = whole;
-      const auto set = [&](Row x, Row y, bool is_set) {
-        to[x][i] = is_set ? near.x : 0;
-        to[y][i] = is_set ? near.y : 0;
-      };
-      set(rows.x, rows.y, rows.whole != SmallOperand::kIn || convex);
-      if (rows.whole == SmallOperand::kWay) set(SmallOperand::kOutX, SmallOperand::kOutY, convex);
-    }
-  }
-}
-
-}  // namespace
 
 void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
   const int turns = ((quarters % 4) + 4) % 4;
   to = from;
   const std::size_t entries = filled_up(to.entries);
+  const bool rounded = to.is_wide() || to.steps != 1;
   using Rows = std::pair<SmallOperand::Row, SmallOperand::Row>;
   for (int k = 0; k < turns; ++k) {
     for (const auto& [row_x, row_y] :
          {Rows{SmallOperand::kX, SmallOperand::kY}, Rows{SmallOperand::kDx, SmallOperand::kDy},
           Rows{SmallOperand::kInX, SmallOperand::kInY},
           Rows{SmallOperand::kOutX, SmallOperand::kOutY}}) {
-      const double width = row_x == SmallOperand::kX ? to.extent.y : 0;
       double* const x = to[row_x];
       double* const y = to[row_y];
+      if (rounded && row_x == SmallOperand::kX) {
+        // The difference of two rounded numbers would be off by more than a rounded one.
+        for (std::size_t i = 0; i < entries; ++i) {
+          const Vec<Int128> before = to.whole_at(i);
+          const Vec<Int128> at{to.whole_extent.y - before.y, before.x};
+          if (to.is_wide()) to.whole()[i] = at;
+          x[i] = static_cast<double>(at.x) * static_cast<double>(to.steps);
+          y[i] = static_cast<double>(at.y) * static_cast<double>(to.steps);
+        }
+        continue;
+      }
+      const double width = row_x == SmallOperand::kX ? to.extent.y : 0;
       for (std::size_t i = 0; i < entries; ++i) {
         const double before = std::exchange(y[i], x[i]);
         x[i] = width - before;
       }
     }
-    for (int row = 0; to.is_wide() && row < SmallOperand::kWholeRows; ++row) {
-      const Int128 width = row == SmallOperand::kAt ? to.whole_extent.y : 0;
-      Vec<Int128>* const whole = to.whole(static_cast<SmallOperand::WholeRow>(row));
-      for (std::size_t i = 0; i < entries; ++i) whole[i] = {width - whole[i].y, whole[i].x};
-    }
     std::swap(to.extent.x, to.extent.y);
     std::swap(to.whole_extent.x, to.whole_extent.y);
     for (Vec<double>& hole : to.holes) std::swap(hole.x, hole.y);
     to.offset = {-(to.offset.y + to.whole_extent.x), to.offset.x};
-  }
-  if (to.is_wide()) {
-    // The difference of two rounded numbers is off by more than a rounded one.
-    for (std::size_t i = 0; i < entries; ++i) {
-      const Vec<double> at = rounded(to.whole(SmallOperand::kAt)[i]);
-      to[SmallOperand::kX][i] = at.x;
-      to[SmallOperand::kY][i] = at.y;
-    }
   }
   find_smallest(to);
 }
@@ -97,28 +59,17 @@ Refinement finer_grid(int exp2, int exp10, const SmallOperand& s) {
     }
   }
   Int128 steps = 1;
-  Vec<Int128> offset = s.offset;
-  const bool fit = scale(tens, twos, steps) && scale(tens, twos, offset.x) &&
-                   scale(tens, twos, offset.y) &&
-                   static_cast<double>(steps) * width <= SmallOperand::kWidestWide;
+  const bool fit =
+      scale(tens, twos, steps) && static_cast<double>(steps) * width <= SmallOperand::kWidestFine;
   return fit ? Refinement{static_cast<double>(steps), true} : Refinement{};
 }
 
-void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOperand& from,
+void refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from,
             SmallOperand& to) {
-  const int tens = from.exp10 - exp10;
-  const int twos = from.exp2 - exp2;
-  std::int64_t few = 1;
+  const Refinement by = finer_grid(exp2, exp10, from);
   Int128 factor = 1;
-  if (wide) {
-    static_cast<void>(scale(tens, twos, factor));
-  } else {
-    static_cast<void>(scale(tens, twos, few));
-    factor = few;
-  }
-  const double steps = wide ? static_cast<double>(factor) : static_cast<double>(few);
+  static_cast<void>(scale(from.exp10 - exp10, from.exp2 - exp2, factor));
   const std::size_t room = filled_up(entries);
-  const bool was_wide = from.is_wide();
   if (&to != &from) {
     to.size = from.size;
     to.smallest = from.smallest;
@@ -128,25 +79,24 @@ void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOp
     to.holes = from.holes;
     to.ends = from.ends;
     to.first = from.first;
+    to.make_rows(room, from.is_wide());
+    std::copy_n(from.whole().begin(), to.whole().size(), to.whole().begin());
+    for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
+      std::copy_n(from[row], room, to[row]);
+    }
   }
-  for (Vec<double>& hole : to.holes) hole = {hole.x * steps, hole.y * steps};
-  to.longest = from.longest * steps;
-  to.whole_extent = {from.whole_extent.x * factor, from.whole_extent.y * factor};
-  to.extent =
-      wide ? rounded(to.whole_extent) : Vec<double>{from.extent.x * steps, from.extent.y * steps};
-  to.offset = {from.offset.x * factor, from.offset.y * factor};
+  to.set_multiples(from, room, by.steps);
+  for (Vec<double>& hole : to.holes) hole = {hole.x * by.steps, hole.y * by.steps};
+  to.longest = from.longest * by.steps;
+  to.extent = {from.extent.x * by.steps, from.extent.y * by.steps};
+  const Int128 of_unit = by.rounded ? 1 : factor;
+  to.whole_extent = {from.whole_extent.x * of_unit, from.whole_extent.y * of_unit};
+  to.offset = {from.offset.x * of_unit, from.offset.y * of_unit};
+  to.steps = by.rounded ? factor : 1;
+  to.units = by.rounded ? 1 / by.steps : 1;
   to.entries = entries;
   to.exp2 = exp2;
   to.exp10 = exp10;
-  if (&to != &from) to.make_rows(room, wide);
-  if (wide) {
-    if (!was_wide) to.make_wide();
-    multiply_wide(from, was_wide, room, factor, to);
-  }
-  if (!wide) to.set_multiples(from, room, steps);
-  for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
-    if (&to != &from) std::copy_n(from[row], room, to[row]);
-  }
 }
 
 }  // namespace minksum

@@ -61,11 +61,15 @@ class OuterWalk {
     boundary_.between = 0;
   }
 
-  /// Walks from the smallest point. Returns false if the walk does not come back, or might not be
-  /// all of the sum's boundary.
-  template <class Vector>
-  bool run(const Vector& start) {
-    const std::uint32_t first = first_segment(start);
+  /// Walks from the smallest point, the sum of two vertices. Returns false if the walk does not
+  /// come back, or might not be all of the sum's boundary.
+  bool run(const VecRow& p, std::size_t i, const VecRow& q, std::size_t j) {
+    const auto starts_there = [&](std::uint32_t segment) {
+      return ways_.starts_at(segment, plus(p[i], q[j]), [&](const auto& lanes) {
+        return plus(lanes.get(p, i), lanes.get(q, j));
+      });
+    };
+    const std::uint32_t first = first_segment(starts_there);
     if (first == kNone) return false;
     WalkLocation place{first, {}};
     std::uint32_t taken = 0;
@@ -83,7 +87,7 @@ class OuterWalk {
         ++taken;
       }
       if (boundary_.size == SmallBoundary::kMax) return false;
-    } while (!place.passed.is_start() || !are_equal(ways_.at(place.segment), start));
+    } while (!place.passed.is_start() || !starts_there(place.segment));
     end_ring();
     return taken + 3 > m_.right_count || find_holes(taken);
   }
@@ -112,11 +116,11 @@ class OuterWalk {
     return {t, ways_.entry(t, from, ways_.start_of(t, from), ways_.turn(from, t))};
   }
   /// Returns the farthest clockwise of all segments that start at the smallest point.
-  template <class Vector>
-  [[nodiscard]] std::uint32_t first_segment(const Vector& start) const {
+  template <class StartsThere>
+  [[nodiscard]] std::uint32_t first_segment(const StartsThere& starts_there) const {
     std::uint32_t first = kNone;
     for (std::uint32_t t = 0; t < s_.size; ++t) {
-      if (!are_equal(ways_.at(t), start)) continue;
+      if (!starts_there(t)) continue;
       if (first == kNone || is_preferred(t, first)) first = t;
     }
     return first;
@@ -256,13 +260,9 @@ class OuterWalk {
     double to = 0;
   };
   [[nodiscard]] Piece piece_between(const WalkLocation& place, const Next& next) const {
-    const auto quotient = [&](std::uint32_t segment, std::uint32_t by) {
-      const auto exact = ways_.exact(segment, by);
-      return to_double(exact.numerator) / to_double(exact.denominator);
-    };
     const std::uint32_t at = place.segment;
-    const double from = place.passed.is_start() ? 0 : quotient(at, place.passed.by);
-    return {at, from, next.turn >= 0 ? 1 : quotient(at, next.place.segment)};
+    const double from = place.passed.is_start() ? 0 : ways_.rounded(at, place.passed.by);
+    return {at, from, next.turn >= 0 ? 1 : ways_.rounded(at, next.place.segment)};
   }
 
   const SmallSegments& s_;

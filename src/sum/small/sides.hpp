@@ -29,7 +29,8 @@ struct ZeroSides {
 struct ExactLanes {
   static constexpr bool kHoldsSums = true;
   static constexpr bool kRoundsPoints = false;
-  [[nodiscard, gnu::always_inline]] Vec<double> get(const VecRow& row, std::size_t i) const {
+  template <class Row>
+  [[nodiscard, gnu::always_inline]] Vec<double> get(const Row& row, std::size_t i) const {
     return row[i];
   }
   /// Positive if a point, seen from the start of an edge, is on its left. It is the difference of
@@ -54,7 +55,8 @@ struct RoundedLanes {
   static constexpr bool kHoldsSums = false;
   static constexpr bool kRoundsPoints = false;
   bool& unsure;
-  [[nodiscard, gnu::always_inline]] Vec<double> get(const VecRow& row, std::size_t i) const {
+  template <class Row>
+  [[nodiscard, gnu::always_inline]] Vec<double> get(const Row& row, std::size_t i) const {
     return row[i];
   }
   [[nodiscard, gnu::always_inline]] double side(const Vec<double>& edge, const Vec<double>& point,
@@ -77,7 +79,8 @@ struct BoundedLanes {
   static constexpr bool kRoundsPoints = true;
   bool& unsure;
   double reach;
-  [[nodiscard, gnu::always_inline]] Vec<double> get(const VecRow& row, std::size_t i) const {
+  template <class Row>
+  [[nodiscard, gnu::always_inline]] Vec<double> get(const Row& row, std::size_t i) const {
     return row[i];
   }
   [[nodiscard, gnu::always_inline]] double side(const Vec<double>& edge, const Vec<double>& point,
@@ -99,8 +102,8 @@ struct BoundedLanes {
                                                 const Vec<double>& out) const {
     const double above = in.x * out.y;
     const double other = in.y * out.x;
-    // Both edges, their product and the difference are rounded by 2^-53 each.
-    return decide(above - other, 0x1p-50 * (std::abs(above) + std::abs(other)), false);
+    // Each edge is rounded three times, and so is their product, and the difference, by 2^-53.
+    return decide(above - other, 0x1p-49 * (std::abs(above) + std::abs(other)), false);
   }
 
  private:
@@ -117,24 +120,25 @@ struct BoundedLanes {
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline auto filter_lanes(
     [[maybe_unused]] const SmallNumbers<Number>& numbers, bool& unsure) {
-  if constexpr (std::is_same_v<Number, Int128>) {
-    return BoundedLanes{unsure, numbers.reach};
-  } else {
+  if constexpr (std::is_same_v<Number, std::uint64_t>) {
     return RoundedLanes{unsure};
+  } else {
+    return BoundedLanes{unsure, numbers.reach};
   }
 }
 
-/// Cross products whose signs are exact.
+/// Cross products whose signs are exact. With Int128, SmallNumbers<WideNumber> must fit it.
 template <class Number>
 struct SureLanes {
   static constexpr bool kHoldsSums = false;
   static constexpr bool kRoundsPoints = false;
   SmallNumbers<Number> numbers;
-  [[nodiscard, gnu::always_inline]] SureVec<Number> get(const VecRow& row, std::size_t i) const {
-    if constexpr (std::is_same_v<Number, Int128>) {
-      return row.exact != nullptr ? SureVec<Number>{row[i], row.exact[i]} : of_whole(row[i]);
-    } else {
+  template <class Row>
+  [[nodiscard, gnu::always_inline]] SureVec<Number> get(const Row& row, std::size_t i) const {
+    if constexpr (std::is_same_v<Number, std::uint64_t>) {
       return of_whole(row[i]);
+    } else {
+      return {row[i], row.template exact<Number>(i)};
     }
   }
   /// Returns a vector of integers that doubles hold.
@@ -162,26 +166,25 @@ struct SureLanes {
   /// Returns the sign of a cross product that doubles do not tell.
   [[nodiscard, gnu::noinline]] double sign(const SureVec<Number>& a,
                                            const SureVec<Number>& b) const {
-    if constexpr (std::is_same_v<Number, Int128>) {
-      // Up to a width of 2^84, it is less than 2^125.
-      if (numbers.reach > 0x1p36) {
-        return sign_of(product<WideInt<4>>(a.exact.x, b.exact.y) -
-                       product<WideInt<4>>(a.exact.y, b.exact.x));
-      }
-      const auto wrapped = [](Int128 p, Int128 q) {
-        return static_cast<Uint128>(p) * static_cast<Uint128>(q);
-      };
-      return sign_of(
-          static_cast<Int128>(wrapped(a.exact.x, b.exact.y) - wrapped(a.exact.y, b.exact.x)));
-    } else {
+    if constexpr (std::is_same_v<Number, std::uint64_t>) {
       return sign_of(static_cast<std::int64_t>(cross(a.exact, b.exact)));
+    } else {
+      if constexpr (std::is_same_v<Number, Int128>) {
+        // Up to a width of 2^84, it is less than 2^125.
+        if (numbers.reach <= 0x1p36) {
+          const auto wrapped = [](Int128 p, Int128 q) {
+            return static_cast<Uint128>(p) * static_cast<Uint128>(q);
+          };
+          return sign_of(
+              static_cast<Int128>(wrapped(a.exact.x, b.exact.y) - wrapped(a.exact.y, b.exact.x)));
+        }
+      }
+      using Product = ProductOf<Number>;
+      return sign_of(product<Product>(a.exact.x, b.exact.y) -
+                     product<Product>(a.exact.y, b.exact.x));
     }
   }
 };
-
-/// A vector whose cross products `sure_lanes` computes.
-template <class Number>
-using SmallVec = std::conditional_t<std::is_same_v<Number, double>, Vec<double>, SureVec<Number>>;
 
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline auto sure_lanes(
@@ -190,6 +193,34 @@ template <class Number>
     return ExactLanes{};
   } else {
     return SureLanes<Number>{numbers};
+  }
+}
+/// Returns compute(lanes), by the shortest integers that hold all coordinates.
+template <class Number, class Compute>
+[[nodiscard, gnu::always_inline]] inline auto compute_surely(const SmallNumbers<Number>& numbers,
+                                                             const Compute& compute) {
+  if constexpr (std::is_same_v<Number, WideNumber>) {
+    if (numbers.fit_int128()) return compute(SureLanes<Int128>{{numbers.reach}});
+  }
+  return compute(sure_lanes(numbers));
+}
+
+template <class Number, class Compute>
+[[nodiscard, gnu::noinline]] double decide_exactly(const SmallNumbers<Number>& numbers,
+                                                   const Compute& compute) {
+  return compute_surely(numbers, compute);
+}
+/// Returns compute(lanes), whose sign is right, where `lanes` reads vectors and computes cross
+/// products.
+template <class Number, class Compute>
+[[nodiscard, gnu::always_inline]] inline double decide(const SmallNumbers<Number>& numbers,
+                                                       const Compute& compute) {
+  if constexpr (std::is_same_v<Number, double>) {
+    return compute(ExactLanes{});
+  } else {
+    bool unsure = false;
+    const double value = compute(filter_lanes(numbers, unsure));
+    return unsure ? decide_exactly(numbers, compute) : value;
   }
 }
 
@@ -215,7 +246,10 @@ template <LaneBits kLaneBits = 1, class Number, class Test>
     if (again != nullptr) *again += static_cast<std::size_t>(std::popcount(unsure & wanted));
     LaneBits sure = bits;  // apart, so that `bits` stays in a register
     for_each_bit(unsure & wanted, [&](std::uint32_t t) {
-      sure = (sure & ~(kLaneBits << t)) | test(SureLanes<Number>{numbers}, t);
+      const auto test_again = [&](const auto& lanes) __attribute__((always_inline)) {
+        return test(lanes, t);
+      };
+      sure = (sure & ~(kLaneBits << t)) | compute_surely(numbers, test_again);
     });
     return sure;
   }

@@ -97,7 +97,7 @@ template <class Number>
   // look, or some four if numbers have more than 84 bits.
   std::size_t looks_left = 12 * std::size_t{s.size} + 500;
   const std::size_t looks_of_exact =
-      std::is_same_v<Number, Int128> && numbers.reach > 0x1p36 ? 4 : 1;
+      std::is_same_v<Number, WideNumber> && numbers.reach > 0x1p36 ? 4 : 1;
   const auto meet = [&](std::size_t i, std::size_t j) __attribute__((always_inline)) {
     // The block with fewer rows near the other one is compared row by row.
     LaneBits rows = s.lanes_of(i);

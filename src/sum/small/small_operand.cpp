@@ -27,6 +27,8 @@ bool find_grid(const Region& region, SmallOperand& s) {
   }
   s.exp2 = exp2;
   s.exp10 = exp10;
+  s.steps = 1;
+  s.units = 1;
   return exp2 != kNone;
 }
 
@@ -88,7 +90,7 @@ class RingLoader {
     double* const x = ring.row(SmallOperand::kX);
     double* const y = ring.row(SmallOperand::kY);
     double* const source = ring.row(SmallOperand::kVertexSource);
-    Vec<Int128>* const at_whole = ring.whole(SmallOperand::kAt);
+    Vec<Int128>* const at_whole = ring.whole();
     const int exp2 = s_.exp2;
     const int exp10 = s_.exp10;
     // Places are seen from the first vertex, until the box is known.
@@ -187,6 +189,36 @@ bool load(const Region& region, SmallOperand& s) {
 }
 
 }  // namespace
+
+template <class Integer>
+Vec<Integer> SmallOperand::exact(int row, std::size_t i) const {
+  Vec<Int128> value{};
+  if (row == kX) {
+    value = whole_at(i);
+  } else if (is_wide()) {
+    const auto [from, to] = ends_of(row == kInX, static_cast<std::uint32_t>(i));
+    value = minus(whole_[to], whole_[from]);
+  } else {
+    value =
+        whole_vector({(*this)[static_cast<Row>(row)][i], (*this)[static_cast<Row>(row + 1)][i]});
+  }
+  if (steps == 1) return {Integer(value.x), Integer(value.y)};
+  return {product<Integer>(value.x, steps), product<Integer>(value.y, steps)};
+}
+template Vec<Int128> SmallOperand::exact(int, std::size_t) const;
+template Vec<WideNumber> SmallOperand::exact(int, std::size_t) const;
+
+SmallOperand::Ends SmallOperand::ends_of(bool before, std::uint32_t i) const {
+  std::uint32_t begin = 0;
+  std::uint32_t end = size;
+  for (auto ring = ends.begin(); i >= end && ring != ends.end(); ++ring) {
+    begin = static_cast<std::uint32_t>(filled_up(end));
+    end = *ring;
+  }
+  if (i < begin || i >= end) return {i, i};
+  if (before) return {(i == begin ? end : i) - 1, i};
+  return {i, i + 1 == end ? begin : i + 1};
+}
 
 void find_smallest(SmallOperand& s) { s.smallest = smallest_of(s, 0, s.size, 0); }
 

@@ -19,7 +19,10 @@ namespace minksum {
 /// counter-clockwise, so that vectors can be loaded from them. The rings of holes follow,
 /// clockwise, each from a multiple of eight on. Edge i starts at vertex i. Entries between rings
 /// are edges of length zero. If doubles do not hold the coordinates, the operand is wide: the
-/// doubles are rounded, and other arrays hold the integers.
+/// doubles are rounded, and another array holds the integers.
+///
+/// On a finer grid than its own, each coordinate is that on its own grid times a number of steps.
+/// Doubles hold or round the product. If they round it, it is not computed until it is needed.
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = std::size_t{1} << 16;
@@ -30,8 +33,9 @@ class SmallOperand {
   /// The largest extent of a box, unless the operand is wide. Doubles hold twice the sum of two
   /// points of it.
   static constexpr double kWidest = 0x1p49;
-  /// The largest extent of a wide operand's box, and of that of a sum of wide operands.
+  /// The largest extent of a wide operand's box on its own grid, and of any box on a finer grid.
   static constexpr double kWidestWide = 0x1p125;
+  static constexpr double kWidestFine = 0x1p250;
 
   /// The properties of each vertex. Each property has an array. Entries behind a ring are its first
   /// vertex again, with zeros for all edges.
@@ -61,23 +65,24 @@ class SmallOperand {
   /// The number of entries that all rings take; `size` where the holes are left out.
   std::uint32_t entries = 0;
   Vec<double> extent{};             ///< extent of the box, whose lower left corner is (0, 0)
-  Vec<Int128> whole_extent{};       ///< the same, not rounded
+  Vec<Int128> whole_extent{};       ///< the same in units of `steps`, not rounded
   std::vector<Vec<double>> holes;   ///< extents of the holes' boxes
   std::vector<std::uint32_t> ends;  ///< of the holes' rings
   double longest = 0;               ///< longest extent of an edge along an axis
-  Vec<Int128> offset{};             ///< place of the box in the region
+  Vec<Int128> offset{};             ///< place of the box in the region, in units of `steps`
   Vec<Int128> first{};              ///< the first vertex of the region that it was read from
   int exp2 = 0;                     ///< a step of the grid: 2^exp2 · 10^exp10
   int exp10 = 0;
+  /// How many steps of the grid a unit of whole numbers has: 1 unless doubles round the products.
+  Int128 steps = 1;
+  double units = 1;  ///< 1 / steps
 
   /// Makes room for rows of so many vertices. Values must be set before they are read.
   void make_rows(std::size_t vertices, bool wide) {
     stride_ = filled_up(vertices);
     rows_.resize(kRows * stride_);
-    whole_.resize(wide ? kWholeRows * stride_ : 0);
+    whole_.resize(wide ? stride_ : 0);
   }
-  /// The same for the integers of an operand that gets wide.
-  void make_wide() { whole_.resize(kWholeRows * stride_); }
   [[nodiscard]] bool is_wide() const { return !whole_.empty(); }
   /// Sets the first entries of all properties but the sources to multiples of those of another one,
   /// which may be the same.
@@ -95,24 +100,53 @@ class SmallOperand {
   [[nodiscard]] double* operator[](Row row) { return rows_.data() + row * stride_; }
   [[nodiscard]] const double* operator[](Row row) const { return rows_.data() + row * stride_; }
 
-  /// What a wide operand has as integers: vertices, and the edges after and before them.
-  enum WholeRow : std::uint8_t { kAt, kWay, kIn, kWholeRows };
-  /// Returns such an array, if the operand is wide.
-  [[nodiscard]] Vec<Int128>* whole(WholeRow row) { return whole_.data() + row * stride_; }
-  [[nodiscard]] const Vec<Int128>* whole(WholeRow row) const {
-    return is_wide() ? whole_.data() + row * stride_ : nullptr;
+  /// Returns the vertices of a wide operand, in units of `steps`.
+  [[nodiscard]] std::vector<Vec<Int128>>& whole() { return whole_; }
+  [[nodiscard]] const std::vector<Vec<Int128>>& whole() const { return whole_; }
+  /// The same of any operand.
+  [[nodiscard]] Vec<Int128> whole_at(std::size_t i) const {
+    return is_wide() ? whole_[i] : whole_vector({(*this)[kX][i], (*this)[kY][i]});
   }
-  [[nodiscard]] VecRow at() const { return {(*this)[kX], (*this)[kY], whole(kAt)}; }
-  [[nodiscard]] VecRow way() const { return {(*this)[kDx], (*this)[kDy], whole(kWay)}; }
-  /// Only at convex vertices these hold as integers what they hold as doubles.
-  [[nodiscard]] VecRow in() const { return {(*this)[kInX], (*this)[kInY], whole(kIn)}; }
-  [[nodiscard]] VecRow out() const { return {(*this)[kOutX], (*this)[kOutY], whole(kWay)}; }
+  /// Returns a vector of integers in units of `steps`, which doubles hold. It is known from that
+  /// times the steps, since this is off by less than half a unit.
+  [[nodiscard]] Vec<Int128> whole_vector(const Vec<double>& near) const {
+    const auto whole = [this](double value) {
+      const double number = value * units;
+      return Int128{static_cast<std::int64_t>(number + (number < 0 ? -0.5 : 0.5))};
+    };
+    return {whole(near.x), whole(near.y)};
+  }
+  /// Returns the vector whose x is in this row: a vertex or an edge, but no edge before or after a
+  /// reflex vertex.
+  template <class Integer>
+  [[nodiscard]] Vec<Integer> exact(int row, std::size_t i) const;
+  [[nodiscard]] VecRow at() const { return row(kX); }
+  [[nodiscard]] VecRow way() const { return row(kDx); }
+  [[nodiscard]] VecRow in() const { return row(kInX); }
+  [[nodiscard]] VecRow out() const { return row(kOutX); }
+
+  /// The vertices at which an edge starts and ends.
+  struct Ends {
+    std::uint32_t from;
+    std::uint32_t to;
+  };
+  /// Returns the ends of the edge before or after a vertex. For an entry between rings, both are
+  /// the same. O(holes).
+  [[nodiscard]] Ends ends_of(bool before, std::uint32_t i) const;
 
  private:
+  [[nodiscard]] VecRow row(Row x) const {
+    return {(*this)[x], (*this)[static_cast<Row>(x + 1)], this, x};
+  }
   std::size_t stride_ = 0;
   std::vector<double> rows_;
   std::vector<Vec<Int128>> whole_;
 };
+
+template <class Integer>
+Vec<Integer> VecRow::exact(std::size_t i) const {
+  return operand->exact<Integer>(property, i);
+}
 
 /// How the cross products of edges with each other, and with differences of points of a box, are
 /// computed.
@@ -120,7 +154,7 @@ enum class SmallNumberType : std::uint8_t { kDoubles, kRounded, kWide, kNone };
 
 [[nodiscard]] inline SmallNumberType small_numbers(bool wide, double longest, double width) {
   if (wide || width > SmallOperand::kWidest) {
-    return width <= SmallOperand::kWidestWide ? SmallNumberType::kWide : SmallNumberType::kNone;
+    return width <= SmallOperand::kWidestFine ? SmallNumberType::kWide : SmallNumberType::kNone;
   }
   // A cross product is at most twice this.
   return longest * width <= 0x1p52 ? SmallNumberType::kDoubles : SmallNumberType::kRounded;
@@ -130,7 +164,7 @@ template <class Work>
 auto with_numbers(SmallNumberType type, double width, Work work) {
   if (type == SmallNumberType::kDoubles) return work(SmallNumbers<double>{});
   if (type == SmallNumberType::kRounded) return work(SmallNumbers<std::uint64_t>{});
-  return work(SmallNumbers<Int128>{0x1p-48 * width});
+  return work(SmallNumbers<WideNumber>{0x1p-48 * width});
 }
 
 class SmallBlocks;
@@ -154,17 +188,16 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to);
 
 /// How an operand fits on a finer grid.
 struct Refinement {
-  double steps = 0;   ///< how many of the grid's one of its steps has; 0 if it does not fit there
-  bool wide = false;  ///< whether it fits as a wide one only
+  double steps = 0;  ///< how many of the grid's one of its steps has; 0 if it does not fit there
+  bool rounded = false;  ///< whether doubles round its coordinates there
 };
 [[nodiscard]] Refinement finer_grid(int exp2, int exp10, const SmallOperand& operand);
 [[nodiscard]] inline Refinement refinement(int exp2, int exp10, const SmallOperand& operand) {
   const bool same = operand.exp2 == exp2 && operand.exp10 == exp10;
   return same ? Refinement{1, operand.is_wide()} : finer_grid(exp2, exp10, operand);
 }
-/// Copies the first entries of an operand, all or those of the outer ring, to the finer grid of
-/// these exponents, on which it must fit, as a wide one or not. Both may be the same.
-void refine(int exp2, int exp10, bool wide, std::uint32_t entries, const SmallOperand& from,
-            SmallOperand& to);
+/// Copies the first entries of an operand, all or those of the outer ring, from its own grid to the
+/// finer one of these exponents, on which it must fit. Both operands may be the same.
+void refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from, SmallOperand& to);
 
 }  // namespace minksum

@@ -44,15 +44,17 @@ class SmallPlacement {
     if (halvings_ > kMostHalvings) return Result::kUnknown;
     if (!edges_of_p_) turn_q();
     const Int128 steps = static_cast<std::int64_t>(std::ldexp((from + to) / 2, halvings_) + 0.5);
-    way_ = lanes_.get(s.way(), segment);
-    const Vec<Int128> start = lanes_.get(s.at(), segment).exact;
-    const auto set = [&](Int128 at, Int128 by, Int128 width, double& rounded) {
-      const Scaled place = scaled(at - width) + product<Scaled>(by, steps);
+    way_ = s.way().exact<WideNumber>(segment);
+    const Vec<WideNumber> start = s.at().exact<WideNumber>(segment);
+    const auto set = [&](const WideNumber& at, const WideNumber& by, Int128 width,
+                         double& rounded) {
+      const Scaled place =
+          scaled(at - product<WideNumber>(width, turned_.steps)) + product<Scaled>(by, steps);
       rounded = std::ldexp(to_double(place), -halvings_);
       return place;
     };
-    place_ = {set(start.x, way_.exact.x, turned_.whole_extent.x, at_.x),
-              set(start.y, way_.exact.y, turned_.whole_extent.y, at_.y)};
+    place_ = {set(start.x, way_.x, turned_.whole_extent.x, at_.x),
+              set(start.y, way_.y, turned_.whole_extent.y, at_.y)};
     return test_boundaries();
   }
 
@@ -67,7 +69,7 @@ class SmallPlacement {
     pairs_left_ = 4 * most_pairs(std::size_t{p_.entries} + q_.entries);
   }
   /// Holds a coordinate in steps of 2^-halvings.
-  using Scaled = WideInt<3>;
+  using Scaled = WideInt<5>;
 
   /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither holds the other,
   /// since x − Q lies outside P where it would touch without the step to the right.
@@ -95,39 +97,73 @@ class SmallPlacement {
   /// Whether two edges cross if that of x − Q makes an infinitely small step to the right of the
   /// way, and a smaller one along it. Then no end is on the other's line.
   [[nodiscard]] bool do_cross(std::uint32_t of_p, std::uint32_t of_q) const {
-    const SureVec<Int128> a = lanes_.get(edges_of_p_->way, of_p);
-    const SureVec<Int128> b = lanes_.get(edges_of_q_->way, of_q);
-    // From the start of one edge to that of the other.
-    const SureVec<Int128> to =
-        minus(lanes_.get(edges_of_q_->at, of_q), lanes_.get(edges_of_p_->at, of_p));
-    const SureVec<Int128> right{{way_.near.y, -way_.near.x}, {way_.exact.y, -way_.exact.x}};
-    // Tells whether a point is on the left of an edge. The step is seen from the edge's operand.
-    const auto is_left = [&](const SureVec<Int128>& edge, const SureVec<Int128>& point) {
-      const Sign side = side_of(edge, point);
-      if (side != kZero) return side == kPositive;
-      const double by_right = lanes_.turn(edge, right);
-      return (by_right != 0 ? by_right : lanes_.turn(edge, way_)) > 0;
+    bool unsure = false;
+    const auto is_left = [&](const Vec<double>& edge, const Vec<double>& point) {
+      const double side = side_of(edge, point);
+      unsure |= side == 0;
+      return side > 0;
     };
+    const SmallEdges& p = *edges_of_p_;
+    const SmallEdges& q = *edges_of_q_;
+    const bool crossed = do_cross(p.way[of_p], minus(q.at[of_q], p.at[of_p]), q.way[of_q], is_left);
+    if (!unsure) return crossed;
+    return numbers_.fit_int128() ? do_cross_exactly<Int128>(of_p, of_q)
+                                 : do_cross_exactly<WideNumber>(of_p, of_q);
+  }
+  template <class Integer>
+  [[nodiscard, gnu::noinline]] bool do_cross_exactly(std::uint32_t of_p, std::uint32_t of_q) const {
+    using Vector = SureVec<Integer>;
+    // Tells whether a point is on the left of an edge. The step is seen from the edge's operand.
+    const auto is_left = [&](const Vector& edge, const Vector& point) {
+      const double side = side_of(edge.near, point.near);
+      return side != 0 ? side > 0 : is_left_exactly(edge.exact, point.exact);
+    };
+    const SureLanes<Integer> lanes{{numbers_.reach}};
+    const SmallEdges& p = *edges_of_p_;
+    const SmallEdges& q = *edges_of_q_;
+    return do_cross(lanes.get(p.way, of_p), minus(lanes.get(q.at, of_q), lanes.get(p.at, of_p)),
+                    lanes.get(q.way, of_q), is_left);
+  }
+  /// Whether two edges cross. The second one starts at `to`, seen from the start of the first.
+  template <class Vector, class IsLeft>
+  [[nodiscard, gnu::always_inline]] static bool do_cross(const Vector& a, const Vector& to,
+                                                         const Vector& b, const IsLeft& is_left) {
     return is_left(a, to) != is_left(a, plus(to, b)) && is_left(b, to) != is_left(b, minus(to, a));
   }
-  /// Returns the sign of the cross product of two vectors. The place of x is added to the second.
-  [[nodiscard]] Sign side_of(const SureVec<Int128>& edge, const SureVec<Int128>& to) const {
-    const Vec<double>& way = edge.near;
-    const double value = cross(way, plus(to.near, at_));
-    // With the units of SmallNumbers, the place of x is off by 4u and twice as wide as the sum. So
-    // the cross product is off by less than 17v.
-    if (std::abs(value) > numbers_.reach * (std::abs(way.x) + std::abs(way.y))) {
-      return sign_of(value);
-    }
-    return sign_of(product<WideInt<5>>(edge.exact.x, scaled(to.exact.y) + place_.y) -
-                   product<WideInt<5>>(edge.exact.y, scaled(to.exact.x) + place_.x));
+  /// Returns the cross product of two vectors, or zero if its sign is not sure. The place of x is
+  /// added to the second.
+  [[nodiscard, gnu::always_inline]] double side_of(const Vec<double>& edge,
+                                                   const Vec<double>& point) const {
+    const double value = cross(edge, plus(point, at_));
+    // With the units of SmallNumbers, the place of x is off by 4u, and the point by 15u, at up to
+    // three times the width. So the cross product is off by up to 30v.
+    const double error = numbers_.reach * (std::abs(edge.x) + std::abs(edge.y));
+    return std::abs(value) > error ? value : 0;
   }
-  [[nodiscard]] Scaled scaled(Int128 value) const {
+  /// Tells the same for sure, and makes the step if the point is on the line.
+  template <class Integer>
+  [[nodiscard]] bool is_left_exactly(const Vec<Integer>& edge, const Vec<Integer>& point) const {
+    // Their places take a limb more than the integers.
+    constexpr std::size_t kLimbs = std::is_same_v<Integer, Int128> ? 3 : 5;
+    using Place = WideInt<kLimbs>;
+    using OfPlace = WideInt<2 * kLimbs - 1>;
+    const auto moved = [this](const Integer& value, const Scaled& by) {
+      return product<Place>(value, Int128{1} << halvings_) + by.template lowest<Place>();
+    };
+    const auto side = product<OfPlace>(edge.x, moved(point.y, place_.y)) -
+                      product<OfPlace>(edge.y, moved(point.x, place_.x));
+    if (side != OfPlace(0)) return !side.negative();
+    const Vec<Integer> way{way_.x.template lowest<Integer>(), way_.y.template lowest<Integer>()};
+    using Product = ProductOf<Integer>;
+    const auto along = product<Product>(edge.x, way.x) + product<Product>(edge.y, way.y);
+    if (along != Product(0)) return along.negative();
+    return product<Product>(edge.x, way.y) > product<Product>(edge.y, way.x);
+  }
+  [[nodiscard]] Scaled scaled(const WideNumber& value) const {
     return product<Scaled>(value, Int128{1} << halvings_);
   }
 
-  SmallNumbers<Int128> numbers_;
-  SureLanes<Int128> lanes_{numbers_};
+  SmallNumbers<WideNumber> numbers_;
   const SmallOperand& p_;
   const SmallOperand& q_;
   std::array<bool, 2> with_holes_;
@@ -137,7 +173,7 @@ class SmallPlacement {
   std::optional<SmallEdges> edges_of_q_;
   std::size_t pairs_left_ = 0;  ///< of blocks, for all tests
   int halvings_ = 0;
-  SureVec<Int128> way_{};  ///< of the segment
+  Vec<WideNumber> way_{};  ///< of the segment
   Vec<double> at_{};       ///< where the turned Q lies
   Vec<Scaled> place_{};    ///< the same exactly, in steps of 2^-halvings
 };

@@ -54,8 +54,8 @@ template <class Integer>
                                                             const Vec<Integer>& a,
                                                             const Vec<Integer>& t) {
   const auto meet = [](Integer w, Integer to, Integer u) __attribute__((always_inline)) {
-    const auto size = [](Integer value) { return value < 0 ? -value : value; };
-    return size(2 * to + u - w) <= size(w) + size(u);
+    const auto size = [](Integer value) { return value < Integer(0) ? -value : value; };
+    return size(to + to + u - w) <= size(w) + size(u);
   };
   return meet(way.x, a.x, t.x) & meet(way.y, a.y, t.y);
 }
@@ -184,8 +184,9 @@ template <class Number>
       const auto point = minus(at, lanes.get(edges.at, i));
       const auto height = as_signed(edge).y;
       const auto y = as_signed(point).y;
-      const bool up = y >= 0 && y < height;
-      const bool down = y < 0 && y >= height;
+      const decltype(y) zero(0);
+      const bool up = y >= zero && y < height;
+      const bool down = y < zero && y >= height;
       if (!up && !down) return false;
       const double side = lanes.side(edge, point);
       return up ? side > 0 : side < 0;

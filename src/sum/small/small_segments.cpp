@@ -88,9 +88,7 @@ void SmallSegments::finish(double reach) {
   for (std::size_t i = size; i < filled_up(size); ++i) {
     x[i] = y[i] = dx[i] = dy[i] = 0;
     part.x[i] = part.y[i] = part.dx[i] = part.dy[i] = 0;
-    if (!wide) continue;
-    start[i] = end[i] = -1;
-    whole_at[i] = whole_way[i] = {};
+    if (wide) start[i] = end[i] = -1;
   }
   const SegmentRows& rows = boxes();
   blocks.set(rows.x.data(), rows.y.data(), rows.dx.data(), rows.dy.data(), size, reach);
@@ -130,10 +128,7 @@ double take_sample(const SmallSegments& from, SmallSegments& to) {
   // Of meetings, the square of the share is left: 16 of the most that may be. So their number is
   // off by a quarter or so.
   const auto size = static_cast<std::uint32_t>(std::sqrt(8.0 * from.size));
-  to.size = 0;
-  to.hidden = 0;
-  to.wide = from.wide;
-  to.in_part = from.in_part;
+  to.clear_as(from);
   // Segments of regular shapes are alike at regular distances, so these are not regular.
   std::uint32_t random = 1;
   for (std::uint64_t k = 0; k < size; ++k) {
@@ -161,10 +156,9 @@ void SmallOrder::apply(const SmallSegments& from, double width, double reach, Sm
     ++place_[square_[i] + std::size_t{1}];
   }
   for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
+  to.clear_as(from);
   to.size = from.size;
   to.hidden = from.hidden;
-  to.wide = from.wide;
-  to.in_part = from.in_part;
   for (std::uint32_t i = 0; i < from.size; ++i) {
     to.copy(from, i, place_[square_[i]]++);
   }

@@ -43,21 +43,20 @@ struct SegmentRows {
   }
 };
 
-/// The segments of a small sum. All numbers are integers, which doubles round if the operands are
-/// wide. Of the arrays, only what is used takes memory: others' pages are never touched.
+/// The segments of a small sum. All numbers are integers, which doubles may round. Of the arrays,
+/// only what is used takes memory: others' pages are never touched.
 struct SmallSegments : SegmentRows {
   std::uint32_t size;
   std::uint32_t hidden;  ///< number of others, which certainly lie inside the sum
-  bool wide;             ///< whether the operands are
+  bool wide;             ///< whether doubles round the numbers
   bool in_part;          ///< whether it is known which parts of segments may be boundary
-  /// These are only set if the operands are wide. Ends that are sums of the same two vertices have
-  /// the same number.
+  /// These are only set where doubles round the numbers. Ends that are sums of the same two
+  /// vertices have the same number.
   alignas(64) Row start;
   alignas(64) Row end;
   SegmentRows part;  ///< the parts' boxes, as lower left corners and extents
-  std::array<Vec<Int128>, kMax> whole_at;
-  std::array<Vec<Int128>, kMax> whole_way;
   std::array<SegmentOrigin, kMax> origin;
+  std::array<const SmallOperand*, 2> operands;  ///< by `of_first`
   SmallBlocks blocks;
 
   /// Copies another's entry.
@@ -69,14 +68,37 @@ struct SmallSegments : SegmentRows {
     if (other.wide) {
       start[to] = other.start[from];
       end[to] = other.end[from];
-      whole_at[to] = other.whole_at[from];
-      whole_way[to] = other.whole_way[from];
     }
   }
-  [[nodiscard]] VecRow at() const { return {x.data(), y.data(), wide ? whole_at.data() : nullptr}; }
-  [[nodiscard]] VecRow way() const {
-    return {dx.data(), dy.data(), wide ? whole_way.data() : nullptr};
+  /// Gets ready for copies of another's entries.
+  void clear_as(const SmallSegments& other) {
+    size = 0;
+    hidden = 0;
+    wide = other.wide;
+    in_part = other.in_part;
+    operands = other.operands;
   }
+  struct AtRow {
+    const SmallSegments& s;
+    [[nodiscard]] Vec<double> operator[](std::size_t i) const { return {s.x[i], s.y[i]}; }
+    template <class Integer>
+    [[nodiscard]] Vec<Integer> exact(std::size_t i) const {
+      const SegmentOrigin& o = s.origin[i];
+      return plus(s.operands[o.of_first]->exact<Integer>(SmallOperand::kX, o.edge),
+                  s.operands[1 - o.of_first]->exact<Integer>(SmallOperand::kX, o.vertex));
+    }
+  };
+  struct WayRow {
+    const SmallSegments& s;
+    [[nodiscard]] Vec<double> operator[](std::size_t i) const { return {s.dx[i], s.dy[i]}; }
+    template <class Integer>
+    [[nodiscard]] Vec<Integer> exact(std::size_t i) const {
+      const SegmentOrigin& o = s.origin[i];
+      return s.operands[o.of_first]->exact<Integer>(SmallOperand::kDx, o.edge);
+    }
+  };
+  [[nodiscard]] AtRow at() const { return {*this}; }
+  [[nodiscard]] WayRow way() const { return {*this}; }
 
   /// Returns those of a block's eight entries that are segments.
   [[nodiscard]] LaneBits lanes_of(std::size_t block) const {
@@ -190,22 +212,15 @@ template <class Number>
     s.y[size] = edges.at.y[e] + vertices.at.y[v];
     s.dx[size] = edges.way.x[e];
     s.dy[size] = edges.way.y[e];
-    if constexpr (std::is_same_v<Number, Int128>) {
+    if constexpr (std::is_same_v<Number, WideNumber>) {
       const auto number = [&](std::size_t of_edge) {
         const std::size_t i = of_first ? of_edge : v;
         const std::size_t j = of_first ? v : of_edge;
         return static_cast<double>(i * SmallOperand::kMaxEntries + j);
       };
       const SmallOperand& o = of_first ? p : q;
-      const std::size_t next = e + 1 == o.size ? 0 : e + 1;
-      // The end of a hole's last edge gets a number of its own.
-      const Vec<Int128> end = plus(edges.at.exact[e], edges.way.exact[e]);
-      const bool is_next =
-          next < o.entries && end.x == edges.at.exact[next].x && end.y == edges.at.exact[next].y;
       s.start[size] = number(e);
-      s.end[size] = is_next ? number(next) : -1 - number(e);
-      s.whole_at[size] = plus(edges.at.exact[e], vertices.at.exact[v]);
-      s.whole_way[size] = edges.way.exact[e];
+      s.end[size] = number(o.ends_of(false, static_cast<std::uint32_t>(e)).to);
     }
     s.origin[size] = {static_cast<std::uint32_t>(e), static_cast<std::uint32_t>(v), of_first};
     ++size;
@@ -228,7 +243,8 @@ template <class Number>
   s.size = size;
   s.hidden = 0;
   s.in_part = false;
-  s.wide = std::is_same_v<Number, Int128>;
+  s.wide = std::is_same_v<Number, WideNumber>;
+  s.operands = {&q, &p};
   return true;
 }
 

@@ -30,7 +30,7 @@ namespace {
 bool may_fit(const SmallOperand& operand, const Refinement& by, const SmallOperand& other,
              const Refinement& other_by) {
   // Then the box counts as a little smaller. That keeps holes which could be filled, at worst.
-  const double steps = other_by.steps * (by.wide || other_by.wide ? 1 - 0x1p-48 : 1);
+  const double steps = other_by.steps * (by.rounded || other_by.rounded ? 1 - 0x1p-48 : 1);
   const Vec<double> box{other.extent.x * steps, other.extent.y * steps};
   return std::ranges::any_of(operand.holes, [&](const Vec<double>& hole) {
     return box.x < hole.x * by.steps && box.y < hole.y * by.steps;
@@ -61,17 +61,16 @@ template <class Number>
     }
   };
   using Origin = SegmentOrigin;
-  SmallWriter<Number> writer(p, q, p.size + q.size, 0, result);
-  const auto lanes = sure_lanes(numbers);
+  SmallWriter<Number> writer(numbers, p, q, p.size + q.size, 0, result);
   Round a(p);
   Round b(q);
+  const auto turn_of_edges = [&](const auto& of) __attribute__((always_inline)) {
+    return of.turn(of.get(a.way, a.i), of.get(b.way, b.i));
+  };
   while (a.left + b.left > 0) {
     // Neither edge is half a circle behind the other, because convex rings turn by less.
-    const double turn = a.left == 0   ? -1
-                        : b.left == 0 ? 1
-                                      : lanes.turn(lanes.get(a.way, a.i), lanes.get(b.way, b.i));
-    writer.add(plus(lanes.get(a.at, a.i), lanes.get(b.at, b.i)),
-               turn >= 0 ? Origin{a.i, b.i, true} : Origin{b.i, a.i, false});
+    const double turn = a.left == 0 ? -1 : b.left == 0 ? 1 : decide(numbers, turn_of_edges);
+    writer.add(a.at, a.i, b.at, b.i, turn >= 0 ? Origin{a.i, b.i, true} : Origin{b.i, a.i, false});
     if (turn >= 0) a.go_on();
     if (turn <= 0) b.go_on();
   }
@@ -166,11 +165,10 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.placement);
   OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.marks, boundary);
   // The sum of the smallest points of both operands is the sum's smallest point.
-  const auto lanes = sure_lanes(numbers);
-  if (!walk.run(plus(lanes.get(p.at(), p.smallest), lanes.get(q.at(), q.smallest)))) return false;
+  if (!walk.run(p.at(), p.smallest, q.at(), q.smallest)) return false;
   const WayFractions<Number> ways(numbers, segments);
   const std::uint32_t outer = boundary.end_of[0];
-  SmallWriter<Number> writer(p, q, outer, boundary.between, result);
+  SmallWriter<Number> writer(numbers, p, q, outer, boundary.between, result);
   for (std::uint32_t k = 0; k < outer; ++k) {
     writer.add(ways, segments, boundary.corners[k]);
   }
@@ -200,12 +198,6 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   return met != nullptr && walk(numbers, p, q, plan, *met, scratch, result);
 }
 
-/// Whether an operand can be summed as it is.
-bool is_ready(const SmallPlan& plan, const SmallOperand& operand) {
-  return operand.exp2 == plan.exp2 && operand.exp10 == plan.exp10 &&
-         operand.is_wide() == (plan.numbers == SmallNumberType::kWide);
-}
-
 }  // namespace
 
 SmallScratch::SmallScratch() = default;
@@ -226,9 +218,8 @@ void bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>
                        std::array<SmallOperand, 2>& memory) {
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const SmallOperand& o = *operands[i];
-    if (is_ready(plan, o)) continue;
-    const std::uint32_t entries = plan.with_holes[i] ? o.entries : o.size;
-    refine(plan.exp2, plan.exp10, plan.numbers == SmallNumberType::kWide, entries, o, memory[i]);
+    if (o.exp2 == plan.exp2 && o.exp10 == plan.exp10) continue;
+    refine(plan.exp2, plan.exp10, plan.with_holes[i] ? o.entries : o.size, o, memory[i]);
     operands[i] = &memory[i];
   }
 }
@@ -250,7 +241,7 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   };
   const double width = std::max(p.extent.x * of_p.steps + q.extent.x * of_q.steps,
                                 p.extent.y * of_p.steps + q.extent.y * of_q.steps);
-  plan.numbers = small_numbers(of_p.wide || of_q.wide,
+  plan.numbers = small_numbers(of_p.rounded || of_q.rounded,
                                std::max(p.longest * of_p.steps, q.longest * of_q.steps), width);
   if (plan.convex) return plan;
   const double m = size(p, plan.with_holes[0]);

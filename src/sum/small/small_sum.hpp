@@ -67,8 +67,8 @@ struct SmallPlan {
 /// needed. The operands need not be known to be valid.
 [[nodiscard]] SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q);
 
-/// Brings two operands to their common grid, and makes both wide if one must be. Those that must
-/// change are copied to `memory`, if they are not there already.
+/// Brings two operands to their common grid. Those that must change are copied to `memory`, if they
+/// are not there already.
 void bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>& operands,
                        std::array<SmallOperand, 2>& memory);
 

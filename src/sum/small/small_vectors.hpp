@@ -14,26 +14,56 @@ namespace minksum {
 /// - `double`: doubles hold all cross products.
 /// - `std::uint64_t`: doubles hold coordinates, of up to 2^49, and round cross products. One whose
 ///   sign they do not tell is small, so its value modulo 2^64 tells it.
-/// - `Int128`: doubles round coordinates, of up to 2^125, too.
+/// - `WideNumber`: doubles round coordinates, of up to 2^250, too. The exact ones are computed only
+///   where doubles do not tell.
+using WideNumber = WideInt<4>;
 template <class Number>
 struct SmallNumbers {
-  /// For Int128: 2^-48 of the width of all coordinates. It bounds the errors of points, of boxes
-  /// and, for edges of length 1, of cross products. Let u be 2^-53 of the width, and v the same of
-  /// an edge and the width. The coordinates of an operand's points are off by up to u, those of a
-  /// sum's by 2u, and differences of two points by 5u, or by 7u if one is moved by an edge. Rounded
-  /// edges and products make that up to 11v. Instead of a moved point, the cross product of the two
-  /// edges may be added, with 4v and with 2v for that sum.
+  /// For WideNumber: 2^-48 of the width of all coordinates. It bounds the errors of points, of
+  /// boxes and, for edges of length 1, of cross products. Let u be 2^-53 of the width, and v the
+  /// same of an edge and the width. An operand's points and edges are rounded three times: on their
+  /// own grid, and as products with a rounded number of steps. So an operand's points are off by up
+  /// to 3u, a sum's by 4u, and differences of two points by 9u, or by 13u if one is moved by an
+  /// edge. Rounded edges and products make that up to 19v. Instead of a moved point, the cross
+  /// product of the two edges may be added, with 8v and with 2v for that sum: 24v in all.
   double reach = 0;
+
+  /// Whether Int128 holds differences of all points, with four bits to spare.
+  [[nodiscard]] bool fit_int128() const { return reach <= 0x1p77; }
 };
 
-/// An array of vectors in doubles, and exactly if doubles round them.
+class SmallOperand;
+
+/// An array of vectors in doubles: a property of an operand's vertices.
 struct VecRow {
   const double* x;
   const double* y;
-  const Vec<Int128>* exact = nullptr;
+  const SmallOperand* operand;
+  int property;  ///< see SmallOperand::Row
 
   [[nodiscard]] Vec<double> operator[](std::size_t i) const { return {x[i], y[i]}; }
+  /// Returns a vector that doubles may round.
+  template <class Integer>
+  [[nodiscard]] Vec<Integer> exact(std::size_t i) const;
 };
+
+/// Holds the cross product of two vectors of integers, or the product of two of these.
+template <class Integer>
+struct ProductType;
+template <>
+struct ProductType<std::int64_t> {
+  using Type = Int128;
+};
+template <>
+struct ProductType<Int128> {
+  using Type = WideInt<4>;
+};
+template <std::size_t N>
+struct ProductType<WideInt<N>> {
+  using Type = WideInt<2 * N>;
+};
+template <class Integer>
+using ProductOf = typename ProductType<Integer>::Type;
 
 /// A vector in doubles, and exactly or modulo 2^64.
 template <class Number>
@@ -71,7 +101,9 @@ template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Vec<double> as_signed(const SureVec<std::uint64_t>& v) {
   return v.near;
 }
-[[nodiscard, gnu::always_inline]] constexpr Vec<Int128> as_signed(const SureVec<Int128>& v) {
+template <class Integer>
+[[nodiscard, gnu::always_inline]] constexpr const Vec<Integer>& as_signed(
+    const SureVec<Integer>& v) {
   return v.exact;
 }
 /// The same as integers.
@@ -81,7 +113,10 @@ template <class Number>
 [[nodiscard]] constexpr Vec<std::int64_t> as_integers(const SureVec<std::uint64_t>& v) {
   return {static_cast<std::int64_t>(v.exact.x), static_cast<std::int64_t>(v.exact.y)};
 }
-[[nodiscard]] constexpr Vec<Int128> as_integers(const SureVec<Int128>& v) { return as_signed(v); }
+template <class Integer>
+[[nodiscard]] constexpr const Vec<Integer>& as_integers(const SureVec<Integer>& v) {
+  return v.exact;
+}
 /// The same in doubles, which may round it.
 [[nodiscard]] constexpr const Vec<double>& near_of(const Vec<double>& v) { return v; }
 template <class Number>

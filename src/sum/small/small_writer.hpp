@@ -19,66 +19,109 @@ struct SmallVertex {
 /// Makes vertices of corners, and writes the outer ring's to a region.
 template <class Number>
 class SmallWriter {
-  static constexpr bool kWide = std::is_same_v<Number, Int128>;
+  static constexpr bool kWide = std::is_same_v<Number, WideNumber>;
 
  public:
   /// Makes room for `corners` vertices, which may be too many. `between` of them are not at the
   /// start of a segment.
-  SmallWriter(const SmallOperand& p, const SmallOperand& q, std::size_t corners,
-              std::size_t between, Region& region)
-      : edge_source_{q[SmallOperand::kEdgeSource], p[SmallOperand::kEdgeSource]},
+  SmallWriter(const SmallNumbers<Number>& numbers, const SmallOperand& p, const SmallOperand& q,
+              std::size_t corners, std::size_t between, Region& region)
+      : numbers_(numbers),
+        edge_source_{q[SmallOperand::kEdgeSource], p[SmallOperand::kEdgeSource]},
         vertex_source_{p[SmallOperand::kVertexSource], q[SmallOperand::kVertexSource]},
-        offset_{static_cast<Coordinate>(p.offset.x + q.offset.x),
-                static_cast<Coordinate>(p.offset.y + q.offset.y)},
+        offset_(plus(offset_of(p), offset_of(q))),
         exp2_(static_cast<std::int16_t>(p.exp2)),
         exp10_(static_cast<std::int16_t>(p.exp10)),
         region_(region) {
     region.clear();
-    // Most numerators and denominators take one limb, or four and three if operands are wide.
-    constexpr std::size_t kLimbs = kWide ? 14 : 4;
-    constexpr std::size_t kLimbsOfStart = kWide ? 6 : 0;
-    const std::size_t limbs = kLimbs * between + kLimbsOfStart * (corners - between);
+    std::size_t limbs = 4 * between;  // most numerators and denominators take one
+    if constexpr (kWide) {
+      // Numbers on the grid take two, or four, and a crossing's three or six times as many.
+      few_ = numbers.fit_int128() && fits(offset_.x) && fits(offset_.y);
+      limbs = (few_ ? 14 : 36) * between + (few_ ? 6 : 10) * (corners - between);
+    }
     RegionAccess::make_ring(region, {corners, corners, 1, 1, limbs});
   }
   /// Adds the sum of two vertices. The origin is of the edge that starts there.
-  void add(const SmallVec<Number>& at, const SegmentOrigin& origin) { set(vertex(at, origin)); }
+  void add(const VecRow& p, std::size_t i, const VecRow& q, std::size_t j,
+           const SegmentOrigin& origin) {
+    set(with_lanes(
+        [&](const auto& lanes) { return vertex(plus(lanes.get(p, i), lanes.get(q, j)), origin); }));
+  }
   void add(const WayFractions<Number>& ways, const SmallSegments& s, const SmallCorner& corner) {
     set(vertex(ways, s, corner));
   }
   [[nodiscard]] SmallVertex vertex(const WayFractions<Number>& ways, const SmallSegments& s,
                                    const SmallCorner& corner) {
     const std::uint32_t i = corner.segment;
-    const auto start = ways.at(i);
-    if (corner.is_start()) return vertex(start, s.origin[i]);
-    const auto part = ways.exact(i, corner.crossed_by);
-    const double passed = to_double(part.numerator) / to_double(part.denominator);
-    const auto way = ways.way(i);
-    const Vec<Coordinate> at = plus(as_integers(start), offset_);
-    const Vec<Coordinate> by = as_integers(way);
-    const StoredCoordinate x = store(at.x, by.x, part, near_of(way).x * passed);
-    const StoredCoordinate y = store(at.y, by.y, part, near_of(way).y * passed);
-    const Vec<double> rounded{near_of(start).x + near_of(way).x * passed,
-                              near_of(start).y + near_of(way).y * passed};
-    return {rounded, x, y, origin_of(s.origin[i])};
+    return with_lanes([&](const auto& lanes) {
+      const auto start = lanes.get(s.at(), i);
+      if (corner.is_start()) return vertex(start, s.origin[i]);
+      const auto part = ways.exact(lanes, i, corner.crossed_by);
+      const double passed = to_double(part.numerator) / to_double(part.denominator);
+      const auto way = lanes.get(s.way(), i);
+      const auto at = moved(as_integers(start));
+      const auto by = as_integers(way);
+      const StoredCoordinate x = store(at.x, by.x, part, near_of(way).x * passed);
+      const StoredCoordinate y = store(at.y, by.y, part, near_of(way).y * passed);
+      const Vec<double> rounded{near_of(start).x + near_of(way).x * passed,
+                                near_of(start).y + near_of(way).y * passed};
+      return SmallVertex{rounded, x, y, origin_of(s.origin[i])};
+    });
   }
   /// Must be called after the last corner, if there may be fewer than there is room for.
   void finish() { RegionAccess::keep_vertices(region_, size_); }
 
  private:
-  using Integer = typename WayFractions<Number>::Integer;
-  using Coordinate = std::conditional_t<kWide, Int128, std::int64_t>;
+  using Coordinate = std::conditional_t<kWide, WideNumber, std::int64_t>;
   /// Up to here, products of way or offset with a part of a way take at most 128 bits.
   static constexpr std::int64_t kFewBits = std::int64_t{1} << 60;
 
-  [[nodiscard]] StoredCoordinate whole(Coordinate value) {
-    if (value == 0) return {};
-    const auto few = static_cast<std::int64_t>(value);
-    if (few == value) return {few, exp2_, exp10_, 0, 0};
+  [[nodiscard]] static Vec<Coordinate> offset_of(const SmallOperand& o) {
+    if constexpr (kWide) {
+      return {product<WideNumber>(o.offset.x, o.steps), product<WideNumber>(o.offset.y, o.steps)};
+    } else {
+      return {static_cast<std::int64_t>(o.offset.x), static_cast<std::int64_t>(o.offset.y)};
+    }
+  }
+  /// Whether a number has up to 126 bits.
+  [[nodiscard]] static bool fits(const WideNumber& value) {
+    const WideNumber magnitude = value.magnitude();
+    return (magnitude.limb(1) >> 62U | magnitude.limb(2) | magnitude.limb(3)) == 0;
+  }
+  template <class Compute>
+  [[nodiscard]] SmallVertex with_lanes(const Compute& compute) {
+    if constexpr (kWide) {
+      if (few_) return compute(SureLanes<Int128>{{numbers_.reach}});
+    }
+    return compute(sure_lanes(numbers_));
+  }
+  /// Returns a point's place in the regions' plane.
+  template <class Value>
+  [[nodiscard]] Vec<Value> moved(const Vec<Value>& at) const {
+    if constexpr (std::is_same_v<Value, Coordinate>) {
+      return plus(at, offset_);
+    } else {
+      return {at.x + offset_.x.template lowest<Value>(), at.y + offset_.y.template lowest<Value>()};
+    }
+  }
+  template <class Value>
+  [[nodiscard]] StoredCoordinate whole(const Value& value) {
+    if (value == Value(0)) return {};
+    const auto few = static_cast<std::int64_t>(as_limbs(value).limb(0));
+    if (Value(few) == value) return {few, exp2_, exp10_, 0, 0};
     return quotient(as_limbs(value), WideInt<1>(1));
   }
-  StoredCoordinate store(Coordinate base, Coordinate way, const Quotient<Integer>& part,
+  template <class Value, class Integer>
+  StoredCoordinate store(const Value& base, const Value& way, const Quotient<Integer>& part,
                          double near) {
-    if constexpr (kWide) {
+    if constexpr (std::is_same_v<Value, WideNumber>) {
+      const auto above =
+          product<WideInt<12>>(way, part.numerator) + product<WideInt<12>>(base, part.denominator);
+      if (way == WideNumber(0) || above == WideInt<12>(0))
+        return above == WideInt<12>(0) ? StoredCoordinate{} : whole(base);
+      return quotient(above, part.denominator);
+    } else if constexpr (kWide) {
       return store<WideInt<6>>(base, way, part.numerator, part.denominator, near);
     } else {
       if (part.denominator <= kFewBits) {
@@ -90,16 +133,16 @@ class SmallWriter {
   }
   /// Stores base + way · above / below, where `Wide` holds the products, and `near` is nearly the
   /// second part.
-  template <class Wide, class Part>
-  [[gnu::noinline]] StoredCoordinate store(Coordinate base, Coordinate way, const Part& above,
+  template <class Wide, class Value, class Part>
+  [[gnu::noinline]] StoredCoordinate store(Value base, Value way, const Part& above,
                                            const Part& below, double near) {
     const auto moved = product<Wide>(way, above);
     // This is the quotient if that is an integer: it is off by less than a half, and otherwise the
     // rest tells.
-    auto quotient = static_cast<Coordinate>(near + (near < 0 ? -0.5 : 0.5));
+    auto quotient = static_cast<Value>(near + (near < 0 ? -0.5 : 0.5));
     if constexpr (kWide) {
       const double rest = to_double(moved - product<Wide>(quotient, below)) / to_double(below);
-      quotient += static_cast<Coordinate>(rest + (rest < 0 ? -0.5 : 0.5));
+      quotient += static_cast<Value>(rest + (rest < 0 ? -0.5 : 0.5));
     }
     if (product<Wide>(quotient, below) == moved) return whole(base + quotient);
     return this->quotient(as_limbs(moved + product<Wide>(base, below)), as_limbs(below));
@@ -117,8 +160,9 @@ class SmallWriter {
     if (above.negative()) count |= kNegativeLimbs;
     return {place, exp2_, exp10_, count, append(below)};
   }
-  [[nodiscard]] SmallVertex vertex(const SmallVec<Number>& at, const SegmentOrigin& origin) {
-    const Vec<Coordinate> place = plus(as_integers(at), offset_);
+  template <class Vector>
+  [[nodiscard]] SmallVertex vertex(const Vector& at, const SegmentOrigin& origin) {
+    const auto place = moved(as_integers(at));
     return {near_of(at), whole(place.x), whole(place.y), origin_of(origin)};
   }
   [[nodiscard]] EdgeOrigin origin_of(const SegmentOrigin& origin) const {
@@ -132,12 +176,14 @@ class SmallWriter {
     RegionAccess::set_origin(region_, size_++, vertex.origin);
   }
 
+  SmallNumbers<Number> numbers_;
   // By `of_first`: indices in the region of the edge's operand, and of the vertex's.
   std::array<const double*, 2> edge_source_;
   std::array<const double*, 2> vertex_source_;
   Vec<Coordinate> offset_;
   std::int16_t exp2_;
   std::int16_t exp10_;
+  bool few_ = true;  ///< whether a sum's coordinates have up to 127 bits
   Region& region_;
   std::size_t size_ = 0;
 };

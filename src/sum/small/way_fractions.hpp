@@ -39,39 +39,45 @@ struct WayFraction<double> {
 template <class Number>
 class WayFractions {
   static constexpr bool kShort = std::is_same_v<Number, double>;
-  static constexpr bool kWide = std::is_same_v<Number, Int128>;
+  static constexpr bool kWide = std::is_same_v<Number, WideNumber>;
 
  public:
-  /// Holds a cross product.
-  using Integer =
-      std::conditional_t<kShort, std::int64_t, std::conditional_t<kWide, WideInt<4>, Int128>>;
-
   WayFractions(const SmallNumbers<Number>& numbers, const SmallSegments& segments)
       : numbers_(numbers), s_(segments) {}
 
-  [[nodiscard]] auto at(std::uint32_t segment) const { return lanes().get(s_.at(), segment); }
-  [[nodiscard]] auto way(std::uint32_t segment) const { return lanes().get(s_.way(), segment); }
+  /// Whether a segment starts at a point, which start(lanes) returns, and which is about `near`.
+  template <class Start>
+  [[nodiscard]] bool starts_at(std::uint32_t segment, const Vec<double>& near,
+                               const Start& start) const {
+    if (std::abs(s_.x[segment] - near.x) > numbers_.reach) return false;
+    return compute_surely(numbers_, [&](const auto& lanes) {
+      return are_equal(lanes.get(s_.at(), segment), start(lanes));
+    });
+  }
   /// Positive if a segment turns left into another one.
   [[nodiscard, gnu::always_inline]] double turn(std::uint32_t in, std::uint32_t out) const {
-    return decide([&](const auto& lanes) __attribute__((always_inline)) {
-      return lanes.turn(lanes.get(s_.way(), in), lanes.get(s_.way(), out));
-    });
+    return decide(
+        numbers_, [&](const auto& lanes) __attribute__((always_inline)) {
+          return lanes.turn(lanes.get(s_.way(), in), lanes.get(s_.way(), out));
+        });
   }
   /// Positive if a segment starts on the left of another one.
   [[nodiscard, gnu::always_inline]] double start_of(std::uint32_t segment, std::uint32_t of) const {
     if (kWide && s_.start[segment] == s_.end[of]) return 0;
-    return decide([&](const auto& lanes) __attribute__((always_inline)) {
-      return lanes.side(lanes.get(s_.way(), of), between(lanes, of, segment));
-    });
+    return decide(
+        numbers_, [&](const auto& lanes) __attribute__((always_inline)) {
+          return lanes.side(lanes.get(s_.way(), of), between(lanes, of, segment));
+        });
   }
   /// The same for its end, if it starts there and the other one turns left into it by this.
   [[nodiscard, gnu::always_inline]] double end_of(std::uint32_t segment, std::uint32_t of,
                                                   double start, double turn) const {
     if constexpr (kShort) return start + turn;
-    return decide([&](const auto& lanes) __attribute__((always_inline)) {
-      return lanes.side(lanes.get(s_.way(), of),
-                        plus(between(lanes, of, segment), lanes.get(s_.way(), segment)));
-    });
+    return decide(
+        numbers_, [&](const auto& lanes) __attribute__((always_inline)) {
+          return lanes.side(lanes.get(s_.way(), of),
+                            plus(between(lanes, of, segment), lanes.get(s_.way(), segment)));
+        });
   }
 
   /// Returns what has been passed of a segment where another one turns into it. That one starts
@@ -100,11 +106,12 @@ class WayFractions {
       return fraction(by, -above, -below);
     } else {
       const double near = above / below;
-      // Each product, and the difference of two, is rounded by 2^-53 at most.
+      // Each product, and the difference of two, is rounded by 2^-53 at most, and so is each
+      // vector up to three times.
       const auto sizes = [](const Vec<double>& a, const Vec<double>& b) {
         return std::abs(a.x * b.y) + std::abs(a.y * b.x);
       };
-      const double of_below = 0x1p-50 * sizes(in, other);
+      const double of_below = 0x1p-49 * sizes(in, other);
       const double of_above = kWide ? numbers_.reach * (std::abs(other.x) + std::abs(other.y))
                                     : 0x1p-50 * sizes(to, other);
       const double least = std::abs(below) - of_below;
@@ -119,26 +126,26 @@ class WayFractions {
       std::uint32_t segment, std::uint32_t from) const {
     // Places are taken along the axis that the line is closer to.
     const bool by_x = std::abs(s_.dx[segment]) >= std::abs(s_.dy[segment]);
-    const auto get = [by_x](const VecRow& row, std::uint32_t i) {
-      if constexpr (kWide) {
-        return by_x ? row.exact[i].x : row.exact[i].y;
+    using Result = std::optional<WayFraction<Number>>;
+    return compute_surely(numbers_, [&](const auto& lanes) -> Result {
+      const auto get = [&](const auto& row, std::uint32_t i) {
+        const auto vector = lanes.get(row, i);
+        return by_x ? as_signed(vector).x : as_signed(vector).y;
+      };
+      const auto whole = get(s_.way(), segment);
+      const auto other = get(s_.way(), from);
+      const auto along = get(s_.at(), from) + other - get(s_.at(), segment);
+      const decltype(whole) zero(0);
+      const bool leads_on = whole < zero ? other < zero && along <= zero && along > whole
+                                         : other > zero && along >= zero && along < whole;
+      if (!leads_on) return std::nullopt;
+      if (along == zero) return WayFraction<Number>{};
+      if constexpr (kShort) {
+        return whole < 0 ? fraction(from, -along, -whole) : fraction(from, along, whole);
       } else {
-        return (by_x ? row.x : row.y)[i];
+        return WayFraction<Number>{from, to_double(along) / to_double(whole), kRounding};
       }
-    };
-    const auto whole = get(s_.way(), segment);
-    const auto other = get(s_.way(), from);
-    const auto along = get(s_.at(), from) + other - get(s_.at(), segment);
-    const bool leads_on = whole < 0 ? other < 0 && along <= 0 && along > whole
-                                    : other > 0 && along >= 0 && along < whole;
-    if (!leads_on) return std::nullopt;
-    if (along == 0) return WayFraction<Number>{};
-    if constexpr (kShort) {
-      return whole < 0 ? fraction(from, -along, -whole) : fraction(from, along, whole);
-    } else {
-      const double near = static_cast<double>(along) / static_cast<double>(whole);
-      return WayFraction<Number>{from, near, kRounding};
-    }
+    });
   }
 
   /// Compares two fractions of a segment, which are not 0.
@@ -154,61 +161,56 @@ class WayFractions {
   }
 
   /// Returns a fraction that is not 0, with a positive denominator.
-  [[nodiscard, gnu::noinline]] Quotient<Integer> exact(std::uint32_t segment,
-                                                       std::uint32_t by) const {
-    const auto way = as_integers(this->way(segment));
-    const auto other = as_integers(this->way(by));
-    const auto to = as_integers(between(lanes(), segment, by));
+  template <class Lanes>
+  [[nodiscard, gnu::noinline]] auto exact(const Lanes& lanes, std::uint32_t segment,
+                                          std::uint32_t by) const {
+    const auto way = as_integers(lanes.get(s_.way(), segment));
+    const auto other = as_integers(lanes.get(s_.way(), by));
+    const auto to = as_integers(between(lanes, segment, by));
+    using Coordinate = std::decay_t<decltype(way.x)>;
+    using Integer = std::conditional_t<kShort, std::int64_t, ProductOf<Coordinate>>;
+    const auto product_of = [](const auto& a, const auto& b) -> Integer {
+      return product<Integer>(a.x, b.y) - product<Integer>(a.y, b.x);
+    };
     Integer below = product_of(way, other);
     Integer above = product_of(to, other);
     if (below == Integer(0)) {
       // Places are taken along an axis.
-      const bool by_x = way.x != 0;
+      const bool by_x = !(way.x == Coordinate(0));
       below = Integer(by_x ? way.x : way.y);
       above = Integer(by_x ? to.x + other.x : to.y + other.y);
     }
-    if (below < Integer(0)) return {-above, -below};
-    return {above, below};
+    if (below < Integer(0)) return Quotient<Integer>{-above, -below};
+    return Quotient<Integer>{above, below};
+  }
+  /// The same, rounded.
+  [[nodiscard, gnu::noinline]] double rounded(std::uint32_t segment, std::uint32_t by) const {
+    return compute_surely(numbers_, [&](const auto& lanes) {
+      const auto part = exact(lanes, segment, by);
+      return to_double(part.numerator) / to_double(part.denominator);
+    });
   }
 
  private:
   /// More than numbers up to 1 are rounded by when they are divided.
-  static constexpr double kRounding = 0x1p-50;
+  static constexpr double kRounding = 0x1p-49;
   [[nodiscard]] static WayFraction<Number> fraction(std::uint32_t by, double above, double below) {
     return {by, static_cast<std::int64_t>(above), static_cast<std::int64_t>(below)};
   }
-  template <class Coordinate>
-  [[nodiscard]] static Integer product_of(const Vec<Coordinate>& a, const Vec<Coordinate>& b) {
-    return product<Integer>(a.x, b.y) - product<Integer>(a.y, b.x);
-  }
   [[nodiscard, gnu::noinline]] bool is_less_exactly(std::uint32_t segment, std::uint32_t a,
                                                     std::uint32_t b) const {
-    using Wide = WideInt<kWide ? 8 : 4>;
-    const Quotient<Integer> p = exact(segment, a);
-    const Quotient<Integer> q = exact(segment, b);
-    return product<Wide>(p.numerator, q.denominator) < product<Wide>(q.numerator, p.denominator);
+    return compute_surely(numbers_, [&](const auto& lanes) {
+      const auto p = exact(lanes, segment, a);
+      const auto q = exact(lanes, segment, b);
+      using Wide = ProductOf<std::decay_t<decltype(p.numerator)>>;
+      return product<Wide>(p.numerator, q.denominator) < product<Wide>(q.numerator, p.denominator);
+    });
   }
 
-  [[nodiscard]] auto lanes() const { return sure_lanes(numbers_); }
   template <class Lanes>
   [[nodiscard, gnu::always_inline]] auto between(const Lanes& lanes, std::uint32_t from,
                                                  std::uint32_t to) const {
     return minus(lanes.get(s_.at(), to), lanes.get(s_.at(), from));
-  }
-  /// Returns compute(lanes), exactly if doubles do not tell its sign.
-  template <class Compute>
-  [[nodiscard, gnu::always_inline]] double decide(const Compute& compute) const {
-    if constexpr (kShort) {
-      return compute(ExactLanes{});
-    } else {
-      bool unsure = false;
-      const double value = compute(filter_lanes(numbers_, unsure));
-      return unsure ? compute_exactly(compute) : value;
-    }
-  }
-  template <class Compute>
-  [[nodiscard, gnu::noinline]] double compute_exactly(const Compute& compute) const {
-    return compute(lanes());
   }
 
   SmallNumbers<Number> numbers_;

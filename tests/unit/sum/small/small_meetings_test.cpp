@@ -120,34 +120,55 @@ TEST(SmallMeetings, AreTheSameByAllVectors) {
   }
 }
 
+/// Operands that have random segments as edges, each moved by nothing.
+struct EdgesAndVertex {
+  SmallOperand edges;
+  SmallOperand vertex;
+};
+
 /// Makes all directions nearly equal. That changes no cross product, but doubles round the products
-/// that it is the difference of. If the numbers are Int128, doubles round coordinates, too.
+/// that it is the difference of. If the numbers are wide, doubles round coordinates, too, which are
+/// multiplied by a power of two.
 template <class Number>
-void shear(SmallSegments& s, int bits, const SmallNumbers<Number>& numbers) {
+void shear(SmallSegments& s, int bits, int twos, const SmallNumbers<Number>& numbers,
+           EdgesAndVertex& operands) {
   const Int128 steep = Int128{1} << bits;
-  const auto apply = [&](double& x, double& y, Vec<Int128>& whole) {
-    whole = {static_cast<Int128>(x), static_cast<Int128>(y)};
+  const auto apply = [&](double& x, double& y) {
+    Vec<Int128> whole{static_cast<Int128>(x), static_cast<Int128>(y)};
     whole.x += steep * whole.y;
     whole.y += steep * whole.x;
-    x = static_cast<double>(whole.x);
-    y = static_cast<double>(whole.y);
+    x = std::ldexp(static_cast<double>(whole.x), twos);
+    y = std::ldexp(static_cast<double>(whole.y), twos);
+    return whole;
   };
+  SmallOperand& edges = operands.edges;
+  edges.size = 2 * s.size;
+  edges.make_rows(edges.size, true);
+  edges.steps = Int128{1} << twos;
+  operands.vertex.size = 1;
+  operands.vertex.make_rows(1, true);
+  operands.vertex.whole()[0] = {};
+  s.operands = {&operands.vertex, &edges};
   for (std::uint32_t i = 0; i < s.size; ++i) {
     // Half of the segments do not tell which ends are the same.
     const bool known = i % 2 == 0;
     s.start[i] = known ? 1000 * s.x[i] + s.y[i] : -1.0 - 2 * i;
     s.end[i] = known ? 1000 * (s.x[i] + s.dx[i]) + s.y[i] + s.dy[i] : -2.0 - 2 * i;
-    apply(s.x[i], s.y[i], s.whole_at[i]);
-    apply(s.dx[i], s.dy[i], s.whole_way[i]);
+    const Vec<Int128> start = apply(s.x[i], s.y[i]);
+    const Vec<Int128> way = apply(s.dx[i], s.dy[i]);
+    edges.whole()[std::size_t{2} * i] = start;
+    edges.whole()[std::size_t{2} * i + 1] = {start.x + way.x, start.y + way.y};
+    s.origin[i] = {2 * i, 0, true};
   }
-  s.wide = std::is_same_v<Number, Int128>;
+  s.wide = std::is_same_v<Number, WideNumber>;
   s.in_part = false;
   s.finish(numbers.reach);
 }
 
 /// Expects that segments that are sheared meet as before.
 template <class Number>
-void expect_same_meetings(std::uint64_t seed, int bits, const SmallNumbers<Number>& numbers) {
+void expect_same_meetings(std::uint64_t seed, int bits, int twos,
+                          const SmallNumbers<Number>& numbers) {
   test::Random random(seed);
   int compared = 0;
   for (int k = 0; k < 400; ++k) {
@@ -155,7 +176,8 @@ void expect_same_meetings(std::uint64_t seed, int bits, const SmallNumbers<Numbe
     const auto s = random_segments(random, count, random.between(6, 20) + static_cast<int>(count));
     const Meetings expected = defined(*s);
     if (expected.right.size() > count / 2) continue;  // too many meetings are given up
-    shear(*s, bits, numbers);
+    EdgesAndVertex operands;
+    shear(*s, bits, twos, numbers, operands);
     for (const Vectors vectors : available()) {
       // Where all pairs are near one another, and doubles decide none, many are given up.
       if (const auto met = found(vectors, numbers, *s)) {
@@ -170,14 +192,16 @@ void expect_same_meetings(std::uint64_t seed, int bits, const SmallNumbers<Numbe
 }
 
 TEST(SmallMeetings, AreTheSameWhereDoublesRound) {
-  expect_same_meetings(7, 20, SmallNumbers<std::uint64_t>{});
+  expect_same_meetings(7, 20, 0, SmallNumbers<std::uint64_t>{});
 }
 
 TEST(SmallMeetings, AreTheSameWhereDoublesRoundCoordinates) {
-  // Coordinates have up to 125 bits. With few, doubles tell most signs.
+  // Coordinates have up to 250 bits. With few, doubles tell most signs.
   for (const int bits : {1, 10, 23, 24, 38, 39, 59}) {
-    const double width = std::ldexp(128, 2 * bits);
-    expect_same_meetings(8, bits, SmallNumbers<Int128>{0x1p-48 * width});
+    for (const int twos : {0, 7, 125}) {
+      const double width = std::ldexp(128, 2 * bits + twos);
+      expect_same_meetings(8, bits, twos, SmallNumbers<WideNumber>{0x1p-48 * width});
+    }
   }
 }
 

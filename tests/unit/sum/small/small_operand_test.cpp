@@ -199,29 +199,73 @@ Region turned_in_doubles(const test::Outline& outline) {
   return Region::from_points(points);
 }
 
+/// Expects that an operand's vectors are these times its steps, exactly and nearly.
+void expect_vector(const SmallOperand& operand, const VecRow& row, std::uint32_t i,
+                   const Vec<Int128>& expected) {
+  const auto steps = static_cast<double>(operand.steps);
+  EXPECT_DOUBLE_EQ(row[i].x, static_cast<double>(expected.x) * steps);
+  EXPECT_DOUBLE_EQ(row[i].y, static_cast<double>(expected.y) * steps);
+  const Vec<WideNumber> exact = row.exact<WideNumber>(i);
+  EXPECT_EQ(exact.x, product<WideNumber>(expected.x, operand.steps));
+  EXPECT_EQ(exact.y, product<WideNumber>(expected.y, operand.steps));
+}
+
+/// Expects that the edges of an operand of one ring follow from its vertices.
+void expect_edges(const SmallOperand& operand) {
+  for (std::uint32_t v = 0; v < operand.size; ++v) {
+    const std::uint32_t next = v + 1 == operand.size ? 0 : v + 1;
+    const Vec<Int128> at = operand.whole_at(v);
+    const Vec<Int128> way = minus(operand.whole_at(next), at);
+    expect_vector(operand, operand.at(), v, at);
+    expect_vector(operand, operand.way(), v, way);
+    if (operand[SmallOperand::kOutX][v] != 0) expect_vector(operand, operand.out(), v, way);
+    if (operand[SmallOperand::kInX][next] != 0) expect_vector(operand, operand.in(), next, way);
+  }
+}
+
 TEST(SmallOperand, HasExactEdgesIfItIsWide) {
   const Region region = turned_in_doubles({{-1, 3}, {5, 3}, {5, 9}, {2, 4}});
   SmallOperand small;
   ASSERT_TRUE(read_small(region, small));
   ASSERT_TRUE(small.is_wide());
+  expect_edges(small);
   SmallOperand fine;
-  refine(small.exp2 - 3, small.exp10 - 1, true, small.entries, small, fine);
+  refine(small.exp2 - 3, small.exp10 - 1, small.entries, small, fine);
+  EXPECT_EQ(static_cast<int>(fine.steps), 80);
+  expect_edges(fine);
   SmallOperand turned;
-  turn(small, 3, turned);
+  turn(fine, 3, turned);
+  expect_edges(turned);
   for (std::uint32_t v = 0; v < small.size; ++v) {
-    const Vec<Int128> at = small.whole(SmallOperand::kAt)[v];
-    const Vec<Int128> way = small.whole(SmallOperand::kWay)[v];
-    const std::uint32_t next = v + 1 == small.size ? 0 : v + 1;
-    EXPECT_TRUE(small.whole(SmallOperand::kAt)[next].x == at.x + way.x);
-    EXPECT_TRUE(small.whole(SmallOperand::kIn)[next].y == way.y);
-    EXPECT_EQ(small[SmallOperand::kX][v], static_cast<double>(at.x));
-    EXPECT_EQ(small[SmallOperand::kDy][v], static_cast<double>(way.y));
-    EXPECT_TRUE(fine.whole(SmallOperand::kAt)[v].x == 80 * at.x);
-    EXPECT_EQ(fine[SmallOperand::kDy][v], static_cast<double>(80 * way.y));
+    const Vec<Int128> at = small.whole_at(v);
+    EXPECT_TRUE(fine.whole_at(v).x == at.x);
     // Three quarters of a turn bring (x, y) to (y, width - x).
-    EXPECT_TRUE(turned.whole(SmallOperand::kAt)[v].x == at.y);
-    EXPECT_TRUE(turned.whole(SmallOperand::kAt)[v].y == small.whole_extent.x - at.x);
-    EXPECT_TRUE(turned.whole(SmallOperand::kWay)[v].y == -way.x);
+    EXPECT_TRUE(turned.whole_at(v).x == at.y);
+    EXPECT_TRUE(turned.whole_at(v).y == small.whole_extent.x - at.x);
+  }
+}
+
+TEST(SmallOperand, HasExactEdgesOnAFineGrid) {
+  const std::int64_t far = (std::int64_t{1} << 49) - 1;
+  const Region region = make_polygon({{-3, 1}, {far - 3, 7}, {far - 4, far}, {far / 3, far / 7}});
+  SmallOperand small;
+  ASSERT_TRUE(read_small(region, small));
+  ASSERT_FALSE(small.is_wide());
+  expect_edges(small);
+  SmallOperand turned;
+  for (const int tens : {0, 9, 25}) {
+    for (const int twos : {3, 40}) {
+      SmallOperand fine;
+      refine(-twos, -tens, small.entries, small, fine);
+      for (int quarters = 0; quarters < 4; ++quarters) {
+        turn(fine, quarters, turned);
+        expect_edges(turned);
+      }
+      for (std::uint32_t v = 0; v < small.size; ++v) {
+        EXPECT_TRUE(fine.whole_at(v).x == small.whole_at(v).x);
+        EXPECT_TRUE(fine.whole_at(v).y == small.whole_at(v).y);
+      }
+    }
   }
 }
 
