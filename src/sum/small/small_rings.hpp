@@ -175,23 +175,24 @@ template <class Number>
 [[gnu::always_inline]] inline bool are_holes_inside(const SmallNumbers<Number>& numbers,
                                                     const SmallEdges& edges,
                                                     const SmallRings& rings) {
-  const auto lanes = sure_lanes(numbers);
   for (std::size_t hole = 1; hole < rings.size(); ++hole) {
-    const auto at = lanes.get(edges.at, rings.begin(hole));
+    const std::uint32_t vertex = rings.begin(hole);
     // A ray to the right crosses a ring that holds the vertex an odd number of times.
-    const auto crosses = [&](std::size_t i) __attribute__((always_inline)) {
-      const auto edge = lanes.get(edges.way, i);
-      const auto point = minus(at, lanes.get(edges.at, i));
-      const auto height = as_signed(edge).y;
-      const auto y = as_signed(point).y;
-      const decltype(y) zero(0);
-      const bool up = y >= zero && y < height;
-      const bool down = y < zero && y >= height;
-      if (!up && !down) return false;
-      const double side = lanes.side(edge, point);
-      return up ? side > 0 : side < 0;
+    const auto crosses = [&](std::size_t i) {
+      return compute_surely(numbers, [&](const auto& lanes) {
+        const auto edge = lanes.get(edges.way, i);
+        const auto point = minus(lanes.get(edges.at, vertex), lanes.get(edges.at, i));
+        const auto height = as_signed(edge).y;
+        const auto y = as_signed(point).y;
+        const decltype(y) zero(0);
+        const bool up = y >= zero && y < height;
+        const bool down = y < zero && y >= height;
+        if (!up && !down) return false;
+        const double side = lanes.side(edge, point);
+        return up ? side > 0 : side < 0;
+      });
     };
-    const Vec<double> near = near_of(at);
+    const Vec<double> near = edges.at[vertex];
     const BoxOf<double> ray{near.x - edges.reach, near.y - edges.reach, HUGE_VAL,
                             near.y + edges.reach};
     LaneBits holding = 0;
