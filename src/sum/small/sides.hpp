@@ -179,9 +179,7 @@ struct SureLanes {
               static_cast<Int128>(wrapped(a.exact.x, b.exact.y) - wrapped(a.exact.y, b.exact.x)));
         }
       }
-      using Product = ProductOf<Number>;
-      return sign_of(product<Product>(a.exact.x, b.exact.y) -
-                     product<Product>(a.exact.y, b.exact.x));
+      return sign_of(exact_cross<ProductOf<Number>>(a.exact, b.exact));
     }
   }
 };

@@ -159,12 +159,13 @@ enum class SmallNumberType : std::uint8_t { kDoubles, kRounded, kWide, kNone };
   // A cross product is at most twice this.
   return longest * width <= 0x1p52 ? SmallNumberType::kDoubles : SmallNumberType::kRounded;
 }
-/// Calls work(numbers) for this type, which is not kNone, and coordinates up to `width`.
-template <class Work>
+/// Calls work(numbers) for this type, which is not kNone, and coordinates up to `width`. `Wide`
+/// holds those of a wide operand.
+template <class Wide, class Work>
 auto with_numbers(SmallNumberType type, double width, Work work) {
   if (type == SmallNumberType::kDoubles) return work(SmallNumbers<double>{});
   if (type == SmallNumberType::kRounded) return work(SmallNumbers<std::uint64_t>{});
-  return work(SmallNumbers<WideNumber>{0x1p-48 * width});
+  return work(SmallNumbers<Wide>{0x1p-48 * width});
 }
 
 class SmallBlocks;

@@ -145,19 +145,19 @@ class SmallPlacement {
   [[nodiscard]] bool is_left_exactly(const Vec<Integer>& edge, const Vec<Integer>& point) const {
     // Their places take a limb more than the integers.
     constexpr std::size_t kLimbs = std::is_same_v<Integer, Int128> ? 3 : 5;
-    using Place = WideInt<kLimbs>;
-    using OfPlace = WideInt<2 * kLimbs - 1>;
+    using Moved = WideInt<kLimbs>;
+    using OfMoved = WideInt<2 * kLimbs - 1>;
     const auto moved = [this](const Integer& value, const Scaled& by) {
-      return product<Place>(value, Int128{1} << halvings_) + by.template lowest<Place>();
+      return product<Moved>(value, Int128{1} << halvings_) + by.template lowest<Moved>();
     };
-    const auto side = product<OfPlace>(edge.x, moved(point.y, place_.y)) -
-                      product<OfPlace>(edge.y, moved(point.x, place_.x));
-    if (side != OfPlace(0)) return !side.negative();
+    const auto side = product<OfMoved>(edge.x, moved(point.y, place_.y)) -
+                      product<OfMoved>(edge.y, moved(point.x, place_.x));
+    if (side != OfMoved(0)) return !side.negative();
     const Vec<Integer> way{way_.x.template lowest<Integer>(), way_.y.template lowest<Integer>()};
     using Product = ProductOf<Integer>;
-    const auto along = product<Product>(edge.x, way.x) + product<Product>(edge.y, way.y);
-    if (along != Product(0)) return along.negative();
-    return product<Product>(edge.x, way.y) > product<Product>(edge.y, way.x);
+    const Product by_right = exact_cross<Product>(edge, Vec<Integer>{way.y, -way.x});
+    if (by_right != Product(0)) return !by_right.negative();
+    return sign_of(exact_cross<Product>(edge, way)) == kPositive;
   }
   [[nodiscard]] Scaled scaled(const WideNumber& value) const {
     return product<Scaled>(value, Int128{1} << halvings_);

@@ -262,12 +262,12 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
   const double width = width_of(p, q);
   if (plan.convex) {
     scratch.count(p.size + q.size, p.size + q.size);
-    with_numbers(plan.numbers, width,
-                 [&](const auto& numbers) { merge_convex(numbers, p, q, result); });
+    with_numbers<WideNumber>(plan.numbers, width,
+                             [&](const auto& numbers) { merge_convex(numbers, p, q, result); });
     return true;
   }
   SmallScratch::State& state = scratch.state();
-  const bool done = with_numbers(plan.numbers, width, [&](const auto& numbers) {
+  const bool done = with_numbers<WideNumber>(plan.numbers, width, [&](const auto& numbers) {
     return walk(numbers, p, q, plan, state, result);
   });
   scratch.count(state.segments.size + state.segments.hidden, state.segments.size);

@@ -20,7 +20,7 @@ bool is_clearly_valid(const SmallOperand& s, SmallBlocks& memory) {
     };
     return with_vectors(widest_vectors(), are_valid);
   };
-  return with_numbers(small_numbers(s.is_wide(), s.longest, width), width, is_valid);
+  return with_numbers<Int128>(small_numbers(s.is_wide(), s.longest, width), width, is_valid);
 }
 
 bool read_small(const Region& region, SmallOperand& small) {

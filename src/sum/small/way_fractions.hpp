@@ -169,11 +169,8 @@ class WayFractions {
     const auto to = as_integers(between(lanes, segment, by));
     using Coordinate = std::decay_t<decltype(way.x)>;
     using Integer = std::conditional_t<kShort, std::int64_t, ProductOf<Coordinate>>;
-    const auto product_of = [](const auto& a, const auto& b) -> Integer {
-      return product<Integer>(a.x, b.y) - product<Integer>(a.y, b.x);
-    };
-    Integer below = product_of(way, other);
-    Integer above = product_of(to, other);
+    Integer below = exact_cross<Integer>(way, other);
+    Integer above = exact_cross<Integer>(to, other);
     if (below == Integer(0)) {
       // Places are taken along an axis.
       const bool by_x = !(way.x == Coordinate(0));
