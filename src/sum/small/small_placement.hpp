@@ -35,21 +35,20 @@ class SmallPlacement {
   SmallPlacement& operator=(const SmallPlacement&) = delete;
 
   /// Tests a point between two places on the way of a segment. They are rounded fractions of the
-  /// way. Returns kUnknown if they are too close to tell, or if tests have taken too long.
+  /// way. Returns kUnknown if they are too close to tell, if tests have taken too long, or if
+  /// Int128 does not hold the coordinates.
   [[nodiscard]] Result test(const SmallSegments& s, std::uint32_t segment, double from, double to) {
     constexpr int kMostHalvings = 40;  // the places are rounded by 2^-50 or so
-    if (!(from < to)) return Result::kUnknown;
+    if (!(from < to) || !numbers_.fit_int128()) return Result::kUnknown;
     // Of the multiples of 2^-halvings, the one nearest to the middle is clearly between them.
     halvings_ = 1 - std::ilogb(to - from);
     if (halvings_ > kMostHalvings) return Result::kUnknown;
     if (!edges_of_p_) turn_q();
     const Int128 steps = static_cast<std::int64_t>(std::ldexp((from + to) / 2, halvings_) + 0.5);
-    way_ = s.way().exact<WideNumber>(segment);
-    const Vec<WideNumber> start = s.at().exact<WideNumber>(segment);
-    const auto set = [&](const WideNumber& at, const WideNumber& by, Int128 width,
-                         double& rounded) {
-      const Scaled place =
-          scaled(at - product<WideNumber>(width, turned_.steps)) + product<Scaled>(by, steps);
+    way_ = s.way().exact<Int128>(segment);
+    const Vec<Int128> start = s.at().exact<Int128>(segment);
+    const auto set = [&](Int128 at, Int128 by, Int128 width, double& rounded) {
+      const Scaled place = scaled(at - width * turned_.steps) + product<Scaled>(by, steps);
       rounded = std::ldexp(to_double(place), -halvings_);
       return place;
     };
@@ -69,7 +68,7 @@ class SmallPlacement {
     pairs_left_ = 4 * most_pairs(std::size_t{p_.entries} + q_.entries);
   }
   /// Holds a coordinate in steps of 2^-halvings.
-  using Scaled = WideInt<5>;
+  using Scaled = WideInt<3>;
 
   /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither holds the other,
   /// since x − Q lies outside P where it would touch without the step to the right.
@@ -106,19 +105,16 @@ class SmallPlacement {
     const SmallEdges& p = *edges_of_p_;
     const SmallEdges& q = *edges_of_q_;
     const bool crossed = do_cross(p.way[of_p], minus(q.at[of_q], p.at[of_p]), q.way[of_q], is_left);
-    if (!unsure) return crossed;
-    return numbers_.fit_int128() ? do_cross_exactly<Int128>(of_p, of_q)
-                                 : do_cross_exactly<WideNumber>(of_p, of_q);
+    return unsure ? do_cross_exactly(of_p, of_q) : crossed;
   }
-  template <class Integer>
   [[nodiscard, gnu::noinline]] bool do_cross_exactly(std::uint32_t of_p, std::uint32_t of_q) const {
-    using Vector = SureVec<Integer>;
+    using Vector = SureVec<Int128>;
     // Tells whether a point is on the left of an edge. The step is seen from the edge's operand.
     const auto is_left = [&](const Vector& edge, const Vector& point) {
       const double side = side_of(edge.near, point.near);
       return side != 0 ? side > 0 : is_left_exactly(edge.exact, point.exact);
     };
-    const SureLanes<Integer> lanes{{numbers_.reach}};
+    const SureLanes<Int128> lanes{{numbers_.reach}};
     const SmallEdges& p = *edges_of_p_;
     const SmallEdges& q = *edges_of_q_;
     return do_cross(lanes.get(p.way, of_p), minus(lanes.get(q.at, of_q), lanes.get(p.at, of_p)),
@@ -141,25 +137,17 @@ class SmallPlacement {
     return std::abs(value) > error ? value : 0;
   }
   /// Tells the same for sure, and makes the step if the point is on the line.
-  template <class Integer>
-  [[nodiscard]] bool is_left_exactly(const Vec<Integer>& edge, const Vec<Integer>& point) const {
-    // Their places take a limb more than the integers.
-    constexpr std::size_t kLimbs = std::is_same_v<Integer, Int128> ? 3 : 5;
-    using Moved = WideInt<kLimbs>;
-    using OfMoved = WideInt<2 * kLimbs - 1>;
-    const auto moved = [this](const Integer& value, const Scaled& by) {
-      return product<Moved>(value, Int128{1} << halvings_) + by.template lowest<Moved>();
-    };
-    const auto side = product<OfMoved>(edge.x, moved(point.y, place_.y)) -
-                      product<OfMoved>(edge.y, moved(point.x, place_.x));
-    if (side != OfMoved(0)) return !side.negative();
-    const Vec<Integer> way{way_.x.template lowest<Integer>(), way_.y.template lowest<Integer>()};
-    using Product = ProductOf<Integer>;
-    const Product by_right = exact_cross<Product>(edge, Vec<Integer>{way.y, -way.x});
+  [[nodiscard]] bool is_left_exactly(const Vec<Int128>& edge, const Vec<Int128>& point) const {
+    using Wide = WideInt<5>;
+    const auto side = product<Wide>(edge.x, scaled(point.y) + place_.y) -
+                      product<Wide>(edge.y, scaled(point.x) + place_.x);
+    if (side != Wide(0)) return !side.negative();
+    using Product = ProductOf<Int128>;
+    const auto by_right = exact_cross<Product>(edge, Vec<Int128>{way_.y, -way_.x});
     if (by_right != Product(0)) return !by_right.negative();
-    return sign_of(exact_cross<Product>(edge, way)) == kPositive;
+    return sign_of(exact_cross<Product>(edge, way_)) == kPositive;
   }
-  [[nodiscard]] Scaled scaled(const WideNumber& value) const {
+  [[nodiscard]] Scaled scaled(Int128 value) const {
     return product<Scaled>(value, Int128{1} << halvings_);
   }
 
@@ -173,9 +161,9 @@ class SmallPlacement {
   std::optional<SmallEdges> edges_of_q_;
   std::size_t pairs_left_ = 0;  ///< of blocks, for all tests
   int halvings_ = 0;
-  Vec<WideNumber> way_{};  ///< of the segment
-  Vec<double> at_{};       ///< where the turned Q lies
-  Vec<Scaled> place_{};    ///< the same exactly, in steps of 2^-halvings
+  Vec<Int128> way_{};    ///< of the segment
+  Vec<double> at_{};     ///< where the turned Q lies
+  Vec<Scaled> place_{};  ///< the same exactly, in steps of 2^-halvings
 };
 
 }  // namespace minksum
