@@ -34,11 +34,6 @@ class WideInt {
   static constexpr int kBits = static_cast<int>(64 * N);
 
   constexpr WideInt() : limbs_{} {}
-  /// Takes the lowest limbs of a longer number.
-  template <std::size_t M>
-  requires(M >= N) constexpr explicit WideInt(const std::array<std::uint64_t, M>& limbs) {
-    std::copy_n(limbs.begin(), N, limbs_.begin());
-  }
   constexpr explicit WideInt(int value) : WideInt(static_cast<std::int64_t>(value)) {}
   constexpr explicit WideInt(std::int64_t value) {
     limbs_.fill(value < 0 ? ~std::uint64_t{0} : 0);
@@ -134,14 +129,9 @@ class WideInt {
     return std::strong_ordering::equal;
   }
   [[nodiscard]] constexpr WideInt magnitude() const { return negative() ? -*this : *this; }
-  /// Returns the same value in a type of no more limbs, which must hold it.
-  template <class Shorter>
-  [[nodiscard]] constexpr Shorter lowest() const {
-    if constexpr (std::is_same_v<Shorter, Int128>) {
-      return static_cast<Int128>(Uint128{limbs_[1]} << 64U | limbs_[0]);
-    } else {
-      return Shorter(limbs_);
-    }
+  /// Returns the value modulo 2^128.
+  [[nodiscard]] constexpr Int128 to_int128() const {
+    return static_cast<Int128>(Uint128{limbs_[1]} << 64U | limbs_[0]);
   }
 
  private:

@@ -104,11 +104,7 @@ class AddedRing {
   /// Positive if the ring turns left from one edge to the next one.
   [[nodiscard, gnu::always_inline]] double turn(const Vector& in, const Vector& out) const {
     if constexpr (kWide) {
-      bool unsure = false;
-      const double turn = BoundedLanes{unsure, 0}.turn(in.near, out.near);
-      if (!unsure) return turn;
-      return sign_of(product<WideInt<4>>(in.exact.x, out.exact.y) -
-                     product<WideInt<4>>(in.exact.y, out.exact.x));
+      return SureLanes<Int128>{{0x1p-48 * std::max(s_.extent.x, s_.extent.y)}}.turn(in, out);
     } else {
       const double turn = cross(in, out);  // its sign is exact, unless it is zero
       using Lanes = SureLanes<std::uint64_t>;

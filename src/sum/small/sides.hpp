@@ -127,7 +127,7 @@ template <class Number>
   }
 }
 
-/// Cross products whose signs are exact. With Int128, SmallNumbers<WideNumber> must fit it.
+/// Cross products whose signs are exact. Int128 may be used if `fit_int128`.
 template <class Number>
 struct SureLanes {
   static constexpr bool kHoldsSums = false;
@@ -163,9 +163,9 @@ struct SureLanes {
   }
 
  private:
-  /// Returns the sign of a cross product that doubles do not tell. Short ones are computed in line:
-  /// a call from code of wide vectors took some 70 ns, and star6 and a scaled gardeyn1_8, with many
-  /// edges on common lines, 7.4 times as long.
+  /// Returns the sign of a cross product that doubles do not tell. A short one is computed in line.
+  /// The call took some 70 ns where the caller is compiled for AVX-512: a sum with many edges on
+  /// common lines took 7.4 times as long.
   [[nodiscard, gnu::always_inline]] double sign_of_cross(const Vec<Number>& a,
                                                          const Vec<Number>& b) const {
     if constexpr (std::is_same_v<Number, std::uint64_t>) {
@@ -208,6 +208,7 @@ template <class Number, class Compute>
   return compute(sure_lanes(numbers));
 }
 
+/// The same out of line, where it is rare.
 template <class Number, class Compute>
 [[nodiscard, gnu::noinline]] double decide_exactly(const SmallNumbers<Number>& numbers,
                                                    const Compute& compute) {

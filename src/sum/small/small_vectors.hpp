@@ -28,7 +28,7 @@ struct SmallNumbers {
   /// product of the two edges may be added, with 8v and with 2v for that sum: 24v in all.
   double reach = 0;
 
-  /// Whether Int128 holds differences of all points, with four bits to spare.
+  /// Whether Int128 holds coordinates: up to a width of 2^125. Differences take one bit more.
   [[nodiscard]] bool fit_int128() const { return reach <= 0x1p77; }
 };
 
@@ -47,7 +47,8 @@ struct VecRow {
   [[nodiscard]] Vec<Integer> exact(std::size_t i) const;
 };
 
-/// Holds the cross product of two vectors of integers, or the product of two of these.
+/// The type that holds the cross product of two vectors of integers, or the product of two such
+/// products.
 template <class Integer>
 struct ProductType;
 template <>

@@ -36,9 +36,10 @@ class SmallWriter {
     region.clear();
     std::size_t limbs = 4 * between;  // most numerators and denominators take one
     if constexpr (kWide) {
-      // Numbers on the grid take two, or four, and a crossing's three or six times as many.
+      // A sum of vertices takes two limbs and a denominator of one, mostly, and a crossing four and
+      // three, for each coordinate. Beyond 127 bits, they take about twice as many.
       few_ = numbers.fit_int128() && fits(offset_.x) && fits(offset_.y);
-      limbs = (few_ ? 14 : 36) * between + (few_ ? 6 : 10) * (corners - between);
+      limbs = (few_ ? 1 : 2) * (14 * between + 6 * (corners - between));
     }
     RegionAccess::make_ring(region, {corners, corners, 1, 1, limbs});
   }
@@ -102,7 +103,7 @@ class SmallWriter {
     if constexpr (std::is_same_v<Value, Coordinate>) {
       return plus(at, offset_);
     } else {
-      return {at.x + offset_.x.template lowest<Value>(), at.y + offset_.y.template lowest<Value>()};
+      return {at.x + offset_.x.to_int128(), at.y + offset_.y.to_int128()};
     }
   }
   template <class Value>
@@ -116,11 +117,10 @@ class SmallWriter {
   StoredCoordinate store(const Value& base, const Value& way, const Quotient<Integer>& part,
                          double near) {
     if constexpr (std::is_same_v<Value, WideNumber>) {
+      if (way == WideNumber(0)) return whole(base);
       const auto above =
           product<WideInt<12>>(way, part.numerator) + product<WideInt<12>>(base, part.denominator);
-      if (way == WideNumber(0) || above == WideInt<12>(0))
-        return above == WideInt<12>(0) ? StoredCoordinate{} : whole(base);
-      return quotient(above, part.denominator);
+      return above == WideInt<12>(0) ? StoredCoordinate{} : quotient(above, part.denominator);
     } else if constexpr (kWide) {
       return store<WideInt<6>>(base, way, part.numerator, part.denominator, near);
     } else {
