@@ -7,8 +7,11 @@ JOBS ?= $(shell nproc)
 CMAKE_ARGS ?=
 # `make install` installs below PREFIX; DESTDIR, if set, stands before it.
 PREFIX ?= /usr/local
+# Ninja compiles files of all targets at once, where Make finishes one target before the next. A
+# build folder keeps the one that it began with.
+NINJA = $(if $(shell command -v ninja 2>/dev/null),CMAKE_GENERATOR=$${CMAKE_GENERATOR:-Ninja})
 # An outer make -j must not reach into the build, because CMake gets its own number of jobs.
-CMAKE = env -u MAKEFLAGS -u MAKELEVEL cmake
+CMAKE = env -u MAKEFLAGS -u MAKELEVEL $(NINJA) cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
