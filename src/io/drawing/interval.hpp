@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "minksum/rational.hpp"
@@ -25,11 +27,19 @@ struct Interval {
   }
   /// Returns the interval with its ends rounded outwards.
   static Interval widened(double low, double high) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    return {std::nextafter(low, -kInfinity), std::nextafter(high, kInfinity)};
+    return {-next_above(-low), next_above(high)};
   }
   [[nodiscard]] bool is_zero() const { return low == 0 && high == 0; }
   [[nodiscard]] double middle() const { return low + (high - low) / 2; }
+
+ private:
+  /// Does what std::nextafter does, but in line: calls took a fifth of the time of flattening.
+  static double next_above(double value) {
+    if (!(value < std::numeric_limits<double>::infinity())) return value;
+    if (value == 0) return std::numeric_limits<double>::denorm_min();
+    const auto bits = std::bit_cast<std::int64_t>(value);
+    return std::bit_cast<double>(bits + (value > 0 ? 1 : -1));
+  }
 };
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
