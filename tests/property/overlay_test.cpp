@@ -52,7 +52,7 @@ Random random_of_case(int number) {
 }
 
 TEST(Overlay, ResolveIsAsByBruteForce) {
-  const int count = count_from_environment(1000);
+  const int count = count_from_environment(500);
   for (int i = 0; i < count && !HasFailure(); ++i) {
     Random random = random_of_case(i);
     const Case c = random_case(random);
@@ -71,7 +71,7 @@ TEST(Overlay, ResolveIsAsByBruteForce) {
 }
 
 TEST(Overlay, ResolveOfFractionsIsAsByBruteForce) {
-  const int count = count_from_environment(1000) / 10;
+  const int count = count_from_environment(500) / 10;
   for (int i = 0; i < count && !HasFailure(); ++i) {
     Random random = random_of_case(i);
     Case c = random_case(random);
@@ -83,7 +83,7 @@ TEST(Overlay, ResolveOfFractionsIsAsByBruteForce) {
 
 // Rings of valid regions mean the same by any rule that ignores their direction.
 TEST(Overlay, ValidRegionsAreWhatTheyAre) {
-  const int count = count_from_environment(1000);
+  const int count = count_from_environment(500);
   for (int i = 0; i < count && !HasFailure(); ++i) {
     Random random = random_of_case(i);
     const Region region = random_region(random);
@@ -106,7 +106,7 @@ TEST(Overlay, ValidRegionsAreWhatTheyAre) {
 }
 
 TEST(Overlay, BooleansAreAsByBruteForce) {
-  const int count = count_from_environment(1000) / 2;
+  const int count = count_from_environment(500) / 2;
   for (int i = 0; i < count && !HasFailure(); ++i) {
     Random random = random_of_case(i);
     const Pair pair = random_pair(random);
@@ -134,7 +134,7 @@ TEST(Overlay, BooleansAreAsByBruteForce) {
 }
 
 TEST(Overlay, UnionsOfGeometriesAreAsByBruteForce) {
-  const int count = count_from_environment(1000) / 8;
+  const int count = count_from_environment(500) / 8;
   for (int i = 0; i < count && !HasFailure(); ++i) {
     Random random = random_of_case(i);
     std::vector<Geometry> geometries;

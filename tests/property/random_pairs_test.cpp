@@ -17,7 +17,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 20000;
+constexpr int kDefaultPairs = 10000;
 constexpr std::uint64_t kFirstSeed = 1;
 constexpr std::size_t kMaxFailures = 5;
 

@@ -19,7 +19,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 20'000;
+constexpr int kDefaultPairs = 10'000;
 
 Region random_shape(Random& random) {
   switch (random.below(16)) {

@@ -21,7 +21,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr int kDefaultPairs = 6000;
+constexpr int kDefaultPairs = 3000;
 constexpr int kMaxFailures = 5;
 
 std::string text_of(const Geometry& tight) {
