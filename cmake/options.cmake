@@ -30,12 +30,16 @@ function(minksum_library_options target)
   endif()
 endfunction()
 
-# Compiles the files of a target by eights, in their order. That halves the time of a whole build,
+# minksum_join_files(TARGET [MANY]) compiles the files of a target by eights, or so many at once, in
+# their order. That halves the time of a whole build,
 # most of which is spent on headers and templates that files share. Helpers of one file must not
 # have names of helpers of another one. -DCMAKE_UNITY_BUILD=OFF compiles each file by itself.
 function(minksum_join_files target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+    if(ARGC GREATER 1)
+      set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${ARGV1})
+    endif()
     # GCC inlines less where a file has more than 10,000 of its instructions, as eight files have.
     # Sums would take up to twice as many instructions. With this they take as many as from single
     # files.

@@ -42,7 +42,7 @@ class Parser {
   CommandLine line_;
 };
 
-std::string point_json(const Point& point) {
+std::string point_text(const Point& point) {
   return Json({point.x.to_string(), point.y.to_string()}).dump();
 }
 
@@ -161,7 +161,7 @@ Made make_no_fit(Parser& parser, ProcessLimits& limits) {
                   return "\"result\":" + contacts_json(contacts(mine, a, b), reference).dump();
                 }
                 const Geometry polygon = rounded_fit_polygon(mine, fit_polygon(mine, a, b));
-                return result_json(polygon, mine) + ",\"reference\":" + point_json(*reference);
+                return result_json(polygon, mine) + ",\"reference\":" + point_text(*reference);
               });
 }
 

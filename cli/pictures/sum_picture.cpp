@@ -16,7 +16,7 @@ constexpr double kRegionCaption = 44;  // room for two lines of text above each 
 // A caption may be wider than a small region below it.
 constexpr double kMinColumn = 190;
 
-struct Layout {
+struct SumLayout {
   Extent extents[3];  // P, Q, sum
   double scale = 1;
   double left_column = 0;
@@ -31,8 +31,8 @@ struct Layout {
 };
 
 // Chooses the largest scale at which both columns fit the width, and the higher one the height.
-Layout lay_out(const Drawing& drawing, const Geometry* sum) {
-  Layout layout;
+SumLayout lay_out(const Drawing& drawing, const Geometry* sum) {
+  SumLayout layout;
   layout.extents[0] = extent_of(drawing.p);
   layout.extents[1] = extent_of(drawing.q);
   layout.has_q = drawing.captions.q != nullptr;
@@ -98,7 +98,7 @@ void draw(SvgPicture& picture, const Geometry& geometry, const PictureFrame& pla
 
 std::string picture_of(const Drawing& drawing, const Geometry* sum) {
   const Captions& captions = drawing.captions;
-  const Layout layout = lay_out(drawing, sum);
+  const SumLayout layout = lay_out(drawing, sum);
   SvgPicture picture(kPageWidth, layout.total_height(),
                      sum != nullptr ? captions.title : "P and Q");
   draw(picture, drawing.p,

@@ -65,7 +65,7 @@ constexpr std::string_view kDarkFigureStyle = R"(.outline{color:#ccc}
 
 constexpr std::string_view kGround = "<rect class=\"ground\" width=\"100%\" height=\"100%\"/>\n";
 
-constexpr double kTickLength = 4;
+constexpr double kNormalLength = 4;
 
 std::string escaped(std::string_view words) {
   constexpr std::string_view kMarks = "&<>\"";
@@ -210,7 +210,7 @@ void SvgPicture::add_tick(const Trace::Segment& segment, const PictureTransform&
   const double y = y0 + dy / 2;
   // The y axis of the picture points down, so the right-hand normal of (dx, dy) is (-dy, dx).
   move_to(x, y);
-  line_to(x - dy / length * kTickLength, y + dx / length * kTickLength);
+  line_to(x - dy / length * kNormalLength, y + dx / length * kTickLength);
 }
 
 void SvgPicture::dots(std::span<const Trace::Vertex> points, const PictureTransform& placement,
