@@ -118,7 +118,7 @@ class AddedRing {
     smallest_ = smallest_of(s_, begin_, begin_ + size_, left) - begin_;
     const double turn_there =
         turn(way(before(smallest_), smallest_), way(smallest_, after(smallest_)));
-    reversed_ = turn_there > 0 != counter_clockwise;
+    reversed_ = (turn_there > 0) != counter_clockwise;
     if (!reversed_) return turn_there != 0;
     const auto reverse = [this](auto* values) { std::reverse(values, values + size_); };
     reverse(row(SmallOperand::kX));

@@ -200,11 +200,11 @@ template <class Number>
       for (; blocks != 0; blocks &= blocks - 1) {
         const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
         const std::size_t begin = block * kLanes;
-        LaneBits odd = 0;
+        bool odd = false;
         for (LaneBits bits = edges.near(block, ray); bits != 0; bits &= bits - 1) {
-          odd ^= crosses(begin + static_cast<std::size_t>(std::countr_zero(bits))) ? 1 : 0;
+          odd = odd != crosses(begin + static_cast<std::size_t>(std::countr_zero(bits)));
         }
-        if (odd != 0) holding ^= LaneBits{1} << rings.ring_of(static_cast<std::uint32_t>(begin));
+        if (odd) holding ^= LaneBits{1} << rings.ring_of(static_cast<std::uint32_t>(begin));
       }
       return true;
     };

@@ -142,7 +142,7 @@ double take_sample(const SmallSegments& from, SmallSegments& to) {
 void SmallOrder::apply(const SmallSegments& from, double width, double reach, SmallSegments& to) {
   // A rounded place may lie beyond the width.
   const double scale = kSide * kSide / (width * (1 + 0x1p-40) + 1);
-  const int squares = std::bit_width(from.size * 4);
+  const auto squares = static_cast<int>(std::bit_width(from.size * 4));
   const int shift = std::max(4 * kSideBits - squares, 0);
   place_.assign((std::size_t{kSide} * kSide * kSide * kSide >> shift) + 1, 0);
   square_.resize(from.size);

@@ -15,6 +15,10 @@ struct SegmentOrigin {
   std::uint32_t edge;
   std::uint32_t vertex : 31;
   std::uint32_t of_first : 1;  ///< whether the edge is the first operand's
+
+  SegmentOrigin() = default;
+  SegmentOrigin(std::uint32_t edge_, std::uint32_t vertex_, bool is_of_first)
+      : edge(edge_), vertex(vertex_ & 0x7fffffffU), of_first(is_of_first) {}
 };
 
 /// Vectors in doubles, and the places that they start at.
