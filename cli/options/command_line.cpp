@@ -75,13 +75,13 @@ HelpPage page_of(CLI::App& app, const std::string& name) {
 
 // The parser's own messages are terse.
 std::string in_our_words(const std::string& message) {
-  constexpr std::pair<std::string_view, const char*> kWords[] = {
+  constexpr std::pair<std::string_view, const char*> kReplaced[] = {
       {": At Most 1 required but received ", " takes one value, not "},
       {": takes ", " takes "},
       {" is required", " is missing"},
       {": 1 required ", " needs a value: "}};
   std::string text = message;
-  for (const auto& [theirs, ours] : kWords) {
+  for (const auto& [theirs, ours] : kReplaced) {
     if (const std::size_t at = text.find(theirs); at != std::string::npos) {
       text.replace(at, theirs.size(), ours);
       if (theirs.ends_with("required ")) text.resize(text.rfind(" missing"));

@@ -36,9 +36,9 @@ class Features {
     first_ = false;
   }
   void add(const Segment& segment) {
-    add(std::string("\"edge_of\":\"") + (segment.edge_of_first ? "P" : "Q") +
-            "\",\"kept\":" + (segment.kept ? "true" : "false"),
-        "LineString",
+    std::string properties(segment.edge_of_first ? R"("edge_of":"P")" : R"("edge_of":"Q")");
+    properties.append(segment.kept ? R"(,"kept":true)" : R"(,"kept":false)");
+    add(properties, "LineString",
         std::string("[").append(position(segment.from)) + "," + position(segment.to) + "]");
   }
   void add(const Trace::Loop& loop) {
