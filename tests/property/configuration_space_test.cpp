@@ -18,9 +18,8 @@
 namespace minksum {
 namespace {
 
+using test::as_geometry;
 using test::Random;
-
-Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 
 /// Returns a random angle from one of several grids.
 Rational random_angle(Random& random) {
@@ -165,8 +164,8 @@ TEST(ConfigurationSpace, WallsMayBeThin) {
   const ConfigurationSpace space(as_geometry(robot), walls);
   for (const int angle : {0, 37, 90, 200}) {
     const Slice slice = space.slice(nearest_turn(angle), true);
-    const Geometry mirrored = transform(
-        as_geometry(robot), Affine::scaling(Rational(-1)).after(slice.turn.map()));
+    const Geometry mirrored =
+        transform(as_geometry(robot), Affine::scaling(Rational(-1)).after(slice.turn.map()));
     EXPECT_EQ(slice.obstacles, minkowski_sum(walls, mirrored));
     EXPECT_FALSE(slice.obstacles.has_thin_parts());
     EXPECT_EQ(slice.obstacles.region.polygon_count(), 3U);
@@ -191,8 +190,7 @@ TEST(ConfigurationSpace, RobotsOfAnySize) {
     const ConfigurationSpace space(as_geometry(robot), as_geometry(square));
     EXPECT_GE(space.radius() * space.radius(), size * size * Rational(2));
     EXPECT_LE(space.radius(), size * Rational(3, 2));
-    EXPECT_EQ(space.slice(nearest_turn(0)).obstacles.region,
-              minkowski_sum(square, reflect(robot)));
+    EXPECT_EQ(space.slice(nearest_turn(0)).obstacles.region, minkowski_sum(square, reflect(robot)));
   }
 }
 
@@ -235,11 +233,10 @@ TEST(ConfigurationSpace, FailuresOfThreads) {
     for (const std::size_t from : {0U, 7U, 29U}) {
       for (const bool in_finish : {true, false}) {
         try {
-          space.for_each_slice(turns, false,
-                               in_finish ? std::function<void(std::size_t, Slice&)>(throw_at(from))
-                                         : nothing,
-                               in_finish ? std::function<void(std::size_t, Slice&)>(nothing)
-                                         : throw_at(from));
+          space.for_each_slice(
+              turns, false,
+              in_finish ? std::function<void(std::size_t, Slice&)>(throw_at(from)) : nothing,
+              in_finish ? std::function<void(std::size_t, Slice&)>(nothing) : throw_at(from));
           FAIL();
         } catch (const std::runtime_error& error) {
           EXPECT_EQ(error.what(), std::to_string(from));

@@ -17,7 +17,7 @@ namespace {
 using namespace minksum;
 using namespace minksum::test;
 
-constexpr std::uint64_t kCases = 400;
+constexpr std::uint64_t kDoubleCases = 400;
 
 // Returns a double with a random mantissa and an exponent from -20 to 20.
 double random_double(Random& random) {
@@ -60,7 +60,7 @@ Doubles random_outline(Random& random) {
 }
 
 TEST(Doubles, SumsAreExact) {
-  for (std::uint64_t seed = 1; seed <= kCases && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= kDoubleCases && !HasFailure(); ++seed) {
     Random random(seed);
     const Doubles a = random_outline(random);
     const Doubles b = random_outline(random);
@@ -78,7 +78,7 @@ TEST(Doubles, SumsAreExact) {
 }
 
 TEST(Doubles, OneExponentWithFullMantissas) {
-  for (std::uint64_t seed = 1; seed <= kCases && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= kDoubleCases && !HasFailure(); ++seed) {
     Random random(seed);
     const int exponent = random.between(-20, 20);
     const auto jittered = [&](const Region& region) {
@@ -120,7 +120,7 @@ TEST(Doubles, DecimalsAreNotDoubles) {
 }
 
 TEST(Doubles, DecimalsFractionsAndDoublesMix) {
-  for (std::uint64_t seed = 1; seed <= kCases && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= kDoubleCases && !HasFailure(); ++seed) {
     Random random(seed);
     const Pair pair = random_pair(random);
     const Region decimals = scaled(pair.p, Rational(Decimal{1, -random.between(1, 9)}));

@@ -86,14 +86,15 @@ bool contains_by_reference(const Geometry& b, const Geometry& a) {
 }
 
 /// Counts what happened, for the log of a long run.
-struct Tally {
+struct GeometryTally {
   std::uint64_t rounded = 0;
   std::uint64_t exact = 0;
   std::uint64_t snapped = 0;
   std::uint64_t thin = 0;
 };
 
-void check(const Geometry& exact, const RoundOptions& options, bool by_reference, Tally& tally) {
+void check(const Geometry& exact, const RoundOptions& options, bool by_reference,
+           GeometryTally& tally) {
   RoundingReport report;
   const Geometry rounded = round(exact, options, report);
   ++tally.rounded;
@@ -124,7 +125,7 @@ TEST(GeometryRounding, RandomGeometries) {
   constexpr std::uint64_t kReferenceEvery = 8;
   const std::uint64_t first = seed_from_environment(1);
   const auto count = static_cast<std::uint64_t>(count_from_environment(kDefaultGeometries));
-  Tally tally;
+  GeometryTally tally;
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
     Random random(seed);
     const Geometry exact = random_geometry(random);

@@ -16,11 +16,10 @@
 namespace minksum {
 namespace {
 
+using test::as_geometry;
 using test::Judge;
 using test::Random;
 using Scene = test::ReachScene;
-
-Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
 
 void expect_good_path(const Scene& scene, const Configuration& from, const Configuration& to,
                       const Reach& found) {
@@ -200,7 +199,8 @@ TEST(Reach, LongWays) {
   for (int i = 1; i < 8; ++i) {
     const Rational t(i, 8);
     const Configuration to{{box.min.x + (box.max.x - box.min.x) * t,
-                            box.min.y + (box.max.y - box.min.y) * Rational(1, 2)}, 90};
+                            box.min.y + (box.max.y - box.min.y) * Rational(1, 2)},
+                           90};
     const Configuration same{to.at, 0};
     if (free.locate(to.at) != Location::kInside) continue;
     const Reach found = scene.from_to(from, same);

@@ -16,7 +16,7 @@ namespace {
 
 using test::Random;
 
-const int kPairs = test::count_from_environment(400);
+const int kThinPairs = test::count_from_environment(400);
 
 struct Piece {
   Point a;
@@ -119,7 +119,7 @@ TEST(ThinDepth, IsWhatTheEdgesSay) {
   int overlapping = 0;
   int touching = 0;
   int apart = 0;
-  for (int i = 0; i < kPairs; ++i) {
+  for (int i = 0; i < kThinPairs; ++i) {
     const Geometry a = random_shape(random, true);
     const Geometry b = at(random_shape(random, i % 3 == 0), random_point(random, 20));
     const auto depth = penetration_depth(a, b);
@@ -149,9 +149,9 @@ TEST(ThinDepth, IsWhatTheEdgesSay) {
     EXPECT_FALSE(after->overlapping);
     EXPECT_EQ(after->squared, Rational(0));
   }
-  EXPECT_GT(overlapping, kPairs / 10);
-  EXPECT_GT(touching, kPairs / 80);
-  EXPECT_GT(apart, kPairs / 10);
+  EXPECT_GT(overlapping, kThinPairs / 10);
+  EXPECT_GT(touching, kThinPairs / 80);
+  EXPECT_GT(apart, kThinPairs / 10);
 }
 
 TEST(ThinDepth, SomeThatAreKnown) {

@@ -8,6 +8,8 @@
 
 namespace minksum::test {
 
+[[nodiscard]] inline Geometry as_geometry(const Region& region) { return {region, {}, {}}; }
+
 struct RobotScene {
   Region robot;
   Geometry obstacles;            ///< its parts may overlap; its region is valid

@@ -15,15 +15,15 @@ BigInteger random_number(test::Random& random, int bits) {
   return value >> (random.below(16));
 }
 
-boost::multiprecision::cpp_int to_boost(const BigInteger& value) {
+boost::multiprecision::cpp_int as_boost(const BigInteger& value) {
   return boost::multiprecision::cpp_int(value.to_string());
 }
 
 /// Compares with Boost's, in both orders, for all signs.
 void expect_divisor(const BigInteger& a, const BigInteger& b) {
-  const auto expected = boost::multiprecision::gcd(to_boost(a), to_boost(b));
+  const auto expected = boost::multiprecision::gcd(as_boost(a), as_boost(b));
   const auto expect = [&](const BigInteger& x, const BigInteger& y) {
-    EXPECT_TRUE(to_boost(greatest_common_divisor(x, y)) == expected)
+    EXPECT_TRUE(as_boost(greatest_common_divisor(x, y)) == expected)
         << a.to_string() << ' ' << b.to_string();
   };
   expect(a, b);

@@ -51,14 +51,14 @@ struct Tally {
   }
 };
 
-struct Operands {
+struct NearOperands {
   std::vector<Vec<Fraction>> sites;
   std::vector<SiteId> next;
 };
 
 /// Two rings, of which one is 2^exponent times as large.
-Operands random_operands(Random& random, int exponent) {
-  Operands o;
+NearOperands random_operands(Random& random, int exponent) {
+  NearOperands o;
   for (SiteId i = 0; i < 2 * kSites; ++i) {
     const int own = i < kSites ? exponent : 0;
     o.sites.push_back({number(random, own), number(random, own)});

@@ -24,13 +24,13 @@ Geometry resolved(const Region& region, FillRule rule = FillRule::kAutomatic,
   return resolve({region, {}, {}}, options);
 }
 
-Point point(const Rational& x, const Rational& y) { return {x, y}; }
+Point vertex(const Rational& x, const Rational& y) { return {x, y}; }
 
 TEST(Resolve, BowTieCrossesAtAFraction) {
   const Region bow_tie = make_polygon({{0, 0}, {3, 2}, {3, 0}, {0, 1}});
   const Geometry result = resolved(bow_tie);
   ASSERT_EQ(result.region.polygon_count(), 2U);
-  EXPECT_EQ(result.region.polygon(0).outer[1], point(1, Rational(2, 3)));
+  EXPECT_EQ(result.region.polygon(0).outer[1], vertex(1, Rational(2, 3)));
   EXPECT_FALSE(result.has_thin_parts());
   EXPECT_EQ(resolved(bow_tie, FillRule::kEvenOdd), result);
 }

@@ -19,7 +19,7 @@ Geometry lines(std::vector<Polyline> polylines, std::vector<Point> points = {}) 
   return {{}, std::move(polylines), std::move(points)};
 }
 
-Region polygon(Ring outer) { return Region(Polygon{std::move(outer), {}}); }
+Region triangle(Ring outer) { return Region(Polygon{std::move(outer), {}}); }
 
 /// Expects that rounding to both sides, to doubles and to decimals, keeps its promises.
 void expect_sides_of(const Geometry& exact) {
@@ -160,7 +160,7 @@ TEST(RoundGeometry, InsideKeepsTheExactPartOfAPath) {
 TEST(RoundGeometry, AreasPathsAndPointsTogether) {
   Geometry mixed =
       lines({{point("1/3", "1/3"), point("5/7", "6/7")}}, {point("9/7", "1/9"), point("4", "4")});
-  mixed.region = polygon({point("0", "0"), point("1/3", "0"), point("1/3", "1/3")});
+  mixed.region = triangle({point("0", "0"), point("1/3", "0"), point("1/3", "1/3")});
   Geometry outside{rectangle(0, 0, 2, 1), {}, {point("4", "4")}};
   RoundingReport report;
   EXPECT_EQ(round(resolve(mixed), to_integers(RoundingSide::kOutside), report), outside);
@@ -182,7 +182,7 @@ TEST(RoundGeometry, ExactPathsThatARegionGrowsOver) {
   Geometry geometry = lines({{point("4", "4"), point("9", "5")},
                              {point("3", "5"), point("3", "9")},
                              {point("5", "3"), point("9", "3")}});
-  geometry.region = polygon({point("0", "0"), point("33/4", "0"), point("0", "33/4")});
+  geometry.region = triangle({point("0", "0"), point("33/4", "0"), point("0", "33/4")});
   expect_sides_of(resolve(geometry));
   // The cells around these ends have no width along one axis.
   geometry.polylines = {{point("2", "25/4"), point("2", "9")},

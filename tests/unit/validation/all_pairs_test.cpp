@@ -15,7 +15,7 @@ namespace {
 using test::Outline;
 using test::Vertex;
 using Polygons = std::vector<std::vector<Outline>>;
-using Texts = std::set<std::string>;
+using TextSet = std::set<std::string>;
 
 std::int64_t turn(const Vertex& a, const Vertex& b, const Vertex& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -90,8 +90,8 @@ bool into_left(const Corner& c, const Vertex& far) {
 
 /// Lists what is wrong with pairs of edges and vertices. `overlaps` tells whether edges overlap, so
 /// that it is not defined where rings change sides.
-Texts faults_of_pairs(const std::vector<Corner>& corners, bool& overlaps) {
-  Texts faults;
+TextSet faults_of_pairs(const std::vector<Corner>& corners, bool& overlaps) {
+  TextSet faults;
   for (const Corner& e : corners) {
     for (const Corner& f : corners) {
       if (&e == &f || e.is_next_to(f)) continue;
@@ -155,8 +155,8 @@ bool lies_in(const Outline& inner, const Outline& outer) {
   ADD_FAILURE() << "all points of an edge lie on a ring";
   return false;
 }
-Texts faults_of_places(const Polygons& polygons) {
-  Texts faults;
+TextSet faults_of_places(const Polygons& polygons) {
+  TextSet faults;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     for (std::size_t r = 0; r < polygons[p].size(); ++r) {
       const Outline& ring = polygons[p][r];
@@ -217,11 +217,11 @@ TEST(AllPairs, AgreeWithTheSweep) {
     }
     if (!rings_are_good) continue;
     bool overlaps = false;
-    Texts expected = faults_of_pairs(corners_of(polygons), overlaps);
+    TextSet expected = faults_of_pairs(corners_of(polygons), overlaps);
     touching += expected.size() == 1 ? 1 : 0;
     const bool only_places = expected.empty();
     if (only_places) expected = faults_of_places(polygons);
-    Texts found;
+    TextSet found;
     for (const Fault& fault : validate(region, 100'000)) {
       found.insert(only_places ? fault.message : to_string(fault));
     }

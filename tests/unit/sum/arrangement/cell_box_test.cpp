@@ -15,9 +15,9 @@ using minksum::test::Random;
 
 double unit(Random& random) { return random.between(-400, 8192 + 400) / 8192.0; }
 
-struct Box {
+struct RandomBox {
   double x0, y0, x1, y1;
-  explicit Box(Random& random)
+  explicit RandomBox(Random& random)
       : x0(unit(random)), y0(unit(random)), x1(unit(random)), y1(unit(random)) {
     if (x1 < x0) std::swap(x0, x1);
     if (y1 < y0) std::swap(y0, y1);
@@ -27,15 +27,15 @@ struct Box {
   [[nodiscard]] CellBox rounded() const { return {x0, y0, x1, y1}; }
 };
 /// Returns how far apart two boxes are; negative if they overlap.
-double gap(const Box& a, const Box& b) {
+double gap(const RandomBox& a, const RandomBox& b) {
   return std::max({a.x0 - b.x1, b.x0 - a.x1, a.y0 - b.y1, b.y0 - a.y1});
 }
 
 TEST(CellBox, OverlapsExactlyWhereRoundedOutwards) {
   Random random(1);
   for (int i = 0; i < 200000; ++i) {
-    const Box a(random);
-    const Box b(random);
+    const RandomBox a(random);
+    const RandomBox b(random);
     const bool overlap = a.rounded().overlaps(b.rounded().partner());
     EXPECT_EQ(overlap, b.rounded().overlaps(a.rounded().partner()));
     if (gap(a, b) <= 0) {
@@ -50,9 +50,9 @@ TEST(CellBox, OverlapsExactlyWhereRoundedOutwards) {
 TEST(CellBox, TheIntersectionOverlapsWhatAllThreeShare) {
   Random random(2);
   for (int i = 0; i < 200000; ++i) {
-    const Box a(random);
-    const Box b(random);
-    const Box c(random);
+    const RandomBox a(random);
+    const RandomBox b(random);
+    const RandomBox c(random);
     if (!a.rounded().overlaps(b.rounded().partner())) continue;
     const CellBox both = a.rounded().within(b.rounded());
     const bool all = std::max({a.x0, b.x0, c.x0}) <= std::min({a.x1, b.x1, c.x1}) &&
