@@ -95,9 +95,9 @@ std::string with_reading_option(std::string message) {
 
 std::string shown_name(const std::string& file) {
   if (file == "-") return "standard input";
-  constexpr std::size_t kMostShown = 40;
+  constexpr std::size_t kMostLetters = 40;
   if (!is_typed_wkt(file)) return file;
-  return "'" + (file.size() > kMostShown ? file.substr(0, kMostShown) + "..." : file) + "'";
+  return "'" + (file.size() > kMostLetters ? file.substr(0, kMostLetters) + "..." : file) + "'";
 }
 
 void tell(const std::string& message) {
