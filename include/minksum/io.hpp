@@ -118,8 +118,7 @@ struct Feature {
 /// Returns the format in which the text seems to be, by its first characters, or else WKT.
 [[nodiscard]] MINKSUM_API Format detect_format(std::string_view text);
 
-/// Returns the areas, polylines and points of a text. The text is WKT, GeoJSON, WKB, `.poly` or
-/// `.dat`, which its content tells.
+/// Returns the areas, polylines and points of a text. Its content tells the format.
 ///
 /// Numbers are read exactly. Only the form of the text is checked. Rings may cross themselves and
 /// each other, and may have one vertex or two; `resolve` tells what they mean. In `.dat`, rings of
@@ -207,9 +206,9 @@ struct Coordinates {
 [[nodiscard]] MINKSUM_API std::string crs_of(const Coordinates& style);
 
 /// Writes a region as WKT, GeoJSON, WKB, `.poly` or a plain SVG. WKB is little-endian and holds
-/// doubles; kHexWkb writes its bytes as digits. O(n) for n vertices. Throws Error: kBadInput for
-/// `.dat`, which is only read, for WKB in another style than kDouble, and for a number of digits
-/// that is out of range; kLimitExceeded for a coordinate beyond the range of doubles that has to be
+/// doubles; kHexWkb writes its bytes as digits. O(n) for n vertices. Throws Error: kBadInput for a
+/// format that is only read, for WKB in another style than kDouble, and for a number of digits that
+/// is out of range; kLimitExceeded for a coordinate beyond the range of doubles that has to be
 /// written as one; kCancelled.
 MINKSUM_API void write(std::ostream& out, const Region& region, Format format,
                        const Coordinates& style = {});

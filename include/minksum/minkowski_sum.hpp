@@ -26,8 +26,8 @@ enum class Arithmetic {
 /// Tells what the computation of a sum did. Times are in seconds. Method::kSigned tells only times,
 /// segments and crossings.
 struct Statistics {
-  /// Whether both operands were small, so that one walk found the sum's boundary. There were no
-  /// stages then, and the counts of crossings, loops, cells and decisions are 0.
+  /// Whether the sum was small: walks, or a merge of two convex rings, found its boundary. There
+  /// were no stages then, and the counts of crossings, loops, cells and decisions are 0.
   bool small = false;
   std::uint64_t convolution_segments = 0;   ///< segments of the convolution that the method uses
   /// Segments of which the arrangement is made: those that touch an uncovered cell, without those

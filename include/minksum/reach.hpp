@@ -54,12 +54,12 @@ struct Reach {
 /// points where two free parts touch. A goal that equals the start is always reached.
 ///
 /// Between two slices nothing is known, unless `certain` is set. Then slices are those of the robot
-/// grown by ρ = r·tan δ. Here r is the robot's radius, and 2δ the largest step, unless the
-/// tolerance of an end's turn is more than δ and takes its place. Proof: at any angle, the nearer
-/// of the two neighbouring turns is at most δ away. A turn by δ about the reference point moves
-/// each point of the robot by at most 2r·sin(δ/2) ≤ r·tan δ. So the turned robot lies in the
-/// neighbour's robot ⊕ disc(ρ). The octagon with the corners (±ρ, ±5ρ/12) and (±5ρ/12, ±ρ) contains
-/// the disc and takes its place. "No" then means that there is no path for the grown robot.
+/// grown by ρ = r·tan δ. Here r is the robot's radius. δ is half the largest step, or an end turn's
+/// `off` if that is more. Proof: at any angle, the nearer of the two neighbouring turns is at most
+/// δ away. A turn by δ about the reference point moves each point of the robot by at most
+/// 2r·sin(δ/2) ≤ r·tan δ. So the turned robot lies in the neighbour's robot ⊕ disc(ρ). The octagon
+/// with the corners (±ρ, ±5ρ/12) and (±5ρ/12, ±ρ) contains the disc and takes its place. "No" then
+/// means that there is no path for the grown robot.
 ///
 /// The time is that of all slices, which options.threads threads make, and of the search. Throws
 /// Error: kBadInput as ConfigurationSpace does; with culprit operand 3 if the robot is not free at

@@ -28,7 +28,9 @@ struct SumSettings : Options {
   bool filter = true;  ///< false = exact arithmetic takes every decision
   /// false = the whole arrangement is built, without a cover, and no segment is clipped
   bool cover = true;
-  int grid = 0;        ///< cells along the longer side of the cover's grid; 0 = the library chooses
+  /// cells along the longer side of the cover's grid, of which 4096 are the most; 0 = the library
+  /// chooses
+  int grid = 0;
   bool check = false;  ///< true = each stage's checker tests its result, which is slow
   bool small = true;   ///< false = small operands take the stages, too
   bool share_all = false;  ///< true = threads share even work that is too little to gain

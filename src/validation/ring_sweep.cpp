@@ -199,8 +199,8 @@ class Sweeper {
       }
     }
   }
-  /// Goes once around the point. A vertex whose second edge comes while another vertex has shown
-  /// one edge since its own first crosses that vertex, and is suspect.
+  /// Goes once around the point, with a stack of the vertices that have shown one edge. A vertex is
+  /// suspect if another one is on top when its second edge comes: they cross.
   void meet_crosswise() {
     s_.open.clear();
     for (const std::vector<Spoke>* const half : {&s_.right, &s_.left}) {

@@ -36,8 +36,8 @@ ROOMS = [
                       "results. It includes nothing of `src/sum`."),
     ("src/operations", 6, "A folder for each group of public operations: sum, morphology, offset, "
                           "no-fit polygons, penetration depth, configuration space."),
-    ("src/io", 7, "Readers and writers of files, mostly one file for each format. Includes only "
-                  "public headers."),
+    ("src/io", 7, "Readers and writers of files, mostly one for each format. Few include more "
+                  "than public headers."),
     ("c", 8, "The C interface. Includes only public headers."),
     ("cli", 8, "The program. Includes only public headers."),
     ("sql", 8, "The extensions of PostgreSQL. Includes only public headers."),

@@ -309,7 +309,7 @@ void CrowdFinder::meet_lines(double error) {
     }
     cancellation_.check(1 + by_right.size() - met);
     by_right.insert(by_right.begin() + static_cast<std::ptrdiff_t>(place), t);
-    // Those that are nearly equal on the left alone.
+    // It also meets those that are nearly equal on the left alone.
     for (std::uint32_t s = t; s-- > 0 && lines[s].left >= lines[t].left - 2 * error;) {
       cancellation_.check();
       if (lines[s].right < certainly_below) meet(items_[lines[s].item], item);

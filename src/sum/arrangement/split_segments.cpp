@@ -212,8 +212,8 @@ class Splitter {
   }
 
   /// Whether a piece of s begins or ends at a crossing, and lies there on the left of the other
-  /// segment. The sum's interior is there, all along that segment. (For joined segments that is not
-  /// known where one member ends and the next begins.)
+  /// segment. The sum's interior is there, all along that segment. (For joined segments it is not
+  /// known where their members end.)
   [[nodiscard]] bool is_inside(KeptId s, std::uint32_t begin, std::uint32_t end) const {
     if (tight_wanted_) return false;  // tight places are inside
     const auto is_left_of = [&](KeptId other) { return result_.kept[other].joined == 0; };

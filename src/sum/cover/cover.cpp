@@ -51,10 +51,10 @@ constexpr double kGrowthOfWords = 4;
 /// they cost counts when the next grid is bought.
 constexpr double kMostOfWhatIsLeft = 0.25;
 /// After a grid that left more than `kWorthIt` of the price before it, few grids help. More are
-/// bought only while all grids together cost at most this share. When none was bought, one sum of
-/// 136,052 segments took six times the time of the best grid, and grids cost under 0.1 % of that.
-/// The same holds for parallelograms: one sum of 80,334 segments took four times the time when none
-/// were tried again on finer grids.
+/// bought only while all grids together cost at most this share. Without any more, one sum of
+/// 136,052 segments took six times as long as by the best grid. Grids cost under 0.1 % of that
+/// time. The same holds for parallelograms: one sum of 80,334 segments took four times the time
+/// when none were tried again on finer grids.
 constexpr double kMostInVain = 0.05;
 constexpr double kWorthIt = 0.8;
 
@@ -169,10 +169,10 @@ class GridBuyer {
     const ClippedShare left = see_clipped(operands_, sample_, cancellation_, scratch_);
     if (left.length == 1) return;
     const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(segments_)));
-    // Segments that are left a share of their length have that share of crossings with whole ones.
-    // More than one crossing for each segment is not to be counted on: of 241 sums, this rule made
-    // 0.674 of the time on the geometric mean, 0.677 with up to two crossings, 0.679 with any
-    // number, and the better way each time 0.655.
+    // If a share of a segment's length is left, so is that share of its crossings with whole ones.
+    // At most one crossing for each segment is counted. By that, 241 sums took 0.674 of the time on
+    // the geometric mean, 0.677 with up to two crossings, 0.679 with any number, and the better way
+    // each time 0.655.
     const double crossings = std::min(sample_.expected_crossings(operands_), segments_);
     const double saved = (1 - left.segments) * kSegment * segments_ * digits +
                          (1 - left.length * left.length) * kCrossing * crossings;

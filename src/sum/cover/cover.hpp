@@ -142,7 +142,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 
 /// Marks the cells that translates cover, before any segment is listed. There are about so many
 /// segments, and `price` is what all of them take without a cover, in words moved. The grid is as
-/// fine as it can be for a tenth of that. If none is that cheap, the cover is not active.
+/// fine as it can be for small shares of that. If none is that cheap, the cover is not active.
 void cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
                    Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
 

@@ -124,7 +124,7 @@ void filter_loops(const Operands& operands, const Arrangement& arrangement, cons
     const std::size_t end = begin_of(task + 1, tasks, loops.size());
     for (std::size_t i = begin_of(task, tasks, loops.size()); i < end; ++i) {
       if (i == outermost) continue;
-      // The nesting filter: the outermost loop is skipped above.
+      // The nesting filter rejects every positive loop but the outermost, which is skipped above.
       if (operands.connected && loops.positive[i] != 0) {
         filtered.state[i] = LoopState::kRejectedByNesting;
       } else if (collision.meets(judge.probe(i, exact))) {

@@ -23,7 +23,7 @@ struct FilteredLoops {
 /// Decides for every loop whether it bounds the sum. The nesting filter comes first (Behar and
 /// Lien, section IV-D): the sum of two connected operands is connected, so no positive loop inside
 /// its outer boundary can bound it. One collision test decides each other loop. If an operand has
-/// several polygons, the sum may have islands, and collision alone decides.
+/// several polygons or polylines, or if both are thin, collision alone decides.
 void filter_loops(const Operands& operands, const Arrangement& arrangement, const Loops& loops,
                   Predicates& predicates, BoxTrees& trees, FilteredLoops& filtered);
 

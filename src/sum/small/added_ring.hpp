@@ -58,7 +58,7 @@ class AddedRing {
 
   [[nodiscard]] double* row(SmallOperand::Row at) const { return s_[at] + begin_; }
   [[nodiscard]] Vec<Int128>* whole() const { return s_.whole().data() + begin_; }
-  /// Adds the ring, of so many vertices, of whose x `left` is the smallest. Turns it so that the
+  /// Adds the ring of `size` vertices. `left` is the smallest x of these. Turns it so that the
   /// region is on its left, and drops vertices in the middle of straight edges. Returns false if it
   /// has a spike or less than three vertices.
   [[nodiscard]] bool finish(bool is_outer, std::uint32_t size, double left) {

@@ -1,4 +1,4 @@
-// Walks along the outer boundary of a small convolution.
+// Walks along the boundary of a small sum: its outer ring and its holes.
 #pragma once
 
 #include <cmath>
@@ -177,9 +177,9 @@ class OuterWalk {
     return c < 0 || (c == 0 && s_.is_before(t, other));
   }
 
-  /// Finds all holes. Returns false if there may be others. A walk around a hole has the sum on its
-  /// left, too, and turns right at three corners. None of these is a corner of the outer boundary.
-  /// If a walk from a possible corner of this kind ends, it is no hole's.
+  /// Finds the holes. Returns false if these may not be all. A walk around a hole has the sum on
+  /// its left, too, and turns right at three corners. None of these is a corner of the outer
+  /// boundary. If a walk from a right turn ends, that turn is no hole's corner.
   [[nodiscard]] bool find_holes(std::uint32_t taken) {
     std::uint32_t walk = 1;
     bool sure = true;
@@ -192,8 +192,8 @@ class OuterWalk {
     return sure;
   }
   /// Walks from this corner. No hole is there if the walk ends, goes on as an earlier one, or goes
-  /// round with too few right turns. Returns false if there may be one or not. The number of
-  /// steps of all walks together is linear in those of turns and of ends.
+  /// round with too few right turns. Returns false if that is not known. All walks together take
+  /// O(turns + ends) steps.
   bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint32_t walk,
             std::uint32_t& taken) {
     std::uint32_t count = 0;

@@ -33,8 +33,9 @@ struct ExactLanes {
   [[nodiscard, gnu::always_inline]] Vec<double> get(const Row& row, std::size_t i) const {
     return row[i];
   }
-  /// Positive if a point, seen from the start of an edge, is on its left. It is the difference of
-  /// two points of the sum, or one more edge away. The caller may know that the result is zero.
+  /// Positive if a point, seen from the start of an edge, is on its left. The point is a difference
+  /// of two points of the sum, or that moved by an edge. `is_zero` says that the caller knows the
+  /// result to be zero.
   [[nodiscard, gnu::always_inline]] double side(const Vec<double>& edge, const Vec<double>& point,
                                                 bool /*is_zero*/ = false) const {
     return cross(edge, point);

@@ -27,8 +27,8 @@ struct SmallCover {
   std::vector<std::uint32_t> uncovered;  ///< memory for `UncoveredCounts`
 };
 
-/// Marks cells inside the sum if the segments have many crossings, and if that is cheap beside what
-/// they take.
+/// Marks cells inside the sum if the segments have many crossings, and if that is cheap beside
+/// arranging them.
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover);
 

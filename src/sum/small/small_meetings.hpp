@@ -91,10 +91,10 @@ template <class Number>
   constexpr LaneBits kEachRow = 0x0101010101010101;
   constexpr LaneBits kDiagonal = 0x8040201008040201;
   const LaneBits pairs_with_last = s.lanes_of(last) * kEachRow;
-  // Each look takes about a tenth of the time that the stages take for a segment, and they take
-  // some microseconds for any sum. With 8 looks a segment, 544 sums that come near the limits took
-  // 1.015 times as long on the geometric mean. A pair that doubles do not decide takes another
-  // look, or some four if numbers have more than 84 bits.
+  // A look compares a row with a block, in about a tenth of the stages' time for a segment. For any
+  // sum, the stages take some microseconds more. With 8 looks a segment, 544 sums that come near
+  // the limits took 1.015 times as long on the geometric mean. A pair that doubles do not decide
+  // takes another look, or some four if numbers have more than 84 bits.
   std::size_t looks_left = 12 * std::size_t{s.size} + 500;
   const std::size_t looks_of_exact =
       std::is_same_v<Number, WideNumber> && numbers.reach > 0x1p36 ? 4 : 1;

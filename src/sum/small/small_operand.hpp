@@ -58,7 +58,7 @@ class SmallOperand {
   std::uint32_t size = 0;      ///< of the outer ring
   std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
   bool convex = false;
-  /// The number of convex vertices that meet an edge, on average over eight directions. If all
+  /// How many convex vertices are compatible with an edge, on average over eight directions. If all
   /// vertices are convex, this is how often the ring goes round.
   double turning = 1;
   double turning_of_holes = 0;
@@ -107,8 +107,8 @@ class SmallOperand {
   [[nodiscard]] Vec<Int128> whole_at(std::size_t i) const {
     return is_wide() ? whole_[i] : whole_vector({(*this)[kX][i], (*this)[kY][i]});
   }
-  /// Returns a vector of integers in units of `steps`, which doubles hold. It is known from that
-  /// times the steps, since this is off by less than half a unit.
+  /// Returns a vector as integers in units of `steps`, if doubles hold these. Multiplied by
+  /// `units`, what doubles round is off by less than half a unit.
   [[nodiscard]] Vec<Int128> whole_vector(const Vec<double>& near) const {
     const auto whole = [this](double value) {
       const double number = value * units;
@@ -172,7 +172,7 @@ class SmallBlocks;
 
 /// Fills `small` and returns true if a region is clearly small and valid. Faults of other regions
 /// are left to `validate`. O(n²) for n vertices, with a small constant: for each block of eight
-/// edges it looks at one box of each 512.
+/// edges it looks at one box for each 512 edges.
 bool read_small(const Region& region, SmallOperand& small);
 /// The two steps of that. The first one loads all rings, also of some regions that are not valid.
 /// It returns false if the region is not small, or if a ring cannot be valid.

@@ -22,7 +22,7 @@ class SmallPlacement {
     SmallOperand turned;  ///< Q turned by half a circle
     std::array<SmallBlocks, 2> blocks;
   };
-  /// The holes of others than those `with_holes` are filled.
+  /// Without `with_holes`, an operand's holes are filled.
   SmallPlacement(double width, const SmallOperand& p, const SmallOperand& q,
                  const std::array<bool, 2>& with_holes, Memory& memory)
       : numbers_{0x1p-48 * width},
@@ -70,8 +70,8 @@ class SmallPlacement {
   /// Holds a coordinate in steps of 2^-halvings.
   using Scaled = WideInt<3>;
 
-  /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither holds the other,
-  /// since x − Q lies outside P where it would touch without the step to the right.
+  /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither holds the other:
+  /// without the step to the right they touch, from different sides.
   [[nodiscard]] Result test_boundaries() {
     return with_vectors(
         widest_vectors(), [&]() __attribute__((always_inline)) {

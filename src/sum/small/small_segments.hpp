@@ -149,14 +149,15 @@ void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSe
 double take_sample(const SmallSegments& from, SmallSegments& to);
 
 /// Returns the most meetings on the right that so many segments may have. If they have more, most
-/// corners lie inside, and the stages are mostly faster. 544 random sums that come near this took
-/// 0.85, 0.85, 0.81, 0.81 and 0.80 of the stages' time, on the geometric mean, with 1.25, 1.5, 2,
-/// 2.5 and 3 for each segment, and 5, 6, 4, 8 and 10 took over twice that time.
+/// corners lie inside, and the stages are mostly faster. With 1.25, 1.5, 2, 2.5 and 3 for each
+/// segment, 544 random sums that come near this took 0.85, 0.85, 0.81, 0.81 and 0.80 of the stages'
+/// time, on the geometric mean. 5, 6, 4, 8 and 10 of them took over twice that time.
 [[nodiscard]] constexpr std::uint32_t most_right_meetings(std::uint32_t segments) {
   return 2 * segments + 16;
 }
 
-/// Returns those of up to 64 vertices that meet an edge of `edges`: it is in (in, out].
+/// Returns those of up to 64 vertices of the second operand whose (in, out] has an edge's
+/// direction.
 template <class Number>
 [[gnu::always_inline]] inline LaneBits vertices_meeting(const SmallNumbers<Number>& numbers,
                                                         const SmallOperand& o, std::size_t first,
@@ -172,7 +173,7 @@ template <class Number>
   };
   return test_lanes(numbers, count / kLanes * kLanes, ~LaneBits{0}, meets);
 }
-/// Returns those of up to 64 edges whose direction is in [in, out) of a convex vertex.
+/// Returns those of up to 64 edges whose direction is in [in, out) of a first operand's vertex.
 template <class Number>
 [[gnu::always_inline]] inline LaneBits edges_between(const SmallNumbers<Number>& numbers,
                                                      const SmallOperand& o, std::size_t first,
@@ -192,7 +193,7 @@ template <class Number>
 }
 
 /// Lists the reduced convolution in the order of the first operand's rings. So segments that are
-/// near in the plane are mostly near in the list. The holes of others than those `with_holes` are
+/// near in the plane are mostly near in the list. Without `with_holes`, an operand's holes are
 /// filled. Returns false if there are too many segments.
 template <class Number>
 [[gnu::always_inline]] inline bool list_segments(const SmallNumbers<Number>& numbers,

@@ -44,19 +44,17 @@ class SmallScratch {
 /// segments than pay, or if coordinates are too long.
 ///
 /// The reduced convolution is listed. The walk starts at the smallest point and turns into the
-/// first segment on its right, again and again. Corners are left where one segment could turn right
-/// into another. A hole has three of them, and the same walk goes round it from there. See
-/// docs/pipeline.md, "How is a small sum computed?". Comparing each vertex with each edge and
-/// finding near blocks takes O(m·n + s²) for s segments, with small constants, as long as that
-/// takes less than the stages. The edges of two convex operands are merged in order of direction
-/// instead, in O(m + n).
+/// first segment on its right, again and again. Some right turns are not taken. A hole has at least
+/// three of these, and a walk by the same rule goes round it. See docs/pipeline.md, "How is a small
+/// sum computed?". Comparing each vertex with each edge and finding near blocks takes O(m·n + s²)
+/// for s segments, with small constants, as long as that takes less than the stages. The edges of
+/// two convex operands are merged in order of direction instead, in O(m + n).
 bool sum_small(const SmallOperand& p, const SmallOperand& q, SmallScratch& scratch, Region& result);
 
 /// How a sum of two operands is computed.
 struct SmallPlan {
   SmallNumberType numbers = SmallNumberType::kNone;  ///< on their common grid
-  /// Of which operands the holes stay. The other one fits into no hole of the others, so that these
-  /// are filled.
+  /// By operand, whether its holes stay. Otherwise they are filled: the other one fits into none.
   std::array<bool, 2> with_holes{};
   bool convex = false;  ///< whether both are, apart from holes that are filled
   double segments = 0;  ///< about how many there will be, unless both are

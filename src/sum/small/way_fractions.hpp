@@ -69,7 +69,7 @@ class WayFractions {
           return lanes.side(lanes.get(s_.way(), of), between(lanes, of, segment));
         });
   }
-  /// The same for its end, if it starts there and the other one turns left into it by this.
+  /// The same for its end. `start` is start_of(segment, of), and `turn` is turn(of, segment).
   [[nodiscard, gnu::always_inline]] double end_of(std::uint32_t segment, std::uint32_t of,
                                                   double start, double turn) const {
     if constexpr (kShort) return start + turn;
@@ -93,8 +93,8 @@ class WayFractions {
     }
   }
 
-  /// Returns where another segment crosses a segment. It leads to the right, or doubles do not hold
-  /// cross products.
+  /// Returns where another segment crosses a segment. If doubles hold cross products, the other one
+  /// must lead to the right.
   [[nodiscard, gnu::always_inline]] WayFraction<Number> crossing(std::uint32_t segment,
                                                                  std::uint32_t by) const {
     const Vec<double> to = minus(s_.at()[by], s_.at()[segment]);
