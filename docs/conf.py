@@ -40,7 +40,7 @@ def add_contents(app, docname, source):
         return
     below = re.findall(r"^\| \[[^]]*\]\(([^)#]+)\.\w+\)", source[0], re.M)
     if docname == root_doc:
-        below += ["js/README", "CONTRIBUTING", "CHANGELOG"]
+        below += ["js/README", "CHANGELOG"]
     source[0] += "\n".join(["", "```{toctree}", ":hidden:", "", *below, "```", ""])
 
 
