@@ -13,10 +13,14 @@ class SmallMeetings {
  public:
   static constexpr std::size_t kMax = 5 * SmallSegments::kMax;
   std::uint32_t right_count;  ///< number of meetings on the right
+  /// Whether there are too many. Segments that lie on few lines have many meetings at ends, and the
+  /// stages are faster for them.
+  bool crowded;
 
   void clear(std::uint32_t segments) {
     for (auto& last : last_) std::fill_n(last.begin(), segments, kNone);
     right_count = 0;
+    crowded = false;
     size_ = 0;
   }
   [[gnu::always_inline]] void add(std::size_t block, std::size_t other, LaneBits pairs,
@@ -38,11 +42,12 @@ class SmallMeetings {
     add_all(m.at_end, kAtEnd);
     if (block != other) add_all_of_other(m.at_end_of_other, kAtEnd);
   }
-  /// Whether there is room for the meetings of two more blocks. Segments that lie on few lines have
-  /// many meetings at ends. The stages are faster for them, so the room is bounded.
-  [[nodiscard]] bool has_room(std::uint32_t segments) const {
-    return size_ + 4 * kLanes * kLanes <= kMax && size_ <= 6 * segments + 64;
+  /// Returns the most meetings that so many segments may have.
+  [[nodiscard]] static constexpr std::size_t most(std::size_t segments) {
+    return 6 * segments + 64;
   }
+  /// Whether there is room for the meetings of two more blocks.
+  [[nodiscard]] bool has_room() const { return size_ + 4 * kLanes * kLanes <= kMax; }
 
   /// Returns the number of all meetings. Those at ends have numbers, too.
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -113,7 +118,7 @@ template <class Number>
     }
     const auto looks = static_cast<std::size_t>(std::popcount(rows));
     if (looks == 0) return true;
-    if (looks > looks_left || !m.has_room(s.size)) return false;
+    if (looks > looks_left || !m.has_room()) return false;
     looks_left -= looks;
     const LaneBits pairs =
         (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
@@ -137,6 +142,9 @@ template <class Number>
     const auto many = static_cast<std::uint32_t>(s.size * seen * (1.5 - seen / 2));
     if (m.right_count > (s.in_part ? 2 : 1) * most_right_meetings(many)) return false;
     if (m.right_count > most_right) return false;
+    // Up to twice this share of all pairs has been seen.
+    m.crowded = m.size() > SmallMeetings::most(std::min<std::size_t>(2 * (i + 1) * kLanes, s.size));
+    if (m.crowded) return false;
   }
   return true;
 }

@@ -148,10 +148,16 @@ const SmallSegments* meet_in_part(const SmallNumbers<Number>& numbers, const Sma
   clipper.clip(sample);
   if (sample.size > 0) {
     sample.finish(numbers.reach);
-    const double most = most_right_meetings(scratch.segments.size) * share * share;
+    const double of_pairs = share * share;
+    const double most_right = most_right_meetings(scratch.segments.size) * of_pairs;
     // Where it gives up, those that are found tell.
-    static_cast<void>(find_meetings_by(widest_vectors(), numbers, sample, scratch.meetings, most));
-    if (scratch.meetings.right_count > most) return nullptr;
+    static_cast<void>(
+        find_meetings_by(widest_vectors(), numbers, sample, scratch.meetings, most_right));
+    const auto most = static_cast<double>(SmallMeetings::most(scratch.segments.size)) * of_pairs;
+    if (scratch.meetings.right_count > most_right ||
+        static_cast<double>(scratch.meetings.size()) > most) {
+      return nullptr;
+    }
   }
   clipper.clip(scratch.segments);
   return meet(numbers, width, scratch);
@@ -191,7 +197,7 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   }
   const double width = width_of(p, q);
   const SmallSegments* met = meet(numbers, width, scratch);
-  if (met == nullptr) {
+  if (met == nullptr && !scratch.meetings.crowded) {
     const SmallClipper clipper(plan, p, q, width, scratch.cover);
     met = meet_in_part(numbers, clipper, width, scratch);
   }
