@@ -31,9 +31,9 @@ function(minksum_library_options target)
 endfunction()
 
 # minksum_join_files(TARGET [MANY]) compiles the files of a target by eights, or so many at once, in
-# their order. That halves the time of a whole build,
-# most of which is spent on headers and templates that files share. Helpers of one file must not
-# have names of helpers of another one. -DCMAKE_UNITY_BUILD=OFF compiles each file by itself.
+# their order. That halves the time of a whole build, most of which is spent on headers and
+# templates that files share. Helpers of one file must not have names of helpers of another one.
+# -DCMAKE_UNITY_BUILD=OFF compiles each file by itself.
 function(minksum_join_files target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)

@@ -210,7 +210,7 @@ void SvgPicture::add_tick(const Trace::Segment& segment, const PictureTransform&
   const double y = y0 + dy / 2;
   // The y axis of the picture points down, so the right-hand normal of (dx, dy) is (-dy, dx).
   move_to(x, y);
-  line_to(x - dy / length * kNormalLength, y + dx / length * kTickLength);
+  line_to(x - dy / length * kNormalLength, y + dx / length * kNormalLength);
 }
 
 void SvgPicture::dots(std::span<const Trace::Vertex> points, const PictureTransform& placement,
