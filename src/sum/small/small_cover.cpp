@@ -131,7 +131,7 @@ void SmallClipper::clip(SmallSegments& s) const {
     s.copy(s, i, kept);
     s.set_part(kept++, moved(box, {}, slack_));
   }
-  s.hidden += s.size - kept;
+  s.left_out += s.size - kept;
   s.size = kept;
   s.in_part = true;
 }

@@ -220,6 +220,16 @@ SmallOperand::Ends SmallOperand::ends_of(bool before, std::uint32_t i) const {
   return {i, i + 1 == end ? begin : i + 1};
 }
 
+bool SmallOperand::has_ring_of(const SmallOperand& other) const {
+  if (size != other.size) return false;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vec<WideNumber> v = exact<WideNumber>(kX, i);
+    const Vec<WideNumber> w = other.exact<WideNumber>(kX, i);
+    if (v.x != w.x || v.y != w.y) return false;
+  }
+  return true;
+}
+
 void find_smallest(SmallOperand& s) { s.smallest = smallest_of(s, 0, s.size, 0); }
 
 bool has_small_size(const Region& region) {

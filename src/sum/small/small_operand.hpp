@@ -125,6 +125,9 @@ class SmallOperand {
   [[nodiscard]] VecRow in() const { return row(kInX); }
   [[nodiscard]] VecRow out() const { return row(kOutX); }
 
+  /// Whether the outer rings of both are the same, vertex by vertex.
+  [[nodiscard]] bool has_ring_of(const SmallOperand& other) const;
+
   /// The vertices at which an edge starts and ends.
   struct Ends {
     std::uint32_t from;

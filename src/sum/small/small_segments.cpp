@@ -111,6 +111,24 @@ bool SmallSegments::is_out_of_order() const {
   return pairs > many;
 }
 
+void drop_copies(const SmallOperand& p, double width, SmallSegments& s) {
+  const SmallNumbers<WideNumber> numbers{0x1p-48 * width};
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    const SegmentOrigin o = s.origin[i];
+    // An edge at its own ends is parallel to an edge there, too.
+    const bool stays = o.of_first != 0 ? o.edge <= o.vertex : o.vertex <= o.edge + 1;
+    const auto turn = [&](const auto& lanes) __attribute__((always_inline)) {
+      const auto edge = lanes.get(p.way(), o.edge);
+      return o.of_first != 0 ? lanes.turn(edge, lanes.get(p.out(), o.vertex))
+                             : lanes.turn(lanes.get(p.in(), o.vertex), edge);
+    };
+    if (stays || decide(numbers, turn) <= 0) s.copy(s, i, kept++);
+  }
+  s.left_out += s.size - kept;
+  s.size = kept;
+}
+
 void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& s) {
   Cancellation never;
   const UncoveredCounts uncovered(cover, never, counts);
@@ -120,7 +138,7 @@ void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSe
     const Vec<double> start{s.x[i], s.y[i]};
     if (!hider.hides(start, plus(start, s.way()[i]))) s.copy(s, i, kept++);
   }
-  s.hidden = s.size - kept;
+  s.left_out += s.size - kept;
   s.size = kept;
 }
 
@@ -158,7 +176,7 @@ void SmallOrder::apply(const SmallSegments& from, double width, double reach, Sm
   for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
   to.clear_as(from);
   to.size = from.size;
-  to.hidden = from.hidden;
+  to.left_out = from.left_out;
   for (std::uint32_t i = 0; i < from.size; ++i) {
     to.copy(from, i, place_[square_[i]]++);
   }

@@ -51,9 +51,9 @@ struct SegmentRows {
 /// only what is used takes memory: others' pages are never touched.
 struct SmallSegments : SegmentRows {
   std::uint32_t size;
-  std::uint32_t hidden;  ///< number of others, which certainly lie inside the sum
-  bool wide;             ///< whether doubles round the numbers
-  bool in_part;          ///< whether it is known which parts of segments may be boundary
+  std::uint32_t left_out;  ///< number of others, which lie inside the sum or equal one of these
+  bool wide;               ///< whether doubles round the numbers
+  bool in_part;            ///< whether it is known which parts of segments may be boundary
   /// These are only set where doubles round the numbers. Ends that are sums of the same two
   /// vertices have the same number.
   alignas(64) Row start;
@@ -77,7 +77,7 @@ struct SmallSegments : SegmentRows {
   /// Gets ready for copies of another's entries.
   void clear_as(const SmallSegments& other) {
     size = 0;
-    hidden = 0;
+    left_out = 0;
     wide = other.wide;
     in_part = other.in_part;
     operands = other.operands;
@@ -141,6 +141,11 @@ struct SmallSegments : SegmentRows {
   /// ten pairs of blocks.
   [[nodiscard]] bool is_out_of_order() const;
 };
+
+/// Leaves out one of every two equal segments of a sum P ⊕ P: an edge at a vertex is listed for
+/// both operands, unless it is parallel to an edge at that vertex. Keeps the one that was listed
+/// first. `width` is the larger extent of the sum.
+void drop_copies(const SmallOperand& p, double width, SmallSegments& segments);
 
 /// Leaves out the segments that touch no uncovered cell. `counts` is memory.
 void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& segments);
@@ -246,7 +251,7 @@ template <class Number>
     }
   }
   s.size = size;
-  s.hidden = 0;
+  s.left_out = 0;
   s.in_part = false;
   s.wide = std::is_same_v<Number, WideNumber>;
   s.operands = {&q, &p};

@@ -192,10 +192,11 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
     return list_segments(numbers, p, q, plan.with_holes, segments);
   };
   if (!with_vectors(widest_vectors(), list)) return false;
+  const double width = width_of(p, q);
+  if (p.has_ring_of(q)) drop_copies(p, width, segments);
   if (scratch.cover.cover.active) {
     drop_hidden(scratch.cover.cover, scratch.cover.uncovered, segments);
   }
-  const double width = width_of(p, q);
   const SmallSegments* met = meet(numbers, width, scratch);
   if (met == nullptr && !scratch.meetings.crowded) {
     const SmallClipper clipper(plan, p, q, width, scratch.cover);
@@ -276,7 +277,7 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
   const bool done = with_numbers<WideNumber>(plan.numbers, width, [&](const auto& numbers) {
     return walk(numbers, p, q, plan, state, result);
   });
-  scratch.count(state.segments.size + state.segments.hidden, state.segments.size);
+  scratch.count(state.segments.size + state.segments.left_out, state.segments.size);
   return done;
 }
 

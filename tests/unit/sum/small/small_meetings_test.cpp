@@ -35,7 +35,7 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
       s->dy[i] = random.between(-4, 4);
     } while (s->dx[i] == 0 && s->dy[i] == 0);
   }
-  s->hidden = 0;
+  s->left_out = 0;
   s->wide = false;
   s->in_part = false;
   s->finish(0);

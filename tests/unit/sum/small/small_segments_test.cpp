@@ -35,7 +35,7 @@ TEST(SmallSegments, ThoseInTheCoverAreDropped) {
   std::uint32_t seen = 0;
   for (int round = 0; round < 20; ++round) {
     const Cover cover = random_cover(random);
-    s->size = 0;
+    s->size = s->left_out = 0;
     s->wide = s->in_part = false;
     std::vector<Line> visible;
     for (int k = 0; k < 500; ++k) {
@@ -52,12 +52,12 @@ TEST(SmallSegments, ThoseInTheCoverAreDropped) {
     }
     drop_hidden(cover, counts, *s);
     ASSERT_EQ(s->size, visible.size());
-    ASSERT_EQ(s->size + s->hidden, 500U);
+    ASSERT_EQ(s->size + s->left_out, 500U);
     for (std::uint32_t i = 0; i < s->size; ++i) {
       ASSERT_EQ(s->x[i], visible[i].start.x);
       ASSERT_EQ(s->y[i], visible[i].start.y);
     }
-    hidden += s->hidden;
+    hidden += s->left_out;
     seen += s->size;
   }
   EXPECT_GT(hidden, 1000U);

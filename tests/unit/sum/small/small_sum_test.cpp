@@ -299,6 +299,30 @@ TEST(SmallSum, IsMadeOfLongConvexRings) {
   EXPECT_EQ(detailed.sum.region, minkowski_sum(p, q, by_stages));
 }
 
+TEST(SmallSum, ListsEqualSegmentsOfTwoEqualOperandsOnce) {
+  SumSettings by_stages;
+  by_stages.small = false;
+  // No two edges of these rings are parallel. Each convex vertex has two segments without a copy:
+  // of the edges that end and start there.
+  for (const double radius : {1e5, 1e9, 1e17}) {
+    const Region p = waves(31, radius);
+    const Region moved = transform(p, Affine::translation(Rational(1, 2), 7));
+    const DetailedSum expected = detailed_sum(p, moved, by_stages);
+    const DetailedSum detailed = detailed_sum(p, moved);
+    EXPECT_TRUE(detailed.statistics.small);
+    EXPECT_EQ(detailed.sum.region, expected.sum.region);
+    const std::uint64_t listed = detailed.statistics.convolution_segments;
+    EXPECT_EQ(listed, expected.statistics.convolution_segments);
+    SmallOperand small;
+    ASSERT_TRUE(read_small(p, small));
+    std::uint64_t convex = 0;
+    for (std::size_t i = 0; i < small.size; ++i) {
+      if (small.in()[i].x != 0 || small.in()[i].y != 0) ++convex;
+    }
+    EXPECT_EQ(2 * detailed.statistics.segments_kept, listed + 2 * convex);
+  }
+}
+
 TEST(SmallSum, IsLeftToTheStagesWhereMuchLiesOnFewLines) {
   const Region comb = test::comb(12, 1, 15);
   Region result;
