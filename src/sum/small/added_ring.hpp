@@ -104,7 +104,7 @@ class AddedRing {
   /// Positive if the ring turns left from one edge to the next one.
   [[nodiscard, gnu::always_inline]] double turn(const Vector& in, const Vector& out) const {
     if constexpr (kWide) {
-      return SureLanes<Int128>{{0x1p-48 * std::max(s_.extent.x, s_.extent.y)}}.turn(in, out);
+      return SureLanes<Int128>{{reach_of(std::max(s_.extent.x, s_.extent.y))}}.turn(in, out);
     } else {
       const double turn = cross(in, out);  // its sign is exact, unless it is zero
       using Lanes = SureLanes<std::uint64_t>;

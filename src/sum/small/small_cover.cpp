@@ -103,7 +103,7 @@ SmallClipper::SmallClipper(const SmallPlan& plan, const SmallOperand& p, const S
                            double width, SmallCover& cover)
     : clipper_(RoundingBounds::of(width, plan.numbers != SmallNumberType::kWide, false)),
       cover_(cover.cover),
-      slack_(0x1p-48 * width) {
+      slack_(reach_of(width)) {
   const std::array operands{&p, &q};
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
     const SmallOperand& o = *operands[i];

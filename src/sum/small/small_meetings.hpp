@@ -13,14 +13,15 @@ class SmallMeetings {
  public:
   static constexpr std::size_t kMax = 5 * SmallSegments::kMax;
   std::uint32_t right_count;  ///< number of meetings on the right
-  /// Whether there are too many. Segments that lie on few lines have many meetings at ends, and the
-  /// stages are faster for them.
-  bool crowded;
+  /// Whether there would be too many among parts of the segments, too. That is so if they meet at
+  /// ends, because they lie on few lines, or if doubles do not decide most pairs, because they are
+  /// short.
+  bool parts_would_not_help;
 
   void clear(std::uint32_t segments) {
     for (auto& last : last_) std::fill_n(last.begin(), segments, kNone);
     right_count = 0;
-    crowded = false;
+    parts_would_not_help = false;
     size_ = 0;
   }
   [[gnu::always_inline]] void add(std::size_t block, std::size_t other, LaneBits pairs,
@@ -101,9 +102,11 @@ template <class Number>
   // sum, the stages take some microseconds more. With 8 looks a segment, 544 sums that come near
   // the limits took 1.015 times as long on the geometric mean. A pair that doubles do not decide
   // takes another look, or some four if numbers have more than 84 bits.
-  std::size_t looks_left = 12 * std::size_t{s.size} + 500;
+  const std::size_t most_looks = 12 * std::size_t{s.size} + 500;
+  std::size_t looks_left = most_looks;
   const std::size_t looks_of_exact =
       std::is_same_v<Number, WideNumber> && numbers.reach > 0x1p36 ? 4 : 1;
+  std::size_t looks_at_exact = 0;
   const auto meet = [&](std::size_t i, std::size_t j) __attribute__((always_inline)) {
     // The block with fewer rows near the other one is compared row by row.
     LaneBits rows = s.lanes_of(i);
@@ -119,13 +122,18 @@ template <class Number>
     }
     const auto looks = static_cast<std::size_t>(std::popcount(rows));
     if (looks == 0) return true;
-    if (looks > looks_left || !m.has_room()) return false;
+    if (looks > looks_left || !m.has_room()) {
+      m.parts_would_not_help = looks_at_exact > most_looks / 2;
+      return false;
+    }
     looks_left -= looks;
     const LaneBits pairs =
         (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
     const auto meetings = meet_blocks(numbers, s, block, other, rows, pairs);
     m.add(block, other, pairs, meetings);
-    looks_left -= std::min(looks_left, looks_of_exact * meetings.exact);
+    const std::size_t of_exact = looks_of_exact * meetings.exact;
+    looks_at_exact += of_exact;
+    looks_left -= std::min(looks_left, of_exact);
     return true;
   };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -144,8 +152,10 @@ template <class Number>
     if (m.right_count > (s.in_part ? 2 : 1) * most_right_meetings(many)) return false;
     if (m.right_count > most_right) return false;
     // Up to twice this share of all pairs has been seen.
-    m.crowded = m.size() > SmallMeetings::most(std::min<std::size_t>(2 * (i + 1) * kLanes, s.size));
-    if (m.crowded) return false;
+    if (m.size() > SmallMeetings::most(std::min<std::size_t>(2 * (i + 1) * kLanes, s.size))) {
+      m.parts_would_not_help = true;
+      return false;
+    }
   }
   return true;
 }

@@ -168,7 +168,7 @@ template <class Wide, class Work>
 auto with_numbers(SmallNumberType type, double width, Work work) {
   if (type == SmallNumberType::kDoubles) return work(SmallNumbers<double>{});
   if (type == SmallNumberType::kRounded) return work(SmallNumbers<std::uint64_t>{});
-  return work(SmallNumbers<Wide>{0x1p-48 * width});
+  return work(SmallNumbers<Wide>{reach_of(width)});
 }
 
 class SmallBlocks;

@@ -25,7 +25,7 @@ class SmallPlacement {
   /// Without `with_holes`, an operand's holes are filled.
   SmallPlacement(double width, const SmallOperand& p, const SmallOperand& q,
                  const std::array<bool, 2>& with_holes, Memory& memory)
-      : numbers_{0x1p-48 * width},
+      : numbers_{reach_of(width)},
         p_(p),
         q_(q),
         with_holes_(with_holes),

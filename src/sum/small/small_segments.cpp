@@ -112,7 +112,7 @@ bool SmallSegments::is_out_of_order() const {
 }
 
 void drop_copies(const SmallOperand& p, double width, SmallSegments& s) {
-  const SmallNumbers<WideNumber> numbers{0x1p-48 * width};
+  const SmallNumbers<WideNumber> numbers{reach_of(width)};
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < s.size; ++i) {
     const SegmentOrigin o = s.origin[i];

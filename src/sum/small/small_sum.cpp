@@ -198,7 +198,7 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
     drop_hidden(scratch.cover.cover, scratch.cover.uncovered, segments);
   }
   const SmallSegments* met = meet(numbers, width, scratch);
-  if (met == nullptr && !scratch.meetings.crowded) {
+  if (met == nullptr && !scratch.meetings.parts_would_not_help) {
     const SmallClipper clipper(plan, p, q, width, scratch.cover);
     met = meet_in_part(numbers, clipper, width, scratch);
   }
@@ -248,9 +248,19 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   };
   const double width = std::max(p.extent.x * of_p.steps + q.extent.x * of_q.steps,
                                 p.extent.y * of_p.steps + q.extent.y * of_q.steps);
-  plan.numbers = small_numbers(of_p.rounded || of_q.rounded,
-                               std::max(p.longest * of_p.steps, q.longest * of_q.steps), width);
+  const double longest_p = p.longest * of_p.steps;
+  const double longest_q = q.longest * of_q.steps;
+  plan.numbers = small_numbers(of_p.rounded || of_q.rounded, std::max(longest_p, longest_q), width);
   if (plan.convex) return plan;
+  // Doubles hardly tell edges apart that are as short as places are rounded. A walk decides nearly
+  // all pairs of these exactly; the stages move them to the origin first. Of 400 sums with an
+  // operand that is 2^36 to 2^52 times as large as the other one, 22 take over 1.5 times as long as
+  // by the faster way, and 81 without this limit. With 2, 32 and 128, 40, 21 and 25 do.
+  constexpr double kShort = 8;
+  if (plan.numbers == SmallNumberType::kWide &&
+      std::min(longest_p, longest_q) < kShort * reach_of(width)) {
+    return {};
+  }
   const double m = size(p, plan.with_holes[0]);
   const double n = size(q, plan.with_holes[1]);
   plan.segments = m * turning(q, plan.with_holes[1]) + n * turning(p, plan.with_holes[0]);

@@ -9,6 +9,18 @@
 
 namespace minksum {
 
+/// Holds coordinates of up to 2^250.
+using WideNumber = WideInt<4>;
+
+/// For WideNumber, returns 2^-48 of the width of all coordinates. It bounds the errors of points,
+/// of boxes and, for edges of length 1, of cross products. Let u be 2^-53 of the width, and v the
+/// same of an edge and the width. An operand's points and edges are rounded three times: on their
+/// own grid, and as products with a rounded number of steps. So an operand's points are off by up
+/// to 3u, a sum's by 4u, and differences of two points by 9u, or by 13u if one is moved by an edge.
+/// Rounded edges and products make that up to 19v. Instead of a moved point, the cross product of
+/// the two edges may be added, with 8v and with 2v for that sum: 24v in all.
+[[nodiscard]] constexpr double reach_of(double width) { return 0x1p-48 * width; }
+
 /// How the coordinates of a small sum are stored, and its cross products computed. Their sign is
 /// that of doubles, or of integers if these do not tell:
 /// - `double`: doubles hold all cross products.
@@ -16,17 +28,9 @@ namespace minksum {
 ///   sign they do not tell is small, so its value modulo 2^64 tells it.
 /// - `WideNumber`: doubles round coordinates, of up to 2^250, too. The exact ones are computed only
 ///   where doubles do not tell.
-using WideNumber = WideInt<4>;
 template <class Number>
 struct SmallNumbers {
-  /// For WideNumber: 2^-48 of the width of all coordinates. It bounds the errors of points, of
-  /// boxes and, for edges of length 1, of cross products. Let u be 2^-53 of the width, and v the
-  /// same of an edge and the width. An operand's points and edges are rounded three times: on their
-  /// own grid, and as products with a rounded number of steps. So an operand's points are off by up
-  /// to 3u, a sum's by 4u, and differences of two points by 9u, or by 13u if one is moved by an
-  /// edge. Rounded edges and products make that up to 19v. Instead of a moved point, the cross
-  /// product of the two edges may be added, with 8v and with 2v for that sum: 24v in all.
-  double reach = 0;
+  double reach = 0;  ///< `reach_of` the sum's width, for WideNumber
 
   /// Whether Int128 holds coordinates: up to a width of 2^125. Differences take one bit more.
   [[nodiscard]] bool fit_int128() const { return reach <= 0x1p77; }
