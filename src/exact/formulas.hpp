@@ -8,6 +8,7 @@ template <class Number>
 struct Vec {
   Number x;
   Number y;
+  friend bool operator==(const Vec&, const Vec&) = default;
 };
 
 /// Returns a positive number if `b` points to the left of `a`.

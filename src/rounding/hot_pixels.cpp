@@ -22,7 +22,6 @@ BigInteger floor_of(const Rational& value) {
 bool before(const Vec<BigInteger>& a, const Vec<BigInteger>& b) {
   return std::tie(a.x, a.y) < std::tie(b.x, b.y);
 }
-bool equal(const Vec<BigInteger>& a, const Vec<BigInteger>& b) { return a.x == b.x && a.y == b.y; }
 
 /// Tells exactly whether the segment from a to b meets the pixel [-1/2, 1/2)² around the origin.
 ///
@@ -111,7 +110,7 @@ HotPixels::HotPixels(std::span<const SnapPoint> points, Cancellation& cancellati
   });
   pixel_of_.resize(points.size());
   for (const std::size_t i : order) {
-    if (centres_.empty() || !equal(centres_.back(), points[i].centre)) {
+    if (centres_.empty() || centres_.back() != points[i].centre) {
       centres_.push_back(points[i].centre);
     }
     pixel_of_[i] = static_cast<PixelId>(centres_.size() - 1);

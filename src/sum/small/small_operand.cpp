@@ -45,8 +45,6 @@ bool take_limbs(const Region& region, const StoredCoordinate& c, Int128& value) 
   return true;
 }
 
-bool is_same(const Vec<Int128>& a, const Vec<Int128>& b) { return a.x == b.x && a.y == b.y; }
-
 /// Adds the rings of a region to an operand whose grid is set. With Int128 as the integer type, the
 /// operand is wide.
 template <class Integer>
@@ -110,7 +108,7 @@ class RingLoader {
       const Vec<Coordinate> place{static_cast<Coordinate>(at.x - first.x),
                                   static_cast<Coordinate>(at.y - first.y)};
       // The last of equal vertices stays, because the edge to the next vertex has its index.
-      if (size != 0 && place.x == last.x && place.y == last.y) --size;
+      if (size != 0 && place == last) --size;
       last = place;
       low = {std::min(low.x, place.x), std::min(low.y, place.y)};
       high = {std::max(high.x, place.x), std::max(high.y, place.y)};
@@ -126,7 +124,7 @@ class RingLoader {
     if (!take_box(corner, minus(high, low), is_outer)) return false;
     if (is_outer) set(s_.first, first);
     const auto is_first_again = [&](std::uint32_t i) {
-      if constexpr (kWide) return is_same(at_whole[i], at_whole[0]);
+      if constexpr (kWide) return at_whole[i] == at_whole[0];
       return x[i] == x[0] && y[i] == y[0];
     };
     while (size > 1 && is_first_again(size - 1)) --size;
@@ -223,9 +221,7 @@ SmallOperand::Ends SmallOperand::ends_of(bool before, std::uint32_t i) const {
 bool SmallOperand::has_ring_of(const SmallOperand& other) const {
   if (size != other.size) return false;
   for (std::size_t i = 0; i < size; ++i) {
-    const Vec<WideNumber> v = exact<WideNumber>(kX, i);
-    const Vec<WideNumber> w = other.exact<WideNumber>(kX, i);
-    if (v.x != w.x || v.y != w.y) return false;
+    if (exact<WideNumber>(kX, i) != other.exact<WideNumber>(kX, i)) return false;
   }
   return true;
 }
