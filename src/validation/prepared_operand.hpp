@@ -27,6 +27,7 @@ struct OperandRing {
   std::uint32_t polygon = 0;  ///< index in its region
   std::uint32_t ring = 0;     ///< index in its polygon, 0 = outer
   [[nodiscard]] bool is_hole() const { return ring != 0; }
+  friend bool operator==(const OperandRing&, const OperandRing&) = default;
 };
 [[nodiscard]] inline bool has_holes(std::span<const OperandRing> rings) {
   return std::ranges::any_of(rings, &OperandRing::is_hole);

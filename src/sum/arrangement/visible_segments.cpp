@@ -91,6 +91,13 @@ void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sit
   }
 }
 
+/// Whether a segment of P ⊕ P equals one that comes first along the first operand's rings.
+bool is_copy(const Operands& o, const Segment& s) {
+  const DirectionRank rank = o.rank[s.edge];
+  if (rank == o.rank[s.vertex] || rank == o.rank[o.previous[s.vertex]]) return false;
+  return o.operand_of(s.edge) == 0 ? s.vertex - o.split <= s.edge : s.vertex > s.edge - o.split;
+}
+
 CellBounds point_box(const CellSite& site) { return {site.x, site.y, site.x, site.y}; }
 
 /// The circle of ranks.
@@ -277,6 +284,7 @@ class RunSearch {
         const SiteId e = first_edge + static_cast<SiteId>(std::countr_zero(met));
         if (hides(uncovered_, scratch_.sites[e].box, vertex)) continue;
         if (o_.on_hole[e] != 0 && o_.on_hole[v] != 0) continue;
+        if (o_.equal && is_copy(o_, {e, v})) continue;
         found.push_back({e, v});
       }
     }
@@ -322,8 +330,9 @@ void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& 
   });
 }
 
-std::span<const Segment> list_visible(std::span<const Segment> segments, const Cover& cover,
-                                      Cancellation& cancellation, VisibleScratch& scratch) {
+std::span<const Segment> list_visible(const Operands& o, std::span<const Segment> segments,
+                                      const Cover& cover, Cancellation& cancellation,
+                                      VisibleScratch& scratch) {
   const auto& sites = scratch.sites;
   auto& visible = scratch.visible;
   resize_in_pieces(visible, segments.size(), cancellation);
@@ -332,7 +341,9 @@ std::span<const Segment> list_visible(std::span<const Segment> segments, const C
   // There is no branch on which segments are hidden, because that is hard to predict.
   visit_in_pieces(segments, cancellation, [&](const Segment& segment) {
     visible[count] = segment;
-    count += covered.hides(sites[segment.edge], sites[segment.vertex]) ? 0U : 1U;
+    const bool hidden = covered.hides(sites[segment.edge], sites[segment.vertex]);
+    const bool copy = o.equal && is_copy(o, segment);
+    count += hidden | copy ? 0U : 1U;
   });
   visible.resize(count);
   // Many of these may be too long for blocks.
@@ -362,7 +373,9 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   constexpr std::uint64_t kUnitsOfSite = 32;  // a site's runs meet some others, in 300 ns
   cancellation.check(operands.size());
   measure_sites(operands, cover.grid.inverse, scratch.sites);
-  if (convolution.listed()) return list_visible(convolution.segments, cover, cancellation, scratch);
+  if (convolution.listed()) {
+    return list_visible(operands, convolution.segments, cover, cancellation, scratch);
+  }
   scratch.ranges.resize(operands.size());
   for (SiteId v = 0; v < operands.size(); ++v) {
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};

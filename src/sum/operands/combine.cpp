@@ -266,6 +266,9 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q,
   o.thin = {p.thin, q.thin};
   // The region of a sum of polylines may be in several parts, connected by segments without area.
   o.connected = p.region->polygon_count() == 1 && q.region->polygon_count() == 1 && !o.both_thin();
+  o.equal = !p.rational && !q.rational && p.rings == q.rings &&
+            o.scratch.kept[0] == o.scratch.kept[1] && p.grid.unit == q.grid.unit &&
+            p.grid.small_sites == q.grid.small_sites && p.grid.large_sites == q.grid.large_sites;
   o.both_convex =
       o.rings.size() == 2 && std::find(o.convex.begin(), o.convex.end(), 0) == o.convex.end();
 }
