@@ -343,7 +343,7 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
     visible[count] = segment;
     const bool hidden = covered.hides(sites[segment.edge], sites[segment.vertex]);
     const bool copy = o.equal && is_copy(o, segment);
-    count += hidden | copy ? 0U : 1U;
+    count += (hidden | copy) ? 0U : 1U;
   });
   visible.resize(count);
   // Many of these may be too long for blocks.
