@@ -91,13 +91,6 @@ void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sit
   }
 }
 
-/// Whether a segment of P ⊕ P equals one that comes first along the first operand's rings.
-bool is_copy(const Operands& o, const Segment& s) {
-  const DirectionRank rank = o.rank[s.edge];
-  if (rank == o.rank[s.vertex] || rank == o.rank[o.previous[s.vertex]]) return false;
-  return o.operand_of(s.edge) == 0 ? s.vertex - o.split <= s.edge : s.vertex > s.edge - o.split;
-}
-
 CellBounds point_box(const CellSite& site) { return {site.x, site.y, site.x, site.y}; }
 
 /// The circle of ranks.

@@ -74,9 +74,7 @@ struct VisibleScratch {
 /// order. It leaves out most of those that lie, with a margin, in covered cells. Throws
 /// Error(kLimitExceeded) if more segments are visible than `limits` allows.
 ///
-/// In a sum P ⊕ P, an edge at a vertex is listed for both operands, unless it is parallel to an
-/// edge at that vertex. Of two such equal segments, the one that comes first along the first
-/// operand's rings is kept.
+/// In a sum P ⊕ P it also leaves out copies (see `is_copy`).
 ///
 /// If the convolution is listed, each segment is tested. Otherwise both operands' sites are put
 /// into trees of runs along their rings. A run of edges has their box and directions. A run of

@@ -162,6 +162,12 @@ RankRange reduced_range(const Operands& operands, SiteId vertex) {
   return range_at(operands, vertex);
 }
 
+bool is_copy(const Operands& o, const Segment& s) {
+  const DirectionRank rank = o.rank[s.edge];
+  if (rank == o.rank[s.vertex] || rank == o.rank[o.previous[s.vertex]]) return false;
+  return o.operand_of(s.edge) == 0 ? s.vertex - o.split <= s.edge : s.vertex > s.edge - o.split;
+}
+
 void reduced_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,
                          ConvolutionScratch& scratch, Convolution& convolution) {
   list(operands, Vertices::kConvex, limits, kAll, cancellation, scratch, convolution);

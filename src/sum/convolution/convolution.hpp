@@ -66,6 +66,11 @@ inline constexpr std::size_t kFewestSampled = 64;  ///< of a listed convolution,
 /// Returns the directions of the edges that are compatible with a convex vertex.
 [[nodiscard]] RankRange reduced_range(const Operands& operands, SiteId vertex);
 
+/// Whether a segment equals one that comes first along the first operand's rings. The operands must
+/// be equal. Then an edge at a vertex is listed for both, unless it is parallel to an edge at that
+/// vertex.
+[[nodiscard]] bool is_copy(const Operands& operands, const Segment& segment);
+
 /// Lists the full convolution (Wein 2006, as CGAL has it), to which reflex vertices contribute too.
 /// Each takes all directions counter-clockwise from its incoming to its outgoing edge. O(n·m).
 void full_convolution(const Operands& operands, const Limits& limits, Cancellation& cancellation,

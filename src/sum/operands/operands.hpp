@@ -59,7 +59,7 @@ struct Operands {
   bool connected = false;               ///< each operand is one polygon, or polyline; not both thin
   bool holes_filled = false;            ///< rings are gone; other polygons may lie inside them
   bool both_convex = false;             ///< each operand is one convex ring
-  bool equal = false;                   ///< the operands are known to differ by a translation
+  bool equal = false;                   ///< the operands are known to be equal, up to a translation
   Vec<double> trace_origin{};           ///< trace coordinate = approximate · unit + origin
   double trace_unit = 1;
   std::unique_ptr<ExactKernel> kernel;
