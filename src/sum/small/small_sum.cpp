@@ -253,7 +253,7 @@ SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   plan.numbers = small_numbers(of_p.rounded || of_q.rounded, std::max(longest_p, longest_q), width);
   if (plan.convex) return plan;
   // Doubles hardly tell edges apart that are as short as places are rounded. A walk decides nearly
-  // all pairs of these exactly; the stages move them to the origin first. Of 400 sums with an
+  // all pairs of these exactly; the stages move them to the origin first. Of 373 sums with an
   // operand that is 2^36 to 2^52 times as large as the other one, 22 take over 1.5 times as long as
   // by the faster way, and some 75 without this limit. With 2, 32 and 128, 40, 21 and 25 do.
   constexpr double kShort = 8;
