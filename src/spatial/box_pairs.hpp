@@ -197,11 +197,13 @@ class BoxPairs {
   }
   /// Estimates from a sample with how many boxes after it a box overlaps, on average.
   [[nodiscard]] double estimate_overlaps() const {
-    constexpr std::size_t kSampled = 32;  // a sample of 64 took up to 7 % of small sums
+    constexpr std::size_t kFewest = 32;  // a sample of 64 took up to 7 % of small sums
     const std::size_t count = scratch_.in_order.size();
+    // Where some boxes overlap far more others than most do, few of many boxes do not tell.
+    const std::size_t sampled = std::max(kFewest, count / 128);
     std::size_t overlaps = 0;
-    for (std::size_t s = 0; s < kSampled; ++s) {
-      const std::size_t i = s * count / kSampled;
+    for (std::size_t s = 0; s < sampled; ++s) {
+      const std::size_t i = s * count / sampled;
       const BoxPairScratch::Box& box = scratch_.in_order[i];
       const std::size_t end = scratch_.column_end[column(box.right)];
       for (std::size_t k = i + 1; k < end; ++k) {
@@ -210,7 +212,7 @@ class BoxPairs {
                                              (other.bottom <= box.top) & (box.bottom <= other.top));
       }
     }
-    return static_cast<double>(overlaps) / kSampled;
+    return static_cast<double>(overlaps) / static_cast<double>(sampled);
   }
 
   void sort_by_columns() {
