@@ -36,7 +36,7 @@ struct KeptSegment {
   std::uint32_t joined;  ///< 0, or one more than its index in `JoinScratch::joined`
   std::uint32_t line;    ///< equal for parallel segments, of either sense, and only for them
   DirectionRank rank;
-  bool meets_cover;  ///< false if the clipped segment is near no covered cell
+  bool meets_cover;  ///< false if it is known that the clipped segment is near no covered cell
   Clip clip;
 
   /// Returns the part that may be boundary.

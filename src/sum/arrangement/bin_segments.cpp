@@ -73,7 +73,7 @@ class Binner {
   /// Keeps the segments that touch an uncovered cell, and lists these cells if they are wanted.
   void keep_visible() {
     std::optional<UncoveredCounts> uncovered;
-    if (scratch_.by_cells && rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
+    if (rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
       uncovered.emplace(cover_, cancellation_, scratch_.visible.uncovered);
     }
     constexpr std::uint64_t kUnitsOfSegment = 32;  // it passes some cells, in 300 ns
@@ -89,7 +89,7 @@ class Binner {
       for (std::size_t i = begin; i < end; ++i) {
         const bool visible = scratch_.by_cells
                                  ? list_cells(uncovered, kept_[i], count, own, part.items)
-                                 : is_visible(kept_[i], own);
+                                 : is_visible(uncovered, kept_[i], own);
         if (visible) kept_[begin + count++] = kept_[i];
       }
       part.kept = count;
@@ -163,8 +163,15 @@ class Binner {
     }
   }
 
-  /// Returns whether a segment is near an uncovered cell. Notes whether it is near a covered one.
-  bool is_visible(KeptSegment& s, Cancellation& cancellation) const {
+  /// Returns whether a segment is near an uncovered cell. Notes whether it may be near a covered
+  /// one.
+  bool is_visible(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s,
+                  Cancellation& cancellation) const {
+    if (uncovered && rows_if_tall(s) > 0) {
+      cancellation.check(8);
+      s.meets_cover = true;
+      return !is_hidden(cover_, *uncovered, s.clipped());
+    }
     const CellsNear near = cells_near(cover_, s.clipped(), Until::kBoth);
     s.meets_cover = near.covered;
     cancellation.check(1 + std::uint64_t{near.rows});

@@ -184,6 +184,10 @@ struct CellsNear {
 enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
 /// Follows a line until a covered cell is found, an uncovered one, or both.
 [[nodiscard]] CellsNear cells_near(const Cover& cover, const Line& line, Until until);
+/// Whether a line is near covered cells only. Looks at the cells of its ends and of its middle, and
+/// at all near its box. If some of these are not covered, the halves of the line tell.
+[[nodiscard]] bool is_hidden(const Cover& cover, const UncoveredCounts& uncovered,
+                             const Line& line);
 /// Tells whether the crossings of what a cover leaves of so many segments are found sooner cell by
 /// cell than among all pairs.
 [[nodiscard]] bool pays_by_cells(const Operands& operands, double segments, const UniformGrid& grid,

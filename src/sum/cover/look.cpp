@@ -71,6 +71,29 @@ CellsNear cells_near(const Cover& cover, const Line& line, Until until) {
   return near;
 }
 
+bool is_hidden(const Cover& cover, const UncoveredCounts& uncovered, const Line& line) {
+  const auto& [start, end] = line;
+  const UniformGrid& grid = cover.grid;
+  const Vec<double> middle{(start.x + end.x) / 2, (start.y + end.y) / 2};
+  const auto is_uncovered = [&](const Vec<double>& at) {
+    return !cover.covered.get(grid.column(at.x), grid.row(at.y));
+  };
+  if (is_uncovered(start) || is_uncovered(end) || is_uncovered(middle)) return false;
+  const auto first = [&](double a, double b) {
+    return static_cast<std::int32_t>(std::min(a, b) * grid.inverse - 2 * UniformGrid::kMargin);
+  };
+  const auto last = [&](double a, double b) {
+    return static_cast<std::int32_t>(std::max(a, b) * grid.inverse + 2 * UniformGrid::kMargin);
+  };
+  const std::int32_t bottom = first(start.y, end.y);
+  const std::int32_t top = last(start.y, end.y);
+  if (uncovered.none_in(first(start.x, end.x), bottom, last(start.x, end.x), top)) return true;
+  // In so few rows, the line's cells are a few words. Its halves may be in as many rows.
+  constexpr std::int32_t kFewRows = 3;
+  if (top - bottom < kFewRows) return !cells_near(cover, line, Until::kUncovered).uncovered;
+  return is_hidden(cover, uncovered, {start, middle}) && is_hidden(cover, uncovered, {middle, end});
+}
+
 Sample take_sample(const Operands& operands, const Convolution& convolution,
                    CoverScratch& scratch) {
   // The number follows from the size of the convolution, because its list may be a sample already.

@@ -8,46 +8,6 @@
 namespace minksum {
 namespace {
 
-/// Finds the segments that are near covered cells only.
-class Hider {
- public:
-  Hider(const Cover& cover, const UncoveredCounts& uncovered)
-      : cover_(cover), uncovered_(uncovered) {}
-
-  /// Looks at the cells of a segment's ends and of its middle first, and then at all near its box.
-  /// If some of these are not covered, the halves of the segment tell.
-  [[nodiscard]] bool hides(const Vec<double>& start, const Vec<double>& end) const {
-    const Vec<double> middle{(start.x + end.x) / 2, (start.y + end.y) / 2};
-    if (!is_covered(start) || !is_covered(end) || !is_covered(middle)) return false;
-    const double inverse = cover_.grid.inverse;
-    const auto first = [&](double a, double b) __attribute__((always_inline)) {
-      return static_cast<std::int32_t>(std::min(a, b) * inverse - 2 * UniformGrid::kMargin);
-    };
-    const auto last = [&](double a, double b) __attribute__((always_inline)) {
-      return static_cast<std::int32_t>(std::max(a, b) * inverse + 2 * UniformGrid::kMargin);
-    };
-    const std::int32_t left = first(start.x, end.x);
-    const std::int32_t right = last(start.x, end.x);
-    const std::int32_t bottom = first(start.y, end.y);
-    const std::int32_t top = last(start.y, end.y);
-    if (uncovered_.none_in(left, bottom, right, top)) return true;
-    // In so few rows, the segment's cells are a few words. Its halves may be in as many rows.
-    constexpr std::int32_t kFewRows = 3;
-    if (top - bottom < kFewRows) {
-      return !cells_near(cover_, {start, end}, Until::kUncovered).uncovered;
-    }
-    return hides(start, middle) && hides(middle, end);
-  }
-
- private:
-  [[nodiscard]] bool is_covered(const Vec<double>& at) const {
-    return cover_.covered.get(cover_.grid.column(at.x), cover_.grid.row(at.y));
-  }
-
-  const Cover& cover_;
-  const UncoveredCounts& uncovered_;
-};
-
 // -- Hilbert's curve through squares ----------------------------------------------------------
 constexpr int kSideBits = 4;
 constexpr std::uint32_t kSide = 1U << kSideBits;
@@ -132,11 +92,10 @@ void drop_copies(const SmallOperand& p, double width, SmallSegments& s) {
 void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& s) {
   Cancellation never;
   const UncoveredCounts uncovered(cover, never, counts);
-  const Hider hider(cover, uncovered);
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < s.size; ++i) {
     const Vec<double> start{s.x[i], s.y[i]};
-    if (!hider.hides(start, plus(start, s.way()[i]))) s.copy(s, i, kept++);
+    if (!is_hidden(cover, uncovered, {start, plus(start, s.way()[i])})) s.copy(s, i, kept++);
   }
   s.left_out += s.size - kept;
   s.size = kept;
