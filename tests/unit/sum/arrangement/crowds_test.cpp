@@ -1,4 +1,5 @@
-// Tests that dividing crowds, and sorting strips, finds the crossings that all pairs have.
+// Tests that dividing crowds, and sorting strips, finds the crossings that all pairs have, and that
+// crowds are not looked at cell by cell.
 #include "sum/arrangement/crowds.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include "minksum/transform.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/random.hpp"
+#include "support/shapes.hpp"
 #include "unit/sum/prepare_operands.hpp"
 
 namespace minksum {
@@ -172,6 +174,38 @@ TEST(Crowds, OfThreeSizes) {
   expect_all_found(huge, unite(middle, transform(small, Affine{1, 0, -300, 0, 1, -200})));
   // On rationals of any size.
   expect_all_found(transform(huge, Affine::scaling(Rational(std::int64_t{1} << 62, 3))), middle);
+}
+
+/// Lists the segments that a cover leaves cell by cell. Returns whether cells are kept.
+bool keeps_cells(const Region& p, const Region& q, int grid) {
+  SumSettings settings;
+  settings.grid = grid;
+  Cancellation never;
+  Operands operands;
+  test::prepare_operands(p, q, settings, operands);
+  ConvolutionScratch convolution_scratch;
+  Convolution convolution;
+  reduced_convolution(operands, settings.limits, never, convolution_scratch, convolution);
+  CoverScratch cover_scratch;
+  Cover cover;
+  cover_interior(operands, settings, never, cover_scratch, convolution, cover);
+  EXPECT_GT(cover.covered_count(), 0U);
+  cover.by_cells = true;
+  cover.clips = false;
+  ArrangementScratch scratch;
+  Arrangement arrangement;
+  bin_segments(operands, convolution, cover, settings.limits, never, scratch, arrangement);
+  EXPECT_GT(arrangement.kept.size(), 100U);
+  return scratch.by_cells;
+}
+
+TEST(Crowds, CellsThatSegmentsCrowdAreGivenUp) {
+  test::Random random(1);
+  const Region star = test::spiky_star(random, 200, 1000);
+  EXPECT_TRUE(keeps_cells(star, test::spiky_star(random, 200, 1000), 128));
+  // At each of the star's convex vertices, long edges pass the same cells.
+  const Region large = test::make_polygon({{0, 0}, {9000000, 300000}, {200000, 9900000}});
+  EXPECT_FALSE(keeps_cells(large, star, 1024));
 }
 
 }  // namespace
