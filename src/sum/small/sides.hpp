@@ -229,14 +229,13 @@ template <class Number, class Compute>
   }
 }
 
-/// Returns test(lanes, t) for t from 0 to count - 1, as a sum of bits. The bits of t are
-/// kLaneBits · 2^t. `lanes` reads vectors and computes cross products. What it does not tell for
-/// sure is tested again, and counted. Only the bits of `wanted` lanes must be right.
-template <LaneBits kLaneBits = 1, class Number, class Test>
+/// Returns the bits of those t from 0 to count - 1 for which test(lanes, t) is true: it returns
+/// kBitOf[t] or 0. `lanes` reads vectors and computes cross products. What it does not tell for
+/// sure is tested again. Only the bits of `wanted` lanes must be right.
+template <class Number, class Test>
 [[gnu::always_inline]] inline LaneBits test_lanes(const SmallNumbers<Number>& numbers,
                                                   std::size_t count,
-                                                  [[maybe_unused]] LaneBits wanted, Test test,
-                                                  [[maybe_unused]] std::size_t* again = nullptr) {
+                                                  [[maybe_unused]] LaneBits wanted, Test test) {
   LaneBits bits = 0;
   if constexpr (std::is_same_v<Number, double>) {
     for (std::size_t t = 0; t < count; ++t) bits |= test(ExactLanes{}, t);
@@ -248,13 +247,12 @@ template <LaneBits kLaneBits = 1, class Number, class Test>
       bits |= test(filter_lanes(numbers, is_unsure), t);
       unsure |= is_unsure ? kBitOf[t] : 0;
     }
-    if (again != nullptr) *again += static_cast<std::size_t>(std::popcount(unsure & wanted));
     LaneBits sure = bits;  // apart, so that `bits` stays in a register
     for_each_bit(unsure & wanted, [&](std::uint32_t t) {
       const auto test_again = [&](const auto& lanes) __attribute__((always_inline)) {
         return test(lanes, t);
       };
-      sure = (sure & ~(kLaneBits << t)) | compute_surely(numbers, test_again);
+      sure = (sure & ~kBitOf[t]) | compute_surely(numbers, test_again);
     });
     return sure;
   }

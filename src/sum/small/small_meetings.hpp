@@ -24,17 +24,16 @@ class SmallMeetings {
     parts_would_not_help = false;
     size_ = 0;
   }
-  [[gnu::always_inline]] void add(std::size_t block, std::size_t other, LaneBits pairs,
-                                  const BlockMeetings& m) {
+  [[gnu::always_inline]] void add(std::size_t block, std::size_t other, const BlockMeetings& m) {
     const std::size_t r = block * kLanes;
     const std::size_t t = other * kLanes;
-    const auto row = [r](std::uint32_t bit) { return r + bit / kLanes; };
-    const auto lane = [t](std::uint32_t bit) { return t + bit % kLanes; };
+    const auto row = [r](std::uint32_t bit) { return r + bit % kLanes; };
+    const auto lane = [t](std::uint32_t bit) { return t + bit / kLanes; };
     const auto add_all = [&](LaneBits bits, Kind kind) {
-      for_each_bit(bits & pairs, [&](std::uint32_t bit) { add(row(bit), lane(bit), kind); });
+      for_each_bit(bits, [&](std::uint32_t bit) { add(row(bit), lane(bit), kind); });
     };
     const auto add_all_of_other = [&](LaneBits bits, Kind kind) {
-      for_each_bit(bits & pairs, [&](std::uint32_t bit) { add(lane(bit), row(bit), kind); });
+      for_each_bit(bits, [&](std::uint32_t bit) { add(lane(bit), row(bit), kind); });
     };
     const std::uint32_t before = size_;
     add_all(m.right, kRight);
@@ -130,7 +129,7 @@ template <class Number>
     const LaneBits pairs =
         (other == last ? pairs_with_last : ~LaneBits{0}) & (j == i ? ~kDiagonal : ~LaneBits{0});
     const auto meetings = meet_blocks(numbers, s, block, other, rows, pairs);
-    m.add(block, other, pairs, meetings);
+    m.add(block, other, meetings);
     const std::size_t of_exact = looks_of_exact * meetings.exact;
     looks_at_exact += of_exact;
     looks_left -= std::min(looks_left, of_exact);
